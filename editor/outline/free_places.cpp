@@ -31,12 +31,14 @@ public:
     }
 
     /// How far they all have to move.
-    [[nodiscard]] Vec3 way() const {
+    [[nodiscard]] Vec3 way(const std::optional<Vec3>& near) const {
         if (m_geoms.empty()) return Vec3::Zero();
+        Vec3 from = m_from;
+        for (int k = 0; near && k < 2; ++k) from[k] = kGridStep * std::round((*near)[k] / kGridStep);
         const auto obstructs = [this](const ObjectRef& geom) { return !isNew(geom) && !(m_onlyStatics && isGround(geom)); };
-        if (DropPlacement(m_objects, m_poses, obstructs).isFree(m_geoms, m_from)) return Vec3::Zero();
+        if (!near && DropPlacement(m_objects, m_poses, obstructs).isFree(m_geoms, m_from)) return Vec3::Zero();
         const DropPlacement placement(m_objects, m_poses, [this](const ObjectRef& geom) { return !isNew(geom); });
-        const auto to = placement.placeOnFloor(m_geoms, m_from, kGridStep);
+        const auto to = placement.placeOnFloor(m_geoms, from, kGridStep);
         Vec3 way = to ? Vec3(*to - m_from) : Vec3(Vec3::Zero());
         if (std::abs(way.z()) < kLevel) way.z() = 0; // keeps the number in the text
         return way;
@@ -82,9 +84,9 @@ private:
 
 } // namespace
 
-std::vector<ValueEdit> freePlaces(const LoadedProject& before, const LoadedProject& now) {
+std::vector<ValueEdit> freePlaces(const LoadedProject& before, const LoadedProject& now, const std::optional<Vec3>& near) {
     const Inserted inserted(before, now);
-    const Vec3 way = inserted.way();
+    const Vec3 way = inserted.way(near);
     return way.isZero() ? std::vector<ValueEdit>() : inserted.movedBy(way);
 }
 

@@ -174,7 +174,7 @@ void LibraryPanel::insert(const LibraryItem& item) {
     }
     Blocks wanted = std::move(blocks).value();
     wanted.imports.insert(wanted.imports.end(), item.imports.begin(), item.imports.end());
-    (void)m_edits->insert(wanted, m_selection.current(), tr("Add %1").arg(item.title));
+    (void)m_edits->insertAtPoint(wanted, m_selection.current(), tr("Add %1").arg(item.title));
 }
 
 } // namespace trundle

@@ -40,7 +40,8 @@ public:
     ~LibraryPanel() override;
 
     [[nodiscard]] LibraryModel& model() { return *m_model; }
-    /// Inserts an item at the selection, a robot or scenery at the origin. Used on double click.
+    [[nodiscard]] ObjectEdits& edits() { return *m_edits; }
+    /// Inserts an item at the selection, a robot or scenery near the insertion point of edits(). Used on double click.
     void insert(const LibraryItem& item);
     [[nodiscard]] bool isReading() const { return m_reading > 0; } ///< a worker thread is reading folders
     /// All folders are read and all previews are rendered. For tests.

@@ -161,6 +161,15 @@ Status ObjectEdits::paste(const std::string& place) {
 }
 
 Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const QString& name, FileId file) {
+    return insertBlocks(blocks, place, name, file, std::nullopt);
+}
+
+Status ObjectEdits::insertAtPoint(const Blocks& blocks, const std::string& place, const QString& name) {
+    return insertBlocks(blocks, place, name, 0, insertionPoint());
+}
+
+Status ObjectEdits::insertBlocks(const Blocks& blocks, const std::string& place, const QString& name, FileId file,
+                                 const std::optional<Vec3>& near) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const LoadedProject& loaded = *m_document.loaded();
     std::string needed;
@@ -188,15 +197,16 @@ Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const
         return plan;
     };
     const QString title = name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name;
-    return insertFree(title, [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
+    return insertFree(title, near, [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
 }
 
-Status ObjectEdits::insertFree(const QString& name, const std::function<Status(const std::string& mergeKey)>& insert) {
+Status ObjectEdits::insertFree(const QString& name, const std::optional<Vec3>& near,
+                               const std::function<Status(const std::string& mergeKey)>& insert) {
     const std::shared_ptr<const LoadedProject> before = m_document.loaded();
     const std::string key = "insert " + std::to_string(m_document.revision());
     const Status done = insert(key);
     if (done)
-        if (const std::vector<ValueEdit> edits = freePlaces(*before, *m_document.loaded()); !edits.empty())
+        if (const std::vector<ValueEdit> edits = freePlaces(*before, *m_document.loaded(), near); !edits.empty())
             (void)m_document.setValues(name, edits, key);
     m_document.endMerge();
     return done;
@@ -230,7 +240,8 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
         return plan;
     };
     const QString title = tr("Add %1").arg(shown(kind.name));
-    return insertFree(title, [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
+    return insertFree(title, insertionPoint(),
+                      [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
 }
 
 Status ObjectEdits::insertObject(const Kind& geom) {
@@ -240,7 +251,7 @@ Status ObjectEdits::insertObject(const Kind& geom) {
     Result<EditPlan> plan = planInsert(*m_document.loaded(), {}, blocks.value().text);
     if (plan) plan.value().selects.erase(plan.value().selects.begin(), plan.value().selects.end() - 1); // not the config
     const QString title = tr("Add %1 Object").arg(shown(geom.name));
-    return insertFree(title, [&](const std::string& key) { return m_document.apply(title, plan, key); });
+    return insertFree(title, insertionPoint(), [&](const std::string& key) { return m_document.apply(title, plan, key); });
 }
 
 Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,

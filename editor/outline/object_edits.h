@@ -3,10 +3,13 @@
 // failure is reported by Document::refused() and changes nothing.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <QObject>
+
+#include <trundle/geometry.h>
 
 #include "base/result.h"
 #include "project/plans.h"
@@ -43,12 +46,16 @@ public:
     /// Objects moved within `parent` stay in their files unless `file` is another one.
     Status move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
                 FileId file = kNoFile);
-    // New robots and statics that would stand inside something move to the nearest free place on the floor, in the same edit.
+    // New robots and statics that would stand inside something move to the nearest free place on the floor, in the same edit. Those
+    // inserted without a position of their own are put near the insertion point.
+    using InsertionPoint = std::function<std::optional<Vec3>()>; ///< in W
+    void setInsertionPoint(InsertionPoint point) { m_insertionPoint = std::move(point); }
     /// Inserts a new block of a kind in or around `place`.
     Status insertKind(const Kind& kind, const std::string& place);
     /// Inserts a movable object of one shape, see objectTemplateOf().
     Status insertObject(const Kind& geom);
     Status insert(const Blocks& blocks, const std::string& place, const QString& name = {}, FileId file = 0);
+    Status insertAtPoint(const Blocks& blocks, const std::string& place, const QString& name);
     Status insertFrom(const QMimeData& mime, const std::string& place, FileId file = 0); ///< inserts a drop
     Status replaceBySingles(const std::string& path);
 
@@ -63,8 +70,12 @@ private:
     [[nodiscard]] Result<Blocks> read(const QMimeData& mime) const;
     [[nodiscard]] Status checkChangeable(const std::vector<std::string>& paths, const QString& verb);
     Status refuse(const QString& reason);
+    [[nodiscard]] std::optional<Vec3> insertionPoint() const { return m_insertionPoint ? m_insertionPoint() : std::nullopt; }
+    Status insertBlocks(const Blocks& blocks, const std::string& place, const QString& name, FileId file,
+                        const std::optional<Vec3>& near);
     /// Runs `insert`, then moves what it has inserted to a free place.
-    Status insertFree(const QString& name, const std::function<Status(const std::string& mergeKey)>& insert);
+    Status insertFree(const QString& name, const std::optional<Vec3>& near,
+                      const std::function<Status(const std::string& mergeKey)>& insert);
     Status remove(const QString& name, const std::vector<std::string>& objects);
     /// Removes the selected objects; asks first if blocks that refer to them would be removed too.
     void removeObjects(const QString& verb, const QString& title, const QString& all, const QString& done,
@@ -73,6 +84,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     const ObjectMarks& m_marks;
+    InsertionPoint m_insertionPoint;
 };
 
 } // namespace trundle

@@ -1,5 +1,6 @@
 #include "editor/running/live_edits.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -38,7 +39,19 @@ Texts textsOf(const Outline& outline) {
     return out;
 }
 
+/// Whether the path leads to a View or into one. The 3D views show Views of the current text; only a FrameLog uses one in the run.
+bool isShownView(const Outline& outline, const std::string& path) {
+    const std::string name = path.substr(0, path.find('.'));
+    const Part* view = outline.world.find(name);
+    if (!view || view->block->type.text != "View") return false;
+    return std::ranges::none_of(outline.parts, [&](const auto& part) {
+        const SourceAssignment* used = part->is(Role::Log) ? part->assignments.find("View") : nullptr;
+        return used && used->value && outline.texts().slice(used->file, used->value->range) == name;
+    });
+}
+
 bool isLive(const Outline& outline, const std::string& path) {
+    if (isShownView(outline, path)) return true;
     if (path.starts_with("Material.") || path.starts_with("Surface.")) return path.find('.', path.find('.') + 1) != path.npos;
     const auto from = provenanceOf(outline, path);
     return from && from->property && from->property->live;

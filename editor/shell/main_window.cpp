@@ -191,6 +191,8 @@ void MainWindow::connectPanels() {
     connect(m_document, &Document::opened, this, &MainWindow::showDocument);
     connect(m_document, &Document::opened, this, [this] { m_problemsMayCome = true; });
     connect(m_document, &Document::changed, this, &MainWindow::raiseProblemsOnce); // emitted after opened()
+    for (ObjectEdits* edits : {m_edits, &m_library->edits()})
+        edits->setInsertionPoint([this] { return m_viewport->insertionPoint(); });
     connect(m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
     connect(m_document, &Document::selectionRequested, m_selection, [this](const auto& paths) { m_selection->set(paths); });

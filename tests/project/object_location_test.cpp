@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "plan_fixture.h"
+#include "project/path_after_edit.h"
 
 using namespace trundle;
 using sample::PlanFixture;
@@ -160,6 +161,43 @@ private Q_SLOTS:
                 QVERIFY2(path.empty() || (block.file == file && block.range.contains(offset)), path.c_str());
             }
         }
+    }
+
+    void pathsFollowRenames_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<QString>("now"); // empty: it is gone
+        const auto row = [](const char* name, const char* path, const char* from, const char* to, const char* now) {
+            QTest::newRow(name) << path << from << to << now;
+        };
+        row("itself", "robot0", "Robot robot0", "Robot rover", "rover");
+        row("the instance", "robot0.chassis.hull", "Robot robot0", "Robot rover", "rover.chassis.hull");
+        row("a body", "robot0.chassis.hull", "Body chassis", "Body base", "robot0.base.hull");
+        row("its config", "robot0.chassis.hull", "Cart", "Wagon", "robot0.chassis.hull");
+        row("in the config", "RobotConfig.Cart.chassis", "Cart", "Wagon", "RobotConfig.Wagon.chassis");
+        row("imported", "robot0.wheel.tyre", "Robot robot0", "Robot rover", "rover.wheel.tyre");
+        row("the controller", "robot0.brain", "Robot robot0", "Robot rover", "rover.brain");
+        row("another one", "arena.north", "Robot robot0", "Robot rover", "arena.north");
+        row("moved only", "robot0", "Static arena { Config=Yard }\n", "", "robot0");
+        row("removed", "robot0", "Robot robot0 { Config=Cart Walker brain { Speed=1 } }\n", "", "");
+        row("replaced by another kind", "arena", "Static arena { Config=Yard }", "Robot other { Config=Cart }", "");
+        row("a name that existed", "robot0", "Robot robot0 { Config=Cart Walker brain { Speed=1 } }\nGrid swarm",
+            "Grid swarm { Config=Cart Count=3 Spacing=4 Pos=9,9,0 }\nGrid robot1", "");
+        row("a member", "swarm_2", "Robot robot0", "Robot rover", "swarm_2");
+        row("the run", "", "Robot robot0", "Robot rover", "");
+    }
+    void pathsFollowRenames() {
+        QFETCH(QString, path);
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(QString, now);
+        QString text = QString::fromLatin1(kScene).replace(from, to);
+        text.replace(QStringLiteral("Robot=robot0"), QStringLiteral("Interval=1")); // which keeps the text without errors
+        const auto after = m_fixture.open({{"main.sim", text.toStdString()}, {"wheel.sim", kWheel}});
+        const auto found = pathAfterEdit(*m_loaded, *after, path.toStdString());
+        QCOMPARE(QString::fromStdString(found.value_or("")), now);
+        QCOMPARE(found.has_value(), path.isEmpty() || !now.isEmpty());
     }
 
     /// A duplicate name and an unknown kind have no path.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QPainter>
+#include <QWidget>
 
 #include "editor/running/session.h"
 #include "editor/viewport/context/tool_view.h"
@@ -13,39 +14,49 @@
 namespace trundle {
 namespace {
 
-constexpr double kPinLeft = 8, kPinTop = 44, kPinBottom = 70, kPinRim = 8, kPinGap = 6, kPinNumbers = 3, kPinCross = 8;
-constexpr int kPinDigits = 8;        // "-123.456"
-constexpr double kPinMostName = 200; // pixels; longer names are elided in the middle
+constexpr double kPinEdge = 2, kPinLeft = 8, kPinTop = 44, kPinBottom = 70, kPinRim = 8, kPinGap = 6, kPinCross = 8, kPinNameGap = 12;
+constexpr std::size_t kPinNumbers = 3;
+constexpr int kPinDigits = 8;       // "-123.456"
+constexpr int kPinMostName = 200, kPinLeastName = 70; // pixels at the default font; longer names are elided in the middle
 const QColor kPinPaper(24, 27, 31, 205), kPinWords(245, 246, 248), kPinQuiet(178, 184, 192);
 
 QString noValues() { return PinnedValues::tr("no values before it runs"); }
 
-/// Text of one label. Column widths are those of the longest possible text, so that they do not change with the values.
+/// Text of one label. Column widths are those of the longest possible text, so that they do not change with the values. In a narrow
+/// view the names are elided, or shown above their numbers; the numbers then share as many lines as they need.
 class LabelText {
 public:
-    LabelText(const QFont& font, const std::string& path, std::vector<LiveValue> values)
-        : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(std::move(values)),
-          m_words(font), m_bold(font), m_figures(monospaceFont()) {
+    LabelText(const QFont& font, const std::string& path, std::vector<LiveValue> values, double room)
+        : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(std::move(values)), m_words(font),
+          m_bold(font), m_figures(figuresFont(12)) {
         m_bold.setWeight(QFont::DemiBold);
-        m_figures.setPixelSize(12);
         const QFontMetricsF words(m_words), figures(m_figures), bold(m_bold);
+        const double inside = room - 2 * kPinRim;
         m_line = std::max(words.height(), figures.height()) + 1;
-        std::size_t numbers = 1;
         for (const LiveValue& value : m_values) {
-            m_names.push_back(words.elidedText(QString::fromStdString(value.name), Qt::ElideMiddle, kPinMostName));
-            m_nameWidth = std::max(m_nameWidth, words.horizontalAdvance(m_names.back()));
-            numbers = std::max(numbers, value.numbers.size());
+            m_nameWidth = std::max(m_nameWidth, words.horizontalAdvance(QString::fromStdString(value.name)));
+            m_inLine = std::max(m_inLine, std::min(value.numbers.size(), kPinNumbers));
         }
-        m_nameWidth += 12;
+        m_nameWidth = std::min(m_nameWidth, double(scaledToFont(kPinMostName))) + kPinNameGap;
         m_numberWidth = figures.horizontalAdvance(QString(kPinDigits, u'0'));
-        m_numbersWidth = double(std::min(double(numbers), kPinNumbers)) * m_numberWidth;
         m_unitWidth = words.horizontalAdvance(QStringLiteral("mN m")) + 8;
-        if (m_values.empty()) m_nameWidth = words.horizontalAdvance(noValues()), m_numbersWidth = m_unitWidth = 0;
-        m_title = bold.elidedText(m_title, Qt::ElideMiddle, 2 * kPinMostName);
-        m_width = std::max(m_nameWidth + m_numbersWidth + m_unitWidth, bold.horizontalAdvance(m_title) + kPinCross + kPinRim);
+        const double besideNumbers = inside - double(m_inLine) * m_numberWidth - m_unitWidth;
+        m_stacked = besideNumbers < std::min(m_nameWidth, double(scaledToFont(kPinLeastName)));
+        m_nameWidth = std::min(m_nameWidth, m_stacked ? inside : besideNumbers);
+        if (m_stacked) m_inLine = std::size_t(std::clamp((inside - m_unitWidth) / m_numberWidth, 1.0, double(m_inLine)));
+        for (const LiveValue& value : m_values)
+            m_names.push_back(words.elidedText(QString::fromStdString(value.name), Qt::ElideMiddle, m_nameWidth - (m_stacked ? 0 : kPinNameGap)));
+        const double numbersWidth = double(m_inLine) * m_numberWidth + m_unitWidth;
+        m_width = m_stacked ? std::max(m_nameWidth, numbersWidth) : m_nameWidth + numbersWidth;
+        if (m_values.empty()) m_width = std::min(inside, words.horizontalAdvance(noValues()));
+        const double cross = kPinCross + kPinRim;
+        m_title = bold.elidedText(m_title, Qt::ElideMiddle, std::min(inside - cross, 2.0 * scaledToFont(kPinMostName)));
+        m_width = std::min(inside, std::max(m_width, bold.horizontalAdvance(m_title) + cross));
     }
     [[nodiscard]] QSizeF size() const {
-        return {m_width + 2 * kPinRim, 2 * kPinRim + m_line * double(1 + std::max<std::size_t>(1, m_values.size()))};
+        std::size_t lines = m_values.empty() ? 2 : 1;
+        for (const LiveValue& value : m_values) lines += linesOf(value);
+        return {m_width + 2 * kPinRim, 2 * kPinRim + m_line * double(lines)};
     }
 
     void paint(QPainter& painter, const PinnedLabel& label) const {
@@ -62,21 +73,31 @@ public:
         };
         write(m_bold, kPinWords, left, m_width, Qt::AlignLeft, m_title);
         y += m_line;
-        if (m_values.empty()) write(m_words, kPinQuiet, left, m_width, Qt::AlignLeft, noValues());
+        if (m_values.empty())
+            write(m_words, kPinQuiet, left, m_width, Qt::AlignLeft,
+                  QFontMetricsF(m_words).elidedText(noValues(), Qt::ElideRight, m_width));
         for (std::size_t v = 0; v < m_values.size(); ++v) {
             const LiveValue& value = m_values[v];
             write(m_words, kPinQuiet, left, m_nameWidth, Qt::AlignLeft, m_names[v]);
-            const double end = left + m_nameWidth + m_numbersWidth;
-            const std::size_t count = std::min(value.numbers.size(), std::size_t(kPinNumbers));
-            for (std::size_t i = 0; i < count; ++i)
-                write(m_figures, kPinWords, end - double(count - i) * m_numberWidth, m_numberWidth, Qt::AlignRight,
-                      QString::fromStdString(value.numbers[i]));
+            if (m_stacked) y += m_line;
+            const double end = left + (m_stacked ? m_width - m_unitWidth : m_nameWidth + double(m_inLine) * m_numberWidth);
             write(m_words, kPinQuiet, end + 6, m_unitWidth, Qt::AlignLeft, QString::fromStdString(value.unit));
+            const std::size_t count = std::min(value.numbers.size(), kPinNumbers);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (i > 0 && i % m_inLine == 0) y += m_line;
+                const std::size_t inLine = std::min(m_inLine, count - i / m_inLine * m_inLine); // of this line
+                write(m_figures, kPinWords, end - double(inLine - i % m_inLine) * m_numberWidth, m_numberWidth, Qt::AlignRight,
+                      QString::fromStdString(value.numbers[i]));
+            }
             y += m_line;
         }
     }
 
 private:
+    [[nodiscard]] std::size_t linesOf(const LiveValue& value) const {
+        const std::size_t count = std::max<std::size_t>(1, std::min(value.numbers.size(), kPinNumbers));
+        return (m_stacked ? 1 : 0) + (count + m_inLine - 1) / m_inLine;
+    }
     static void paintCross(QPainter& painter, const QRectF& at) {
         painter.setPen(QPen(kPinQuiet, 1.4));
         const QRectF cross = at.adjusted(4, 4, -4, -4);
@@ -88,7 +109,9 @@ private:
     std::vector<LiveValue> m_values;
     std::vector<QString> m_names;
     QFont m_words, m_bold, m_figures;
-    double m_line = 0, m_nameWidth = 0, m_numberWidth = 0, m_numbersWidth = 0, m_unitWidth = 0, m_width = 0;
+    double m_line = 0, m_nameWidth = 0, m_numberWidth = 0, m_unitWidth = 0, m_width = 0;
+    std::size_t m_inLine = 1; // numbers in a line
+    bool m_stacked = false;   // names are above their numbers
 };
 
 struct LaidLabel {
@@ -112,20 +135,21 @@ std::vector<LaidLabel> layOut(const ToolView& view, std::size_t& hidden, double&
     if (!pinned || !view.isCurrent()) return laid;
     bool full = false;
     for (const Pin& pin : pinned->pins()) {
-        LabelText text(view.widget().font(), pin.path, view.context().session.liveValues(pin.path));
+        const QWidget& widget = view.widget();
+        LabelText text(widget.font(), pin.path, view.context().session.liveValues(pin.path), widget.width() - 2 * kPinEdge);
         QRectF rect(QPointF(kPinLeft, y), text.size());
         if (pin.position) {
-            rect.moveCenter({pin.position->x() * view.widget().width(), pin.position->y() * view.widget().height()});
-            rect = within(rect, QRectF(view.widget().rect()).adjusted(2, 2, -2, -2));
-        } else if (full || (y > kPinTop && rect.bottom() > view.widget().height() - kPinBottom)) {
+            rect.moveCenter({pin.position->x() * widget.width(), pin.position->y() * widget.height()});
+            rect = within(rect, QRectF(widget.rect()).adjusted(kPinEdge, kPinEdge, -kPinEdge, -kPinEdge));
+        } else if (full || (y > kPinTop && rect.bottom() > widget.height() - kPinBottom)) {
             full = true;
             ++hidden;
             continue;
         } else {
             y += rect.height() + kPinGap;
+            rect.moveLeft(std::clamp(widget.width() - kPinEdge - rect.width(), kPinEdge, kPinLeft));
         }
-        const double right = std::min(rect.right(), double(view.widget().width())); // keeps the cross of a wide label visible
-        const QRectF close(right - kPinCross - 12, rect.top() + 4, kPinCross + 8, kPinCross + 8);
+        const QRectF close(rect.right() - kPinCross - 12, rect.top() + 4, kPinCross + 8, kPinCross + 8);
         laid.push_back({{pin.path, rect, close}, std::move(text)});
     }
     return laid;

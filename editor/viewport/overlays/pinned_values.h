@@ -38,9 +38,12 @@ public:
     void setPins(std::vector<Pin> pins);
     /// Moves a label; `position` as in Pin.
     void move(const std::string& path, const std::optional<QPointF>& position);
-    /// Removes the pins for which `exists` returns false.
-    template <class Exists> void keepIf(const Exists& exists) {
-        if (std::erase_if(m_pins, [&](const Pin& pin) { return !exists(pin.path); }) > 0) Q_EMIT changed();
+    /// Gives each pin the path that `pathNow` returns for its own, and removes those for which it returns nothing.
+    template <class PathNow> void follow(const PathNow& pathNow) {
+        std::vector<Pin> pins;
+        for (const Pin& pin : m_pins)
+            if (const std::optional<std::string> path = pathNow(pin.path)) pins.push_back({*path, pin.position});
+        setPins(std::move(pins));
     }
 
 Q_SIGNALS:

@@ -15,6 +15,7 @@
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/actions.h"
 #include "project/object_location.h"
+#include "project/path_after_edit.h"
 #include "render/service.h"
 
 namespace trundle {
@@ -144,9 +145,11 @@ void ViewportPanel::connectPinned() {
     // Delayed: another slot of opened() may still save the pins of the previous experiment.
     connect(&m_document, &Document::opened, this, [this] { m_pinsOfOther = true; });
     connect(&m_document, &Document::changed, this, [this] { // objects may have been renamed
-        if (std::exchange(m_pinsOfOther, false)) m_pinned->setPins({});
-        if (m_document.isOpen())
-            m_pinned->keepIf([this](const std::string& path) { return placeOf(*m_document.loaded(), path).has_value(); });
+        if (std::exchange(m_pinsOfOther, false)) m_pinned->setPins({}), m_pinsIn = nullptr;
+        const auto now = m_document.isOpen() && !m_document.loaded()->diagnostics.hasErrors() ? m_document.loaded() : nullptr;
+        if (!now) return; // a block whose text is being typed may be back soon
+        const auto before = std::exchange(m_pinsIn, now);
+        m_pinned->follow([&](const std::string& path) { return pathAfterEdit(before ? *before : *now, *now, path); });
     });
 }
 

@@ -162,6 +162,14 @@ bool ViewportPanel::showView(const QString& name) {
     return false;
 }
 
+std::optional<Vec3> ViewportPanel::insertionPoint() const {
+    if (!m_current->isVisible()) return std::nullopt;
+    const Vec3 point = m_current->pointUnder(QRectF(m_current->rect()).center());
+    const ViewCamera& camera = m_current->camera();
+    constexpr double kFarthest = 3; // of the distance of the camera: towards the horizon the floor is too far away to be meant
+    return (point - camera.view().eye).norm() <= kFarthest * camera.distance() ? point : camera.middle();
+}
+
 std::vector<ViewState> ViewportPanel::viewStates() const {
     std::vector<ViewState> viewStates;
     for (const View* view : m_views) viewStates.push_back({view->camera().kind(), view->camera().view()});

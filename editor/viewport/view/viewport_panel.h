@@ -2,6 +2,7 @@
 // The viewport panel: one to four 3D views and their shared state.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QWidget>
@@ -16,6 +17,7 @@ class QPushButton;
 
 namespace trundle {
 
+struct LoadedProject;
 class Actions;
 class PinnedValues;
 class RadioOverlays;
@@ -44,6 +46,8 @@ public:
     [[nodiscard]] ViewportScene& world() { return *m_world; }
     [[nodiscard]] RadioOverlays& radios() { return *m_radios; }
     [[nodiscard]] PinnedValues& pinned() { return *m_pinned; }
+    /// Where a new object is expected: what is in the middle of the current view (W). Nothing while no view is visible.
+    [[nodiscard]] std::optional<Vec3> insertionPoint() const;
     /// Sets the current view: "perspective", "top", "chase" ..., or the name of a View block. False if the name is unknown.
     bool showView(const QString& name);
     /// Of all four views, visible or not.
@@ -105,6 +109,7 @@ private:
     std::string m_blockingLayout;
     int m_shown = 1;
     bool m_toBeFramed = true, m_frameWhenShown = false;
+    std::shared_ptr<const LoadedProject> m_pinsIn; // texts without errors in which the pins' paths were last valid
     bool m_pinsOfOther = false; // another experiment was opened, but is not displayed yet
 };
 

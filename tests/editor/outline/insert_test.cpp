@@ -40,6 +40,7 @@ private Q_SLOTS:
     void insertsEveryKindWhereAllowed();
     void offersWhatFitsTheSelection();
     void newObjectsStandFree();
+    void newObjectsComeToTheInsertionPoint();
     void aRobotHasOneController();
     void objectsAreMovable_data();
     void objectsAreMovable();
@@ -178,6 +179,31 @@ void InsertTest::newObjectsStandFree() {
     QCOMPARE(last.size(), std::size_t(1));
     for (std::size_t i = 0; i < edits; ++i) o.document.undo();
     QCOMPARE(o.text(), kRovers);
+}
+
+/// The middle of the 3D view, in the window. What is pasted keeps the position that is written.
+void InsertTest::newObjectsComeToTheInsertionPoint() {
+    OutlineFixture o;
+    QVERIFY(o.open(kRovers));
+    InsertMenu insert(o.document, o.selection, o.edits);
+    o.edits.setInsertionPoint([] { return Vec3(-3.02, 2.11, 0.4); });
+    for (const char* name : {"insertObject.Box", "insert.Robot"}) {
+        o.selection.select("");
+        QMenu menu;
+        insert.fill(menu);
+        menu.findChild<QAction*>(QLatin1String(name))->trigger();
+        QCOMPARE(o.refusals, QStringList());
+    }
+    const ExperimentSpec& experiment = *o.document.loaded()->experiment;
+    const Vec3 box = experiment.robots.at(2).pose.position, robot = experiment.robots.at(3).pose.position;
+    QVERIFY2((box.head<2>() - Eigen::Vector2d(-3, 2.1)).norm() < 1e-9, o.text().constData());
+    const double way = (robot.head<2>() - box.head<2>()).norm(); // beside the box
+    QVERIFY2(way > 0.05 && way < 1, o.text().constData());
+    o.selection.select("robot0");
+    o.edits.copySelected();
+    o.document.undo(), o.document.undo();
+    QVERIFY(o.edits.paste("").ok());
+    QVERIFY(o.document.loaded()->experiment->robots.back().pose.position.norm() < 1.5);
 }
 
 void InsertTest::aRobotHasOneController() {

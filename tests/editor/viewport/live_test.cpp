@@ -1,6 +1,7 @@
 // The 3D view during a run: pinned values, moving and pushing robots, contacts.
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/gizmo_tool.h"
 #include "editor/viewport/overlays/contact_arrows.h"
@@ -57,6 +58,68 @@ private Q_SLOTS:
         QVERIFY(pin.isChecked());
         m_window->trigger("view.pinValues");
         QVERIFY(m_window->panel->pinned().paths().empty() && !pin.isChecked());
+    }
+
+    /// In a view narrower than its columns a label shows the numbers below each other instead of beyond the edge.
+    void pinnedLabelsFitIntoNarrowViews() {
+        PinnedValues& pinned = m_window->panel->pinned();
+        pinned.set({"robot0", "robot0.leftMotor"}, true);
+        step(); // before the run there are no values
+        View& view = m_window->view();
+        const QSize before = view.size();
+        QSizeF least(1e9, 1e9), most;
+        for (const int width : {420, 300, 240, 180, 160}) {
+            view.resize(width, before.height());
+            const std::vector<PinnedLabel> labels = pinnedLabels(view);
+            QVERIFY(!labels.empty());
+            for (const PinnedLabel& label : labels) {
+                QVERIFY2(label.rect.left() >= 0 && label.rect.right() <= view.width(), qPrintable(QString::number(width)));
+                QVERIFY(label.rect.contains(label.close.center()));
+            }
+            least = least.boundedTo(labels.front().rect.size());
+            most = most.expandedTo(labels.front().rect.size());
+        }
+        QVERIFY(most.width() > least.width() && most.height() > least.height());
+        view.resize(before);
+        pinned.setPins({});
+    }
+
+    /// However it is renamed: in the tree, by typing, or by undo. A text with errors keeps the pins.
+    void pinsFollowRenames() {
+        PinnedValues& pinned = m_window->panel->pinned();
+        pinned.set({"robot0", "robot0.leftMotor", "robot1", ""}, true);
+        pinned.move("robot0", QPointF(0.5, 0.5));
+        using Paths = std::vector<std::string>;
+        QVERIFY(m_window->document.structure().rename(QStringLiteral("Rename"), "robot0", "rover").ok());
+        QCOMPARE(pinned.paths(), (Paths{"rover", "rover.leftMotor", "robot1", ""}));
+        QCOMPARE(*pinned.pins().front().position, QPointF(0.5, 0.5));
+        m_window->document.undo();
+        QCOMPARE(pinned.paths(), (Paths{"robot0", "robot0.leftMotor", "robot1", ""}));
+        const auto put = [this](const QByteArray& text) {
+            return m_window->document.replaceText(QStringLiteral("Type"), m_window->document.files().front(), text.toStdString()).ok();
+        };
+        QVERIFY(put(QByteArray(kRoom).replace("Robot robot0 {", "Robot  {")) && put(QByteArray(kRoom).replace("Robot robot0 {", "Robot ro {")));
+        QCOMPARE(pinned.paths(), (Paths{"ro", "ro.leftMotor", "robot1", ""}));
+        QVERIFY(put(QByteArray(kRoom).replace("robot1", "robot2").replace("robot0", "robot3"))); // two at once
+        QCOMPARE(pinned.paths(), (Paths{"robot3", "robot3.leftMotor", "robot2", ""}));
+    }
+
+    /// A View changed during a run is shown at once and does not wait for a reset, unless the run takes pictures from it.
+    void viewsAreEditedDuringARun() {
+        const QByteArray view = "View overview { Eye=3,-4,3 Target=0,0,0 }\n", log = "FrameLog frames { View=overview Interval=1 }\n";
+        for (const bool logged : {false, true}) {
+            QVERIFY(m_window->open(kRoom + view + (logged ? log : QByteArray())));
+            QVERIFY(m_window->panel->showView(QStringLiteral("overview")));
+            step();
+            QVERIFY(!m_window->session.needsReset());
+            QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"overview.Eye", "1,2,3"}}).ok());
+            EVENTUALLY((m_window->view().camera().view().eye - Vec3(1, 2, 3)).norm() < 1e-9);
+            QCOMPARE(m_window->session.needsReset(), logged);
+            if (logged) continue;
+            m_window->document.undo();
+            QVERIFY(m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"overview"})).ok());
+            QVERIFY(!m_window->session.needsReset());
+        }
     }
 
     void pinnedLabelsAreDraggedAndClosed() {
