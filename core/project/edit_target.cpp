@@ -56,6 +56,20 @@ bool isShippedFile(const LoadedProject& loaded, FileId file) {
     return loaded.paths[file].starts_with(loaded.shippedConfigs + "/");
 }
 
+FileEdits editsOf(const Fix& fix) {
+    FileEdits edits;
+    for (const TextEdit& edit : fix.edits) edits[edit.range.file].push_back(edit);
+    return edits;
+}
+
+std::vector<const Fix*> applicableFixes(const LoadedProject& loaded, const Diagnostic& diagnostic) {
+    std::vector<const Fix*> fixes;
+    for (const Fix& fix : diagnostic.fixes)
+        if (std::ranges::none_of(fix.edits, [&](const TextEdit& edit) { return isShippedFile(loaded, edit.range.file); }))
+            fixes.push_back(&fix);
+    return fixes;
+}
+
 std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config) {
     std::vector<const Part*> instances;
     for (const auto& part : loaded.outline->parts)

@@ -40,6 +40,11 @@ struct EditTarget {
 [[nodiscard]] EditTarget targetOfStructure(const LoadedProject& loaded, const Part& config, const Part* instance,
                                            ConfigUsers& users);
 
+/// The edits of a fix, by file.
+[[nodiscard]] FileEdits editsOf(const Fix& fix);
+/// The fixes of a diagnostic that can be applied: those that change no shipped file. Pointers into the diagnostic.
+[[nodiscard]] std::vector<const Fix*> applicableFixes(const LoadedProject& loaded, const Diagnostic& diagnostic);
+
 /// The configs whose contents a plan changes, each once.
 [[nodiscard]] std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan);
 

@@ -65,8 +65,8 @@ public:
     [[nodiscard]] bool isNew() const;       ///< not saved to a file yet
     /// Absolute paths of the project's files in the order of FileId; the first is the opened one.
     [[nodiscard]] std::vector<std::string> files() const;
-    /// Null for a file that does not belong to this project.
-    [[nodiscard]] std::shared_ptr<const std::string> text(const std::string& file) const;
+    [[nodiscard]] std::shared_ptr<const std::string> text(const std::string& file) const; ///< null if it is not of this project
+    [[nodiscard]] bool isRemoved(const std::string& file) const; ///< an edit created it and was undone: the next save removes it
     [[nodiscard]] Status addText(const std::string& file); ///< adds a file of the project's folder that nothing imports
     /// Loads another file of the project with the current texts.
     [[nodiscard]] Result<std::shared_ptr<const LoadedProject>> loadedFrom(const std::string& file) const;

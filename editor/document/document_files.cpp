@@ -18,6 +18,11 @@ namespace fs = std::filesystem;
 
 bool Document::isModified() const { return !m_state->files.modified().empty(); }
 
+bool Document::isRemoved(const std::string& file) const {
+    const OpenFile* open = isOpen() ? m_state->files.find(file) : nullptr;
+    return open && open->isRemoved();
+}
+
 bool Document::isModified(const std::string& file) const {
     const OpenFile* known = m_state->files.find(file);
     return known && known->modified();

@@ -83,7 +83,7 @@ Status ProjectRename::apply(const QString& title, const std::string& name, bool 
     FilePlans all = byPath(loaded, own.value().edits);
     for (const auto& other : m_others) {
         const Result<FilePlans> plan = planOutside(*other, name);
-        if (!plan) return Error{plan.error().code, m_document.shown(other->paths[0]) + ": " + plan.error().message};
+        if (!plan) return m_document.apply(title, Error{plan.error().code, m_document.shown(other->paths[0]) + ": " + plan.error().message});
         for (const auto& [file, edits] : plan.value())
             for (const TextEdit& edit : edits)
                 if (std::ranges::none_of(all[file], [&](const TextEdit& e) { return e.range.range == edit.range.range; }))
@@ -91,9 +91,9 @@ Status ProjectRename::apply(const QString& title, const std::string& name, bool 
     }
     FileTexts texts;
     for (const auto& [file, edits] : all) {
-        if (Status added = m_document.addText(file); !added) return added;
+        if (Status added = m_document.addText(file); !added) return m_document.apply(title, added.error());
         Result<std::string> bytes = applyEdits(*m_document.text(file), edits);
-        if (!bytes) return bytes.error();
+        if (!bytes) return m_document.apply(title, bytes.error());
         texts.emplace(file, std::make_shared<const std::string>(std::move(bytes).value()));
     }
     return m_document.replaceTexts(title, texts, own.value().selects);

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool isComplete() const { return m_complete; } ///< false: the project has more texts than were read
 
     /// Renames as one entry of the history: in the document's texts, and with `everywhere` also in the others. Fails and
-    /// changes nothing if the name is already used in one of them.
+    /// changes nothing if the name is already used in one of them; the failure is also reported by Document::refused().
     [[nodiscard]] Status apply(const QString& title, const std::string& name, bool everywhere);
 
 private:

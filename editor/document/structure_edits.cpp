@@ -38,6 +38,7 @@ struct StructureEdits::PendingEdit {
     std::map<std::string, std::string> copies; ///< path of a config -> path of its copy
     std::set<std::string> decided;             ///< keys of configs that are changed themselves
     std::set<std::string> changed;             ///< files that the plan changes; configs imported from them are copied too
+    std::function<Status()> applyWithoutCopies; ///< used instead of the plan if no text was changed for it; may be empty
     QStringList notices;
     Status status;
     bool answered = false;
@@ -53,39 +54,55 @@ QString StructureEdits::shown(const std::string& file) const { return text(m_doc
 
 Status StructureEdits::apply(const QString& name, const std::vector<std::string>& paths, Plan plan, const std::string& mergeKey) {
     if (!m_document.isOpen() || m_document.isReadOnly()) return m_document.edit({}, {}); // reports why it is refused
+    const auto work = startEdit(name, paths, std::move(plan));
+    work->mergeKey = mergeKey;
+    return advance(work);
+}
+
+std::shared_ptr<StructureEdits::PendingEdit> StructureEdits::startEdit(const QString& name, const std::vector<std::string>& paths,
+                                                                       Plan plan) const {
     auto work = std::make_shared<PendingEdit>();
     work->name = name;
     work->paths = paths;
     work->plan = std::move(plan);
-    work->mergeKey = mergeKey;
     work->loaded = m_document.loaded();
     work->revision = m_document.revision();
-    return advance(work);
+    return work;
 }
 
 Status StructureEdits::rename(const QString& name, const std::string& path, const std::string& to) {
     if (!m_document.isOpen()) return m_document.edit({}, {}); // reports why it is refused
-    const ProjectRename others(m_document, path, path.substr(path.rfind('.') + 1));
-    const std::uint64_t before = m_document.revision();
-    const Status done = renameHere(name, path, to);
-    if (done && m_document.revision() != before && !others.usesOutside().empty()) {
-        QStringList files;
-        for (const ProjectRename::Use& use : others.usesOutside())
-            files += QObject::tr("%1 (%2)").arg(shown(use.file), QString::number(use.count));
-        Q_EMIT m_document.notice(QObject::tr("Texts that are not loaded still have the old name: %1. To rename it there too, undo this and "
-                                             "press F2 in the text.")
-                                     .arg(files.join(QStringLiteral(", "))));
-    }
-    return done;
-}
-
-Status StructureEdits::renameHere(const QString& name, const std::string& path, const std::string& to) {
     const auto place = placeOf(*m_document.loaded(), path);
     const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
-    if (!top || !top->is(Role::Config)) return m_document.apply(name, planRename(*m_document.loaded(), path, to));
-    return apply(name, {path}, [path, to](const LoadedProject& loaded, const PathMapping& renamed) {
+    if (m_document.isReadOnly() || !top || !top->is(Role::Config)) return renameEverywhere(name, path, to);
+    auto work = startEdit(name, {path}, [path, to](const LoadedProject& loaded, const PathMapping& renamed) {
         return planRename(loaded, renamed(path), to);
     });
+    // The uses of a copy are all in the texts that it was made in.
+    work->applyWithoutCopies = [this, name, path, to] { return renameEverywhere(name, path, to); };
+    return advance(work);
+}
+
+Status StructureEdits::renameEverywhere(const QString& name, const std::string& path, const std::string& to) {
+    if (m_document.isReadOnly()) return m_document.edit({}, {}); // reports who has the project
+    const LoadedProject& loaded = *m_document.loaded();
+    std::string declared = path; // other texts may not have the instance that the path leads through
+    if (auto place = placeOf(loaded, path); place && place->part) {
+        place->above.push_back(place->part);
+        declared = pathOf(loaded, place->above);
+    }
+    ProjectRename rename(m_document, declared, declared.substr(declared.rfind('.') + 1));
+    const std::vector<ProjectRename::Use> uses = rename.usesOutside();
+    if (uses.empty()) return m_document.apply(name, planRename(loaded, path, to));
+    if (Status done = rename.apply(name, to, true); !done) return done;
+    QStringList files;
+    for (const ProjectRename::Use& use : uses) files += QObject::tr("%1 (%2)").arg(shown(use.file), QString::number(use.count));
+    QString text = QObject::tr("Also renamed in %1").arg(files.join(QStringLiteral(", ")));
+    if (!rename.isComplete())
+        text += QObject::tr("; the project has more than %1 texts that import it, and the others were not read")
+                    .arg(ProjectRename::kMaxTexts);
+    Q_EMIT m_document.notice(text);
+    return {};
 }
 
 Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
@@ -224,6 +241,7 @@ Status StructureEdits::reload(PendingEdit& work, const EditPlan& plan) {
 }
 
 Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
+    if (work.texts.empty() && work.applyWithoutCopies) return work.applyWithoutCopies();
     if (work.texts.empty()) return m_document.apply(work.name, plan, work.mergeKey);
     const std::vector<std::string> selects = plan.selects;
     if (Status read = reload(work, plan); !read) return m_document.apply({}, read.error());

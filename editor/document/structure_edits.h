@@ -48,7 +48,8 @@ public:
     /// Applies a plan as one entry of the history, after the question if one is needed; in that case a failure is reported
     /// only by Document::refused(). `paths`: the edited objects as the user selected them, through an instance or not.
     Status apply(const QString& name, const std::vector<std::string>& paths, Plan plan, const std::string& mergeKey = {});
-    /// Renames an object. An object outside of configs is renamed in every reference.
+    /// Renames an object in every reference, also in texts of the project that are not loaded; one entry of the history. After the
+    /// question as in apply(), in the copy of its config instead.
     Status rename(const QString& name, const std::string& path, const std::string& to);
     /// Where a value of this path would be written; see project/edit_target.h.
     [[nodiscard]] EditTarget targetOf(const std::string& propertyPath);
@@ -61,8 +62,9 @@ public:
     [[nodiscard]] Result<std::string> copyConfig(const std::string& path, const std::string& mergeKey = {});
 
 private:
-    Status renameHere(const QString& name, const std::string& path, const std::string& to);
     struct PendingEdit;
+    [[nodiscard]] std::shared_ptr<PendingEdit> startEdit(const QString& name, const std::vector<std::string>& paths, Plan plan) const;
+    Status renameEverywhere(const QString& name, const std::string& path, const std::string& to);
     Status advance(const std::shared_ptr<PendingEdit>& work);
     Status ask(const std::shared_ptr<PendingEdit>& work, const Part& config);
     [[nodiscard]] Status copy(PendingEdit& work, const Part& config);

@@ -7,6 +7,7 @@
 
 #include "editor/problems/problem_icons.h"
 #include "editor/widgets/theme.h"
+#include "project/edit_target.h"
 #include "project/search.h"
 
 namespace trundle {
@@ -65,7 +66,7 @@ bool ProblemsModel::looksAs(const std::vector<Entry>& before) const {
     return std::equal(m_entries.begin(), m_entries.end(), before.begin(), before.end(), [&](const Entry& a, const Entry& b) {
         const Diagnostic &x = *a.diagnostic, &y = *b.diagnostic;
         return a.source == b.source && x.severity == y.severity && x.code == y.code && x.message == y.message &&
-               childCount(x) == childCount(y);
+               childCount(a) == childCount(b);
     });
 }
 
@@ -117,7 +118,9 @@ void ProblemsModel::rebuild() {
     const auto take = [&](const Diagnostic& d, Source source) {
         if (d.severity == Severity::Error) ++m_errors;
         else ++m_warnings;
-        if (wanted(d)) m_entries.push_back({&d, source});
+        if (!wanted(d)) return;
+        m_entries.push_back({&d, source, {}});
+        if (const auto& texts = textsOf(m_entries.back())) m_entries.back().fixes = applicableFixes(*texts, d);
     };
     const auto refuses = [](const Diagnostic& d) { return d.severity == Severity::Error && d.code == Code::DeviceSetup; };
     // If a run was refused for an error that the model check also found in these texts, show only the latter, which has a
@@ -164,10 +167,11 @@ const Fix* ProblemsModel::fixAt(const QModelIndex& index) const {
     const Entry* entry = entryAt(index);
     if (!entry || textsOf(*entry) != m_loaded) return nullptr;
     const Diagnostic& d = *entry->diagnostic;
-    if (index.internalId() == 0) return d.fixes.empty() ? nullptr : &d.fixes.front();
+    const std::vector<const Fix*>& fixes = entry->fixes;
+    if (index.internalId() == 0) return fixes.empty() ? nullptr : fixes.front();
     const std::size_t row = static_cast<std::size_t>(index.row());
     if (row < d.notes.size()) return nullptr;
-    return row - d.notes.size() < d.fixes.size() ? &d.fixes[row - d.notes.size()] : nullptr;
+    return row - d.notes.size() < fixes.size() ? fixes[row - d.notes.size()] : nullptr;
 }
 
 QModelIndex ProblemsModel::index(int row, int column, const QModelIndex& parent) const {
@@ -180,15 +184,16 @@ QModelIndex ProblemsModel::parent(const QModelIndex& child) const {
     return createIndex(static_cast<int>(child.internalId() - 1), 0, quintptr{0});
 }
 
-std::size_t ProblemsModel::childCount(const Diagnostic& d) const {
-    return d.notes.size() + d.fixes.size() + bareSuggestions(d).size();
+std::size_t ProblemsModel::childCount(const Entry& entry) const {
+    const Diagnostic& d = *entry.diagnostic;
+    return d.notes.size() + entry.fixes.size() + bareSuggestions(d).size();
 }
 
 int ProblemsModel::rowCount(const QModelIndex& parent) const {
     if (!parent.isValid()) return static_cast<int>(m_entries.size());
     if (parent.internalId() != 0 || parent.column() != 0) return 0;
-    const Diagnostic* d = diagnosticAt(parent);
-    return d ? static_cast<int>(childCount(*d)) : 0;
+    const Entry* entry = entryAt(parent);
+    return entry ? static_cast<int>(childCount(*entry)) : 0;
 }
 
 int ProblemsModel::columnCount(const QModelIndex&) const { return ColumnCount; }
@@ -226,12 +231,13 @@ QVariant ProblemsModel::childData(const Diagnostic& d, const Entry& entry, int r
         return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();
     }
     i -= d.notes.size();
-    if (i < d.fixes.size()) {
-        if (column == Message && role == Qt::DisplayRole) return tr("Fix: %1").arg(text(d.fixes[i].title));
+    const std::vector<const Fix*>& fixes = entry.fixes;
+    if (i < fixes.size()) {
+        if (column == Message && role == Qt::DisplayRole) return tr("Fix: %1").arg(text(fixes[i]->title));
         if (column == Message && role == Qt::DecorationRole) return themedIcon(QStringLiteral("fix"));
         return role == Qt::ForegroundRole ? QVariant(ink(Ink::Accent)) : QVariant();
     }
-    i -= d.fixes.size();
+    i -= fixes.size();
     const std::vector<std::string> bare = bareSuggestions(d);
     if (i < bare.size() && column == Message && role == Qt::DisplayRole) return tr("Suggestion: %1").arg(text(bare[i]));
     return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();

@@ -54,6 +54,7 @@ private:
     struct Entry {
         const Diagnostic* diagnostic = nullptr;
         Source source = Source::Texts;
+        std::vector<const Fix*> fixes; ///< those that can be applied
     };
     [[nodiscard]] const std::shared_ptr<const LoadedProject>& textsOf(const Entry& entry) const;
     void rebuild();
@@ -61,7 +62,7 @@ private:
     [[nodiscard]] bool looksAs(const std::vector<Entry>& before) const;
     [[nodiscard]] bool wanted(const Diagnostic& diagnostic) const;
     [[nodiscard]] const Entry* entryAt(const QModelIndex& index) const;
-    [[nodiscard]] std::size_t childCount(const Diagnostic& d) const;
+    [[nodiscard]] std::size_t childCount(const Entry& entry) const;
     [[nodiscard]] QVariant childData(const Diagnostic& d, const Entry& entry, int row, int column, int role) const;
     [[nodiscard]] QString placeText(const SourceRange& place, const Entry& entry) const;
 

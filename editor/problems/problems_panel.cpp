@@ -21,6 +21,7 @@
 #include "editor/problems/problems_model.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
+#include "project/edit_target.h"
 #include "project/object_location.h"
 
 namespace trundle {
@@ -215,10 +216,8 @@ void ProblemsPanel::fixCurrent() { applyFix(m_view->currentIndex()); }
 void ProblemsPanel::applyFix(const QModelIndex& index) {
     const Fix* fix = m_model->fixAt(index);
     if (!fix) return;
-    FileEdits edits;
-    for (const TextEdit& edit : fix->edits) edits[edit.range.file].push_back(edit);
     const QString name = tr("Fix: %1").arg(QString::fromStdString(fix->title));
-    const Status done = m_document.edit(name, edits); // this has rebuilt the model
+    const Status done = m_document.edit(name, editsOf(*fix)); // this has rebuilt the model
     if (!done) m_fix->setToolTip(QString::fromStdString(done.error().message));
 }
 

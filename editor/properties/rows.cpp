@@ -111,6 +111,15 @@ bool alike(const ListedRow& a, const ListedRow& b) {
                       p->maxCount == q->maxCount);
 }
 
+/// The heading of a row whose objects have different ones, for example since they have different configs.
+QString commonSection(const ListedRow& row) {
+    const std::string group = row.id.substr(0, row.id.find('.'));
+    if (group == "param") return QObject::tr("Params");
+    if (group == "config") return QObject::tr("Config");
+    if (group == "controller") return QObject::tr("Controller");
+    return group == "override" ? QObject::tr("Overrides") : row.section;
+}
+
 Status setAll(Document& document, const std::vector<FieldValue>& values, const Change& change, const std::string& mergeKey) {
     std::vector<ValueEdit> edits;
     std::vector<std::string> resets;
@@ -240,6 +249,7 @@ std::vector<Row> rowsOf(const Objects& objects, Document& document, const RunSes
             const auto it = places[i].find(first.id);
             if (it == places[i].end() || !alike(first, lists[i][it->second])) break;
             row.values.push_back(lists[i][it->second].value);
+            if (lists[i][it->second].section != first.section) row.section = commonSection(first);
         }
         if (row.values.size() != objects.size()) continue;
         complete(row, first, *objects[0], document, session);

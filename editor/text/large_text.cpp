@@ -8,6 +8,19 @@
 #include <QVBoxLayout>
 
 namespace trundle {
+namespace {
+
+QString sizeText(std::size_t bytes, int decimals) { return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), decimals); }
+
+/// A size above a limit, with as many decimals as are needed to see that: "4.2 MiB" above "4 MiB".
+QString sizeAbove(std::size_t bytes, std::size_t limit) {
+    constexpr int kMostDecimals = 3;
+    for (int decimals = 0; decimals <= kMostDecimals; ++decimals)
+        if (const QString text = sizeText(bytes, decimals); text != sizeText(limit, decimals)) return text;
+    return LargeTextNotice::tr("%L1 bytes").arg(bytes);
+}
+
+} // namespace
 
 TextSize sizeOf(std::string_view text) {
     TextSize size;
@@ -45,14 +58,14 @@ LargeTextNotice::LargeTextNotice(QWidget* parent)
 }
 
 void LargeTextNotice::setSize(const QString& file, const TextSize& size) {
-    const auto words = [](std::size_t bytes) { return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), 0); };
     m_open->setVisible(size.isShowable());
     if (size.isShowable())
         m_words->setText(tr("%1 is a text of %2. Texts above %3 are not shown until you ask for it, to save memory and time.")
-                             .arg(file, words(size.bytes), words(kLargestFullText)));
+                             .arg(file, sizeAbove(size.bytes, kLargestFullText), sizeText(kLargestFullText, 0)));
     else
         m_words->setText(tr("Line %1 of %2 has %3. The text editor shows lines up to %4; use another program to edit this file.")
-                             .arg(QString::number(size.longestAt), file, words(size.longestLine), words(kLongestShownLine)));
+                             .arg(QString::number(size.longestAt), file, sizeAbove(size.longestLine, kLongestShownLine),
+                                  sizeText(kLongestShownLine, 0)));
 }
 
 } // namespace trundle

@@ -273,12 +273,14 @@ void TextPanel::removePage(FilePage& page) {
     page.deleteLater(); // a signal of the page may have called this
 }
 
-/// Opens a tab for every modified file; one that the user closes stays closed until the next edit.
+/// Opens a tab for every modified file, and closes those of files that no longer exist; one that the user closes stays closed until the next edit.
 void TextPanel::showModified() {
     const std::vector<std::string> modified = m_document.modifiedFiles();
     for (const std::string& file : modified)
         if (!m_opened.empty() && !std::ranges::count(m_modified, file) && !pageOf(file)) addPage(file);
     m_modified = modified;
+    for (FilePage* page : pages()) // an edit that created a file may be undone; not while its text is being typed
+        if (m_document.isRemoved(page->file()) && page->file() != m_opened && !page->edit().hasFocus()) removePage(*page);
     showTitles();
 }
 

@@ -18,6 +18,7 @@
 #include "editor/widgets/actions.h"
 #include "editor/widgets/plain_text.h"
 #include "lang/formatter.h"
+#include "project/edit_target.h"
 
 namespace trundle {
 namespace {
@@ -37,12 +38,6 @@ std::size_t placeBehind(std::string_view text, std::size_t signs) {
     while (at < text.size() && (signs > 0 || !isSign(text[at])))
         if (isSign(text[at++])) --signs;
     return at;
-}
-
-FileEdits editsOf(const Fix& fix) {
-    FileEdits edits;
-    for (const TextEdit& edit : fix.edits) edits[edit.range.file].push_back(edit);
-    return edits;
 }
 
 } // namespace
@@ -186,7 +181,7 @@ QMenu* TextPanel::showFixes() {
             const TextRange range = problem.range.range;
             const bool near =
                 exact ? touches(range, caret) : lineOf(range.begin) <= lineOf(caret) && lineOf(caret) <= lineOf(range.end);
-            if (near && !problem.fixes.empty()) problems.push_back(&problem);
+            if (near && !applicableFixes(*m_document.loaded(), problem).empty()) problems.push_back(&problem);
         }
         if (!problems.empty()) break;
     }
@@ -200,11 +195,11 @@ QMenu* TextPanel::showFixes() {
     QAction* first = nullptr;
     for (const Diagnostic* problem : problems) {
         menu->addAction(withoutMnemonics(QString::fromStdString(problem->message)))->setEnabled(false);
-        for (const Fix& fix : problem->fixes) {
-            QAction* action = menu->addAction(withoutMnemonics(QString::fromStdString(fix.title)));
+        for (const Fix* fix : applicableFixes(*m_document.loaded(), *problem)) {
+            QAction* action = menu->addAction(withoutMnemonics(QString::fromStdString(fix->title)));
             if (!first) first = action;
             connect(action, &QAction::triggered, this,
-                    [this, edits = editsOf(fix), name = tr("Fix: %1").arg(QString::fromStdString(fix.title))] {
+                    [this, edits = editsOf(*fix), name = tr("Fix: %1").arg(QString::fromStdString(fix->title))] {
                         (void)m_document.edit(name, edits);
                     });
         }

@@ -96,6 +96,24 @@ private Q_SLOTS:
         QVERIFY(!targetOfStructure(*loaded, config(*loaded), nullptr, users).isShared(*loaded));
     }
 
+    /// Fixes of a shipped file are not offered, since they would be refused; those of the opened file are.
+    void fixesOfShippedFilesAreLeftOut() {
+        PlanFixture fixture;
+        const std::string parts = "Material blue { ColourRGB=0,0,1 }\n";
+        const std::map<std::string, std::string> files{{"main.sim", "#import parts/blue.sim\nTikc = 0.01\n"}, {"parts/blue.sim", parts}};
+        const auto offered = [](const LoadedProject& loaded) {
+            QStringList fixes;
+            for (const Diagnostic& d : loaded.diagnostics.all())
+                for (const Fix* fix : applicableFixes(loaded, d))
+                    fixes << QString::fromStdString(fix->title) + u'@' + QString::number(fix->edits.front().range.file);
+            fixes.sort();
+            return fixes;
+        };
+        QCOMPARE(offered(*fixture.open(files)), (QStringList{QStringLiteral("ColorRGB@1"), QStringLiteral("Tick@0")}));
+        fixture.options.shippedConfigs = fixture.path("parts");
+        QCOMPARE(offered(*fixture.open(files)), QStringList{QStringLiteral("Tick@0")});
+    }
+
     void shippedIsReadOnly() {
         PlanFixture fixture;
         fixture.options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";

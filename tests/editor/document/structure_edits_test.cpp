@@ -295,6 +295,55 @@ private Q_SLOTS:
         QVERIFY(tried > 2);
     }
 
+    /// A rename also changes texts of the project that the experiment does not load: one entry, one undo.
+    void renamesInTextsThatAreNotLoaded_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<QString>("own");   // is in rover.sim afterwards
+        QTest::addColumn<QString>("other"); // is in other.sim afterwards
+        QTest::newRow("config") << "RobotConfig.Rover" << "Buggy" << "RobotConfig Buggy {" << "Config=Buggy chassis.hull.Mass=3";
+        QTest::newRow("body") << "RobotConfig.Rover.chassis" << "base" << "Parent=base Child=leftWheel" << "Config=Rover base.hull.Mass=3";
+        QTest::newRow("through the robot") << "robot0.chassis" << "base" << "Body base {" << "Config=Rover base.hull.Mass=3";
+    }
+    void renamesInTextsThatAreNotLoaded() {
+        QFETCH(QString, path);
+        QFETCH(QString, to);
+        QFETCH(QString, own);
+        QFETCH(QString, other);
+        const DocumentFixture fixture;
+        const std::string before = "#import robots/rover.sim\nRobot other { Config=Rover chassis.hull.Mass=3 }\n";
+        const std::string file = fixture.write("configs/other.sim", before);
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
+        const Asked asked(d, ShareChoice::ChangeForAll);
+        QSignalSpy notices(&d, &Document::notice);
+        QVERIFY(d.structure().rename(u"Rename"_qs, path.toStdString(), to.toStdString()).ok());
+        QVERIFY2(holds(*d.text(fixture.robot), own.toStdString().c_str()), d.text(fixture.robot)->c_str());
+        QVERIFY(d.text(file));
+        QVERIFY2(holds(*d.text(file), other.toStdString().c_str()), d.text(file)->c_str());
+        QVERIFY2(holds(reportOf(notices), "other.sim"), reportOf(notices).c_str());
+        QCOMPARE(d.history().entries().size(), 1u);
+        QVERIFY(d.isModified(file));
+        d.undo();
+        QCOMPARE(*d.text(file), before);
+        QCOMPARE(*d.text(fixture.robot), kRover);
+        QVERIFY(!d.isModified());
+        d.redo();
+        QVERIFY(d.save().ok());
+        QVERIFY(holds(bytesOf(file), other.toStdString().c_str()));
+    }
+
+    /// The original stays as it is, and so do its users.
+    void renamesInACopyOnly() {
+        const DocumentFixture fixture;
+        const std::string file = fixture.write("configs/other.sim", kOther);
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
+        const Asked asked(d, ShareChoice::MakeCopy);
+        QVERIFY(d.structure().rename(u"Rename"_qs, "robot0.chassis", "base").ok());
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
+    }
+
     void valuesGoToTheirTarget() {
         const DocumentFixture fixture;
         const std::string file = fixture.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");

@@ -12,6 +12,7 @@
 
 #include "editor/properties/param_help.h"
 #include "editor/properties/property_row.h"
+#include "editor/properties/rows.h"
 
 using namespace trundle;
 
@@ -70,6 +71,23 @@ private Q_SLOTS:
             QCOMPARE(row.set([](const FieldValue&) { return std::string("3"); }, {}).ok(), !isLong);
             QCOMPARE(fixture.text() == before, isLong);
         }
+    }
+
+    /// Objects of different configs share a row; its heading names none of the two.
+    void sharedRowsHaveACommonHeading() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open("RobotConfig Cart {\n  Param track = 0.3\n  Body b { Box hull { Size=0.1,0.1,$track Mass=1 } }\n}\n"
+                             "Robot robot0 { Config=Rover }\nRobot robot1 { Config=Rover Pos=1,0,0 }\nRobot cart { Config=Cart Pos=2,0,0 }\n"));
+        const auto heading = [&fixture](const std::vector<std::string>& selected) {
+            const Objects objects = objectsAt(fixture.document.loaded(), selected);
+            for (const Row& row : rowsOf(objects, fixture.document, nullptr))
+                if (row.id == "param.track") return row.section;
+            return QString();
+        };
+        QCOMPARE(heading({"robot0"}), QStringLiteral("Params of Rover"));
+        QCOMPARE(heading({"robot0", "robot1"}), QStringLiteral("Params of Rover"));
+        QCOMPARE(heading({"robot0", "cart"}), QStringLiteral("Params"));
+        QCOMPARE(heading({"cart", "robot0", "robot1"}), QStringLiteral("Params"));
     }
 
     void draggingALabelIsOneEntry() {

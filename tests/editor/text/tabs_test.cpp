@@ -17,6 +17,7 @@ private Q_SLOTS:
     void tabsFollowTheDocument();
     void namesOfFilesAreShownAsTheyAre();
     void closesTabsOfRemovedFiles();
+    void closesTabsOfFilesThatUndoRemoves();
     void cursorSelects();
     void selectionIsMarked();
     void closedDocumentIsEmpty();
@@ -107,6 +108,28 @@ void TabsTest::closesTabsOfRemovedFiles() {
     w.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(w.panel.openFile(parts));
     QCOMPARE(w.shown(), QByteArray(kParts));
+}
+
+/// As after a group is made and undone; while the keyboard is in the tab it stays.
+void TabsTest::closesTabsOfFilesThatUndoRemoves() {
+    TextFixture w;
+    const std::string drive = openDrive(w), piece = drive.substr(0, drive.rfind('/')) + "/piece.sim";
+    auto* tabs = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"));
+    const int before = tabs->count();
+    w.edit().setFocus();
+    for (const bool typed : {false, true}) {
+        QVERIFY(w.document.replaceText(QStringLiteral("Group"), piece, "// a piece\n").ok());
+        QCOMPARE(tabs->count(), before + 1);
+        if (typed) {
+            QVERIFY(w.panel.openFile(piece));
+            w.edit().setFocus();
+        }
+        w.document.undo();
+        QCOMPARE(tabs->count(), before + typed);
+        w.document.redo();
+        QCOMPARE(tabs->count(), before + 1);
+        w.document.undo();
+    }
 }
 
 void TabsTest::cursorSelects() {
