@@ -1,5 +1,4 @@
-// Parses `$( ... )`: sums, products, powers (right-associative, binding stronger than a sign), calls. Depth is bounded: nested
-// parentheses use recursion here, and long sums use recursion in the code that evaluates them.
+#include "lang/expression_parser.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +6,7 @@
 
 #include "base/spelling.h"
 #include "base/utf8.h"
-#include "lang/parser.h"
+#include "lang/characters.h"
 
 namespace trundle {
 namespace {
@@ -21,30 +20,30 @@ constexpr std::array<Function, 7> kFunctions{
 
 } // namespace
 
-void Parser::expressionElement(Element& e, Value& v) {
+void ExpressionParser::element(Element& e, Value& v) {
     e.kind = Element::Kind::Expression;
-    const std::size_t start = m_at;
+    const std::size_t start = position();
     advance();
     Sum inner = sum(1);
     if (inner.ok && kind() != TokenKind::CloseParen) {
         const bool over = atEnd() || newLine() || kind() == TokenKind::OpenBrace || kind() == TokenKind::CloseBrace ||
                           kind() == TokenKind::Comma || startsItem();
-        const TextRange open = m_tree->m_tokens[m_significant[start].token].range;
+        const TextRange open = m_tokens.at(start).range;
         if (over) {
-            inner = expressionFault(Code::BadExpression, open, "`$(` lacks its `)`");
-            if (Diagnostic* d = lastAt(open); d && kind() != TokenKind::Comma)
+            inner = fault(Code::BadExpression, open, "`$(` lacks its `)`");
+            if (Diagnostic* d = m_report.lastAt(open); d && kind() != TokenKind::Comma)
                 fix(*d, "add `)`", {edit({previous().end, previous().end}, ")")});
         } else if (kind() == TokenKind::Word && adjacent()) {
-            inner = expressionFault(Code::BadExpression, range(), "numbers in $( ) have no unit");
+            inner = fault(Code::BadExpression, range(), "numbers in $( ) have no unit");
         } else {
-            inner = expressionFault(Code::BadExpression, range(), "operator or `)` expected");
+            inner = fault(Code::BadExpression, range(), "operator or `)` expected");
         }
     }
     if (!inner.ok) {
         // Skip to the `)` of this expression, but not beyond its line, list or block.
         int parens = 0;
-        for (std::size_t i = start + 1; i < m_at; ++i) {
-            const TokenKind k = m_tree->m_tokens[m_significant[i].token].kind;
+        for (std::size_t i = start + 1; i < position(); ++i) {
+            const TokenKind k = m_tokens.at(i).kind;
             parens += k == TokenKind::OpenParen ? 1 : k == TokenKind::CloseParen ? -1 : 0;
         }
         while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && !startsItem() &&
@@ -65,14 +64,14 @@ void Parser::expressionElement(Element& e, Value& v) {
     e.expression = std::make_shared<const Expression>(std::move(inner.expression));
 }
 
-Parser::Sum Parser::expressionFault(Code code, TextRange r, std::string message) {
+ExpressionParser::Sum ExpressionParser::fault(Code code, TextRange r, std::string message) {
     error(code, r, std::move(message));
-    Sum fault;
-    fault.ok = false;
-    return fault;
+    Sum none;
+    none.ok = false;
+    return none;
 }
 
-Parser::Sum Parser::binary(Expression::Op op, Sum left, Sum right) {
+ExpressionParser::Sum ExpressionParser::binary(Expression::Op op, Sum left, Sum right) {
     if (!left.ok) return left;
     if (!right.ok) return right;
     Sum both;
@@ -80,17 +79,17 @@ Parser::Sum Parser::binary(Expression::Op op, Sum left, Sum right) {
     both.expression.op = op;
     both.expression.range = {left.expression.range.begin, right.expression.range.end};
     if (both.height > kMaxExpressionDepth)
-        return expressionFault(Code::TooDeep, both.expression.range,
-                               "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+        return fault(Code::TooDeep, both.expression.range,
+                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
     both.expression.arguments.reserve(2);
     both.expression.arguments.push_back(std::move(left.expression));
     both.expression.arguments.push_back(std::move(right.expression));
     return both;
 }
 
-Parser::Sum Parser::sum(int depth) {
+ExpressionParser::Sum ExpressionParser::sum(int depth) {
     if (depth > kMaxExpressionDepth)
-        return expressionFault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
+        return fault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
     Sum left = product(depth);
     while (left.ok && (kind() == TokenKind::Plus || kind() == TokenKind::Minus)) {
         const auto op = kind() == TokenKind::Plus ? Expression::Op::Add : Expression::Op::Subtract;
@@ -101,7 +100,7 @@ Parser::Sum Parser::sum(int depth) {
     return left;
 }
 
-Parser::Sum Parser::product(int depth) {
+ExpressionParser::Sum ExpressionParser::product(int depth) {
     Sum left = signedTerm(depth);
     while (left.ok && (kind() == TokenKind::Star || kind() == TokenKind::Slash)) {
         const auto op = kind() == TokenKind::Star ? Expression::Op::Multiply : Expression::Op::Divide;
@@ -111,9 +110,9 @@ Parser::Sum Parser::product(int depth) {
     return left;
 }
 
-Parser::Sum Parser::signedTerm(int depth) {
+ExpressionParser::Sum ExpressionParser::signedTerm(int depth) {
     if (depth > kMaxExpressionDepth)
-        return expressionFault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
+        return fault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
     if (kind() != TokenKind::Plus && kind() != TokenKind::Minus) return power(depth);
     const bool minus = kind() == TokenKind::Minus;
     const std::uint32_t begin = range().begin;
@@ -130,28 +129,27 @@ Parser::Sum Parser::signedTerm(int depth) {
 }
 
 /// 2^3^2 is 2^(3^2), -2^2 is -(2^2), 2^-1 is allowed.
-Parser::Sum Parser::power(int depth) {
+ExpressionParser::Sum ExpressionParser::power(int depth) {
     Sum base = primary(depth);
     if (!base.ok || kind() != TokenKind::Caret) return base;
     advance();
     return binary(Expression::Op::Power, std::move(base), signedTerm(depth + 1));
 }
 
-Parser::Sum Parser::primary(int depth) {
+ExpressionParser::Sum ExpressionParser::primary(int depth) {
     Sum s;
     s.expression.range = range();
     switch (kind()) {
     case TokenKind::Number: {
         const std::string_view digits = text();
-        const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), s.expression.number);
-        if (fault != std::errc() || end != digits.data() + digits.size())
-            return expressionFault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
+        const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), s.expression.number);
+        if (failure != std::errc() || end != digits.data() + digits.size())
+            return fault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
         advance();
         return s;
     }
     case TokenKind::Word:
-        if (newLine() && startsItem())
-            return expressionFault(Code::BadExpression, previous(), "a number or a name is missing here");
+        if (newLine() && startsItem()) return fault(Code::BadExpression, previous(), "a number or a name is missing here");
         if (kind(1) == TokenKind::OpenParen && !newLine(1)) return call(depth);
         s.expression.op = Expression::Op::Name;
         s.expression.name = text();
@@ -162,7 +160,7 @@ Parser::Sum Parser::primary(int depth) {
         s = sum(depth + 1);
         if (!s.ok) return s;
         if (kind() != TokenKind::CloseParen)
-            return expressionFault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`)` expected");
+            return fault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`)` expected");
         advance();
         return s;
     }
@@ -174,16 +172,16 @@ Parser::Sum Parser::primary(int depth) {
         advance();
         return s;
     }
-    case TokenKind::CloseParen: return expressionFault(Code::BadExpression, range(), "a number or a name is missing before `)`");
+    case TokenKind::CloseParen: return fault(Code::BadExpression, range(), "a number or a name is missing before `)`");
     default:
         if (newLine() || atEnd() || kind() == TokenKind::CloseBrace || kind() == TokenKind::OpenBrace)
-            return expressionFault(Code::BadExpression, previous(), "a number or a name is missing here");
-        return expressionFault(Code::BadExpression, range(),
-                               "a number or a name expected, not `" + std::string(text().substr(0, 20)) + "`");
+            return fault(Code::BadExpression, previous(), "a number or a name is missing here");
+        return fault(Code::BadExpression, range(),
+                     "a number or a name expected, not `" + std::string(text().substr(0, 20)) + "`");
     }
 }
 
-Parser::Sum Parser::call(int depth) {
+ExpressionParser::Sum ExpressionParser::call(int depth) {
     Sum s;
     s.expression.op = Expression::Op::Call;
     s.expression.name = text();
@@ -193,15 +191,15 @@ Parser::Sum Parser::call(int depth) {
     const auto function =
         std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == functionName; });
     if (function == kFunctions.end()) {
-        Sum fault = expressionFault(Code::BadExpression, nameRange,
-                                    "there is no function `" + functionName + "`; there are min max abs sqrt sin cos tan");
+        Sum none = fault(Code::BadExpression, nameRange,
+                         "there is no function `" + functionName + "`; there are min max abs sqrt sin cos tan");
         std::vector<std::string> names;
         for (const Function& f : kFunctions) names.emplace_back(f.name);
-        if (Diagnostic* d = lastAt(nameRange)) {
+        if (Diagnostic* d = m_report.lastAt(nameRange)) {
             d->suggestions = nearestWords(functionName, names);
             if (!d->suggestions.empty()) fix(*d, d->suggestions[0], {edit(nameRange, d->suggestions[0])});
         }
-        return fault;
+        return none;
     }
     advance();
     advance();
@@ -213,19 +211,18 @@ Parser::Sum Parser::call(int depth) {
         s.expression.arguments.push_back(std::move(argument.expression));
         if (kind() == TokenKind::Comma) advance();
         else if (kind() != TokenKind::CloseParen)
-            return expressionFault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`,` or `)` expected");
+            return fault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`,` or `)` expected");
     }
     s.expression.range.end = range().end;
     advance();
     s.height = height + 1;
     const std::size_t count = s.expression.arguments.size();
     if (s.height > kMaxExpressionDepth)
-        return expressionFault(Code::TooDeep, s.expression.range,
-                               "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+        return fault(Code::TooDeep, s.expression.range,
+                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
     if (count < function->least || count > function->most)
-        return expressionFault(Code::BadExpression, s.expression.range,
-                               "`" + functionName +
-                                   (function->most > 1 ? "` takes two or more arguments" : "` takes one argument"));
+        return fault(Code::BadExpression, s.expression.range,
+                     "`" + functionName + (function->most > 1 ? "` takes two or more arguments" : "` takes one argument"));
     return s;
 }
 

@@ -1,11 +1,10 @@
-// Parses values: elements separated by commas, and common mistakes in place of commas, quotes and `$( )`.
+#include "lang/value_parser.h"
 
 #include <algorithm>
 #include <charconv>
 
 #include "base/utf8.h"
 #include "lang/characters.h"
-#include "lang/parser.h"
 
 namespace trundle {
 namespace {
@@ -52,24 +51,12 @@ bool isClosedString(std::string_view written) {
 
 } // namespace
 
-bool Parser::startsElement() const {
-    switch (kind()) {
-    case TokenKind::Number:
-    case TokenKind::String:
-    case TokenKind::ParamRef:
-    case TokenKind::ExprOpen: return true;
-    case TokenKind::Word: return !startsItem();
-    default: return false;
-    }
-}
-
-bool Parser::openBracket() const {
+bool ValueParser::openBracket() const {
     if (kind() == TokenKind::OpenParen || (kind() == TokenKind::Unknown && text() == "[")) return true;
     return kind() == TokenKind::OpenBrace && (kind(1) == TokenKind::Number || kind(1) == TokenKind::String);
 }
 
-/// Parses the elements after `=`. `equals` is the position of the first element if there is none.
-Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals) {
+Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equals) {
     Value v;
     v.range = {equals.end, equals.end};
     std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or a `;` written instead
@@ -90,9 +77,9 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals) 
     };
     bool commas = false; // an element before a comma was already reported as missing
     while (true) {
-        const std::size_t before = m_at;
+        const std::size_t before = position();
         if (!noneHere() && element(v)) {
-            if (m_at == before) break; // not expected; guards against an endless loop
+            if (position() == before) break; // not expected; guards against an endless loop
             if (afterElement(v, gaps)) continue;
             break;
         }
@@ -115,13 +102,13 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals) 
         break;
     }
     if (!v.elements.empty()) v.range = {v.elements.front().range.begin, v.elements.back().range.end};
-    if (bracket.size()) reportBrackets(v, bracket, gaps);
-    else if (!gaps.empty()) reportGaps(v, gaps);
+    if (bracket.size()) m_errors.reportBrackets(v, bracket, gaps);
+    else if (!gaps.empty()) m_errors.reportGaps(v, gaps);
     return v;
 }
 
 /// True if another element follows. The current token is the one after an element.
-bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps) {
+bool ValueParser::afterElement(Value& v, std::vector<TextRange>& gaps) {
     if (kind() == TokenKind::Comma) {
         advance();
         return true;
@@ -139,14 +126,13 @@ bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps) {
     return true;
 }
 
-/// Parses one element into `v`; false if none begins here.
-bool Parser::element(Value& v) {
+bool ValueParser::element(Value& v) {
     Element e;
     e.range = range();
     switch (kind()) {
     case TokenKind::Number: numberElement(e, v); break;
     case TokenKind::String: stringElement(e, v); break;
-    case TokenKind::ExprOpen: expressionElement(e, v); break;
+    case TokenKind::ExprOpen: m_expressions.element(e, v); break;
     case TokenKind::ParamRef:
         e.kind = Element::Kind::ParamRef;
         e.text = text().substr(1);
@@ -162,24 +148,24 @@ bool Parser::element(Value& v) {
             kind(1) != TokenKind::Word)
             return false;
         if (newLine(1)) return false;
-        signedElement(e, v);
+        m_errors.signedElement(e, v);
         break;
     case TokenKind::Dot:
     case TokenKind::Slash:
-    case TokenKind::Star: unquotedText(e, v); break;
+    case TokenKind::Star: m_errors.unquotedText(e, v); break;
     case TokenKind::Unknown:
         if (wrongEquals(0) || text() == ";" || text() == "]" || text() == "[" || text() == "*/") return false;
-        if (foreignQuoteEnd(m_source->bytes(), range().begin) == range().end) foreignQuotes(e, v);
-        else unquotedText(e, v);
+        if (foreignQuoteEnd(bytes(), range().begin) == range().end) m_errors.foreignQuotes(e, v);
+        else m_errors.unquotedText(e, v);
         break;
     default: return false;
     }
-    continuesAt(e, v);
+    m_errors.continuesAt(e, v);
     v.elements.push_back(std::move(e));
     return true;
 }
 
-void Parser::wordElement(Element& e) {
+void ValueParser::wordElement(Element& e) {
     e.text = text();
     e.kind = e.text == "true" || e.text == "false" ? Element::Kind::Boolean : Element::Kind::Word;
     e.boolean = e.text == "true";
@@ -191,7 +177,7 @@ void Parser::wordElement(Element& e) {
     e.kind = Element::Kind::String;
 }
 
-void Parser::numberElement(Element& e, Value& v) {
+void ValueParser::numberElement(Element& e, Value& v) {
     e.kind = Element::Kind::Number;
     const TextRange digits = range();
     if (slice(digits).starts_with(kUnicodeMinus))
@@ -213,7 +199,7 @@ void Parser::numberElement(Element& e, Value& v) {
     e.unit = text();
     e.unitRange = range();
     e.range.end = range().end;
-    if (adjacent()) checkNumberTail(e, v);
+    if (adjacent()) m_errors.checkNumberTail(e, v);
     struct Sign {
         std::string_view written, unit;
     };
@@ -228,7 +214,7 @@ void Parser::numberElement(Element& e, Value& v) {
     advance();
 }
 
-void Parser::stringElement(Element& e, Value& v) {
+void ValueParser::stringElement(Element& e, Value& v) {
     e.kind = Element::Kind::String;
     const std::string_view written = text();
     const bool closed = isClosedString(written);
@@ -255,7 +241,7 @@ void Parser::stringElement(Element& e, Value& v) {
         std::string_view body = written;
         const std::size_t comment = body.find(" //");
         if (comment != std::string_view::npos) end = e.range.begin + static_cast<std::uint32_t>(comment);
-        while (end > e.range.begin + 1 && isBlank(m_source->bytes()[end - 1])) --end;
+        while (end > e.range.begin + 1 && isBlank(bytes()[end - 1])) --end;
         Diagnostic& d = error(Code::UnclosedString, {e.range.begin, end}, "this string lacks its closing quote");
         fix(d, "add `\"`", {edit({end, end}, "\"")});
         v.broken = true;

@@ -1,4 +1,4 @@
-// Diagnostics for common mistakes in values: other number notations, other quotes, missing commas, arithmetic outside `$( )`.
+#include "lang/value_errors.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,6 @@
 #include "base/units.h"
 #include "base/utf8.h"
 #include "lang/characters.h"
-#include "lang/parser.h"
 
 namespace trundle {
 namespace {
@@ -27,7 +26,7 @@ std::string withCommas(std::string_view written, std::uint32_t begin, const std:
 
 } // namespace
 
-void Parser::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
+void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
     v.broken = true;
     const bool words =
         std::all_of(v.elements.begin(), v.elements.end(), [](const Element& e) { return e.kind == Element::Kind::Word; });
@@ -47,8 +46,7 @@ void Parser::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
     fix(d, written.size() < kShort && repaired.find('\n') == std::string::npos ? repaired : "insert commas", std::move(edits));
 }
 
-/// Reports a suffix that looks like a unit but belongs to a number in another notation.
-void Parser::checkNumberTail(Element& e, Value& v) {
+void ValueErrors::checkNumberTail(Element& e, Value& v) {
     const std::string_view digits = slice({e.range.begin, e.unitRange.begin});
     const bool hex = digits == "0" && e.unit.size() > 1 && (e.unit[0] == 'x' || e.unit[0] == 'X') &&
                      e.unit.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
@@ -74,7 +72,7 @@ void Parser::checkNumberTail(Element& e, Value& v) {
 }
 
 /// `0.3 m /s`, `9.81 m/s ^2`: the pieces form one unit.
-bool Parser::unitInPieces(Element& e) {
+bool ValueErrors::unitInPieces(Element& e) {
     if (e.unit.empty()) return false;
     constexpr std::size_t kMaxPieces = 8;
     std::string joined = e.unit;
@@ -95,13 +93,7 @@ bool Parser::unitInPieces(Element& e) {
     return true;
 }
 
-void Parser::unicodeMinus(TextRange r) {
-    Diagnostic& d = report(Severity::Warning, Code::UnicodeMinus, r, "typographic minus U+2212, read as -");
-    fix(d, "-", {edit(r, "-")});
-}
-
-/// Reports an element followed by unexpected text: `2*0.05` continues as arithmetic, `robot0@x` and `3d.png` as text.
-void Parser::continuesAt(Element& e, Value& v) {
+void ValueErrors::continuesAt(Element& e, Value& v) {
     if (newLine() || atEnd()) return;
     const auto operandAt = [this](std::size_t i) {
         const TokenKind k = kind(i);
@@ -125,8 +117,7 @@ void Parser::continuesAt(Element& e, Value& v) {
     if (!wrongEquals(0) || number || adjacent(1)) unquotedText(e, v);
 }
 
-/// `[1,2,3]`, `(1,2,3)`, `{1,2,3}`: the elements have been parsed, the closing bracket has not.
-void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps) {
+void ValueErrors::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps) {
     const bool closed = kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]") ||
                         (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
     const TextRange whole{bracket.begin, closed ? range().end : std::max(bracket.end, v.range.end)};
@@ -143,15 +134,14 @@ void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<TextR
     v.range = whole; // a replacement of the value includes the brackets
 }
 
-/// `- 3`, `-$x`, `-$(a)`, `-word`: a sign separated from its number.
-void Parser::signedElement(Element& e, Value& v) {
+void ValueErrors::signedElement(Element& e, Value& v) {
     const TextRange sign = range();
     const bool minus = kind() == TokenKind::Minus;
     const bool number = kind(1) == TokenKind::Number;
     advance();
     const TextRange operand = range();
     Value rest;
-    if (!element(rest) || rest.elements.empty()) return;
+    if (!m_element(rest) || rest.elements.empty()) return;
     const Element& inner = rest.elements.back();
     e.range = {sign.begin, inner.range.end};
     v.broken = true;
@@ -185,8 +175,7 @@ void Parser::signedElement(Element& e, Value& v) {
     e.text = inside;
 }
 
-/// 'text', or text in the typographic quotes of word processors.
-void Parser::foreignQuotes(Element& e, Value& v) {
+void ValueErrors::foreignQuotes(Element& e, Value& v) {
     const std::string_view written = text();
     const std::uint32_t open = codePointAt(written, 0).length;
     std::uint32_t close = 1;
@@ -199,10 +188,9 @@ void Parser::foreignQuotes(Element& e, Value& v) {
     advance();
 }
 
-/// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
-void Parser::unquotedText(Element& e, Value& v) {
+void ValueErrors::unquotedText(Element& e, Value& v) {
     const bool begun =
-        e.range.end <= previous().end && m_at > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
+        e.range.end <= previous().end && position() > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
     if (!begun) advance();
     const auto continuesAt = [this] {
         switch (kind()) {
@@ -218,7 +206,7 @@ void Parser::unquotedText(Element& e, Value& v) {
     };
     while (adjacent() && continuesAt()) advance();
     e.range.end = previous().end;
-    const std::string_view bytes = m_source->bytes();
+    const std::string_view bytes = this->bytes();
     if (bytes[e.range.end - 1] == ':' && bytes.substr(e.range.end, 2) == "//") { // `//` of a URL, lexed as a comment
         while (e.range.end < bytes.size() && !isBlank(bytes[e.range.end]) && bytes[e.range.end] != '\n' &&
                bytes[e.range.end] != '\r')
@@ -250,7 +238,7 @@ void Parser::unquotedText(Element& e, Value& v) {
 }
 
 /// `2*0.05` or `1 - $x` outside `$( )`.
-void Parser::arithmetic(Element& e, Value& v) {
+void ValueErrors::arithmetic(Element& e, Value& v) {
     int parens = 0;
     bool units = !e.unit.empty();
     bool refs = e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;

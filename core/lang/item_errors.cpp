@@ -1,10 +1,9 @@
-// Diagnostics for common syntax mistakes: one message each, with a fix where it is obvious.
+#include "lang/item_errors.h"
 
 #include <algorithm>
 
-#include "base/utf8.h"
+#include "lang/brace_balance.h"
 #include "lang/characters.h"
-#include "lang/parser.h"
 
 namespace trundle {
 namespace {
@@ -18,16 +17,10 @@ std::string shortened(std::string_view text) {
     return std::string(text.substr(0, cut)) + "...";
 }
 
-std::string hexOf(std::uint32_t value, int digits) {
-    std::string hex;
-    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) hex += "0123456789ABCDEF"[value >> shift & 0xF];
-    return hex;
-}
-
 } // namespace
 
 /// `c */` after a nested comment: the comment ended at its first `*/`.
-bool Parser::restOfComment() {
+bool ItemErrors::restOfComment() {
     constexpr std::size_t kFar = 50;
     for (std::size_t i = 1; i < kFar && !newLine(i); ++i) {
         if (kind(i) == TokenKind::End || kind(i) == TokenKind::OpenBrace || kind(i) == TokenKind::CloseBrace) return false;
@@ -40,8 +33,7 @@ bool Parser::restOfComment() {
     return false;
 }
 
-/// Handles a word that begins neither an assignment nor a block.
-void Parser::strayWord(std::vector<Item>& out, int depth) {
+void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
     const auto startsNumberOrText = [this](std::size_t i) {
         return !newLine(i) && (kind(i) == TokenKind::Number || kind(i) == TokenKind::String || kind(i) == TokenKind::ParamRef ||
                                kind(i) == TokenKind::ExprOpen);
@@ -54,14 +46,14 @@ void Parser::strayWord(std::vector<Item>& out, int depth) {
         const std::string bare(quoted.substr(1, quoted.size() - 2));
         if (!bare.empty() && isIdentStart(bare[0]) && std::all_of(bare.begin(), bare.end(), isIdent))
             fix(d, bare, {edit(range(1), bare)});
-        return block(out, depth, 1);
+        return m_grammar.block(out, depth, 1);
     }
     const bool numberAndWord =
         (kind(2) == TokenKind::Unit || kind(2) == TokenKind::Word) && adjacent(2) && kind(3) == TokenKind::OpenBrace;
     if (kind(1) == TokenKind::Number && (kind(2) == TokenKind::OpenBrace || numberAndWord)) {
         const bool two = numberAndWord;
         error(Code::UnexpectedText, {range(1).begin, range(two ? 2 : 1).end}, "a name begins with a letter or _");
-        return block(out, depth, two ? 2 : 1);
+        return m_grammar.block(out, depth, two ? 2 : 1);
     }
     if (word == "Param" && kind(1) == TokenKind::Number) {
         const std::uint32_t begin = range().begin;
@@ -77,9 +69,9 @@ void Parser::strayWord(std::vector<Item>& out, int depth) {
         const TextRange key = range();
         node.path.push_back(name());
         node.pathRange = key;
-        rejectReserved(node.path[0], "a key");
+        m_grammar.rejectReserved(node.path[0], "a key");
         advance();
-        node.value = value(word, key, {key.end, key.end});
+        node.value = m_grammar.value(word, key, {key.end, key.end});
         out.push_back({{key.begin, std::max(key.end, node.value.range.end)}, std::move(node)});
         return;
     }
@@ -101,11 +93,11 @@ void Parser::strayWord(std::vector<Item>& out, int depth) {
             Diagnostic& d = error(Code::UnexpectedText, names, "a name is one word");
             const std::string joined = std::string(text(1)) + "_" + std::string(text(2));
             fix(d, joined, {edit(names, joined)});
-            return block(out, depth, 2);
+            return m_grammar.block(out, depth, 2);
         }
-        const int indent = indentOf(range().begin);
+        const int indent = m_balance.indentOf(range().begin);
         if (indent >= 0 && kind(2) != TokenKind::End && newLine(2) &&
-            indentOf(range(2).begin) > indent) { // `Robot r` with indented items below
+            m_balance.indentOf(range(2).begin) > indent) { // `Robot r` with indented items below
             Diagnostic& d =
                 error(Code::UnexpectedText, range(1), "`{` expected after `" + word + " " + std::string(text(1)) + "`");
             fix(d, std::string(text(1)) + " {", {edit({range(1).end, range(1).end}, " {")});
@@ -122,19 +114,19 @@ void Parser::strayWord(std::vector<Item>& out, int depth) {
 }
 
 /// `Robot r [ ... ]` or `Robot r ( ... )`. False if there is no such text here.
-bool Parser::blockInBrackets(std::vector<Item>& out, int depth) {
+bool ItemErrors::blockInBrackets(std::vector<Item>& out, int depth) {
     const auto bracketAt = [this](std::size_t i) {
         if (newLine(i) || !(kind(i) == TokenKind::OpenParen || (kind(i) == TokenKind::Unknown && text(i) == "["))) return false;
         return newLine(i + 1) || (kind(i + 1) == TokenKind::Word && kind(i + 2) == TokenKind::Equals);
     };
     const bool named = kind(1) == TokenKind::Word && !newLine(1);
     if (!bracketAt(named ? 2 : 1)) return false;
-    block(out, depth, named ? 1 : 0);
+    m_grammar.block(out, depth, named ? 1 : 0);
     return true;
 }
 
 /// `Robot r-1 {`. False if there is no such text here.
-bool Parser::nameWithSigns(std::vector<Item>& out, int depth) {
+bool ItemErrors::nameWithSigns(std::vector<Item>& out, int depth) {
     if (kind(1) != TokenKind::Word || newLine(1)) return false;
     constexpr std::size_t kMaxPieces = 20;
     const auto pieceAt = [this](std::size_t i) {
@@ -161,12 +153,12 @@ bool Parser::nameWithSigns(std::vector<Item>& out, int depth) {
     for (char& c : joined)
         if (!isIdent(c)) c = '_';
     fix(d, joined, {edit(names, joined)});
-    block(out, depth, brace - 1);
+    m_grammar.block(out, depth, brace - 1);
     return true;
 }
 
 /// Skips the current token and all up to the next line, key, kind, brace or directive.
-void Parser::skipLine() {
+void ItemErrors::skipLine() {
     advance();
     while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace &&
            kind() != TokenKind::Directive && !startsItem() && !namedBlock())
@@ -174,27 +166,27 @@ void Parser::skipLine() {
 }
 
 /// `Type name` without its `{`; the items indented deeper below form its body.
-void Parser::blockWithoutBrace(std::vector<Item>& out, int depth) {
+void ItemErrors::blockWithoutBrace(std::vector<Item>& out, int depth) {
     BlockItem node;
     OpenBlock open;
     const std::uint32_t begin = range().begin;
-    open.indent = indentOf(begin);
+    open.indent = m_balance.indentOf(begin);
     node.type = name();
     node.name = name(1);
     open.name = node.name->range;
     advance();
-    open.openAt = static_cast<std::uint32_t>(m_at);
+    open.openAt = static_cast<std::uint32_t>(position());
     advance();
     node.open = {open.name.end, open.name.end};
     if (depth + 1 > kMaxBlockDepth) return;
-    m_open.push_back(open);
-    blockBody(node, depth);
-    m_open.pop_back();
+    m_balance.open(open);
+    m_grammar.blockBody(node, depth);
+    m_balance.close();
     out.push_back({{begin, std::max(node.close.end, node.open.end)}, std::move(node)});
 }
 
-void Parser::strayBrace(bool tooEarly) {
-    m_unmatchedBraces += tooEarly ? 0 : 1;
+void ItemErrors::strayBrace(bool tooEarly) {
+    if (!tooEarly) m_balance.recordUnmatched();
     Diagnostic& d =
         error(Code::StrayBrace, range(),
               tooEarly ? "one `}` too many: the indentation suggests that the block continues" : "this `}` has no matching `{`");
@@ -202,20 +194,19 @@ void Parser::strayBrace(bool tooEarly) {
     advance();
 }
 
-/// A token that cannot begin an item. A run of them up to the next line, key or brace is one mistake.
-void Parser::unexpected(int depth) {
+void ItemErrors::unexpected(int depth) {
     if (explainUnexpected()) return;
     if (kind() == TokenKind::OpenBrace) {
         error(Code::StrayBrace, range(), "a block needs its kind before `{`");
         BlockItem dropped;
         OpenBlock open;
         open.name = range();
-        open.openAt = static_cast<std::uint32_t>(m_at);
+        open.openAt = static_cast<std::uint32_t>(position());
         advance();
-        if (depth + 1 > kMaxBlockDepth) return skipBlockBody();
-        m_open.push_back(open);
-        blockBody(dropped, depth);
-        m_open.pop_back();
+        if (depth + 1 > kMaxBlockDepth) return m_grammar.skipBlockBody();
+        m_balance.open(open);
+        m_grammar.blockBody(dropped, depth);
+        m_balance.close();
         return;
     }
     TextRange r = range();
@@ -226,14 +217,14 @@ void Parser::unexpected(int depth) {
         first = false;
         advance();
     }
-    const bool number = r.begin < r.end && isDigit(m_source->bytes()[r.begin]);
+    const bool number = r.begin < r.end && isDigit(bytes()[r.begin]);
     error(Code::UnexpectedText, r,
           number ? "a number cannot begin a line here; a list continues on the next line only after a comma"
                  : "syntax error: unexpected `" + shortened(slice(r)) + "`");
 }
 
 /// Reports single tokens that have a message of their own.
-bool Parser::explainUnexpected() {
+bool ItemErrors::explainUnexpected() {
     const std::string_view sign = text();
     if (kind() == TokenKind::Comma) {
         Diagnostic& d = error(Code::UnexpectedText, range(), "this comma belongs to no value");
@@ -255,61 +246,6 @@ bool Parser::explainUnexpected() {
     }
     advance();
     return true;
-}
-
-bool Parser::isUtf16() const { return m_source->bytes().starts_with("\xFF\xFE") || m_source->bytes().starts_with("\xFE\xFF"); }
-
-/// True for NUL, invalid UTF-8 and invisible characters: they are reported by separate checks and skipped by the grammar.
-bool Parser::checkedAsBytes(TextRange r) const {
-    const CodePoint point = codePointAt(m_source->bytes(), r.begin);
-    return !point.valid || point.value == 0 || isInvisible(point.value);
-}
-
-void Parser::checkInvisible() {
-    for (const std::uint32_t i : m_invisible) {
-        const TextRange r = m_tree->m_tokens[i].range;
-        const CodePoint point = codePointAt(m_source->bytes(), r.begin);
-        if (!point.valid || point.value == 0) continue;
-        Diagnostic& d = error(Code::UnexpectedText, r, "invisible sign U+" + hexOf(point.value, 4) + " instead of a blank");
-        fix(d, "a blank", {edit(r, " ")});
-    }
-}
-
-/// Reports NUL and invalid UTF-8 everywhere, including comments: one message per run, at its first byte.
-void Parser::checkBytes() {
-    const std::string_view bytes = m_source->bytes();
-    if (isUtf16()) {
-        error(Code::InvalidBytes, {0, 2}, "this file is UTF-16, save it as UTF-8");
-        return;
-    }
-    bool inRun = false;
-    for (std::size_t i = 0; i < bytes.size() && m_diagnostics.size() <= kMaxDiagnostics;) {
-        const auto byte = static_cast<unsigned char>(bytes[i]);
-        const CodePoint point = byte < 0x80 ? CodePoint{byte, 1, byte != 0} : codePointAt(bytes, i);
-        if (!point.valid && !inRun) {
-            const std::uint32_t at = static_cast<std::uint32_t>(i);
-            if (byte == 0) error(Code::InvalidBytes, {at, at + 1}, "a NUL byte in the text");
-            else error(Code::InvalidBytes, {at, at + 1}, "byte 0x" + hexOf(byte, 2) + " is no UTF-8 text");
-        }
-        inRun = !point.valid;
-        i += point.length;
-    }
-}
-
-void Parser::checkComments() {
-    const std::vector<Token>& tokens = m_tree->m_tokens;
-    if (tokens.size() < 2) return;
-    const Token& last = tokens[tokens.size() - 2]; // only the last token can be unterminated
-    const std::string_view comment = slice(last.range);
-    if (last.kind != TokenKind::BlockComment || (comment.size() >= 4 && comment.ends_with("*/"))) return;
-    const TextRange start{last.range.begin, last.range.begin + 2};
-    const bool wildcard = start.begin > 0 && isWordChar(m_source->bytes()[start.begin - 1]);
-    if (wildcard) {
-        error(Code::UnclosedComment, start, "`/*` begins a comment; a text with * is written in double quotes");
-        return;
-    }
-    Diagnostic& d = error(Code::UnclosedComment, start, "this comment is never closed");
-    fix(d, "add `*/` at the end", {edit({last.range.end, last.range.end}, " */")});
 }
 
 } // namespace trundle
