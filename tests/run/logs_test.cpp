@@ -31,10 +31,12 @@ private Q_SLOTS:
                              "[deg]\n0.5,robot0,0,0,0,0,0,0\n0.5,robot1,0,1,0,0,0,0\n"));
     }
     void aPoseLogOfAGridByItsName() {
-        FakeWorld world(experimentOf({"swarm_0", "swarm_1", "swarm_x", "other"}));
+        FakeWorld world(experimentOf({"swarm_0", "swarm_1", "swarm_x", "other", "swarm12", "swarm_", "swarm", "swarm_1_2"}));
         const std::string csv = csvOf(world, logSpec("PoseLog", "path", {{"Robot", textValue({"swarm"})}}));
         QVERIFY(csv.find("swarm_1,") != std::string::npos);
-        QVERIFY(csv.find("swarm_x") == std::string::npos);
+        for (const char* other : {"swarm_x", "swarm12", "swarm_,", "swarm_1_2"})
+            QVERIFY2(csv.find(other) == std::string::npos, other);
+        QVERIFY(csv.find(",swarm,") != std::string::npos); // it is a robot's name too
         QVERIFY(csv.find("other") == std::string::npos);
     }
     void unknownRobotListsExisting() {
