@@ -88,6 +88,9 @@ private Q_SLOTS:
         row("null fields", own("has a broken table of fields or signals"), [](Tables& t) { t.kind.fields = nullptr; });
         row("null signals", own("has a broken table of fields or signals"), [](Tables& t) { t.kind.signals = nullptr; });
         row("null default", own("has a broken field, number 1"), [](Tables& t) { t.fields[0].defaultValue.numbers = nullptr; });
+        row("endless default", own("has a broken field, number 1"), [](Tables& t) {
+            t.fields[0].defaultValue.count = 100001; // of which only a few are there
+        });
         row("null default text", own("has a broken field, number 2"), [](Tables& t) { t.texts[0] = nullptr; });
         row("field name", own("has a field whose name 'a b' is no name"), [](Tables& t) { t.fields[1].name = "a b"; });
         row("scale 0", own("has a field Way whose scale is no number"), [](Tables& t) { t.fields[2].scale = 0; });

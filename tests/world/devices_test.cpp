@@ -296,6 +296,44 @@ private Q_SLOTS:
         }
     }
 
+    /// What a device reads of bodies and joints is what is published, for a robot that is turned and tumbles.
+    void statesOfATumblingRobot() {
+        Scene scene = r0Scene(0.005);
+        scene.spec->settings.gravity = Vec3(0.3, -0.2, -1);
+        auto config = std::make_shared<RobotConfigSpec>(*r0());
+        config->devices.push_back(probe("p"));
+        const Pose start = at(1, 2, 30, degrees(70, -20, 35));
+        scene.robot("r", start, config);
+        std::uint32_t body = 0, joint = 0;
+        TrundleBodyState state{};
+        double anchor[3], axis[3];
+        m_bench.probes["p"].setup = [&](const TrundleMount& m) {
+            return m.body(m.context, "leftWheel", &body) + m.joint(m.context, "rightAxle", &joint);
+        };
+        m_bench.probes["p"].sense = [&](const TrundleServices& s) {
+            s.bodyState(s.context, body, &state);
+            s.jointAnchor(s.context, joint, anchor, axis);
+            return 0;
+        };
+        auto world = scene.build(code);
+        QVERIFY(world->push("r/chassis", {400, -300, 500}, start * Vec3(0.1, 0.05, 0.1)).ok());
+        for (int i = 0; i < 40; ++i) {
+            QVERIFY(world->tick().ok());
+            const double *pose = slot(*world, "r/leftWheel/pose"), *moving = slot(*world, "r/leftWheel/velocity");
+            for (int k = 0; k < 3; ++k) {
+                QCOMPARE(state.position[k], pose[k]);
+                QCOMPARE(state.linear[k], moving[k]);
+                QCOMPARE(state.angular[k], moving[3 + k]);
+            }
+            for (int k = 0; k < 4; ++k) QCOMPARE(state.quaternion[k], pose[3 + k]);
+            const double* c = slot(*world, "r/chassis/pose"); // the parent, whose frame is the config's
+            const Pose chassis{Vec3(c), Quat(c[3], c[4], c[5], c[6])};
+            QVERIFY((Vec3(anchor) - chassis * Vec3(0, -kR0Track / 2, kR0Radius)).norm() < 1e-9);
+            QVERIFY((Vec3(axis) - chassis.rotation * Vec3::UnitY()).norm() < 1e-9);
+        }
+        QVERIFY(Vec3(state.angular).norm() > 1);
+    }
+
     void randomIsAFunctionOfWhereAndWhen() {
         std::vector<std::uint64_t> numbers[2];
         for (int again = 0; again < 2; ++again) {

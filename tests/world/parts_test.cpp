@@ -77,6 +77,26 @@ private Q_SLOTS:
                  WheelContactResult::Unknown);
     }
 
+    /// A wheel that leans, on a slope and on a turned box: its tread's lowest point is in its middle plane, at its radius.
+    void leaningWheel() {
+        const Pose tilt{Vec3(0.3, -0.2, 1), rotationFromHpr(degrees(40, 10, -25))};
+        const Vec3 normal = tilt.rotation * Vec3::UnitZ();
+        for (const double lean : {-30., 0., 20.}) {
+            const Vec3 axle = tilt.rotation * (rotationFromHpr(degrees(0, 0, lean)) * Vec3::UnitY());
+            const WheelPose wheel{tilt * Vec3(0.1, 0.05, 0.049 * std::cos(lean * kPi / 180)), axle, 0.05};
+            GroundContact plane, block;
+            QCOMPARE(wheelOnPlane(wheel, normal, normal.dot(tilt.position), plane), WheelContactResult::Contact);
+            const Mat3 axes = tilt.rotation.toRotationMatrix();
+            QCOMPARE(wheelOnBox(wheel, tilt * Vec3(0, 0, -0.5), axes, Vec3(1, 1, 0.5), block), WheelContactResult::Contact);
+            for (const GroundContact& c : {plane, block}) {
+                QVERIFY(std::abs((c.position - wheel.centre).dot(axle)) < 1e-12);
+                QVERIFY(std::abs((c.position - wheel.centre).norm() - 0.05) < 1e-12);
+                QVERIFY((c.normal - normal).norm() < 1e-12);
+                QVERIFY(std::abs(c.depth - 0.001 * std::cos(lean * kPi / 180)) < 1e-12);
+            }
+        }
+    }
+
     void devicesActBeforeTheirPeers() {
         QCOMPARE(actingOrder({{}, {}, {0, 1}}), (std::vector<std::uint32_t>{2, 0, 1}));
         QCOMPARE(actingOrder({{}, {}, {}}), (std::vector<std::uint32_t>{0, 1, 2}));
