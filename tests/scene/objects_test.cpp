@@ -108,6 +108,14 @@ private Q_SLOTS:
         experiment->statics.push_back({"s", "S", {Vec3(0.1, 0.2, 0.3), rotationFromHpr({0.4, 0, 0})}, geoms, {}, {}});
         const ObjectIndex objects(experiment);
         const Pose& frame = experiment->statics[0].pose;
+        for (const GeomSpec& g : *geoms) // along the axis, just beside the shape
+            for (int degrees = 0; degrees < 360; degrees += 15) {
+                const double a = degrees * M_PI / 180,
+                             beside = g.shape == GeomShape::Box ? 0.51 : 0.41; // the box: half a diagonal
+                const Vec3 from = frame * (g.pose * Vec3(beside * std::cos(a), beside * std::sin(a), 2));
+                const Vec3 down = frame.rotation * (g.pose.rotation * Vec3(0, 0, -1));
+                QVERIFY2(castRay(objects, startPoses(*experiment), {from, down}).empty(), g.name.c_str());
+            }
         for (const GeomSpec& g : *geoms)
             for (const Vec3& off : {Vec3(0, 0, 0), Vec3(0.1, -0.2, 0.25), Vec3(-0.15, 0.1, -0.3)}) {
                 const Vec3 inside = frame * (g.pose * off);
