@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "run/live_values.h"
+#include "run/number_scale.h"
 #include "world/signal_plan.h"
 
 using namespace trundle;
@@ -62,7 +63,9 @@ struct Bench {
         snapshot.block = block;
         objects = std::make_unique<LiveObjects>(experiment, layout, registry);
     }
-    void set(const char* path, double value, std::uint32_t slot = 0) { setSlot(*block, layout->find(path)->offset + slot, value); }
+    void set(const char* path, double value, std::uint32_t slot = 0) {
+        setSlot(*block, layout->find(path)->offset + slot, value);
+    }
     /// Live values of an object as "current = 0.213 A; ...", read from a new snapshot.
     std::string read(const char* path) {
         auto next = std::make_shared<SignalBlock>(*layout);
@@ -103,9 +106,41 @@ private Q_SLOTS:
         b.set("robot0/chassis/velocity", 2, 5); // turns on the spot: the geom, 10 cm off, goes sideways
         const std::string hull = b.read("robot0.chassis.hull");
         QVERIFY2(hull.starts_with("position = 1.000, 0.100, 0.000 m"), hull.c_str());
-        QVERIFY2(hull.find("speed = 0.200 m/s") != std::string::npos, hull.c_str());
+        // The robot faces +y, the geom is 10 cm ahead of it and goes to -x.
+        QVERIFY2(hull.find("speed = 0.200 m/s; velocity = -0.200, 0.000, 0.000 m/s") != std::string::npos, hull.c_str());
         QVERIFY(b.read("robot0.chassis").starts_with("position = 1.000, 0.000, 0.000 m"));
         QVERIFY(b.read("robot0.chassis").find("speed = 0.000 m/s") != std::string::npos);
+    }
+
+    /// The prefix at the edges of each range, by the largest magnitude, whatever its sign; lengths and angles have none.
+    void prefixes_data() {
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("shown");
+        const auto row = [](const char* unit, double value, const char* shown) {
+            QTest::addRow("%g %s", value, unit) << unit << value << shown;
+        };
+        row("V", 0.0999, "99.90 mV");
+        row("V", 0.1, "0.100 V");
+        row("V", -0.5, "-0.500 V");
+        row("A", 9999, "9999 A");
+        row("N m", 10000, "10.00 kN m");
+        row("W", -123456, "-123.5 kW");
+        row("J", 1e6, "1.000 MJ");
+        row("m", 0.05, "0.050 m");
+        row("m", 12345.678, "12345.678 m");
+        row("rad", 0.001, "0.057 °");
+        row("", 0.05, "0.050 ");
+    }
+    void prefixes() {
+        QFETCH(QString, unit);
+        QFETCH(double, value);
+        QFETCH(QString, shown);
+        NumberScale scale(unit.toStdString());
+        scale.note(value);
+        QCOMPARE(QString::fromStdString(scale.text(value) + " " + scale.unit()), shown);
+        scale.note(value / 1000); // never back
+        QCOMPARE(QString::fromStdString(scale.text(value) + " " + scale.unit()), shown);
     }
 
     void jointsDevicesAndControllersShowTheirSignals() {
@@ -118,9 +153,10 @@ private Q_SLOTS:
         b.set("robot0/motor/count", 123456789);
         b.set("robot0/motor/hot", 1);
         b.set("robot0/motor/odometry", std::numbers::pi / 2, 2);
-        QCOMPARE(b.read("robot0.motor"),
-                 std::string("voltage = 6.000 V; current = 12.35 mA; count = 123456789; hot = true; ranges = 0.000, 0.000, 0.000, "
-                             "0.000, 0.000, 0.000, … m; odometry x, y = 0.000, 0.000 m; odometry heading = 90.00 °"));
+        QCOMPARE(
+            b.read("robot0.motor"),
+            std::string("voltage = 6.000 V; current = 12.35 mA; count = 123456789; hot = true; ranges = 0.000, 0.000, 0.000, "
+                        "0.000, 0.000, 0.000, … m; odometry x, y = 0.000, 0.000 m; odometry heading = 90.00 °"));
         const auto& values = b.objects->read("robot0.motor", b.snapshot);
         QVERIFY(values[0].commanded && !values[1].commanded);
         QCOMPARE(values[1].signal, std::string("robot0/motor/current"));
@@ -158,8 +194,8 @@ private Q_SLOTS:
 
     void objectsOutsideRunHaveNoValues() {
         Bench b;
-        for (const char* path : {"robot1", "robot0.nothing", "robot0.chassis.nothing", "robot0.motor.x", "RobotConfig.Rover.motor",
-                                 "."})
+        for (const char* path :
+             {"robot1", "robot0.nothing", "robot0.chassis.nothing", "robot0.motor.x", "RobotConfig.Rover.motor", "."})
             QCOMPARE(b.read(path), std::string());
     }
 };
