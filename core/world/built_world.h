@@ -93,6 +93,7 @@ public:
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_engine->quickTicks(); }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_engine->rescuedTicks(); }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_engine->largestExactCluster(); }
+    [[nodiscard]] SweepReport sweeps() const override;
     [[nodiscard]] std::uint64_t stateHash() const override;
     [[nodiscard]] Pose robotPose(std::size_t robot) const override;
     [[nodiscard]] RobotEnergy robotEnergy(std::size_t robot) const override;

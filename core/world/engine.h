@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <trundle/geometry.h>
@@ -161,6 +162,10 @@ public:
     [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
     /// Number of solver messages about singular systems; 0 in a healthy world.
     [[nodiscard]] virtual std::uint64_t solverWarnings() const = 0;
+    /// Bodies times ticks in which one moved farther than it is thick, so that its path was searched for scenery.
+    [[nodiscard]] virtual std::uint64_t sweptBodies() const = 0;
+    /// Geoms of two actors that passed through each other within a tick; once for two actors, the first 20.
+    [[nodiscard]] virtual std::span<const std::pair<std::uint32_t, std::uint32_t>> passages() const = 0;
 };
 
 /// The rigid-body engine (ODE).

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <trundle/abi.h>
@@ -48,6 +49,12 @@ struct Fault {
     SourceRange range; ///< the name of the body or device in the text
 };
 
+/// Bodies that move farther in a tick than they are thick.
+struct SweepReport {
+    std::uint64_t bodies = 0; ///< times ticks, whose paths were searched for scenery
+    std::vector<std::pair<std::string, std::string>> passed; ///< geoms that passed through each other; once for two robots
+};
+
 class World {
 public:
     /// Builds everything at its start pose; tick 0 is the initial state with valid signals. Everything that cannot be built is
@@ -76,6 +83,7 @@ public:
     /// Contacts in the largest cluster solved because of Solver = exact, if above the recommended maximum (kExactClusterMax);
     /// otherwise 0.
     [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
+    [[nodiscard]] virtual SweepReport sweeps() const { return {}; } ///< of the whole run
 
     /// FNV-1a 64 over position, quaternion (w x y z), linear and angular velocity as little-endian doubles, bodies in path order.
     [[nodiscard]] virtual std::uint64_t stateHash() const = 0;

@@ -73,6 +73,12 @@ const std::vector<WorldContact>& BuiltWorld::contacts() const {
     return m_contacts;
 }
 
+SweepReport BuiltWorld::sweeps() const {
+    SweepReport report{m_engine->sweptBodies(), {}};
+    for (const auto& [first, second] : m_engine->passages()) report.passed.emplace_back(m_geomPaths[first], m_geomPaths[second]);
+    return report;
+}
+
 Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& point) {
     const auto it = m_bodyByPath.find(body);
     if (it == m_bodyByPath.end()) return Error{Code::UnknownReference, "there is no body " + body};

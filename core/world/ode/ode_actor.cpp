@@ -116,6 +116,8 @@ bool OdeEngine::addGeom(const GeomSpec& spec, std::uint32_t body, std::string& f
     geom.half = shape.half;
     geom.radius = spec.radius;
     geom.bound = shape.bound;
+    m_bodies[body].thin = std::min(m_bodies[body].thin, geom.half.minCoeff());
+    m_bodies[body].reach = std::max(m_bodies[body].reach, geom.offset.norm() + geom.bound);
     dGeomSetBody(geom.id, m_bodies[body].id);
     dReal q[4];
     toOde(pose.rotation, q);
@@ -156,6 +158,7 @@ Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
             m_statics.push_back(index);
         }
         geom.axes = pose.rotation.toRotationMatrix();
+        m_sweep.addScenery(geom);
         const Vec3 half = reach(geom.axes, geom.half), lo = pose.position - half, hi = pose.position + half;
         m_geoms.push_back(std::move(geom));
         m_centres.push_back(pose.position);

@@ -37,22 +37,32 @@ WheelPose OdeEngine::wheelPose(const Geom& geom, std::uint32_t index) const {
     return {m_centres[index], turn(m_bodies[geom.body].r, geom.axle), geom.radius};
 }
 
+SweepScene OdeEngine::sweepScene() {
+    return {m_actors, m_bodies, m_states, m_geoms, m_planes, m_statics, m_centres, m_boxes, m_actorBoxes, m_grid, m_contacts,
+            [this](const Body& body) { placeGeoms(body); },
+            [this](std::uint32_t geom, const GroundPlane& plane) { geomOnPlane(geom, plane); },
+            [this](std::uint32_t first, std::uint32_t second) { collideGeoms(first, second); },
+            [this](const Geom& geom) { return axesOf(geom); }};
+}
+
+void OdeEngine::placeGeoms(const Body& body) {
+    for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
+        const Geom& g = m_geoms[i];
+        const Vec3 c = vec(body.p) + turn(body.r, g.offset);
+        Vec3 half = Vec3::Constant(g.bound);
+        if (!g.wheel && g.shape != GeomShape::Sphere) half = half.cwiseMin(axesOf(g).cwiseAbs() * g.half);
+        m_centres[i] = c;
+        m_boxes[i] = {{c.x() - half.x(), c.y() - half.y(), c.z() - half.z()}, {c.x() + half.x(), c.y() + half.y(), c.z() + half.z()}};
+    }
+}
+
 void OdeEngine::updateBoxes() {
     for (std::uint32_t a = 0; a < m_actors.size(); ++a) {
         const Actor& actor = m_actors[a];
         Box3 all{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
         for (std::uint32_t b = actor.bodies.begin; b < actor.bodies.end; ++b) {
-            const Body& body = m_bodies[b];
-            for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
-                const Geom& g = m_geoms[i];
-                const Vec3 c = vec(body.p) + turn(body.r, g.offset);
-                Vec3 half = Vec3::Constant(g.bound);
-                if (!g.wheel && g.shape != GeomShape::Sphere) half = half.cwiseMin(axesOf(g).cwiseAbs() * g.half);
-                m_centres[i] = c;
-                m_boxes[i] = {{c.x() - half.x(), c.y() - half.y(), c.z() - half.z()},
-                              {c.x() + half.x(), c.y() + half.y(), c.z() + half.z()}};
-                all.cover(m_boxes[i]);
-            }
+            placeGeoms(m_bodies[b]);
+            for (std::uint32_t i = m_bodies[b].geoms.begin; i < m_bodies[b].geoms.end; ++i) all.cover(m_boxes[i]);
         }
         if (all.lo[0] > all.hi[0]) all = {{0, 0, -1e30}, {0, 0, -1e30}}; // never collides: placed far away
         m_actorBoxes[a] = all;

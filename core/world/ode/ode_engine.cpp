@@ -113,6 +113,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         move(h);
         ++m_tick;
         m_fault = findFault();
+        if (!m_fault) m_sweep.run(h);
         if (!m_fault) publish(h);
     } catch (const OdeFault&) {
         m_interrupted = true;

@@ -17,6 +17,7 @@
 #include "world/ode/ode_fault.h"
 #include "world/ode/ode_math.h"
 #include "world/ode/ode_records.h"
+#include "world/ode/ode_sweep.h"
 #include "world/ode/pinned_bodies.h"
 #include "world/wheel_contact.h"
 
@@ -51,6 +52,8 @@ public:
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_rescuedTicks; }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_largestExactCluster; }
     [[nodiscard]] std::uint64_t solverWarnings() const override { return m_solverWarnings; }
+    [[nodiscard]] std::uint64_t sweptBodies() const override { return m_sweep.count(); }
+    [[nodiscard]] std::span<const IndexPair> passages() const override { return m_sweep.passages(); }
 
 private:
     using Body = OdeBody;
@@ -58,7 +61,6 @@ private:
     using Actor = OdeActor;
     using Joint = OdeJoint;
     using Contact = OdeContact;
-    using JointFrame = OdeJointFrame;
 
     // building (ode_actor.cpp, ode_joint.cpp)
     void buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure);
@@ -104,6 +106,8 @@ private:
     [[nodiscard]] Vec3 anchorGap(const Joint& joint) const;
 
     // contacts (ode_collide.cpp)
+    [[nodiscard]] SweepScene sweepScene();
+    void placeGeoms(const Body& body);
     void updateBoxes();
     void collide();
     void collideWithGround(std::uint32_t actor);
@@ -180,6 +184,7 @@ private:
     BodyRotation m_rotation;
     PinnedBodies m_pinned;
     JointDrift m_drift;
+    OdeSweep m_sweep{sweepScene()};
     std::vector<std::uint32_t> m_parentOf, m_clusterSize;
     mutable std::vector<std::uint32_t> m_geomContactBegin, m_geomContacts;
     mutable bool m_geomContactsReady = false;

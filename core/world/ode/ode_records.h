@@ -36,6 +36,7 @@ struct OdeBody {
     Vec3 centre = Vec3::Zero();                                                       ///< of mass, in the body's frame
     std::uint32_t actor = 0;
     Run geoms;
+    double thin = 1e300, reach = 0; ///< of its geoms: least half extent; farthest point from the centre of mass
     SourceRange range;
 };
 
@@ -94,7 +95,7 @@ struct OdeJoint {
 };
 
 /// In the world, at the start.
-struct OdeJointFrame {
+struct JointFrame {
     Vec3 anchor, axis, axis2;
 };
 
