@@ -72,6 +72,10 @@ private Q_SLOTS:
         row("no live value", edited("MaxVoltage=12", "MaxVoltage=13"), "", "RobotConfig.Cart.motor.MaxVoltage");
         row("a pose", edited("Pos=3,0,0", "Pos=4,0,0"), "", "robot10.Pos");
         row("a robot less", edited("Robot robot1 { Config=Cart }\n", ""), "", "robot1");
+        row("a robot less, and one whose name begins like it",
+            edited("Robot robot1 { Config=Cart }\nRobot robot10 { Config=Cart Pos=3,0,0",
+                   "Robot robot10 { Config=Cart Pos=4,0,0"),
+            "", "robot1|robot10.Pos");
         row("a robot more", kText + "Robot robot { Config=Cart }\n", "", "robot");
         row("both at once", edited("Pos=3,0,0 motor.Resistance=4", "Pos=4,0,0 motor.Resistance=6"), "robot10/motor.Resistance=6",
             "robot10.Pos");
