@@ -64,6 +64,7 @@ constexpr CodeEntry kCodes[] = {
     {Code::Unsupported, "start in the air"},
     {Code::MassRatio, "extreme mass ratio of joined bodies"},
     {Code::WheelGeometry, "drive parameters that differ from the wheels"},
+    {Code::SpringTooFast, "spring too fast for the tick"},
     {Code::ModuleNotFound, "module not found"},
     {Code::ModuleNotTrusted, "module not trusted"},
     {Code::ModuleUnreadable, "module that cannot be loaded"},

@@ -72,6 +72,7 @@ enum class Code : int {
     Unsupported,
     MassRatio,
     WheelGeometry,
+    SpringTooFast,
     // modules
     ModuleNotFound = 401,
     ModuleNotTrusted,

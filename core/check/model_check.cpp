@@ -25,6 +25,7 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     if (!isBuildable(experiment, silent)) return; // a run reports the reason
     checkMasses(experiment, diagnostics);
     checkDrives(loaded, diagnostics);
+    checkSprings(experiment, diagnostics);
     if (experiment.robots.empty() || stop.stop_requested()) return;
     const std::optional<StartScene> scene = StartScene::build(experiment, stop);
     if (!scene) return; // the same

@@ -108,7 +108,7 @@ void DifferentialDrive::drive(Actuation& world, Wheel& wheel, double rate) {
     wheel.lastTarget = rate;
 }
 
-/// Feed-forward plus PI. The error is the target of the last tick minus the rate reached at its end, so the integral is the
+/// Feed-forward plus PI; the motor clips it. The error is the target of the last tick minus the rate reached at its end, so the integral is the
 /// wheel's angle error: it converges to zero at rest, and with it the remaining error of an amount.
 double DifferentialDrive::piVoltage(const Services& world, Wheel& wheel, double rate) const {
     const double error = wheel.lastTarget - world.jointRate(wheel.joint);
@@ -117,7 +117,7 @@ double DifferentialDrive::piVoltage(const Services& world, Wheel& wheel, double 
     const double clipped = std::clamp(voltage, -wheel.maxVoltage, wheel.maxVoltage);
     const bool windingUp = voltage != clipped && (voltage > clipped) == (error > 0);
     if (!windingUp) wheel.errorAngle = angle;
-    return clipped;
+    return voltage;
 }
 
 void DifferentialDrive::warnOfSpeeds(const Services& world, const ChassisMotion& velocity, const WheelMotion& rates) {
@@ -128,7 +128,7 @@ void DifferentialDrive::warnOfSpeeds(const Services& world, const ChassisMotion&
     }
     const double fastest = std::max(std::abs(rates.left), std::abs(rates.right));
     const double possible = std::min(m_left.maxVoltage / m_left.voltsPerRate, m_right.maxVoltage / m_right.voltsPerRate);
-    if (!m_reportedSpeed && fastest > possible) {
+    if (m_control != Control::Servo && !m_reportedSpeed && fastest > possible) { // a servo reports that itself
         m_reportedSpeed = true;
         world.warn(formatted("a wheel is to turn at %.3g rad/s, its motor reaches %.3g rad/s at MaxVoltage", fastest, possible));
     }

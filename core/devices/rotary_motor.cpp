@@ -1,8 +1,15 @@
 #include "devices/rotary_motor.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace trundle {
+namespace {
+
+constexpr double kReached = 1e-3; // of the no-load rate: a servo that is farther off its rate has no more torque
+
+} // namespace
 
 VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage, double lastCurrent, double h) {
     // Implicit Euler for the inductance: i = (V + L/h i_last - G w/kv) / (R + L/h), the same law with another V and R.
@@ -34,12 +41,14 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
     d.command("voltage", "V", "Clipped to MaxVoltage.");
     d.command("targetRate", "rad/s", "Of the joint, while servo is set.");
-    d.command("servo", "", "Holds targetRate with up to the stall torque instead of following the voltage.", 1,
+    d.command("servo", "", "Holds targetRate, with at most the torque of MaxVoltage, instead of following the voltage.", 1,
               TRUNDLE_BOOLEAN_SIGNAL);
     d.output("current", "A", "Through the winding.");
     d.output("terminalVoltage", "V", "Across the winding: the voltage as clipped, or what a servo's rate takes.");
-    d.output("torque", "N m", "At the joint, given in the last tick.");
+    d.output("torque", "N m", "At the joint, at the end of the last tick.");
     d.output("rate", "rad/s", "Of the joint.");
+    d.output("saturated", "", "MaxVoltage is not enough: the voltage is clipped, or the servo does not reach its rate.", 1,
+             TRUNDLE_BOOLEAN_SIGNAL);
 }
 
 void RotaryMotor::setup(Mount& mount) {
@@ -60,6 +69,7 @@ void RotaryMotor::setup(Mount& mount) {
     m_terminalVoltage = mount.signal("terminalVoltage");
     m_torque = mount.signal("torque");
     m_rate = mount.signal("rate");
+    m_saturated = mount.signal("saturated");
     // At the joint the rotor's inertia is G^2 times as large (energy: J (G w)^2 / 2).
     if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
 }
@@ -74,13 +84,25 @@ void RotaryMotor::takeLiveConstants() {
 
 void RotaryMotor::act(Actuation& world) {
     takeLiveConstants();
-    if (m_servo.read(world) != 0) {
-        world.motorRow(m_joint, m_targetRate.read(world), 0, m_motor.stallTorque());
-        return;
-    }
-    const double voltage = std::clamp(m_voltage.read(world), -m_motor.maxVoltage, m_motor.maxVoltage);
+    if (m_servo.read(world) != 0) return actAsServo(world);
+    const double wanted = m_voltage.read(world), voltage = std::clamp(wanted, -m_motor.maxVoltage, m_motor.maxVoltage);
+    m_beyond = wanted != voltage;
     const VoltageConstraint row = voltageConstraint(m_motor, voltage, m_current.get(), world.tick());
     world.motorRow(m_joint, row.rate, row.softness, row.limit);
+}
+
+void RotaryMotor::actAsServo(Actuation& world) {
+    const double wanted = m_targetRate.read(world), possible = m_motor.noLoadRate();
+    m_beyond = std::abs(wanted) > possible * (1 + 1e-9);
+    if (m_beyond && !m_reported) {
+        m_reported = true;
+        char text[200];
+        std::snprintf(text, sizeof text,
+                      "it is to turn its joint at %.3g rad/s, and reaches %.3g rad/s without load at MaxVoltage", wanted,
+                      possible);
+        world.warn(text);
+    }
+    world.servoRow(m_joint, std::clamp(wanted, -possible, possible), m_motor.stallTorque(), m_motor.damping());
 }
 
 void RotaryMotor::sense(Sensing& world) {
@@ -91,6 +113,8 @@ void RotaryMotor::sense(Sensing& world) {
     m_torque.set(torque);
     m_current.set(current);
     m_rate.set(rate);
+    const bool late = m_servo.read(world) != 0 && std::abs(m_targetRate.read(world) - rate) > kReached * m_motor.noLoadRate();
+    m_saturated.set(world.time() > 0 && (m_beyond || late));
 }
 
 } // namespace trundle

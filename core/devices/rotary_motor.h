@@ -19,6 +19,10 @@ struct MotorConstants {
 
     /// N m at the joint per ampere.
     [[nodiscard]] double torquePerAmpere() const { return efficiency * gearRatio * torqueConstant; }
+    /// N m s/rad at the joint: how fast the torque falls with its rate.
+    [[nodiscard]] double damping() const { return torquePerAmpere() * gearRatio / (resistance * speedConstant); }
+    /// The joint's rate without load at the highest voltage, rad/s.
+    [[nodiscard]] double noLoadRate() const { return maxVoltage * speedConstant / gearRatio; }
     /// The torque at the joint at the driver's current limit, which is the stall torque at the highest voltage.
     [[nodiscard]] double stallTorque() const { return torquePerAmpere() * maxVoltage / resistance; }
 };
@@ -43,6 +47,7 @@ public:
 
 private:
     void takeLiveConstants();
+    void actAsServo(Actuation& world);
 
     std::string m_jointName;
     MotorConstants m_motor;
@@ -52,7 +57,9 @@ private:
 
     JointId m_joint;
     CommandSlot m_voltage, m_targetRate, m_servo;
-    Slot m_current, m_terminalVoltage, m_torque, m_rate;
+    Slot m_current, m_terminalVoltage, m_torque, m_rate, m_saturated;
+    bool m_beyond = false; ///< the command, MaxVoltage
+    bool m_reported = false;
 };
 
 } // namespace trundle

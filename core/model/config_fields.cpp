@@ -39,7 +39,8 @@ template <class T> void describeAnchor(Describe<T>& d) {
 }
 
 template <class T> void describeSpring(Describe<T>& d, const char* stiffness, const char* damping) {
-    d.field("Stiffness", &JointFields::stiffness, unitOf(stiffness).within(0, 1e12), "Of the spring towards the start position.");
+    d.field("Stiffness", &JointFields::stiffness, unitOf(stiffness).within(0, 1e12),
+            "Of the spring towards the start position; at most 1.8 rad per tick.");
     d.field("Damping", &JointFields::damping, unitOf(damping).within(0, 1e12), "Resistance per speed.");
 }
 

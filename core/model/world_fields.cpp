@@ -67,7 +67,8 @@ void SurfaceFields::describe(Describe<SurfaceFields>& d) {
     d.field("Restitution", &SurfaceFields::restitution, number().within(0, 1), "Share of the speed that a bounce keeps.");
     d.field("RollingFriction", &SurfaceFields::rollingFriction, metres().within(0, 10),
             "Lever of the force that brakes rolling.");
-    d.field("Softness", &SurfaceFields::softness, unitOf("m/N").within(0, 1), "How far it gives per newton.");
+    d.field("Softness", &SurfaceFields::softness, unitOf("m/N").within(0, 1),
+            "How far each contact point gives per newton: a spring without damping.");
 }
 
 void RobotConfigFields::describe(Describe<RobotConfigFields>& d) {

@@ -30,6 +30,11 @@ struct ServiceCalls {
             std::isfinite(rate) && softness >= 0 && std::isfinite(softness) && limit >= 0; // an infinite limit is allowed
         if (mayActOn(w, isJoint(w, joint), finite, "motorRow")) w.m_engine->setMotor({joint, 0}, {rate, softness, limit});
     }
+    static void servoRow(void* context, std::uint32_t joint, double rate, double limit, double damping) {
+        BuiltWorld& w = world(context);
+        const bool finite = std::isfinite(rate) && limit >= 0 && damping >= 0 && std::isfinite(damping);
+        if (mayActOn(w, isJoint(w, joint), finite, "servoRow")) w.m_engine->setMotor({joint, 0}, {rate, 0, limit, damping});
+    }
     static void jointTorque(void* context, std::uint32_t joint, double torque) {
         BuiltWorld& w = world(context);
         if (mayActOn(w, isJoint(w, joint), std::isfinite(torque), "jointTorque")) w.m_engine->addJointTorque({joint, 0}, torque);
@@ -149,7 +154,8 @@ void fillServices(TrundleServices& services, BuiltWorld& world, double tick) {
                 ServiceCalls::random,
                 ServiceCalls::jointAnchor,
                 ServiceCalls::print,
-                servicesRadio()};
+                servicesRadio(),
+                ServiceCalls::servoRow};
 }
 
 } // namespace trundle

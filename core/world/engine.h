@@ -82,10 +82,13 @@ struct BodyState {
 };
 
 /// A constraint row that drives a joint to `rate` with the torque (rate - actual) / softness, at most `limit`. Limit 0: no row.
+/// With a damping it is a servo: softness is ignored, and the torque along the joint's motion is at most limit - damping * |actual|.
 struct MotorConstraint {
     double rate = 0;     ///< rad/s or m/s
     double softness = 0; ///< rad/s per N m; 0: as stiff as the engine allows
     double limit = 0;    ///< N m or N
+    double damping = 0;  ///< N m s/rad
+    bool operator==(const MotorConstraint&) const = default;
 };
 
 /// One contact of the last step, sorted by (actor, partner, geom).

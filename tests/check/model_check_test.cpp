@@ -134,6 +134,14 @@ private Q_SLOTS:
             rover("Body leftWheel { Pos=0.1,0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.2",
                   "Body leftWheel { Pos=0.1,0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.0001"),
             Code::MassRatio, "leftAxle", "leftWheel", false);
+        const std::string arm = "RobotConfig Arm { Body b { Box g { Size=0.2,0.2,0.2 Mass=2 } } "
+                                "Slider leg { Parent=world Child=b Axis=0,0,1 Stiffness=";
+        row("a spring faster than the tick", arm + "80000 Damping=40 } }\nRobot a { Config=Arm Pos=0,0,0.1 }",
+            Code::SpringTooFast, "31.8 Hz; a tick of 10 ms follows up to 28.6 Hz", "leg", false);
+        row("a soft floor faster than the tick",
+            "Surface felt { Softness=1e-6 }\nRobotConfig Slab { Body b { Box g { Size=0.2,0.2,0.2 Mass=2 Surface=felt } } }\n"
+            "Robot a { Config=Slab Pos=0,0,0.1 }",
+            Code::SpringTooFast, "Slab on Surface felt", "felt", false);
         row("a chassis of lead", rover("Mass=2 }", "Mass=20000 }"), Code::MassRatio, "1 to 1e+05", "leftWheel", false);
     }
     void faults() {
@@ -179,6 +187,9 @@ private Q_SLOTS:
         row("a turned mesh on the floor", kMeshes + "Robot a { Config=Beam Pos=0,0,0.05 HPR=20,0,90 }");
         row("on a mesh", kMeshes + "Static block { Config=Block HPR=20,0,0 }\nRobot a { Config=Crate Pos=0,0,1.1 }\n"
                                    "Robot b { Config=Stone Pos=0.3,0,1 }");
+        row("a spring that the tick follows", "RobotConfig Arm { Body b { Box g { Size=0.2,0.2,0.2 Mass=2 } } "
+                                              "Slider leg { Parent=world Child=b Axis=0,0,1 Stiffness=60000 } }\n"
+                                              "Robot a { Config=Arm Pos=0,0,0.1 }");
         row("beside a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.601,0,0.1 }");
         row("a larger instance in its place", kMeshes + "Robot a { Config=Sized Pos=0,0,0.2 s=0.4 }");
         row("wheels on the floor", kRover + "Robot r { Config=Rover Pos=1,1,0 HPR=33,0,0 }");

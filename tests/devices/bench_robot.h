@@ -20,7 +20,7 @@ struct BenchJoint {
     double inertia = 1e-3; ///< kg m^2
     double position = 0, rate = 0, effort = 0;
     bool driven = false;
-    double rowRate = 0, rowSoftness = 0, rowLimit = 0;
+    double rowRate = 0, rowSoftness = 0, rowLimit = 0, rowDamping = 0;
     double anchor[3] = {0, 0, 0};
 };
 
@@ -143,12 +143,18 @@ private:
             d.code->set(d.instance, index, &value);
         }
     }
-    /// Solves the motor constraint of each joint: I (w' - w) / h = T, T = (rate - w') / softness within the limit.
+    /// Solves the motor constraint of each joint: I (w' - w) / h = T, T = (rate - w') / softness within the limit, and of a servo
+    /// within limit - damping |w'| along w'.
     void step() {
         for (BenchJoint& j : m_joints) {
             double torque = 0;
             if (j.driven)
                 torque = std::clamp((j.rowRate - j.rate) / (j.rowSoftness + m_tick / j.inertia), -j.rowLimit, j.rowLimit);
+            if (const double next = j.rate + torque * m_tick / j.inertia; torque * next > 0 && j.rowDamping > 0) {
+                const double side = torque > 0 ? 1 : -1;
+                const double most = (j.rowLimit - j.rowDamping * side * j.rate) / (1 + j.rowDamping * m_tick / j.inertia);
+                torque = side * std::min(side * torque, most);
+            }
             j.effort = torque;
             j.rate += torque * m_tick / j.inertia;
             j.position += j.rate * m_tick;
@@ -166,6 +172,15 @@ private:
             j.rowRate = rate;
             j.rowSoftness = softness;
             j.rowLimit = limit;
+            j.rowDamping = 0;
+        };
+        s.servoRow = [](void* c, std::uint32_t joint, double rate, double limit, double damping) {
+            BenchJoint& j = self(c).m_joints[joint];
+            j.driven = true;
+            j.rowRate = rate;
+            j.rowSoftness = 0;
+            j.rowLimit = limit;
+            j.rowDamping = damping;
         };
         s.jointPosition = [](void* c, std::uint32_t joint) { return self(c).m_joints[joint].position; };
         s.jointRate = [](void* c, std::uint32_t joint) { return self(c).m_joints[joint].rate; };

@@ -122,11 +122,44 @@ private Q_SLOTS:
         robot.signal("motor/targetRate")[0] = 5;
         robot.tick();
         QVERIFY(std::abs(robot.signal("motor/rate")[0] - 5) < 1e-12);
-        robot.joint("axle").inertia = 5.4; // 5.4 N m turn it by 1 rad/s^2
+        QCOMPARE(robot.signal("motor/saturated")[0], 0.);
+        robot.joint("axle").inertia = 5.4;
         robot.signal("motor/targetRate")[0] = 6;
         robot.tick();
-        QVERIFY(std::abs(robot.signal("motor/rate")[0] - 5.01) < 1e-12);
-        QVERIFY(std::abs(robot.signal("motor/torque")[0] - 5.4) < 1e-12);
+        const double torque = robot.signal("motor/torque")[0], rate = robot.signal("motor/rate")[0];
+        QVERIFY(std::abs(torque - (5.4 - .405 * rate)) < 1e-12); // on the line of 12 V at the rate reached
+        QVERIFY(std::abs(rate - (5 + .01 * torque / 5.4)) < 1e-12);
+        QCOMPARE(robot.signal("motor/saturated")[0], 1.);
+        robot.signal("motor/targetRate")[0] = 4; // against the motion it has the stall torque
+        robot.tick();
+        QVERIFY(std::abs(robot.signal("motor/torque")[0] + 5.4) < 1e-12);
+        QVERIFY(robot.warnings.empty());
+    }
+
+    /// A rate that no voltage gives: it ends at the no-load rate, says so in a signal, and once in words.
+    void servoBeyondReachSaturates() {
+        BenchRobot robot(.01);
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/servo")[0] = 1;
+        robot.signal("motor/targetRate")[0] = -20;
+        robot.run(1);
+        QVERIFY(std::abs(robot.signal("motor/rate")[0] + 40. / 3) < 1e-6);
+        QCOMPARE(robot.signal("motor/saturated")[0], 1.);
+        QCOMPARE(robot.warnings.size(), std::size_t(1));
+        QVERIFY(robot.warnings[0].find("-20 rad/s") != std::string::npos && robot.warnings[0].find("13.3") != std::string::npos);
+    }
+
+    void voltageAboveTheHighestSaturates() {
+        BenchRobot robot(.01);
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 12;
+        robot.tick();
+        QCOMPARE(robot.signal("motor/saturated")[0], 0.);
+        robot.signal("motor/voltage")[0] = 12.1;
+        robot.tick();
+        QCOMPARE(robot.signal("motor/saturated")[0], 1.);
     }
 
     /// Each live value holds from the next tick on; the others do not change.

@@ -282,19 +282,13 @@ private Q_SLOTS:
     void motorSpinUp_data() {
         QTest::addColumn<double>("h");
         QTest::addColumn<double>("ratio");
-        QTest::addColumn<double>("most");
-        for (const double h : {0.01, 0.03}) {
-            QTest::addRow("%g s, h/tau .04", h) << h << 0.04 << 0.014;
-            QTest::addRow("%g s, h/tau .2", h) << h << 0.2 << 0.068;
-            QTest::addRow("%g s, h/tau .4", h) << h << 0.4 << 0.128;
-            QTest::addRow("%g s, h/tau 1.2", h) << h << 1.2 << 0.30;
-        }
+        for (const double h : {0.01, 0.03})
+            for (const double ratio : {0.04, 0.2, 0.4, 1.2}) QTest::addRow("%g s, h/tau %g", h, ratio) << h << ratio;
     }
     /// w0 (1 - exp(-t/tau)), tau = I/b.
     void motorSpinUp() {
         QFETCH(double, h);
         QFETCH(double, ratio);
-        QFETCH(double, most);
         const double tau = h / ratio, inertia = 0.4 * 1 * 0.01, b = inertia / tau, w0 = 13.33;
         Scene scene(h);
         scene.spec->settings.gravity = Vec3::Zero();
@@ -311,9 +305,8 @@ private Q_SLOTS:
             QVERIFY(world->tick().ok());
             worst = std::max(worst, std::abs(value(*world, "m/axle/rate") / w0 - (1 - std::exp(-world->time() / tau))));
         }
-        qInfo("worst %.3f", worst);
-        QVERIFY(worst < most);
-        QVERIFY(worst > most / 8);
+        qInfo("worst %.3g", worst);
+        QVERIFY(worst < 1e-6);
     }
 
     void stall_data() {

@@ -32,6 +32,7 @@ void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::stri
     const auto index = static_cast<std::uint32_t>(m_actors.size());
     handles.actor = {index, 0};
     m_actors.emplace_back();
+    m_placed.push_back(index);
     Actor& actor = m_actors.back();
     actor.bodies.begin = static_cast<std::uint32_t>(m_bodies.size());
     actor.geoms.begin = static_cast<std::uint32_t>(m_geoms.size());
@@ -51,6 +52,11 @@ void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::stri
     const bool ball = actor.geoms.end - actor.geoms.begin == 1 && m_geoms[actor.geoms.begin].shape == GeomShape::Sphere;
     const double gravity = std::max(9.81, m_settings.gravity.norm());
     actor.stiffness = std::max(kContactStiffness, actor.mass * gravity / ((ball ? 1 : kFewestSupports) * kMaxSag));
+    for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i)
+        if (m_joints[i].type == JointType::Suspension) {
+            actor.stiffness *= kSuspendedStiffness;
+            break;
+        }
     actor.damping = kContactDamping * actor.stiffness / kContactStiffness;
     m_actorBoxes.emplace_back();
     m_bodiesDone = false;

@@ -81,16 +81,7 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
     }
     out.geom.depth = c.depth;
 
-    // The stiffer of the two actors, so that the heavier is carried; then both surfaces' give on top.
-    const Actor& a1 = m_actors[c.actor];
-    const Actor& a2 = c.partner == kNoActor || m_actors[c.partner].stiffness < a1.stiffness ? a1 : m_actors[c.partner];
-    const double softness = s1.softness + s2.softness;
-    const double kp = softness > 0 ? 1 / (1 / a2.stiffness + softness) : a2.stiffness;
-    const double give = h * kp + a2.damping;
-    s.mode = dContactSoftERP | dContactSoftCFM;
-    s.soft_erp = h * kp / give;
-    s.soft_cfm = 1 / give;
-
+    fillSpring(c, h, out);
     const FrictionLaw law = frictionLaw(c);
     const double restitution = std::max(s1.restitution, s2.restitution);
     const bool grips = law.along > 0 || law.across > 0;
@@ -98,8 +89,9 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
     const Vec3 point = vec(c.position);
     const Vec3 speed = pointVelocity(g1, point) - pointVelocity(g2, point);
     if (restitution > 0 && -law.normal.dot(speed) > kBounceSpeed) { // a spring would eat the bounce
-        s.mode = (s.mode & ~dContactSoftCFM) | dContactBounce;
+        s.mode = (s.mode & ~(dContactSoftCFM | dContactMotionN)) | dContactBounce;
         s.soft_erp = kBounceErp;
+        out.geom.depth = std::min(c.depth, kCorrectingSpeed * h / kBounceErp);
         s.bounce = restitution;
         s.bounce_vel = kBounceSpeed;
     }

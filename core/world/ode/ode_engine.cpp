@@ -31,7 +31,7 @@ OdeEngine::OdeEngine(const EngineSettings& settings) : m_settings(settings) {
     dWorldSetGravity(m_world, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());
     dWorldSetCFM(m_world, kWorldCfm); // before any joint: joints copy these at birth
     dWorldSetERP(m_world, settings.errorReduction);
-    dWorldSetContactMaxCorrectingVel(m_world, kCorrectingSpeed);
+    dWorldSetContactMaxCorrectingVel(m_world, dInfinity); // fillSpring has a limit of its own
     dWorldSetContactSurfaceLayer(m_world, 0);
     dWorldSetQuickStepNumIterations(m_world, settings.iterations);
     dWorldSetAutoDisableFlag(m_world, 0);
@@ -62,15 +62,7 @@ OdeEngine::~OdeEngine() {
     }
 }
 
-void OdeEngine::setMotor(JointHandle joint, const MotorConstraint& row) {
-    Joint& j = m_joints[joint.index];
-    if (j.driven && j.motor.rate == row.rate && j.motor.softness == row.softness && j.motor.limit == row.limit) return;
-    j.motor = row;
-    if (j.motorChanged) return;
-    j.motorChanged = true;
-    m_motorWrites.push_back(joint.index);
-}
-
+void OdeEngine::setMotor(JointHandle joint, const MotorConstraint& row) { m_rows.setMotor(joint.index, row); }
 void OdeEngine::addJointTorque(JointHandle joint, double torque) { m_torques.push_back({joint.index, torque}); }
 void OdeEngine::addForce(BodyHandle body, const Vec3& force, const Vec3& point) {
     m_forces.push_back({body.index, force, point});
@@ -107,9 +99,8 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         if (!m_staticsDone) finishStatics();
         if (!m_bodiesDone) finishBodies();
         applyWrites();
-        updateBoxes();
-        collide();
-        updateSpringConstraints(h);
+        findStepContacts();
+        m_rows.update(h, m_contacts, m_geoms, m_settings.errorReduction);
         move(h);
         ++m_tick;
         m_fault = findFault();
@@ -125,12 +116,10 @@ std::optional<EngineFault> OdeEngine::step(double h) {
 
 void OdeEngine::applyWrites() {
     for (const ActorMotion& motion : m_motions) applyMotion(motion);
-    for (const std::uint32_t joint : m_motorWrites) applyMotor(m_joints[joint]);
     for (const JointTorque& torque : m_torques) applyTorque(torque);
     for (const BodyForce& f : m_forces)
         dBodyAddForceAtPos(m_bodies[f.body].id, f.force.x(), f.force.y(), f.force.z(), f.point.x(), f.point.y(), f.point.z());
     m_motions.clear();
-    m_motorWrites.clear();
     m_torques.clear();
     m_forces.clear();
 }
@@ -148,6 +137,7 @@ void OdeEngine::applyTorque(const JointTorque& write) {
 
 void OdeEngine::applyMotion(const ActorMotion& write) {
     m_memory.forget(write.actor);
+    m_placed.push_back(write.actor);
     for (std::uint32_t i = m_actors[write.actor].bodies.begin; i < m_actors[write.actor].bodies.end; ++i) {
         Body& b = m_bodies[i];
         const Vec3 position = write.motion * vec(b.p);
@@ -158,6 +148,8 @@ void OdeEngine::applyMotion(const ActorMotion& write) {
         dBodySetLinearVel(b.id, 0, 0, 0);
         dBodySetAngularVel(b.id, 0, 0, 0);
     }
+    for (std::uint32_t i = m_actors[write.actor].joints.begin; i < m_actors[write.actor].joints.end; ++i)
+        m_joints[i].rate = m_joints[i].lastRate = 0;
 }
 
 /// One exact step. False where the solver met a singular row: it reports it and leaves nonsense behind, or fails an assertion in the

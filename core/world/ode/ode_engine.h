@@ -14,6 +14,7 @@
 #include "world/ode/friction_rows.h"
 #include "world/ode/hull_on_mesh.h"
 #include "world/ode/joint_drift.h"
+#include "world/ode/joint_rows.h"
 #include "world/ode/ode_fault.h"
 #include "world/ode/ode_math.h"
 #include "world/ode/ode_records.h"
@@ -70,13 +71,10 @@ private:
     void carryFrame(Joint& joint, const JointFrame& frame, const Vec3& main) const;
     void makeJoint(Joint& joint, const JointSpec& spec, const JointFrame& frame);
     [[nodiscard]] dJointID attached(dJointID id, const Joint& joint) const;
-    void makeSlider(Joint& joint, const JointSpec& spec, const Vec3& axis);
-    void makeHinge(Joint& joint, const JointSpec& spec, const Vec3& anchor, const Vec3& axis);
+    void makeSlider(Joint& joint, const Vec3& axis);
+    void makeHinge(Joint& joint, const Vec3& anchor, const Vec3& axis);
     void makeUniversal(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2);
     void makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2);
-    void addRows(Joint& joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2);
-    void limitAngle(Joint& joint, const JointSpec& spec, const Vec3& axis);
-    [[nodiscard]] dJointID axisMotor(const Joint& joint, std::span<const Vec3> axes, bool parentFirst);
     void findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle);
     void findSelfPairs(Actor& actor);
     void finishStatics();
@@ -84,7 +82,6 @@ private:
 
     // one step (ode_engine.cpp)
     void applyWrites();
-    void applyMotor(Joint& joint);
     void applyTorque(const JointTorque& write);
     void applyMotion(const ActorMotion& write);
     void move(double h);
@@ -97,18 +94,11 @@ private:
     void saveState();
     void restoreState();
 
-    // joints in a step (ode_joint_rows.cpp)
-    void updateSpringConstraints(double h);
-    void updateSpring(Joint& joint, double h);
-    void updateSuspension(Joint& joint, double h);
-    void measureJoint(Joint& joint, double h);
-    [[nodiscard]] double effortOf(const Joint& joint) const;
-    [[nodiscard]] Vec3 anchorGap(const Joint& joint) const;
-
     // contacts (ode_collide.cpp)
     [[nodiscard]] SweepScene sweepScene();
     void placeGeoms(const Body& body);
     void updateBoxes();
+    void findStepContacts(); // start_contacts.cpp
     void collide();
     void collideWithGround(std::uint32_t actor);
     void geomOnPlane(std::uint32_t geom, const GroundPlane& plane);
@@ -132,6 +122,8 @@ private:
     std::uint32_t clusterOf(std::uint32_t actor);
     void makeContactJoints(double h);
     void fillSurface(const Contact& contact, double h, dContact& out) const;
+    void fillSpring(const Contact& contact, double h, dContact& out) const;
+    [[nodiscard]] double mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const;
     [[nodiscard]] FrictionLaw ownFriction(std::uint32_t geom, const Vec3& outward) const;
     [[nodiscard]] FrictionLaw frictionLaw(const Contact& contact) const;
     [[nodiscard]] Vec3 restAxis(const Contact& contact, const Vec3& normal, const Vec3& slip, double h) const;
@@ -164,15 +156,15 @@ private:
     std::vector<Vec3> m_centres;             ///< of geoms, world
     std::vector<Box3> m_boxes, m_actorBoxes; ///< of geoms, of actors
     std::vector<Joint> m_joints;
+    JointRows m_rows{m_bodies, m_joints};
     std::vector<GroundPlane> m_planes;
     std::vector<std::uint32_t> m_statics; ///< static geoms other than planes
-    std::vector<std::unique_ptr<dJointFeedback>> m_feedbacks;
     bool m_staticsDone = false, m_bodiesDone = false;
 
     std::vector<JointTorque> m_torques;
     std::vector<BodyForce> m_forces;
     std::vector<ActorMotion> m_motions;
-    std::vector<std::uint32_t> m_updated, m_motorWrites;
+    std::vector<std::uint32_t> m_placed; ///< actors placed since the last step
 
     StaticGrid m_grid;
     PairGrid m_pairGrid;

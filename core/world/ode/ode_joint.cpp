@@ -1,6 +1,5 @@
 // Joints of the ODE engine. Method: the child is ODE's first body wherever ODE allows it, so that ODE's angles and rates are
-// those of the child relative to the parent. Angle stops, springs and friction are separate constraint rows beside the joint, so
-// that all of them and a motor can act at once.
+// those of the child relative to the parent. What acts along the free axes is in joint_rows.h.
 #include "world/ode/ode_engine.h"
 
 #include <array>
@@ -36,9 +35,8 @@ void OdeEngine::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32
     carryFrame(joint, frame, main);
     makeJoint(joint, spec, frame);
     if (spec.type == JointType::Hinge || spec.type == JointType::Suspension) findWheels(joint, frame.anchor, main);
-    addRows(joint, spec, main, frame.axis2);
-    if (joint.updated) m_updated.push_back(static_cast<std::uint32_t>(m_joints.size()));
     m_joints.push_back(joint);
+    m_rows.add(static_cast<std::uint32_t>(m_joints.size() - 1), spec, main, frame.axis2);
 }
 
 /// Stores the joint frame relative to child and parent.
@@ -49,6 +47,7 @@ void OdeEngine::carryFrame(Joint& joint, const JointFrame& frame, const Vec3& ma
     joint.parentAnchor = frame.anchor;
     joint.parentAxis = main;
     joint.slideAxis = frame.axis;
+    joint.secondAxis = turnBack(child.r, frame.axis2);
     joint.start = quat(child.q);
     if (joint.parent != kNone) {
         const Body& parent = m_bodies[joint.parent];
@@ -63,8 +62,8 @@ void OdeEngine::carryFrame(Joint& joint, const JointFrame& frame, const Vec3& ma
 void OdeEngine::makeJoint(Joint& joint, const JointSpec& spec, const JointFrame& frame) {
     const auto& [anchor, axis, axis2] = frame;
     switch (spec.type) {
-    case JointType::Hinge: makeHinge(joint, spec, anchor, axis); break;
-    case JointType::Slider: makeSlider(joint, spec, axis); break;
+    case JointType::Hinge: makeHinge(joint, anchor, axis); break;
+    case JointType::Slider: makeSlider(joint, axis); break;
     case JointType::Ball:
         joint.id = attached(dJointCreateBall(m_world, nullptr), joint);
         dJointSetBallAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
@@ -102,18 +101,15 @@ Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
     return {};
 }
 
-void OdeEngine::makeHinge(Joint& joint, const JointSpec& spec, const Vec3& anchor, const Vec3& axis) {
+void OdeEngine::makeHinge(Joint& joint, const Vec3& anchor, const Vec3& axis) {
     joint.id = attached(dJointCreateHinge(m_world, nullptr), joint);
     dJointSetHingeAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(joint.id, axis.x(), axis.y(), axis.z());
-    limitAngle(joint, spec, axis);
 }
 
-void OdeEngine::makeSlider(Joint& joint, const JointSpec& spec, const Vec3& axis) {
+void OdeEngine::makeSlider(Joint& joint, const Vec3& axis) {
     joint.id = attached(dJointCreateSlider(m_world, nullptr), joint);
     dJointSetSliderAxis(joint.id, axis.x(), axis.y(), axis.z());
-    if (spec.lowStop) dJointSetSliderParam(joint.id, dParamLoStop, *spec.lowStop);
-    if (spec.highStop) dJointSetSliderParam(joint.id, dParamHiStop, *spec.highStop);
 }
 
 /// Axis is fixed to the parent; Axis2 to the child, which is ODE's first body.
@@ -133,58 +129,7 @@ void OdeEngine::makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axi
     dJointSetHinge2Axes(joint.id, a, b);
     dJointSetHinge2Param(joint.id, dParamLoStop, 0);
     dJointSetHinge2Param(joint.id, dParamHiStop, 0);
-    joint.drive = axisMotor(joint, std::array{axis2}, false);
-    joint.updated = true;
-}
-
-dJointID OdeEngine::axisMotor(const Joint& joint, std::span<const Vec3> axes, bool parentFirst) {
-    const bool linear = joint.type == JointType::Slider;
-    const dJointID motor = attached(linear ? dJointCreateLMotor(m_world, nullptr) : dJointCreateAMotor(m_world, nullptr), joint);
-    if (linear) dJointSetLMotorNumAxes(motor, static_cast<int>(axes.size()));
-    else dJointSetAMotorNumAxes(motor, static_cast<int>(axes.size()));
-    const int withParent = joint.parent == kNone ? 0 : 2; // axis fixed to the parent, or to the world
-    const int withChild = joint.type == JointType::Ball ? 0 : 1;
-    for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
-        const Vec3& a = axes[static_cast<std::size_t>(i)];
-        if (linear) dJointSetLMotorAxis(motor, i, withParent, a.x(), a.y(), a.z());
-        else dJointSetAMotorAxis(motor, i, parentFirst && i == 0 ? withParent : withChild, a.x(), a.y(), a.z());
-    }
-    return motor;
-}
-
-/// A separate stop that uses the unwrapped angle, since ODE's own is limited to half a turn in each direction.
-void OdeEngine::limitAngle(Joint& joint, const JointSpec& spec, const Vec3& axis) {
-    if (!spec.lowStop && !spec.highStop) return;
-    joint.stop = axisMotor(joint, std::array{axis}, spec.type == JointType::Universal);
-    dJointSetAMotorAngle(joint.stop, 0, 0);
-    dJointSetAMotorParam(joint.stop, dParamLoStop, spec.lowStop.value_or(-dInfinity));
-    dJointSetAMotorParam(joint.stop, dParamHiStop, spec.highStop.value_or(dInfinity));
-    joint.updated = true;
-}
-
-/// Spring with damper and Coulomb friction, as implicit rows.
-void OdeEngine::addRows(Joint& joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2) {
-    std::vector<Vec3> axes{axis};
-    if (spec.type == JointType::Universal) axes.push_back(axis2);
-    if (spec.type == JointType::Ball) axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-    const bool withParent = spec.type == JointType::Universal || spec.type == JointType::Slider;
-    const auto set = [&](dJointID motor, int parameter, double value) {
-        for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
-            if (spec.type == JointType::Slider) dJointSetLMotorParam(motor, parameter + i * kParamStep, value);
-            else dJointSetAMotorParam(motor, parameter + i * kParamStep, value);
-        }
-    };
-    if (spec.type == JointType::Fixed) return;
-    if (spec.type == JointType::Universal) limitAngle(joint, spec, axis);
-    if (spec.friction > 0) {
-        joint.friction = axisMotor(joint, axes, withParent);
-        set(joint.friction, dParamFMax, spec.friction);
-    }
-    if (spec.type != JointType::Suspension && (spec.stiffness > 0 || spec.damping > 0)) {
-        joint.spring = axisMotor(joint, axes, withParent);
-        set(joint.spring, dParamFMax, dInfinity);
-        joint.updated = true;
-    }
+    joint.drive = axisMotor(joint, m_bodies, std::array{axis2}, false);
 }
 
 /// Marks the geoms of the child that are wheels on the axle.

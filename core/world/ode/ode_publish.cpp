@@ -74,7 +74,7 @@ void OdeEngine::publishBody(std::uint32_t index) {
 
 void OdeEngine::publish(double h) {
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) publishBody(i);
-    for (Joint& joint : m_joints) measureJoint(joint, h);
+    for (Joint& joint : m_joints) m_rows.measure(joint, h);
     m_geomContactsReady = false;
 }
 
@@ -94,7 +94,7 @@ std::optional<EngineFault> OdeEngine::findFault() const {
     const double slack = m_quick ? 5 : 1; // the quick solver closes joint gaps over several steps
     for (const Joint& joint : m_joints) {
         if (joint.type == JointType::Slider || joint.type == JointType::Fixed) continue;
-        Vec3 gap = anchorGap(joint);
+        Vec3 gap = m_rows.anchorGap(joint);
         if (joint.type == JointType::Suspension) {
             const Vec3 axis = turn(m_bodies[joint.parent].r, joint.slideAxis);
             gap -= gap.dot(axis) * axis;

@@ -20,6 +20,7 @@ inline constexpr double kWorldCfm = 1e-9;
 inline constexpr double kContactStiffness = 2e5;          ///< N/m
 inline constexpr double kContactDamping = 1100;           ///< N s/m
 inline constexpr double kMaxSag = 1e-4;                   ///< m, under an actor's own weight
+inline constexpr double kSuspendedStiffness = 40;         ///< times that, so that the ground gives little beside the springs
 inline constexpr double kCorrectingSpeed = 0.1;           ///< m/s
 inline constexpr int kParamStep = dParamVel2 - dParamVel; ///< from one axis of a motor to its next
 inline constexpr double kBounceSpeed = 0.05;              ///< m/s: slower impacts do not bounce
@@ -79,19 +80,25 @@ struct OdeActor {
 /// First what every tick looks at, then what only some joints have.
 struct OdeJoint {
     JointType type = JointType::Hinge;
-    bool motorChanged = false, driven = false, updated = false; ///< updated each tick: its rows need a look each tick
-    std::uint32_t child = 0, parent = kNone;                   ///< bodies; kNone: the world
+    bool motorChanged = false, driven = false;
+    std::uint32_t child = 0, parent = kNone; ///< bodies; kNone: the world
     std::uint32_t feedback = kNone;
     Vec3 childAnchor = Vec3::Zero(), parentAnchor = Vec3::Zero(); ///< in the axes of each, from its centre of mass
     Vec3 childAxis = Vec3::UnitZ(), parentAxis = Vec3::UnitZ();   ///< the axis that `position` is about or along
     Quat start = Quat::Identity();                                ///< child in parent at position 0
     double gapLimit = 0;
-    double position = 0, rate = 0, effort = 0;
+    double position = 0, rate = 0, lastRate = 0, effort = 0; ///< lastRate: one tick before
     MotorConstraint motor;
     dJointID id = nullptr, drive = nullptr;
-    dJointID spring = nullptr, friction = nullptr, stop = nullptr;
-    Vec3 slideAxis = Vec3::UnitZ(); ///< of a suspension, in the parent's axes
+    dJointID spring = nullptr, friction = nullptr, stop = nullptr, damper = nullptr;
+    double damperRate = 0, damperGive = 0; ///< of a servo's damper in this step; give 0: none
+    double lowStop = 0, highStop = 0;
+    Vec3 slideAxis = Vec3::UnitZ();  ///< of a suspension, in the parent's axes
+    Vec3 secondAxis = Vec3::UnitZ(); ///< of a universal joint, in the child's axes
     double stiffness = 0, damping = 0, travel = 0;
+    // Of JointInertias, along each free axis (a suspension's first is `slideAxis`): 0 until needed.
+    Vec3 inertia = Vec3::Zero(), heldInertia = Vec3::Zero(); ///< held: while the child cannot move
+    std::vector<std::uint32_t> childSide;                    ///< bodies that the child carries, with itself
 };
 
 /// In the world, at the start.
@@ -118,6 +125,7 @@ struct OdeContact {
     std::uint32_t first = 0, second = 0; ///< geoms; `first` is of the moving actor of lower index
     std::uint32_t actor = 0, partner = kNoActor;
     double position[3] = {}, normal[3] = {}, depth = 0;
+    double gap = 0;       ///< m, in the tick after an actor was placed: depth is 0 then
     double slide[3] = {}; ///< direction of friction's first axis, zero: along the slip
     // Of the contact of the last tick that this one continues (ContactMemory):
     std::uint32_t ticks = 0;      ///< that it has lasted

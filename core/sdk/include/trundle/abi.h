@@ -13,8 +13,8 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 3u
-#define TRUNDLE_SDK_VERSION "1.3.0"
+#define TRUNDLE_ABI_MINOR 4u
+#define TRUNDLE_SDK_VERSION "1.4.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -141,6 +141,8 @@ typedef struct TrundleServices {
     void (*jointAnchor)(void* context, uint32_t joint, double anchor[3], double axis[3]); /* world frame, fixed to the parent */
     void (*print)(void* context, int32_t severity, const char* text); /* to the console, with the device's path */
     const TrundleServicesRadio* radio; /* since 1.2 */
+    /* Since 1.4. Keeps the joint at `rate` with an effort from -limit to limit - damping * |joint rate| along its motion. */
+    void (*servoRow)(void* context, uint32_t joint, double rate, double limit, double damping);
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

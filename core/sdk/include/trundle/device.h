@@ -161,6 +161,11 @@ public:
     void motorRow(JointId joint, double rate, double softness, double limit) {
         m_services.motorRow(m_services.context, joint.index, rate, softness, limit);
     }
+    /// Keeps the joint at `rate` with at most the effort of a motor at its highest voltage: `limit` at rest and against the motion,
+    /// limit - damping * |joint rate| along it.
+    void servoRow(JointId joint, double rate, double limit, double damping) {
+        m_services.servoRow(m_services.context, joint.index, rate, limit, damping);
+    }
     void jointTorque(JointId joint, double torque) { m_services.jointTorque(m_services.context, joint.index, torque); }
     void bodyForce(BodyId body, const Vec3& force, const Vec3& point) {
         m_services.bodyForce(m_services.context, body.index, force.data(), point.data());

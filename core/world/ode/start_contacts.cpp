@@ -1,0 +1,54 @@
+// Contacts of the first tick after something was placed. Method: what lies at its rest height touches with a depth of 0, or misses by a
+// rounding error; without a contact it would fall through one tick and slip while it is caught. So these actors are lowered by a few
+// micrometres along gravity for the search, and each contact gets its true depth back; a gap may close, but no faster than in this
+// tick. Actors higher up are lowered more, so that those of a stack touch each other.
+#include "world/ode/ode_engine.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+namespace {
+
+constexpr double kReach = 1e-5; // m
+
+} // namespace
+
+void OdeEngine::findStepContacts() {
+    const Vec3 down = m_settings.gravity.normalized();
+    if (m_placed.empty() || down.squaredNorm() == 0) {
+        updateBoxes();
+        collide();
+        m_placed.clear();
+        return;
+    }
+    std::vector<double> lowered(m_actors.size(), 0);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    const auto heightOf = [&](std::uint32_t actor) { return -down.dot(vec(m_bodies[m_actors[actor].bodies.begin].p)); };
+    for (const std::uint32_t actor : m_placed) {
+        low = std::min(low, heightOf(actor));
+        high = std::max(high, heightOf(actor));
+    }
+    for (const std::uint32_t actor : m_placed)
+        lowered[actor] = kReach * (1 + (high > low ? (heightOf(actor) - low) / (high - low) : 0));
+    std::vector<Vec3> places(m_bodies.size());
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+        places[i] = vec(m_bodies[i].p);
+        const Vec3 to = places[i] + lowered[m_bodies[i].actor] * down;
+        if (lowered[m_bodies[i].actor] > 0) dBodySetPosition(m_bodies[i].id, to.x(), to.y(), to.z());
+    }
+    updateBoxes();
+    collide();
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i)
+        if (lowered[m_bodies[i].actor] > 0) dBodySetPosition(m_bodies[i].id, places[i].x(), places[i].y(), places[i].z());
+    for (Contact& c : m_contacts) {
+        const double closer = (lowered[c.actor] - (c.partner == kNoActor ? 0 : lowered[c.partner])) * -vec(c.normal).dot(down);
+        const double depth = c.depth - closer;
+        Vec3::Map(c.position) -= (lowered[c.actor] > 0 || c.partner == kNoActor ? lowered[c.actor] : lowered[c.partner]) * down;
+        c.depth = std::max(0.0, depth);
+        c.gap = std::max(0.0, -depth);
+    }
+    m_placed.clear();
+}
+
+} // namespace trundle
