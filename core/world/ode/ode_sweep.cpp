@@ -136,10 +136,15 @@ bool OdeSweep::isStopped(std::uint32_t geom, const Path& path, double t) {
     });
 }
 
-/// The share of the path up to the first obstacle, 1 for all of it.
-double OdeSweep::freeShare(std::uint32_t geom, const Path& path) {
+/// The share of the path up to the first obstacle, 1 for all of it. A robot that stopped where its first geom touches would turn about
+/// that point for a whole tick and tear its joints; so those of it stop only at what they would pass.
+double OdeSweep::freeShare(std::uint32_t geom, const Path& path, bool jointed) {
     put(m_scene.geoms[geom].body, path, 0);
     findObstacles(geom, path);
+    if (jointed) { // what it would be in at the end stops all its geoms together, as in any other tick
+        put(m_scene.geoms[geom].body, path, 1);
+        std::erase_if(m_obstacles, [&](const Obstacle& o) { return depthIn(geom, o, path) > 0; });
+    }
     if (m_obstacles.empty()) return 1;
     const OdeGeom& g = m_scene.geoms[geom];
     const double turned = path.turned.norm() * (g.bound + g.offset.norm());
@@ -225,7 +230,7 @@ void OdeSweep::run(double h) {
             ++m_count;
             const Path path = pathOf(i, h);
             const RawState end = stateOf(b);
-            for (const std::uint32_t geom : m_fast) share = std::min(share, freeShare(geom, path));
+            for (const std::uint32_t geom : m_fast) share = std::min(share, freeShare(geom, path, actor.joints.begin != actor.joints.end));
             putBack(i, end);
             for (const std::uint32_t geom : m_fast) findPassages(geom, h);
         }

@@ -1,7 +1,8 @@
 #pragma once
 // Bodies that move farther in a tick than they are thick are swept: where one would have entered the scenery on its way, its actor
-// stops just there, with the velocity that it has, and the next tick makes the contact. Passing through another moving body is only
-// recorded. Method: contacts at poses along the path, no farther apart than the body is thick, then halving.
+// stops just there, with the velocity that it has, and the next tick makes the contact. A robot with joints stops only at what it
+// would have passed. Passing through another moving body is only recorded. Method: contacts at poses along the path, no farther apart
+// than the body is thick, then halving.
 
 #include <cstdint>
 #include <functional>
@@ -60,7 +61,7 @@ private:
     void findObstacles(std::uint32_t geom, const Path& path);
     [[nodiscard]] double depthIn(std::uint32_t geom, const Obstacle& obstacle, const Path& path);
     [[nodiscard]] bool isStopped(std::uint32_t geom, const Path& path, double t);
-    [[nodiscard]] double freeShare(std::uint32_t geom, const Path& path);
+    [[nodiscard]] double freeShare(std::uint32_t geom, const Path& path, bool jointed);
     [[nodiscard]] bool touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead);
     void findPassages(std::uint32_t geom, double h);
     void stopAt(std::uint32_t actor, double t, double h);
