@@ -101,6 +101,7 @@ enum class Code : int {
     NoGraphics,
     PictureFailed,
     SystemRefused,
+    PassedThrough,
     Internal = 599,
     // edits and documents
     EditRefused = 601,

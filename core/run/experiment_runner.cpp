@@ -61,6 +61,18 @@ void ExperimentRunner::warnOfCluster() {
     m_warnings.push_back(std::move(d));
 }
 
+void ExperimentRunner::warnOfPassages(const SweepReport& report) {
+    const double tick = experiment().settings.tick;
+    for (; m_reportedPassages < report.passed.size(); ++m_reportedPassages) {
+        const auto& [first, second] = report.passed[m_reportedPassages];
+        m_warnings.push_back({Severity::Warning, Code::PassedThrough,
+                              "at t = " + numberText(tickTime(m_world->ticks(), tick)) + " s " + first + " passed through " + second +
+                                  ": fast bodies stop at the scenery, but not at each other. A Tick below " + numberText(tick) +
+                                  " s or larger bodies help",
+                              {}, {}, {}, {}});
+    }
+}
+
 Status ExperimentRunner::fail(const Error& error, SourceRange range) {
     if (!m_failure) m_failure = Diagnostic{Severity::Error, error.code, error.message, range, {}, {}, {}};
     return error;
@@ -241,6 +253,7 @@ Status ExperimentRunner::tick() {
     }
     m_cameras.afterTick();
     if (!m_reportedCluster && m_world->largestExactCluster() > 0) warnOfCluster();
+    warnOfPassages(m_world->sweeps());
     if (m_reportsDropped.due(m_world->ticks())) reportDropped();
     if (Status done = writeLogs(); !done) return done;
     closeFinish();

@@ -61,6 +61,7 @@ private:
     void addMessage(const std::string& who, int severity, const std::string& text);
     void reportDropped();
     void warnOfCluster();
+    void warnOfPassages(const SweepReport& report);
     Status fail(const Error& error, SourceRange range);
 
     void applyCommands();
@@ -90,6 +91,7 @@ private:
     std::string m_rows;
     std::size_t m_pictures = 0;       // number of saved pictures
     std::set<std::string> m_reportedLost; // log name and cause of left-out pictures, already reported
+    std::size_t m_reportedPassages = 0;
     bool m_reportedCluster = false, m_reportedNoPictures = false, m_reportedLostPicture = false;
     bool m_finished = false;
 };

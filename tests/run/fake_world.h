@@ -30,6 +30,7 @@ public:
     std::uint64_t quickTicks() const override { return 0; }
     std::uint64_t rescuedTicks() const override { return 0; }
     std::size_t largestExactCluster() const override { return cluster; }
+    SweepReport sweeps() const override { return swept; }
     std::uint64_t stateHash() const override { return m_ticks; }
     Pose robotPose(std::size_t robot) const override { return {{time(), static_cast<double>(robot), 0}, Quat::Identity()}; }
     RobotEnergy robotEnergy(std::size_t) const override { return {0.5, 2}; }
@@ -46,6 +47,7 @@ public:
     std::string story; ///< calls in order
     std::vector<WorldContact> touching;
     std::size_t cluster = 0;
+    SweepReport swept;
     DeviceText say;
 
 private:

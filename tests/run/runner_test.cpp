@@ -111,6 +111,7 @@ private Q_SLOTS:
     void aFailedStartIsADiagnostic();
     void blowUpEndsRunAndKeepsLogs();
     void reportsLargeClusterOnce();
+    void reportsEachPassageOnce();
     void reportsUnwritableFolderOnce();
     void logsHaveTheInitialStateAndEveryInterval();
     void rowsCountTicksNotFloatingPointTime();
@@ -255,6 +256,24 @@ void RunnerTest::reportsLargeClusterOnce() {
                      "solver then"));
     QCOMPARE(said.range, m_experiment->settings.solverRange);
     QCOMPARE(QString::fromStdString(said.fixes.at(0).title), QString("auto"));
+}
+
+void RunnerTest::reportsEachPassageOnce() {
+    build();
+    QVERIFY(m_runner->tick().ok());
+    m_world->swept = {7, {{"a/body/ball", "b/body/box"}}};
+    for (int i = 0; i < 3; ++i) QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_runner->warnings().size(), std::size_t(1));
+    m_world->swept.passed.emplace_back("c/body/ball", "d/body/box");
+    for (int i = 0; i < 3; ++i) QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_runner->warnings().size(), std::size_t(2));
+    const Diagnostic& first = m_runner->warnings()[0];
+    QCOMPARE(first.code, Code::PassedThrough);
+    QCOMPARE(first.severity, Severity::Warning);
+    QCOMPARE(QString::fromStdString(first.message),
+             QString("at t = 0.02 s a/body/ball passed through b/body/box: fast bodies stop at the scenery, but not at each other. A "
+                     "Tick below 0.01 s or larger bodies help"));
+    QVERIFY(m_runner->warnings()[1].message.find("at t = 0.05 s c/body/ball passed through d/body/box") == 0);
 }
 
 void RunnerTest::reportsUnwritableFolderOnce() {
