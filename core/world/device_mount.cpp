@@ -170,7 +170,7 @@ struct MountCalls {
     static std::int32_t addAxialInertia(void* context, std::uint32_t joint, double inertia) {
         BuiltWorld& w = *device(context).world;
         const bool turns = joint < w.m_jointTurns.size() && w.m_jointTurns[joint];
-        return turns && w.m_engine->addAxialInertia({joint, 0}, inertia).ok() ? 0 : 1;
+        return turns && w.m_engine->addAxialInertia({joint}, inertia).ok() ? 0 : 1;
     }
 
     static void print(void* context, std::int32_t severity, const char* words) {

@@ -28,39 +28,39 @@ struct ServiceCalls {
         BuiltWorld& w = world(context);
         const bool finite =
             std::isfinite(rate) && softness >= 0 && std::isfinite(softness) && limit >= 0; // an infinite limit is allowed
-        if (mayActOn(w, isJoint(w, joint), finite, "motorRow")) w.m_engine->setMotor({joint, 0}, {rate, softness, limit});
+        if (mayActOn(w, isJoint(w, joint), finite, "motorRow")) w.m_engine->setMotor({joint}, {rate, softness, limit});
     }
     static void servoRow(void* context, std::uint32_t joint, double rate, double limit, double damping) {
         BuiltWorld& w = world(context);
         const bool finite = std::isfinite(rate) && limit >= 0 && damping >= 0 && std::isfinite(damping);
-        if (mayActOn(w, isJoint(w, joint), finite, "servoRow")) w.m_engine->setMotor({joint, 0}, {rate, 0, limit, damping});
+        if (mayActOn(w, isJoint(w, joint), finite, "servoRow")) w.m_engine->setMotor({joint}, {rate, 0, limit, damping});
     }
     static void jointTorque(void* context, std::uint32_t joint, double torque) {
         BuiltWorld& w = world(context);
-        if (mayActOn(w, isJoint(w, joint), std::isfinite(torque), "jointTorque")) w.m_engine->addJointTorque({joint, 0}, torque);
+        if (mayActOn(w, isJoint(w, joint), std::isfinite(torque), "jointTorque")) w.m_engine->addJointTorque({joint}, torque);
     }
     static void bodyForce(void* context, std::uint32_t body, const double force[3], const double point[3]) {
         BuiltWorld& w = world(context);
         const Vec3 f(force), p(point);
-        if (mayActOn(w, isBody(w, body), f.allFinite() && p.allFinite(), "bodyForce")) w.m_engine->addForce({body, 0}, f, p);
+        if (mayActOn(w, isBody(w, body), f.allFinite() && p.allFinite(), "bodyForce")) w.m_engine->addForce({body}, f, p);
     }
     static void surfaceVelocity(void* context, std::uint32_t geom, const double velocity[3]) {
         BuiltWorld& w = world(context);
         const Vec3 v(velocity);
-        if (mayActOn(w, isGeom(w, geom), v.allFinite(), "surfaceVelocity")) w.m_engine->setSurfaceVelocity({geom, 0}, v);
+        if (mayActOn(w, isGeom(w, geom), v.allFinite(), "surfaceVelocity")) w.m_engine->setSurfaceVelocity({geom}, v);
     }
 
     static double jointPosition(void* context, std::uint32_t joint) {
         const BuiltWorld& w = world(context);
-        return isJoint(w, joint) ? w.m_engine->jointPosition({joint, 0}) : 0;
+        return isJoint(w, joint) ? w.m_engine->jointPosition({joint}) : 0;
     }
     static double jointRate(void* context, std::uint32_t joint) {
         const BuiltWorld& w = world(context);
-        return isJoint(w, joint) ? w.m_engine->jointRate({joint, 0}) : 0;
+        return isJoint(w, joint) ? w.m_engine->jointRate({joint}) : 0;
     }
     static double jointMotorEffort(void* context, std::uint32_t joint) {
         const BuiltWorld& w = world(context);
-        return isJoint(w, joint) ? w.m_engine->jointMotorEffort({joint, 0}) : 0;
+        return isJoint(w, joint) ? w.m_engine->jointMotorEffort({joint}) : 0;
     }
     static void jointAnchor(void* context, std::uint32_t joint, double anchor[3], double axis[3]) {
         const BuiltWorld& w = world(context);
@@ -68,7 +68,7 @@ struct ServiceCalls {
         const JointLocation& place = w.m_jointLocations[joint];
         Pose parent;
         if (place.carried) {
-            const BodyState& s = w.m_engine->state({place.parent, 0});
+            const BodyState& s = w.m_engine->state({place.parent});
             parent = {s.position, s.rotation};
         }
         const Vec3 at = parent * place.anchor, along = parent.rotation * place.axis;
@@ -82,7 +82,7 @@ struct ServiceCalls {
         if (!out) return;
         *out = {{0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
         if (!isBody(w, body)) return;
-        const BodyState& s = w.m_engine->state({body, 0});
+        const BodyState& s = w.m_engine->state({body});
         for (int k = 0; k < 3; ++k) {
             out->position[k] = s.position[k];
             out->linear[k] = s.linear[k];
@@ -97,7 +97,7 @@ struct ServiceCalls {
     static std::uint32_t contacts(void* context, std::uint32_t geom, TrundleContact* out, std::uint32_t capacity) {
         const BuiltWorld& w = world(context);
         if (!isGeom(w, geom) || w.m_ticks == 0) return 0;
-        const auto list = w.m_engine->contactsOf({geom, 0});
+        const auto list = w.m_engine->contactsOf({geom});
         for (std::uint32_t i = 0; i < list.size() && i < capacity && out; ++i) {
             const EngineContact c = w.m_engine->contact(list[i]);
             const double side = c.first == geom ? 1 : -1;

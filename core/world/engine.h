@@ -24,10 +24,9 @@
 
 namespace trundle {
 
-/// Index and generation, so that a handle of a removed object can be detected.
+/// Refers to an object of the engine by its index. Nothing is removed from an engine, so a valid handle stays valid.
 template <class Tag> struct Handle {
     std::uint32_t index = 0xffffffffu;
-    std::uint32_t generation = 0;
     [[nodiscard]] bool valid() const { return index != 0xffffffffu; }
     bool operator==(const Handle&) const = default;
 };

@@ -96,7 +96,7 @@ void BuiltWorld::openMedium() {
 
 void BuiltWorld::placeRadios() {
     for (RadioId id = 0; id < m_radioMounts.size(); ++id) {
-        const BodyState& s = m_engine->state({m_radioMounts[id].body, 0});
+        const BodyState& s = m_engine->state({m_radioMounts[id].body});
         m_medium->place(id, Pose{s.position, s.rotation} * m_radioMounts[id].mount);
     }
 }

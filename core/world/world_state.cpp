@@ -36,7 +36,7 @@ private:
 std::uint64_t BuiltWorld::stateHash() const {
     StateHash hash;
     for (const std::uint32_t body : m_hashOrder) {
-        const BodyState& s = m_engine->state({body, 0});
+        const BodyState& s = m_engine->state({body});
         hash.add(s.position);
         hash.add(s.rotation.w());
         hash.add(Vec3(s.rotation.vec()));
@@ -84,7 +84,7 @@ Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& 
     if (it == m_bodyByPath.end()) return Error{Code::UnknownReference, "there is no body " + body};
     if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9)
         return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
-    m_engine->addForce({it->second, 0}, force, point);
+    m_engine->addForce({it->second}, force, point);
     return {};
 }
 

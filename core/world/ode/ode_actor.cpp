@@ -30,7 +30,7 @@ Result<ActorHandles> OdeEngine::addActor(const ActorDef& def) {
 
 void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure) {
     const auto index = static_cast<std::uint32_t>(m_actors.size());
-    handles.actor = {index, 0};
+    handles.actor = {index};
     m_actors.emplace_back();
     m_placed.push_back(index);
     Actor& actor = m_actors.back();
@@ -42,7 +42,7 @@ void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::stri
     actor.geoms.end = static_cast<std::uint32_t>(m_geoms.size());
     if (def.joints)
         for (const JointSpec& joint : *def.joints) {
-            handles.joints.push_back({static_cast<std::uint32_t>(m_joints.size()), 0});
+            handles.joints.push_back({static_cast<std::uint32_t>(m_joints.size())});
             addJoint(joint, def, index);
         }
     actor.joints.end = static_cast<std::uint32_t>(m_joints.size());
@@ -66,7 +66,7 @@ void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::stri
 void OdeEngine::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& handles, std::string& failure) {
     const BodySpec& spec = *def.spec;
     const auto index = static_cast<std::uint32_t>(m_bodies.size());
-    handles.bodies.push_back({index, 0});
+    handles.bodies.push_back({index});
     Body body;
     body.id = dBodyCreate(m_world);
     body.actor = actor;
@@ -96,7 +96,7 @@ void OdeEngine::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& h
     auto& geoms = handles.geoms.emplace_back();
     for (const GeomSpec& geom : spec.geoms) {
         const bool made = geom.collide && addGeom(geom, index, failure);
-        geoms.push_back(made ? GeomHandle{static_cast<std::uint32_t>(m_geoms.size() - 1), 0} : GeomHandle{});
+        geoms.push_back(made ? GeomHandle{static_cast<std::uint32_t>(m_geoms.size() - 1)} : GeomHandle{});
     }
     m_bodies[index].geoms.end = static_cast<std::uint32_t>(m_geoms.size());
 }
@@ -170,7 +170,7 @@ Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
         m_centres.push_back(pose.position);
         m_boxes.push_back({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}});
         m_staticsDone = false;
-        return GeomHandle{index, 0};
+        return GeomHandle{index};
     } catch (const OdeFault&) { return Error{Code::BadGeometry, spec.name + ": " + kRefused}; }
 }
 

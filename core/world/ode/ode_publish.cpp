@@ -82,7 +82,7 @@ std::optional<EngineFault> OdeEngine::findFault() const {
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         const Body& b = m_bodies[i];
         if (within(b.p, kFarthest) && within(b.v, kFastest) && within(b.w, kFastestTurn) && isFinite(b.q, 4)) continue;
-        const BodyHandle id{i, 0};
+        const BodyHandle id{i};
         if (!isFinite(b.p, 3) || !isFinite(b.q, 4) || !isFinite(b.v, 3) || !isFinite(b.w, 3))
             return EngineFault{id, "its state is no longer a number"};
         if (!within(b.v, kFastest))
@@ -101,7 +101,7 @@ std::optional<EngineFault> OdeEngine::findFault() const {
         }
         const double open = gap.norm();
         if (open > slack * joint.gapLimit)
-            return EngineFault{{joint.child, 0}, text("its joint is torn open by %.3g mm", 1e3 * open)};
+            return EngineFault{{joint.child}, text("its joint is torn open by %.3g mm", 1e3 * open)};
     }
     return {};
 }
@@ -114,14 +114,14 @@ EngineFault OdeEngine::interruptedFault() const {
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         const Body& b = m_bodies[i];
         if (!isFinite(b.p, 3) || !isFinite(b.q, 4) || !isFinite(b.v, 3) || !isFinite(b.w, 3))
-            return {{i, 0}, "its state is no longer a number"};
+            return {{i}, "its state is no longer a number"};
         dMass mass;
         dBodyGetMass(b.id, &mass);
         if (mass.mass >= least) continue;
         least = mass.mass;
         lightest = i;
     }
-    return {{lightest, 0}, "the solver finds no valid forces for it"};
+    return {{lightest}, "the solver finds no valid forces for it"};
 }
 
 EngineContact OdeEngine::contact(std::size_t index) const {

@@ -35,7 +35,7 @@ std::optional<RayHit> OdeEngine::rayOnGeom(std::uint32_t index, const Vec3& orig
         const HeightRay ray{g.axes.transpose() * (origin - m_centres[index]), g.axes.transpose() * direction, range};
         const auto hit = rayOnHeights(ray, *g.data->heightMap, 2 * g.half.x(), 2 * g.half.z(), g.radius);
         if (!hit) return {};
-        return RayHit{hit->distance, g.axes * hit->normal, {index, 0}};
+        return RayHit{hit->distance, g.axes * hit->normal, {index}};
     }
     dGeomRaySetLength(m_ray, range);
     dGeomRaySet(m_ray, origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
@@ -43,7 +43,7 @@ std::optional<RayHit> OdeEngine::rayOnGeom(std::uint32_t index, const Vec3& orig
     if (dCollide(m_ray, g.id, 1, &found, sizeof found) == 0 || !(found.depth <= range)) return {};
     Vec3 normal = vec(found.normal);
     if (normal.dot(direction) > 0) normal = -normal;
-    return RayHit{found.depth, normal, {index, 0}};
+    return RayHit{found.depth, normal, {index}};
 }
 
 std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, double range, ActorHandle without) const {
