@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/spelling.h"
+#include "schema/allowed_parents.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -11,21 +12,6 @@ namespace trundle {
 namespace {
 
 std::string_view kindIn(const Part* parent) { return parent ? std::string_view(parent->block->type.text) : std::string_view(); }
-
-/// The kinds of blocks that `kind` may be inside. For devices, controllers and logs this depends only on the role.
-std::vector<std::string> places(const Kind& kind) {
-    switch (kind.role) {
-    case Role::Device: return {"RobotConfig"};
-    case Role::Controller: return {"Robot", "Grid", "Scatter"};
-    case Role::Log: return {""};
-    default: return kind.parents;
-    }
-}
-
-bool isAllowedIn(const Kind& kind, std::string_view parent) {
-    const std::vector<std::string> all = places(kind);
-    return std::find(all.begin(), all.end(), parent) != all.end();
-}
 
 std::string placeText(std::vector<std::string> all) {
     std::replace(all.begin(), all.end(), std::string(), std::string("the top level"));
@@ -95,8 +81,8 @@ bool PartBuilder::fits(Part& part, const Part* parent) {
         unknownKind(part, parent);
         return false;
     }
-    if (isAllowedIn(*part.kind, kindIn(parent))) return true;
-    const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && isAllowedIn(*part.kind, "Body");
+    if (isAllowedInside(*part.kind, kindIn(parent))) return true;
+    const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && isAllowedInside(*part.kind, "Body");
     if (!loose) misplaced(part, parent); // loose geoms get a message of their own, with a fix
     return false;
 }
@@ -105,7 +91,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     const std::string& word = part.block->type.text;
     std::vector<std::string> candidates;
     for (const Kind* kind : m_registry.all()) {
-        if (isAllowedIn(*kind, kindIn(parent))) candidates.push_back(kind->name);
+        if (isAllowedInside(*kind, kindIn(parent))) candidates.push_back(kind->name);
     }
     const bool holdsModuleKinds =
         parent && (parent->is(Role::Instance) || parent->is(Role::Layout) || kindIn(parent) == "RobotConfig");
@@ -132,7 +118,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
 
 void PartBuilder::misplaced(const Part& part, const Part* parent) {
     const std::string here = parent ? "in " + withArticle(kindIn(parent)) : std::string("at the top level");
-    const std::vector<std::string> legal = places(*part.kind);
+    const std::vector<std::string> legal = allowedParents(*part.kind);
     if (part.is(Role::Settings)) {
         m_diagnostics.error(Code::WrongPlace, part.typeRange(),
                             "settings are written at the top level without a block: Tick = 0.01");
@@ -149,7 +135,7 @@ void PartBuilder::looseGeoms(const Part& config) {
     for (std::size_t i = 0; i < config.parts.size(); ++i) {
         const auto loose = [&](std::size_t k) {
             return k < config.parts.size() && config.parts[k].is(Role::Geom) && !config.parts[k].usable &&
-                   isAllowedIn(*config.parts[k].kind, "Body");
+                   isAllowedInside(*config.parts[k].kind, "Body");
         };
         if (!loose(i)) continue;
         std::size_t last = i;

@@ -1,21 +1,9 @@
 #include "project/plan_targets.h"
 
+#include "schema/allowed_parents.h"
 #include "schema/value_words.h"
 
 namespace trundle {
-
-namespace {
-
-std::vector<std::string> placesOf(const Kind& kind) {
-    switch (kind.role) {
-    case Role::Device: return {"RobotConfig"};
-    case Role::Controller: return {"Robot", "Grid", "Scatter"};
-    case Role::Log: return {""};
-    default: return kind.parents;
-    }
-}
-
-} // namespace
 
 Result<ObjectLocation> requireChangeable(const LoadedProject& loaded, const std::string& path) {
     std::optional<ObjectLocation> place = placeOf(loaded, path);
@@ -56,12 +44,11 @@ Result<std::vector<Chosen>> chosen(const LoadedProject& loaded, const std::vecto
 }
 
 bool isAllowedIn(const Kind& kind, const Part* parent) {
-    const std::vector<std::string> places = placesOf(kind);
-    return std::find(places.begin(), places.end(), parent ? parent->block->type.text : std::string()) != places.end();
+    return isAllowedInside(kind, parent ? std::string_view(parent->block->type.text) : std::string_view());
 }
 
 std::string allowedPlaces(const Kind& kind) {
-    std::vector<std::string> places = placesOf(kind);
+    std::vector<std::string> places = allowedParents(kind);
     for (std::string& place : places) place = place.empty() ? "the top level" : withArticle(place);
     const bool top = places.size() == 1 && places[0] == "the top level";
     return withArticle(kind.name) + " is allowed " + (top ? "at " : "in ") + listText(places);

@@ -5,27 +5,9 @@
 #include "schema/value_words.h"
 
 namespace trundle {
-namespace {
-
-/// Devices, controllers and logs are placed by role, whichever module defines them.
-std::vector<std::string> places(const Kind& kind) {
-    switch (kind.role) {
-    case Role::Device: return {"RobotConfig"};
-    case Role::Controller: return {"Robot", "Grid", "Scatter"};
-    case Role::Log: return {""};
-    default: return kind.parents;
-    }
-}
-
-} // namespace
-
-bool isAllowedInside(const Kind& kind, std::string_view parent) {
-    const std::vector<std::string> all = places(kind);
-    return std::find(all.begin(), all.end(), parent) != all.end();
-}
 
 std::string placesOf(const Kind& kind) {
-    std::vector<std::string> all = places(kind);
+    std::vector<std::string> all = allowedParents(kind);
     for (std::string& place : all) place = place.empty() ? "the top level" : withArticle(place);
     return listText(all);
 }

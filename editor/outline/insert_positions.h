@@ -9,11 +9,10 @@
 
 #include "project/object_location.h"
 #include "project/project.h"
+#include "schema/allowed_parents.h"
 
 namespace trundle {
 
-/// Whether a block of kind `kind` may be inside one of kind `parent` ("" is the top level).
-[[nodiscard]] bool isAllowedInside(const Kind& kind, std::string_view parent);
 /// Text for messages: "a RobotConfig", "the top level", "a Robot, a Grid or a Scatter".
 [[nodiscard]] std::string placesOf(const Kind& kind);
 

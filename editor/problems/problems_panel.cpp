@@ -19,6 +19,7 @@
 #include "editor/problems/model_checker.h"
 #include "editor/problems/problem_icons.h"
 #include "editor/problems/problems_model.h"
+#include "editor/widgets/middle_elided.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 #include "project/edit_target.h"
@@ -42,18 +43,6 @@ QToolButton* makeFilter(QWidget* parent, const char* name, const QIcon& icon, co
 constexpr int kColumnGap = 8; ///< pixels
 constexpr int kLeastPlace = 14; ///< characters of "controller.sim:12:34"; a longer place is elided if the messages need the room
 
-/// The file's name and the line at the ends of a place stay readable.
-class PlaceDelegate final : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->textElideMode = Qt::ElideMiddle;
-    }
-};
-
 } // namespace
 
 ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* parent)
@@ -69,7 +58,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
     m_view->setUniformRowHeights(true);
     m_view->setAllColumnsShowFocus(true);
     m_view->setTextElideMode(Qt::ElideRight);
-    m_view->setItemDelegateForColumn(ProblemsModel::Place, new PlaceDelegate(this));
+    m_view->setItemDelegateForColumn(ProblemsModel::Place, new MiddleElided(this));
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     m_view->header()->setSectionResizeMode(QHeaderView::Interactive);
     m_view->header()->setStretchLastSection(true);

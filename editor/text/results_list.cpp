@@ -9,25 +9,10 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "editor/widgets/middle_elided.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
-namespace {
-
-/// Keeps the beginning of a path and the line number.
-class PlaceDelegate final : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->textElideMode = Qt::ElideMiddle;
-    }
-};
-
-} // namespace
-
 ResultsList::ResultsList(const QString& name, QWidget* parent)
     : QWidget(parent), m_title(new QLabel(this)), m_list(new QTreeWidget(this)) {
     setObjectName(name + QStringLiteral("Panel"));
@@ -41,7 +26,7 @@ ResultsList::ResultsList(const QString& name, QWidget* parent)
     m_list->setUniformRowHeights(true);
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setAllColumnsShowFocus(true);
-    m_list->setItemDelegateForColumn(0, new PlaceDelegate(m_list));
+    m_list->setItemDelegateForColumn(0, new MiddleElided(m_list));
     m_list->header()->setSectionResizeMode(QHeaderView::Fixed);
     m_list->viewport()->installEventFilter(this);
     auto* shut = new QToolButton(this);
