@@ -8,7 +8,7 @@
 #include "cli/open_arguments.h"
 #include "cli/subcommands.h"
 #include "lang/tree_edit.h"
-#include "project/set_path.h"
+#include "project/loading/set_path.h"
 
 namespace trundle {
 namespace {

@@ -21,7 +21,7 @@
 #include "cli/run_report.h"
 #include "cli/subcommands.h"
 #include "lang/diagnostic_text.h"
-#include "project/unplaced_configs.h"
+#include "project/objects/unplaced_configs.h"
 
 namespace trundle {
 namespace {

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 
 #include "editor/widgets/actions.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 #include "trundle/problem.h"
 
 namespace trundle {

@@ -8,7 +8,7 @@
 #include "app/locations.h"
 #include "app/open_options.h"
 #include "base/result.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 #include "run/runner.h"
 
 namespace trundle {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "project/text_overlay.h"
+#include "project/loading/text_overlay.h"
 
 namespace trundle {
 

@@ -5,7 +5,7 @@
 
 #include "base/diagnostic.h"
 #include "check/start_scene.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "check/checks.h"
-#include "project/part_values.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 

@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "base/diagnostic.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

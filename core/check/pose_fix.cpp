@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "lang/tree_edit.h"
-#include "project/moved_block.h"
-#include "project/part_values.h"
+#include "project/edits/moved_block.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "project/sources.h"
+#include "project/loading/sources.h"
 
 namespace trundle {
 

@@ -5,8 +5,8 @@
 #include <QTimer>
 
 #include "editor/document/document_state.h"
-#include "project/search.h"
-#include "project/state_folder.h"
+#include "project/loading/search.h"
+#include "project/journal/state_folder.h"
 
 namespace trundle {
 

@@ -16,9 +16,9 @@
 #include "base/text_edit.h"
 #include "editor/document/companions.h"
 #include "editor/document/history.h"
-#include "project/journal.h"
-#include "project/plans.h"
-#include "project/project.h"
+#include "project/journal/journal.h"
+#include "project/edits/plans.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

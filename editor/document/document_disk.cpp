@@ -5,7 +5,7 @@
 #include "base/platform/read_file.h"
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
-#include "project/line_merge.h"
+#include "lang/line_merge.h"
 
 namespace trundle {
 

@@ -6,10 +6,10 @@
 #include "editor/document/document_state.h"
 #include "editor/document/structure_edits.h"
 #include "lang/tree_edit.h"
-#include "project/edit_target.h"
-#include "project/loader.h"
-#include "project/search.h"
-#include "project/set_path.h"
+#include "project/edits/edit_target.h"
+#include "project/loading/loader.h"
+#include "project/loading/search.h"
+#include "project/loading/set_path.h"
 
 namespace trundle {
 

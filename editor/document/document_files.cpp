@@ -10,7 +10,7 @@
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
 #include "editor/document/save_plan.h"
-#include "project/search.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 

@@ -8,9 +8,9 @@
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
 #include "editor/document/found_journals.h"
-#include "project/line_merge.h"
-#include "project/search.h"
-#include "project/state_folder.h"
+#include "lang/line_merge.h"
+#include "project/loading/search.h"
+#include "project/journal/state_folder.h"
 
 namespace trundle {
 namespace {

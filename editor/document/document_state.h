@@ -12,7 +12,7 @@
 #include "editor/document/journal_writer.h"
 #include "editor/document/open_files.h"
 #include "editor/document/structure_edits.h"
-#include "project/project_lock.h"
+#include "project/journal/project_lock.h"
 
 namespace trundle {
 

@@ -1,7 +1,7 @@
 #include "editor/document/group_edit.h"
 
 #include "editor/document/document.h"
-#include "project/plan_group.h"
+#include "project/edits/plan_group.h"
 
 namespace trundle {
 

@@ -7,7 +7,7 @@
 #include <QTimer>
 
 #include "editor/document/open_files.h"
-#include "project/journal.h"
+#include "project/journal/journal.h"
 
 namespace trundle {
 

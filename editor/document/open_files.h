@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "project/text_overlay.h"
+#include "project/loading/text_overlay.h"
 
 namespace trundle {
 

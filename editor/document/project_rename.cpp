@@ -6,8 +6,8 @@
 #include "base/platform/read_file.h"
 #include "editor/document/document.h"
 #include "lang/tree_edit.h"
-#include "project/edit_target.h"
-#include "project/plans.h"
+#include "project/edits/edit_target.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 

@@ -16,7 +16,7 @@
 #include "base/platform/read_file.h"
 #include "editor/document/save_companions.h"
 #include "lang/tree_edit.h"
-#include "project/search.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 

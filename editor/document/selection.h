@@ -7,7 +7,7 @@
 namespace trundle {
 
 /// The selection shared by outline, viewport, properties and text editor. Objects are identified by their dotted paths
-/// (project/object_location.h): "robot0", "robot0.chassis.hull", "RobotConfig.SimpleRobot.leftAxle", "Material.red"; "" is
+/// (project/objects/object_location.h): "robot0", "robot0.chassis.hull", "RobotConfig.SimpleRobot.leftAxle", "Material.red"; "" is
 /// the experiment itself.
 class Selection final : public QObject {
     Q_OBJECT

@@ -11,7 +11,7 @@
 #include "editor/document/document.h"
 #include "editor/document/project_rename.h"
 #include "lang/tree_edit.h"
-#include "project/text_splice.h"
+#include "lang/text_splice.h"
 
 namespace trundle {
 

@@ -11,7 +11,7 @@
 
 #include <QString>
 
-#include "project/edit_target.h"
+#include "project/edits/edit_target.h"
 
 namespace trundle {
 
@@ -51,7 +51,7 @@ public:
     /// Renames an object in every reference, also in texts of the project that are not loaded; one entry of the history. After the
     /// question as in apply(), in the copy of its config instead.
     Status rename(const QString& name, const std::string& path, const std::string& to);
-    /// Where a value of this path would be written; see project/edit_target.h.
+    /// Where a value of this path would be written; see project/edits/edit_target.h.
     [[nodiscard]] EditTarget targetOf(const std::string& propertyPath);
     /// The paths where these values are set: decided once for all steps of a drag, which have the same merge key. Configs
     /// installed with Trundle are copied under that key.

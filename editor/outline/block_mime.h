@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "base/result.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 class QMimeData;
 

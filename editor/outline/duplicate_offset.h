@@ -4,7 +4,7 @@
 
 #include <trundle/geometry.h>
 
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

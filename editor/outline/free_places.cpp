@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lang/number_text.h"
-#include "project/part_values.h"
+#include "project/objects/part_values.h"
 #include "scene/queries/drop_placement.h"
 
 namespace trundle {

@@ -15,7 +15,7 @@
 #include "editor/outline/library_panel.h"
 #include "editor/outline/library_pictures.h"
 #include "editor/outline/object_edits.h"
-#include "project/search.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 namespace {

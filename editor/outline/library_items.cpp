@@ -10,8 +10,8 @@
 
 #include "editor/outline/kind_icons.h"
 #include "lang/tree.h"
-#include "project/import_path.h"
-#include "project/search.h"
+#include "project/loading/import_path.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 namespace fs = std::filesystem;

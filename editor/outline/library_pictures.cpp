@@ -1,7 +1,7 @@
 #include "editor/outline/library_pictures.h"
 
 #include "app/application.h"
-#include "project/search.h"
+#include "project/loading/search.h"
 #include "render/service.h"
 
 namespace trundle {

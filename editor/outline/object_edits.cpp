@@ -17,7 +17,7 @@
 #include "editor/outline/insert_positions.h"
 #include "editor/outline/object_marks.h"
 #include "lang/characters.h"
-#include "project/plan_dependents.h"
+#include "project/edits/plan_dependents.h"
 
 namespace trundle {
 namespace {

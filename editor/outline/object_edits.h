@@ -12,7 +12,7 @@
 #include <trundle/geometry.h>
 
 #include "base/result.h"
-#include "project/plans.h"
+#include "project/edits/plans.h"
 
 class QMimeData;
 

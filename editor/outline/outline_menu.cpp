@@ -13,7 +13,7 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
 #include "editor/widgets/theme.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

@@ -9,7 +9,7 @@
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_node.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

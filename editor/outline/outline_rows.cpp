@@ -5,8 +5,8 @@
 #include <unordered_set>
 
 #include "model/passive_objects.h"
-#include "project/object_location.h"
-#include "project/search.h"
+#include "project/objects/object_location.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "editor/outline/problem_counts.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

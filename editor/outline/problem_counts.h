@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -10,7 +10,7 @@
 #include <QTimer>
 
 #include "base/diagnostic.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -7,8 +7,8 @@
 
 #include "editor/problems/problem_icons.h"
 #include "editor/widgets/theme.h"
-#include "project/edit_target.h"
-#include "project/search.h"
+#include "project/edits/edit_target.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <QAbstractItemModel>
 
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -22,8 +22,8 @@
 #include "editor/widgets/middle_elided.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
-#include "project/edit_target.h"
-#include "project/object_location.h"
+#include "project/edits/edit_target.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

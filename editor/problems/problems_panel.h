@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "base/diagnostic.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 class QLabel;
 class QLineEdit;

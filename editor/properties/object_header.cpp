@@ -8,7 +8,7 @@
 #include "editor/properties/origin_text.h"
 #include "editor/properties/value_field.h"
 #include "editor/widgets/theme.h"
-#include "project/plans.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 namespace {

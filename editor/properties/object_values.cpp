@@ -4,7 +4,7 @@
 
 #include "editor/properties/value_text.h"
 #include "model/set_targets.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 #include "schema/value_words.h"
 
 namespace trundle {

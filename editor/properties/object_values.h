@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/params.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -6,8 +6,8 @@
 
 #include "editor/document/document.h"
 #include "editor/document/structure_edits.h"
-#include "project/edit_target.h"
-#include "project/search.h"
+#include "project/edits/edit_target.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 

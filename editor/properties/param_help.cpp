@@ -3,7 +3,7 @@
 #include <QStringList>
 
 #include "lang/tree_edit.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

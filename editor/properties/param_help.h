@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -21,7 +21,7 @@
 #include "editor/properties/rows.h"
 #include "editor/properties/section.h"
 #include "editor/running/session.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

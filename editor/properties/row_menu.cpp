@@ -7,7 +7,7 @@
 #include "editor/properties/origin_text.h"
 #include "editor/properties/rows.h"
 #include "editor/widgets/theme.h"
-#include "project/plans.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 namespace {

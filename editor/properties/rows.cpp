@@ -14,8 +14,8 @@
 #include "editor/properties/sections.h"
 #include "editor/properties/value_text.h"
 #include "editor/running/session.h"
-#include "project/name_references.h"
-#include "project/plans.h"
+#include "project/objects/name_references.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "lang/tree_edit.h"
 #include "model/outline.h"
-#include "project/import_lines.h"
-#include "project/import_path.h"
-#include "project/search.h"
+#include "project/loading/import_lines.h"
+#include "project/loading/import_path.h"
+#include "project/loading/search.h"
 #include "schema/value_words.h"
 
 namespace trundle {

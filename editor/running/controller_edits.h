@@ -8,8 +8,8 @@
 
 #include "app/locations.h"
 #include "app/open_options.h"
-#include "project/plans.h"
-#include "project/project.h"
+#include "project/edits/plans.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "project/project.h"
+#include "project/loading/project.h"
 #include "run/command.h"
 
 namespace trundle {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "editor/document/document.h"
-#include "project/unplaced_configs.h"
+#include "project/objects/unplaced_configs.h"
 #include "scene/queries/object_index.h"
 
 namespace trundle {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

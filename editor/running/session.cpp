@@ -8,7 +8,7 @@
 #include "control/module_store.h"
 #include "editor/running/live_edits.h"
 #include "editor/running/pose_overlay.h"
-#include "project/unplaced_configs.h"
+#include "project/objects/unplaced_configs.h"
 #include "run/runner.h"
 
 namespace trundle {

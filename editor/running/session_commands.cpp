@@ -5,7 +5,7 @@
 #include "editor/running/pose_overlay.h"
 #include "editor/running/session.h"
 #include "editor/running/start_poses.h"
-#include "project/unplaced_configs.h"
+#include "project/objects/unplaced_configs.h"
 
 namespace trundle {
 namespace {

@@ -11,7 +11,7 @@
 #include "editor/document/document.h"
 #include "editor/document/group_edit.h"
 #include "editor/widgets/theme.h"
-#include "project/plan_group.h"
+#include "project/edits/plan_group.h"
 
 namespace trundle {
 namespace {

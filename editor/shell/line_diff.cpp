@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/widgets/theme.h"
-#include "project/line_merge.h"
+#include "lang/line_merge.h"
 
 namespace trundle {
 namespace {

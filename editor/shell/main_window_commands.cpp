@@ -32,7 +32,7 @@
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

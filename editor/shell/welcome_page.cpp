@@ -13,8 +13,8 @@
 
 #include "editor/shell/recent_files.h"
 #include "editor/widgets/theme.h"
-#include "project/journal.h"
-#include "project/search.h"
+#include "project/journal/journal.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 namespace {

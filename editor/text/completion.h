@@ -8,7 +8,7 @@
 
 #include "editor/text/completion_item.h"
 #include "editor/text/project_files.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "editor/text/property_text.h"
-#include "project/name_references.h"
-#include "project/object_location.h"
+#include "project/objects/name_references.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <QCoreApplication>
 
-#include "project/text_splice.h"
+#include "lang/text_splice.h"
 
 namespace trundle {
 namespace {

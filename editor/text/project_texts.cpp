@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/text/project_files.h"
-#include "project/search.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 

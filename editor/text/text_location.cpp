@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

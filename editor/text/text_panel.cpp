@@ -26,7 +26,7 @@
 #include "editor/widgets/actions.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

@@ -18,7 +18,7 @@
 #include "editor/widgets/actions.h"
 #include "editor/widgets/plain_text.h"
 #include "lang/formatter.h"
-#include "project/edit_target.h"
+#include "project/edits/edit_target.h"
 
 namespace trundle {
 namespace {

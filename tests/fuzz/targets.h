@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle::fuzz {
 

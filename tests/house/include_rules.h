@@ -8,7 +8,7 @@ namespace trundle {
 
 /// The includes that one row of the table in core/README.md allows.
 struct FolderRule {
-    QStringList mayInclude; ///< folders of core, or single headers "project/sources.h"
+    QStringList mayInclude; ///< folders of core, or single headers "project/loading/sources.h"
     QSet<QString> foreign;  ///< "std", "qt", ...
 };
 

@@ -53,12 +53,12 @@ private Q_SLOTS:
                                               << "ode/ode.h" << true << false;
         QTest::newRow("ODE in a device") << "core/devices/motor.cpp"
                                          << "ode/ode.h" << true << false;
-        QTest::newRow("Qt in the core") << "core/project/project.cpp"
+        QTest::newRow("Qt in the core") << "core/project/loading/project.cpp"
                                         << "QString" << true << false;
         QTest::newRow("the sources interface alone") << "core/control/catalog.cpp"
-                                                     << "project/sources.h" << false << true;
+                                                     << "project/loading/sources.h" << false << true;
         QTest::newRow("the rest of project") << "core/control/catalog.cpp"
-                                             << "project/project.h" << false << false;
+                                             << "project/loading/project.h" << false << false;
         QTest::newRow("a plugin on the SDK") << "plugins/controllers/a/a.cpp"
                                              << "trundle/controller.h" << true << true;
         QTest::newRow("a plugin in the core") << "plugins/controllers/a/a.cpp"
@@ -68,10 +68,10 @@ private Q_SLOTS:
         QTest::newRow("a panel on another panel") << "editor/outline/a.cpp"
                                                   << "editor/text/text_panel.h" << false << false;
         QTest::newRow("a panel on the core") << "editor/outline/a.cpp"
-                                             << "project/plans.h" << false << true;
+                                             << "project/edits/plans.h" << false << true;
         QTest::newRow("OSG in the window") << "editor/outline/a.cpp"
                                            << "osg/Node" << true << false;
-        QTest::newRow("the core on the window") << "core/project/project.cpp"
+        QTest::newRow("the core on the window") << "core/project/loading/project.cpp"
                                                 << "editor/document/document.h" << false << false;
         QTest::newRow("an unknown library") << "core/world/world.cpp"
                                             << "boost/any.hpp" << true << false;

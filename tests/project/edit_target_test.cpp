@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "plan_fixture.h"
-#include "project/edit_target.h"
+#include "project/edits/edit_target.h"
 
 using namespace trundle;
 using sample::PlanFixture;

@@ -14,9 +14,9 @@
 #include <QTemporaryDir>
 
 #include "base/platform/read_file.h"
-#include "project/journal.h"
-#include "project/project_lock.h"
-#include "project/state_folder.h"
+#include "project/journal/journal.h"
+#include "project/journal/project_lock.h"
+#include "project/journal/state_folder.h"
 
 using namespace trundle;
 namespace fs = std::filesystem;

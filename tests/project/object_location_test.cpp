@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "plan_fixture.h"
-#include "project/path_after_edit.h"
+#include "project/edits/path_after_edit.h"
 
 using namespace trundle;
 using sample::PlanFixture;

@@ -5,8 +5,8 @@
 
 #include "devices/builtin.h"
 #include "lang/tree_edit.h"
-#include "project/plans.h"
-#include "project/search.h"
+#include "project/edits/plans.h"
+#include "project/loading/search.h"
 #include "run/log_kinds.h"
 #include "sample_project.h"
 

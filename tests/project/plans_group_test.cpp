@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "plan_fixture.h"
-#include "project/plan_group.h"
+#include "project/edits/plan_group.h"
 
 using namespace trundle;
 using sample::PlanFixture;

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "plan_fixture.h"
-#include "project/plan_dependents.h"
+#include "project/edits/plan_dependents.h"
 
 using namespace trundle;
 using sample::PlanFixture;

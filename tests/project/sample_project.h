@@ -8,7 +8,7 @@
 
 #include "lang/diagnostic_text.h"
 #include "model/sample_kinds.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace sample {
 

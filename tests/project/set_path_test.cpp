@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "lang/tree_edit.h"
-#include "project/set_path.h"
+#include "project/loading/set_path.h"
 #include "sample_project.h"
 
 using namespace trundle;

@@ -2,7 +2,7 @@
 
 #include "devices/builtin.h"
 #include "model/model_kinds.h"
-#include "project/project.h"
+#include "project/loading/project.h"
 
 namespace trundle {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "editor/document/document.h"
 #include "editor/running/session.h"
-#include "project/object_location.h"
+#include "project/objects/object_location.h"
 #include "scene/queries/ghosts.h"
 
 namespace trundle {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "editor/viewport/gizmo/gizmo.h"
-#include "project/instance_shapes.h"
+#include "project/objects/instance_shapes.h"
 #include "scene/shapes/bounds.h"
 
 namespace trundle {

@@ -11,8 +11,8 @@
 #include "editor/viewport/context/viewport_scene.h"
 #include "lang/number_text.h"
 #include "model/provenance.h"
-#include "project/object_location.h"
-#include "project/part_values.h"
+#include "project/objects/object_location.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 namespace {

@@ -15,9 +15,9 @@
 #include "lang/edit_style.h"
 #include "lang/number_text.h"
 #include "lang/tree_edit.h"
-#include "project/moved_block.h"
-#include "project/object_location.h"
-#include "project/part_values.h"
+#include "project/edits/moved_block.h"
+#include "project/objects/object_location.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 namespace {

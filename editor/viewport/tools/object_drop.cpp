@@ -11,7 +11,7 @@
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/transform_selection.h"
-#include "project/plans.h"
+#include "project/edits/plans.h"
 #include "scene/queries/drop_placement.h"
 
 namespace trundle {

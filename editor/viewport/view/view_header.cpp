@@ -18,7 +18,7 @@
 #include "editor/widgets/actions.h"
 #include "editor/widgets/theme.h"
 #include "lang/number_text.h"
-#include "project/plans.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 namespace {

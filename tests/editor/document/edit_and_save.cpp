@@ -13,7 +13,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/group_edit.h"
-#include "project/plan_group.h"
+#include "project/edits/plan_group.h"
 
 using namespace trundle;
 

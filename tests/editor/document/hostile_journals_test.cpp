@@ -10,8 +10,8 @@
 
 #include "base/platform/process_identity.h"
 #include "editor/document/found_journals.h"
-#include "project/journal_record.h"
-#include "project/state_folder.h"
+#include "project/journal/journal_record.h"
+#include "project/journal/state_folder.h"
 #include "sample_document.h"
 
 using namespace trundle;

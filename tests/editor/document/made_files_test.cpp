@@ -1,7 +1,7 @@
 // Files that edits create, and their undo, save and recovery.
 #include <QTest>
 
-#include "project/state_folder.h"
+#include "project/journal/state_folder.h"
 #include "sample_document.h"
 
 using namespace trundle;

@@ -6,8 +6,8 @@
 
 #include "editor/document/group_edit.h"
 #include "editor/document/structure_edits.h"
-#include "project/plan_group.h"
-#include "project/state_folder.h"
+#include "project/edits/plan_group.h"
+#include "project/journal/state_folder.h"
 #include "sample_document.h"
 
 using namespace trundle;

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "eventually.h"
-#include "project/state_folder.h"
+#include "project/journal/state_folder.h"
 #include "sample_document.h"
 
 using namespace trundle;

@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 
 #include "editor/document/document.h"
-#include "project/search.h"
+#include "project/loading/search.h"
 
 namespace sample {
 

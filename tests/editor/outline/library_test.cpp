@@ -15,7 +15,7 @@
 #include "editor/outline/library_view.h"
 #include "eventually.h"
 #include "outline_fixture.h"
-#include "project/unplaced_configs.h"
+#include "project/objects/unplaced_configs.h"
 #include "render/service.h"
 
 using namespace trundle;

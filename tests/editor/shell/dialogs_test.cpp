@@ -25,9 +25,9 @@
 #include "editor/shell/share_dialog.h"
 #include "editor/shell/window_fixture.h"
 #include "eventually.h"
-#include "project/journal.h"
-#include "project/project_lock.h"
-#include "project/search.h"
+#include "project/journal/journal.h"
+#include "project/journal/project_lock.h"
+#include "project/loading/search.h"
 
 using namespace trundle;
 

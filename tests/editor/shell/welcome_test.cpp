@@ -15,8 +15,8 @@
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_fixture.h"
 #include "eventually.h"
-#include "project/journal.h"
-#include "project/search.h"
+#include "project/journal/journal.h"
+#include "project/loading/search.h"
 
 using namespace trundle;
 

@@ -8,7 +8,7 @@
 #include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
-#include "project/plans.h"
+#include "project/edits/plans.h"
 
 using namespace trundle;
 

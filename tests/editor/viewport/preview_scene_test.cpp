@@ -6,7 +6,7 @@
 #include "editor/viewport/gizmo/gizmo_tool.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
-#include "project/plans.h"
+#include "project/edits/plans.h"
 
 using namespace trundle;
 

@@ -1,0 +1,138 @@
+#include "project/edits/edit_target.h"
+
+#include <algorithm>
+
+#include "project/edits/plan_targets.h"
+#include "project/loading/search.h"
+
+namespace trundle {
+
+namespace {
+
+/// The config that a path below an instance leads into, and the path within it. `config` is null if the path means a property of
+/// the instance itself.
+struct ConfigPath {
+    const Part* config = nullptr;
+    const Part* holder = nullptr; ///< block that has the value
+    std::string within;           ///< "leftMotor.Resistance", "trackWidth"
+};
+
+ConfigPath configPathOf(const LoadedProject& loaded, const ObjectLocation& place, const std::string& key) {
+    const Part* config = place.instance ? configOf(loaded, *place.instance) : nullptr;
+    if (!config || !place.part) return {};
+    if (place.part == place.instance) {
+        const bool own = place.instance->kind && place.instance->kind->find(key);
+        const bool theirs = config->param(key) || (config->kind && config->kind->find(key));
+        return own || !theirs ? ConfigPath{} : ConfigPath{config, config, key};
+    }
+    const bool through = place.above.empty() || place.above.front() == config;
+    return through ? ConfigPath{config, place.part, place.within + "." + key} : ConfigPath{};
+}
+
+std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
+
+/// Whether an edit is inside a block; an insertion right before the block is not.
+bool isInside(const SourceRange& edit, const SourceRange& block) {
+    return edit.file == block.file && block.range.begin < edit.range.begin && edit.range.end <= block.range.end &&
+           edit.range.begin < block.range.end;
+}
+
+bool changesInside(const Part& part, const std::vector<TextEdit>& edits) {
+    return std::any_of(edits.begin(), edits.end(), [&](const TextEdit& edit) { return isInside(edit.range, part.range); });
+}
+
+bool isChanged(const Part& part, const FileEdits& edits) {
+    const auto here = edits.find(part.range.file);
+    if (here != edits.end() && changesInside(part, here->second)) return true;
+    return std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
+        return inner.range.file != part.range.file && isChanged(inner, edits); // defined in a file that the block imports
+    });
+}
+
+} // namespace
+
+bool isShippedFile(const LoadedProject& loaded, FileId file) {
+    if (file == 0 || file >= loaded.paths.size() || loaded.shippedConfigs.empty()) return false;
+    return loaded.paths[file].starts_with(loaded.shippedConfigs + "/");
+}
+
+FileEdits editsOf(const Fix& fix) {
+    FileEdits edits;
+    for (const TextEdit& edit : fix.edits) edits[edit.range.file].push_back(edit);
+    return edits;
+}
+
+std::vector<const Fix*> applicableFixes(const LoadedProject& loaded, const Diagnostic& diagnostic) {
+    std::vector<const Fix*> fixes;
+    for (const Fix& fix : diagnostic.fixes)
+        if (std::ranges::none_of(fix.edits, [&](const TextEdit& edit) { return isShippedFile(loaded, edit.range.file); }))
+            fixes.push_back(&fix);
+    return fixes;
+}
+
+std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config) {
+    std::vector<const Part*> instances;
+    for (const auto& part : loaded.outline->parts)
+        if (isPlaced(*part) && configOf(loaded, *part) == &config) instances.push_back(part.get());
+    return instances;
+}
+
+bool EditTarget::isShared(const LoadedProject& loaded) const {
+    if (!config || isOverride) return false;
+    if (config->file != 0 || (instance && instances > 1)) return true;
+    return std::any_of(users.begin(), users.end(), [&](const std::string& user) { return user != loaded.paths[0]; });
+}
+
+EditTarget targetOfStructure(const LoadedProject& loaded, const Part& config, const Part* instance, ConfigUsers& users) {
+    EditTarget target;
+    target.path = pathOfConfig(config);
+    target.file = config.file;
+    target.config = &config;
+    target.instance = instance;
+    target.isShipped = isShippedFile(loaded, config.file);
+    target.instances = instancesOf(loaded, config).size();
+    if (!target.isShipped) target.users = users.of(loaded, config);
+    return target;
+}
+
+EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propertyPath, ConfigUsers& users) {
+    EditTarget target;
+    target.path = propertyPath;
+    const std::size_t dot = propertyPath.rfind('.');
+    if (dot == std::string::npos) return target;
+    const std::string key = propertyPath.substr(dot + 1);
+    const std::optional<ObjectLocation> place = placeOf(loaded, propertyPath.substr(0, dot));
+    if (!place || !place->part || place->member) return target;
+    target.file = place->part->file;
+    const Part* top = place->above.empty() ? place->part : place->above.front();
+    if (!place->instance) {
+        if (top->is(Role::Config)) target.config = top;
+        target.isShipped = target.config && isShippedFile(loaded, target.file);
+        return target;
+    }
+    target.instance = place->instance;
+    const ConfigPath inConfig = configPathOf(loaded, *place, key);
+    if (!inConfig.config) return target;
+    target.config = inConfig.config;
+    target.isOverride = true;
+    target.file = place->instance->file;
+    target.instances = instancesOf(loaded, *inConfig.config).size();
+    const bool apart = inConfig.config->file != target.file || inConfig.holder->file != target.file;
+    if (apart || target.instances != 1 || place->instance->assignments.find(inConfig.within)) return target;
+    std::vector<std::string> all = users.of(loaded, *inConfig.config);
+    if (std::any_of(all.begin(), all.end(), [&](const std::string& user) { return user != loaded.paths[target.file]; }))
+        return target;
+    target.isOverride = false;
+    target.path = pathOfConfig(*inConfig.config) + "." + inConfig.within;
+    target.users = std::move(all);
+    return target;
+}
+
+std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan) {
+    std::vector<const Part*> changed;
+    for (const Part* config : loaded.outline->configs.all())
+        if (isChanged(*config, plan.edits)) changed.push_back(config);
+    return changed;
+}
+
+} // namespace trundle

@@ -1,0 +1,65 @@
+#pragma once
+// Decides which file and block an edit changes: one rule for all commands and panels.
+//
+// A value changed on an instance becomes an override of that instance, unless its config is defined in the same file and this is
+// its only instance: then the config is changed. A value that the instance already overrides is changed in the override. A change
+// of structure (insert, remove, move, rename) is made in the config itself. If the config has other users, the user of the editor
+// chooses between changing all of them and making a copy. A config shipped with the program is read-only: it is always copied.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "project/objects/config_users.h"
+#include "project/edits/plans.h"
+
+namespace trundle {
+
+struct EditTarget {
+    std::string path;               ///< of the changed object: "RobotConfig.Rover.chassis.hull.Mass", or the requested path
+    FileId file = 0;                ///< the file to be changed
+    const Part* config = nullptr;   ///< the config that contains the object; nullptr: none
+    const Part* instance = nullptr; ///< the instance that the path leads through; nullptr: none
+    bool isOverride = false;        ///< the instance sets the value instead of its config
+    bool isShipped = false;         ///< the change would be made in a shipped file other than the opened file
+    std::size_t instances = 0;      ///< number of instances of the config in this load
+    std::vector<std::string> users; ///< files of the project that place the config; set only if a config would be changed
+
+    /// Whether the change affects others too: another instance, another file, or files that import the config's file later.
+    [[nodiscard]] bool isShared(const LoadedProject& loaded) const;
+};
+
+/// Whether a file was shipped with the program. The opened file never counts: it can be edited, and Save As stores it elsewhere.
+[[nodiscard]] bool isShippedFile(const LoadedProject& loaded, FileId file);
+/// The Robots, Statics, Grids and Scatters of a load that use a config, in text order.
+[[nodiscard]] std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config);
+
+/// The target of a value edit under this path ("robot0.leftMotor.Resistance"). A path that leads nowhere is returned unchanged.
+[[nodiscard]] EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propertyPath, ConfigUsers& users);
+/// The target of a change to a config's structure, made through `instance` or, if that is null, in the config itself.
+[[nodiscard]] EditTarget targetOfStructure(const LoadedProject& loaded, const Part& config, const Part* instance,
+                                           ConfigUsers& users);
+
+/// The edits of a fix, by file.
+[[nodiscard]] FileEdits editsOf(const Fix& fix);
+/// The fixes of a diagnostic that can be applied: those that change no shipped file. Pointers into the diagnostic.
+[[nodiscard]] std::vector<const Fix*> applicableFixes(const LoadedProject& loaded, const Diagnostic& diagnostic);
+
+/// The configs whose contents a plan changes, each once.
+[[nodiscard]] std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan);
+
+/// Writes a copy of a config under a free name before the first of `instances`, which use the copy from then on; they must be in
+/// one file. Without instances the copy is added at the end of the opened file. Comments and layout are kept; files that the
+/// config imports or names by a relative path are also found from the new location. Imports in its block from one of the files
+/// `inlined` (absolute) are expanded in the copy, so that they can be edited there alone. `selects` is the path of the copy.
+[[nodiscard]] Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config,
+                                              const std::vector<const Part*>& instances,
+                                              const std::set<std::string>& inlined = {});
+
+
+/// Replaces the imports in the block of a config by their text where they lead to one of the files `inlined` (absolute), directly or
+/// through other such files, so that the text can be edited in the config's own file. Empty if none
+/// does.
+[[nodiscard]] Result<EditPlan> planExpandImports(const LoadedProject& loaded, const Part& config, const std::set<std::string>& inlined);
+
+} // namespace trundle

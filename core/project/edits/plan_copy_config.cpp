@@ -1,0 +1,247 @@
+// needs        a config and the instances that are to use a copy of it
+// assumptions  names in the config resolve wherever the copy is; only file paths are relative to the folder of the file
+// method       the block's text, with its name and file paths changed, is inserted before the first instance, and the Config of
+//             each instance is set
+// data         edits of the block have offsets relative to its first byte
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "lang/characters.h"
+#include "lang/edit_style.h"
+#include "lang/tree_edit.h"
+#include "project/edits/edit_builder.h"
+#include "project/edits/edit_target.h"
+#include "project/loading/import_lines.h"
+#include "project/objects/object_names.h"
+#include "project/edits/plan_targets.h"
+#include "project/loading/search.h"
+
+namespace trundle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The start of the line of a block, or of the comments directly above it.
+std::uint32_t commentAbove(const Tree& tree, std::uint32_t at) {
+    const std::string_view bytes = tree.source().bytes();
+    const auto lineStart = [&](std::uint32_t from) {
+        while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
+        return from;
+    };
+    std::uint32_t start = lineStart(at);
+    if (!std::all_of(bytes.begin() + start, bytes.begin() + at, isBlank)) return at; // not the first item of its line
+    const auto& tokens = tree.tokens();
+    for (;;) {
+        std::uint32_t end = start; // end of the line above
+        if (end > 0 && bytes[end - 1] == '\n') --end;
+        if (end > 0 && bytes[end - 1] == '\r') --end;
+        if (end == start) return start;
+        const std::uint32_t begin = lineStart(end);
+        const auto comment = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+            return token.kind == TokenKind::LineComment && begin <= token.range.begin && token.range.end <= end;
+        });
+        if (comment == tokens.end() || !std::all_of(bytes.begin() + begin, bytes.begin() + comment->range.begin, isBlank))
+            return start;
+        start = begin;
+    }
+}
+
+class ConfigCopy {
+public:
+    ConfigCopy(const LoadedProject& loaded, const Part& config, std::vector<const Part*> instances,
+               const std::set<std::string>& inlined)
+        : m_loaded(loaded), m_config(config), m_instances(std::move(instances)), m_inlined(inlined), m_sheet(loaded) {
+        std::stable_sort(m_instances.begin(), m_instances.end(),
+                         [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
+        if (!m_instances.empty()) m_home = m_instances.front()->file;
+    }
+
+    Result<EditPlan> plan() {
+        const std::string name = UsedNames(m_loaded, nullptr, m_config.kind).take(m_config.name);
+        const Result<std::string> text = block(name);
+        if (!text.ok()) return text.error();
+        write(text.value());
+        for (const Part* instance : m_instances) {
+            const SourceAssignment* a = instance->assignments.find("Config");
+            if (a && a->file == m_home) m_sheet.add(editSetValue(*m_loaded.trees[m_home], *a->value, name));
+        }
+        if (Status status = import(); !status.ok()) return status.error();
+        return m_sheet.plan({m_config.kind->name + "." + name});
+    }
+
+    /// The block stays where it is, and imports in it are expanded.
+    Result<EditPlan> expand() {
+        m_home = m_config.file;
+        std::vector<TextEdit> edits;
+        if (Status status = collect(m_config.block->items, m_config.kind, m_home, edits); !status.ok()) return status.error();
+        if (edits.empty()) return EditPlan{};
+        for (TextEdit& edit : edits) m_sheet.add(std::move(edit));
+        if (Status status = import(); !status.ok()) return status.error();
+        return m_sheet.plan({m_config.kind->name + "." + m_config.name});
+    }
+
+private:
+    /// The text of the block under its new name, without the indent of its surroundings.
+    Result<std::string> block(const std::string& name) {
+        const SourceRange whole = m_config.range;
+        std::vector<TextEdit> edits{{{whole.file, m_config.block->name->range}, name}};
+        m_copied = {whole};
+        if (Status status = collect(m_config.block->items, m_config.kind, whole.file, edits); !status.ok()) return status.error();
+        for (TextEdit& edit : edits) {
+            edit.range.range.begin -= whole.range.begin;
+            edit.range.range.end -= whole.range.begin;
+        }
+        const Result<std::string> text = applyEdits(m_loaded.outline->texts().slice(whole), edits);
+        if (!text.ok()) return text.error();
+        const std::size_t indent = indentOfLine(m_loaded.trees[whole.file]->source().bytes(), whole.range.begin).size();
+        std::string from;
+        if (whole.file != m_home)
+            from = "// A copy of " + m_config.name + " in " + shownInProject(m_loaded.paths[whole.file], m_loaded.projectFolder) +
+                   ", for this file alone.\n";
+        return from + dedented(text.value(), indent);
+    }
+
+    /// Collects the changes inside the copy: file paths that would not lead to the same file from its new folder, and imports
+    /// that are expanded.
+    Status collect(const std::vector<Item>& items, const Kind* kind, FileId file, std::vector<TextEdit>& edits) {
+        for (const Item& item : items) {
+            if (const auto* inner = item.as<BlockItem>())
+                if (Status status = collect(inner->items, m_loaded.registry->find(inner->type.text), file, edits); !status.ok())
+                    return status;
+            if (const auto* import = item.as<ImportItem>())
+                if (Status status = collectImport(item, *import, kind, file, edits); !status.ok()) return status;
+            const auto* a = item.as<AssignmentItem>();
+            const Property* property = a && kind && a->path.size() == 1 ? kind->find(a->path[0].text) : nullptr;
+            if (!property || property->type != PropertyType::File) continue;
+            for (const Element& e : a->value.elements) {
+                const auto named = m_loaded.named.find({file, e.text});
+                if (named != m_loaded.named.end() && !named->second.path.empty())
+                    change({file, e.range}, e.text, named->second.path, edits);
+            }
+        }
+        return {};
+    }
+
+    Status collectImport(const Item& item, const ImportItem& import, const Kind* kind, FileId file, std::vector<TextEdit>& edits) {
+        const auto& imports = m_loaded.outline->texts().imports;
+        const auto found = imports.find(&import);
+        if (found == imports.end()) return {};
+        const std::string& path = m_loaded.paths[found->second];
+        if (!leadsToInlined(found->second)) {
+            change({file, import.pathRange}, import.path, path, edits);
+            return {};
+        }
+        const Tree& tree = *m_loaded.trees[found->second];
+        std::vector<TextEdit> within;
+        if (Status status = collect(tree.items(), kind, found->second, within); !status.ok()) return status;
+        const Result<std::string> bytes = applyEdits(tree.source().bytes(), within);
+        if (!bytes.ok()) return bytes.error();
+        m_copied.push_back({found->second, {0, static_cast<std::uint32_t>(tree.source().bytes().size())}});
+        std::string_view text = bytes.value();
+        if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+        while (!text.empty() && (isBlank(text.back()) || text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+        const std::string indent = indentOfLine(m_loaded.trees[file]->source().bytes(), item.range.begin);
+        std::string out = "// From " + shownInProject(path, m_loaded.projectFolder) + "\n" + indent;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            out += text[i];
+            const bool isLine = text[i] == '\n' && i + 1 < text.size() && text[i + 1] != '\n' && text[i + 1] != '\r';
+            if (isLine) out += indent;
+        }
+        edits.push_back({{file, item.range}, out});
+        return {};
+    }
+
+    /// Whether a file is to be expanded, or imports one that is.
+    bool leadsToInlined(FileId file) const {
+        if (m_inlined.contains(m_loaded.paths[file])) return true;
+        const auto& imports = m_loaded.outline->texts().imports;
+        return std::ranges::any_of(m_loaded.trees[file]->items(), [&](const Item& item) {
+            const auto* import = item.as<ImportItem>();
+            const auto found = import ? imports.find(import) : imports.end();
+            return found != imports.end() && found->second != file && m_inlined.contains(m_loaded.paths[found->second]);
+        });
+    }
+
+    void change(const SourceRange& range, const std::string& written, const std::string& path, std::vector<TextEdit>& edits) const {
+        const fs::path here = fs::path(m_loaded.paths[m_home]).parent_path();
+        const FileSearch search(m_loaded.importFolders);
+        const auto leads = [&](const std::string& words) {
+            const Result<std::string> found = search.find(words, here.string());
+            return found && found.value() == path;
+        };
+        std::error_code none;
+        const fs::path before = fs::path(m_loaded.paths[range.file]).parent_path();
+        const bool beside = fs::weakly_canonical(before / written, none) == path;
+        if (!beside || leads(written)) return; // found in a search folder, independent of the file's folder
+        std::vector<std::string> words;
+        for (const std::string& folder : m_loaded.importFolders)
+            if (!folder.empty()) words.push_back(fs::path(path).lexically_relative(folder).string());
+        words.push_back(fs::path(path).lexically_relative(here).string());
+        const auto fit = std::find_if(words.begin(), words.end(),
+                                      [&](const std::string& w) { return !w.empty() && !w.starts_with("..") && leads(w); });
+        edits.push_back({range, "\"" + (fit == words.end() ? words.back() : *fit) + "\""});
+    }
+
+    void write(const std::string& text) {
+        if (m_instances.empty()) return m_sheet.addItem(m_home, nullptr, text);
+        const Tree& tree = *m_loaded.trees[m_home];
+        const std::uint32_t at = commentAbove(tree, m_instances.front()->range.range.begin);
+        const std::string lineEnd = editStyle(tree).lineEnd;
+        const std::string_view bytes = tree.source().bytes();
+        const bool first =
+            at == 0 || bytes[at - 1] == '\n' || bytes[at - 1] == '\r' || (at == 3 && bytes.starts_with("\xEF\xBB\xBF"));
+        std::string out = first ? "" : lineEnd;
+        for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
+        m_sheet.add({{m_home, {at, at}}, out + lineEnd + lineEnd});
+    }
+
+    /// Imports the definitions that the block uses, unless they are already imported.
+    Status import() {
+        if (std::ranges::all_of(m_copied, [this](const SourceRange& copied) { return copied.file == m_home; })) return {};
+        std::vector<std::string> paths;
+        for (const NameReference& reference : referencesIn(m_loaded)) {
+            const auto isUser = [&](const SourceRange& copied) {
+                return reference.user && isWithin(reference.user->range, copied);
+            };
+            if (std::none_of(m_copied.begin(), m_copied.end(), isUser)) continue;
+            for (const auto& part : m_loaded.outline->parts)
+                if (reference.target == part->block && part->file != m_home) paths.push_back(m_loaded.paths[part->file]);
+            for (const SourceParam& param : m_loaded.outline->params)
+                if (reference.param && param.name == &reference.param->name && param.file != m_home)
+                    paths.push_back(m_loaded.paths[param.file]);
+        }
+        Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, m_home, paths);
+        if (!edits.ok()) return edits.error();
+        for (TextEdit& edit : edits.value()) m_sheet.addFirst(std::move(edit));
+        return {};
+    }
+
+    const LoadedProject& m_loaded;
+    const Part& m_config;
+    std::vector<const Part*> m_instances;
+    const std::set<std::string>& m_inlined;
+    std::vector<SourceRange> m_copied; ///< source ranges that are part of the copy
+    EditBuilder m_sheet;
+    FileId m_home = 0;
+};
+
+} // namespace
+
+Result<EditPlan> planExpandImports(const LoadedProject& loaded, const Part& config, const std::set<std::string>& inlined) {
+    return ConfigCopy(loaded, config, {}, inlined).expand();
+}
+
+Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config, const std::vector<const Part*>& instances,
+                                const std::set<std::string>& inlined) {
+    if (!config.kind || !config.block->name) return Error{Code::WrongPlace, config.title() + " cannot be copied: it has no name"};
+    for (const Part* instance : instances)
+        if (isShippedFile(loaded, instance->file))
+            return Error{Code::FileUnwritable, instance->title() + " is in " + loaded.trees[instance->file]->source().path() +
+                                                   ", which came with the program and is read-only; place one in your own file"};
+    return ConfigCopy(loaded, config, instances, inlined).plan();
+}
+
+} // namespace trundle

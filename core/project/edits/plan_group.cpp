@@ -1,0 +1,301 @@
+// needs: Statics, or Robots without joints, devices and controllers, all in the opened file.
+// assumes: only the pose of a geom or body depends on the grouping; it is rewritten, all other properties are kept.
+// method: each geom of each object becomes a geom of the new config, with its pose relative to the common centre; literal values
+// are copied as written, others are evaluated. Names used by the values are imported from their files, or moved along if they are
+// defined in the opened file, which cannot be imported.
+// data: the text of the new file; edits of the opened one.
+#include "project/edits/plan_group.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include "lang/characters.h"
+#include "lang/tree_edit.h"
+#include "model/passive_objects.h"
+#include "project/edits/edit_builder.h"
+#include "project/loading/import_lines.h"
+#include "project/objects/object_names.h"
+#include "project/objects/part_values.h"
+#include "project/edits/plan_dependents.h"
+#include "project/edits/plan_targets.h"
+#include "project/loading/search.h"
+
+namespace trundle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDigits = 1e6; // 1/m; the group's own Pos is rounded to 1e-6 m
+
+/// The file name for a config: "red_wall" for "RedWall".
+std::string fileNameFor(const std::string& name) {
+    std::string file;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const auto c = static_cast<unsigned char>(name[i]);
+        if (std::isupper(c) && i > 0 && name[i - 1] != '_' && !std::isupper(static_cast<unsigned char>(name[i - 1]))) file += '_';
+        file += static_cast<char>(std::tolower(c));
+    }
+    return file;
+}
+
+std::string lowerFirstOf(std::string name) {
+    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+bool isPlainName(const std::string& name) {
+    return !name.empty() && isIdentStart(name[0]) && std::all_of(name.begin(), name.end(), isIdent);
+}
+
+/// The path of the new file, relative to the project's folder or the folder of shipped configs.
+std::string pieceFile(const std::string& folder, const std::string& name) {
+    return (fs::path(folder) / "objects" / (fileNameFor(name) + ".sim")).string();
+}
+
+bool isFree(const LoadedProject& loaded, const std::string& shippedConfigs, const std::string& name) {
+    std::error_code none;
+    return !loaded.outline->configs.find(name) && !fs::exists(pieceFile(loaded.projectFolder, name), none) &&
+           (shippedConfigs.empty() || !fs::exists(pieceFile(shippedConfigs, name), none));
+}
+
+bool isLiteral(const Value& value) {
+    return std::all_of(value.elements.begin(), value.elements.end(), [](const Element& e) {
+        return e.kind != Element::Kind::ParamRef && e.kind != Element::Kind::Expression;
+    });
+}
+
+class GroupPlanner {
+public:
+    GroupPlanner(const LoadedProject& loaded, std::string name) : m_loaded(loaded), m_name(std::move(name)), m_sheet(loaded) {}
+
+    Result<GroupPlan> of(const std::vector<std::string>& paths) {
+        if (Status status = take(paths); !status.ok()) return status.error();
+        findMiddle();
+        std::string parts;
+        for (const Part* part : m_objects) {
+            Result<std::string> text = m_scenery ? geomsOf(*part, *configOf(m_loaded, *part), m_inverse * poseOf(*part), m_objects.size() > 1 ? part->name : "")
+                                                 : bodiesOf(*part);
+            if (!text.ok()) return text.error();
+            parts += text.value();
+        }
+        Result<std::string> head = imports();
+        if (!head.ok()) return head.error();
+        GroupPlan group;
+        group.file = pieceFile(m_loaded.projectFolder, m_name);
+        group.text = "// " + m_name + ": " + std::to_string(m_objects.size()) + (m_scenery ? " pieces of scenery" : " objects") +
+                     " grouped. Its origin is the middle of its base.\n" + head.value() + m_moved + "\n" +
+                     (m_scenery ? "StaticConfig " : "RobotConfig ") + m_name + " {\n" +
+                     (m_scenery || m_objects.size() < 2 ? "" : "  SelfCollision=true\n") + parts + "}\n";
+        const std::string instance = UsedNames(m_loaded, nullptr, m_objects.front()->kind).take(lowerFirstOf(m_name));
+        for (const Part* part : m_objects) m_sheet.removeItem(part->range);
+        m_sheet.addItem(0, nullptr, std::string(m_scenery ? "Static " : "Robot ") + instance + " { Config=" + m_name + " Pos=" +
+                                        positionText(m_middle) + " HPR=0,0,0 }");
+        Result<std::vector<TextEdit>> directives = editsForImports(m_loaded, 0, {group.file});
+        if (!directives.ok()) return directives.error();
+        for (TextEdit& edit : directives.value()) m_sheet.addFirst(std::move(edit));
+        Result<EditPlan> plan = m_sheet.plan({instance});
+        if (!plan.ok()) return plan.error();
+        group.plan = std::move(plan).value();
+        return group;
+    }
+
+private:
+    Status take(const std::vector<std::string>& paths) {
+        for (const std::string& path : paths) {
+            const auto place = placeOf(m_loaded, path);
+            const Part* part = place ? place->part : nullptr;
+            if (place && place->member)
+                return Error{Code::ReplaceBySingles, path + " is one of many; replace its Grid or Scatter by single robots first"};
+            const Part* config = part && part == place->instance ? configOf(m_loaded, *part) : nullptr;
+            const bool scenery = part && part->kind && part->kind->name == "Static";
+            if (!config || !part->is(Role::Instance) || (!scenery && !isPassive(*part, config)))
+                return Error{Code::WrongPlace, (part ? part->title() : path) + " cannot be part of a piece: select scenery, or robots "
+                                                   "without joints, devices and controller"};
+            if (part->file != 0)
+                return Error{Code::WrongPlace, part->title() + " is in " + shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder) +
+                                                   ", not in the opened file; open that to group it"};
+            if (!m_objects.empty() && scenery != m_scenery)
+                return Error{Code::WrongPlace, "scenery and movable objects cannot be one piece: " + m_objects.front()->title() + " and " +
+                                                   part->title()};
+            m_scenery = scenery;
+            if (std::find(m_objects.begin(), m_objects.end(), part) == m_objects.end()) m_objects.push_back(part);
+        }
+        if (m_objects.empty()) return Error{Code::WrongPlace, "select what is to be one piece"};
+        std::sort(m_objects.begin(), m_objects.end(),
+                  [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
+        for (const NameReference& reference : referencesIn(m_loaded))
+            for (const Part* part : m_objects)
+                if (reference.target == part->block && reference.user)
+                    return Error{Code::UnknownReference, part->title() + " is named by " + reference.user->title() +
+                                                             "; it cannot become part of a piece"};
+        return {};
+    }
+
+    [[nodiscard]] Pose poseOf(const Part& instance) const {
+        const auto place = placeOf(m_loaded, instance.name);
+        return poseAt(m_loaded, *place);
+    }
+
+    /// The centre of the objects, at the height of the lowest one, rounded.
+    void findMiddle() {
+        m_middle = Vec3::Zero();
+        double low = poseOf(*m_objects.front()).position.z();
+        for (const Part* part : m_objects) {
+            const Vec3 at = poseOf(*part).position;
+            m_middle += at / double(m_objects.size());
+            low = std::min(low, at.z());
+        }
+        m_middle.z() = low;
+        for (int k = 0; k < 3; ++k) m_middle[k] = std::round(m_middle[k] * kDigits) / kDigits;
+        m_inverse = Pose{m_middle, Quat::Identity()}.inverse();
+    }
+
+    [[nodiscard]] std::string free(std::set<std::string>& taken, const std::string& preferred) const {
+        std::string name = preferred;
+        for (int n = 2; !taken.insert(name).second; ++n) name = preferred + std::to_string(n);
+        return name;
+    }
+
+    /// The geoms of a config or body as lines of text. `at`: pose of their frame in the new config.
+    Result<std::string> geomsOf(const Part& instance, const Part& owner, const Pose& at, const std::string& prefix) {
+        std::string text;
+        std::set<std::string>& taken = m_scenery ? m_names : m_geomNames;
+        const auto geoms = std::count_if(owner.parts.begin(), owner.parts.end(), [](const Part& p) { return p.is(Role::Geom) && p.usable; });
+        const std::string within = &owner == configOf(m_loaded, instance) ? std::string() : owner.name + ".";
+        for (const Part& part : owner.parts) {
+            if (!part.is(Role::Geom) || !part.usable) continue;
+            const std::string name = prefix.empty() ? part.name : geoms == 1 ? prefix : prefix + "_" + part.name;
+            Result<std::string> values = valuesOf(instance, part, within + part.name);
+            if (!values.ok()) return values.error();
+            const auto place = placeOf(m_loaded, instance.name + "." + within + part.name);
+            if (!place) return Error{Code::NoSuchPath, "there is no " + instance.name + "." + within + part.name};
+            text += (m_scenery ? "  " : "    ") + part.block->type.text + " " + free(taken, name) + " { " +
+                    placeText(at * poseAt(m_loaded, *place)) + values.value() + " }\n";
+        }
+        return text;
+    }
+
+    Result<std::string> bodiesOf(const Part& instance) {
+        std::string text;
+        const Part& config = *configOf(m_loaded, instance);
+        const auto bodies = std::count_if(config.parts.begin(), config.parts.end(), [](const Part& p) { return p.is(Role::Body); });
+        for (const Part& body : config.parts) {
+            if (!body.is(Role::Body) || !body.usable) continue;
+            const auto place = placeOf(m_loaded, instance.name + "." + body.name);
+            Result<std::string> values = valuesOf(instance, body, body.name);
+            if (!values.ok()) return values.error();
+            m_geomNames.clear();
+            Result<std::string> geoms = geomsOf(instance, body, Pose{}, "");
+            if (!geoms.ok()) return geoms.error();
+            text += "  Body " + free(m_names, bodies == 1 ? instance.name : instance.name + "_" + body.name) + " { " +
+                    placeText(m_inverse * poseOf(instance) * poseAt(m_loaded, *place)) + values.value() + "\n" + geoms.value() + "  }\n";
+        }
+        return text;
+    }
+
+    static std::string placeText(const Pose& pose) {
+        const std::string turn = headingText(pose.rotation);
+        return "Pos=" + positionText(pose.position) + (turn == "0,0,0" ? "" : " HPR=" + turn);
+    }
+
+    /// All given properties except the pose: " Size=1,2,3 Material=red".
+    Result<std::string> valuesOf(const Part& instance, const Part& part, const std::string& within) {
+        std::string text;
+        const auto place = placeOf(m_loaded, instance.name + "." + within);
+        for (const Property& property : part.kind->properties) {
+            if (property.name == "Pos" || property.name == "HPR") continue;
+            const SourceAssignment* a = instance.assignments.find(within + "." + property.name);
+            if (!a) a = part.assignments.find(property.name);
+            if (!a || !place) continue;
+            const std::optional<PropertyValue> value = valueAt(m_loaded, *place, property.name);
+            if (!value) return Error{Code::MissingValue, property.name + " of " + instance.name + "." + within + " cannot be read"};
+            std::string written = isLiteral(*a->value) ? std::string(m_loaded.outline->texts().slice(a->valueRange())) : valueText(property, *value);
+            if (property.type == PropertyType::File && !value->texts.empty()) written = fileText(*a, value->texts.front(), written);
+            text += " " + property.name + "=" + written;
+            if (property.type == PropertyType::Reference)
+                for (const std::string& name : value->texts) m_used.insert({property.name, name});
+        }
+        return text;
+    }
+
+    /// The path of a file, rewritten so that it is found from the folder of the new config too.
+    std::string fileText(const SourceAssignment& a, const std::string& name, const std::string& written) const {
+        const auto named = m_loaded.named.find({a.file, name});
+        if (named == m_loaded.named.end() || named->second.path.empty()) return written;
+        const std::string shown = shownInProject(named->second.path, m_loaded.projectFolder);
+        return fs::path(shown).is_absolute() ? written : "\"" + shown + "\"";
+    }
+
+    /// The text of a block that is moved from the opened file to the new one, with Params replaced by their values.
+    Result<std::string> movedText(const Part& part) const {
+        const auto place = placeOf(m_loaded, part.kind->name + "." + part.name);
+        std::vector<TextEdit> edits;
+        for (const SourceAssignment& a : part.assignments.all()) {
+            if (isLiteral(*a.value) || a.file != part.range.file) continue;
+            const Property* property = part.kind->find(a.key);
+            const std::optional<PropertyValue> value = place ? valueAt(m_loaded, *place, a.key) : std::nullopt;
+            if (!property || !value)
+                return Error{Code::UnknownParam, a.key + " of " + part.title() + " cannot be worked out; write its value out before it is part of a piece"};
+            TextRange range = a.value->range;
+            range.begin -= part.range.range.begin;
+            range.end -= part.range.range.begin;
+            edits.push_back({{part.range.file, range}, valueText(*property, *value)});
+        }
+        return applyEdits(blockText(m_loaded, part.range), edits);
+    }
+
+    /// The import lines for everything used; definitions in the opened file are removed there and moved along.
+    Result<std::string> imports() {
+        std::set<std::string> files;
+        std::set<const Part*> moved;
+        for (const auto& [property, name] : m_used) {
+            const Part* part = property == "Material" ? m_loaded.outline->materials.find(name)
+                               : property == "Surface" ? m_loaded.outline->surfaces.find(name)
+                                                       : nullptr;
+            if (!part) continue; // built in
+            if (part->file != 0) files.insert(shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder));
+            else if (moved.insert(part).second) {
+                Result<std::string> text = movedText(*part);
+                if (!text.ok()) return text.error();
+                m_moved += text.value() + "\n";
+                m_sheet.removeItem(part->range);
+            }
+        }
+        std::string text;
+        for (const std::string& file : files) text += "#import " + file + "\n";
+        return text;
+    }
+
+    const LoadedProject& m_loaded;
+    const std::string m_name;
+    EditBuilder m_sheet;
+    std::vector<const Part*> m_objects; // in text order
+    bool m_scenery = false;
+    Vec3 m_middle = Vec3::Zero();
+    Pose m_inverse;
+    std::set<std::string> m_names, m_geomNames;
+    std::set<std::pair<std::string, std::string>> m_used; // (property, name)
+    std::string m_moved;
+};
+
+} // namespace
+
+std::string freeGroupName(const LoadedProject& loaded, const std::string& shippedConfigs) {
+    std::string name = "Piece";
+    for (int n = 2; !isFree(loaded, shippedConfigs, name); ++n) name = "Piece" + std::to_string(n);
+    return name;
+}
+
+Result<GroupPlan> planGroup(const LoadedProject& loaded, const std::vector<std::string>& paths, const std::string& name,
+                            const std::string& shippedConfigs) {
+    if (!isPlainName(name))
+        return Error{Code::WrongPlace, "`" + name + "` is no name: it takes letters, digits and _, and begins with no digit"};
+    if (!isFree(loaded, shippedConfigs, name))
+        return Error{Code::DuplicateName, "there is a config " + name + ", or a file objects/" + fileNameFor(name) + ".sim, already"};
+    return GroupPlanner(loaded, name).of(paths);
+}
+
+} // namespace trundle

@@ -1,0 +1,33 @@
+#pragma once
+// Looks up the objects that a plan changes. Private to core/project.
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "project/objects/object_location.h"
+
+namespace trundle {
+
+/// The location of an object whose block can be changed. Fails for the experiment itself, a missing object, and a member of a
+/// Grid or Scatter, which has no text.
+[[nodiscard]] Result<ObjectLocation> requireChangeable(const LoadedProject& loaded, const std::string& path);
+
+/// One of the selected objects, with its requested path.
+struct Chosen {
+    ObjectLocation place;
+    std::string path;
+};
+/// In text order, each block once, without blocks that are inside another one.
+[[nodiscard]] Result<std::vector<Chosen>> chosen(const LoadedProject& loaded, const std::vector<std::string>& paths);
+
+/// Whether a range is inside another or equal to it.
+[[nodiscard]] bool isWithin(const SourceRange& inner, const SourceRange& outer);
+/// Whether a kind of block is allowed in `parent` (nullptr: at the top level).
+[[nodiscard]] bool isAllowedIn(const Kind& kind, const Part* parent);
+/// For messages: "a Box is in a Body or a StaticConfig".
+[[nodiscard]] std::string allowedPlaces(const Kind& kind);
+/// The path without its last name; "" at the top level.
+[[nodiscard]] std::string parentPath(const ObjectLocation& place, const std::string& path);
+
+} // namespace trundle

@@ -1,0 +1,171 @@
+#include "project/loading/search.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "base/spelling.h"
+
+namespace trundle {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMaxEntries = 2000; ///< entries of a folder examined for suggestions
+
+bool liesUnder(const fs::path& file, const fs::path& folder) {
+    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    (void)rest;
+    return end == folder.end() || (std::next(end) == folder.end() && end->empty());
+}
+
+bool isLoop(const std::error_code& ec) { return ec == std::errc::too_many_symbolic_link_levels; }
+
+void normalise(std::string& written) { std::replace(written.begin(), written.end(), '\\', '/'); }
+
+} // namespace
+
+std::string projectFolderOf(const std::string& file) {
+    std::error_code ec;
+    const fs::path own = fs::path(canonicalPath(file)).parent_path();
+    for (fs::path folder = own;; folder = folder.parent_path()) {
+        if (folder.filename() == "configs" || fs::is_directory(folder / ".trundle", ec)) return folder.string();
+        if (folder == folder.parent_path() || folder.empty()) break;
+    }
+    return own.string();
+}
+
+std::string canonicalPath(const std::string& path) {
+    std::error_code ec;
+    const fs::path absolute = fs::absolute(path.empty() ? "." : path, ec);
+    const fs::path canonical = fs::weakly_canonical(ec ? fs::path(path) : absolute, ec);
+    return ec ? path : canonical.string();
+}
+
+bool isInside(const std::string& file, const std::vector<std::string>& folders) {
+    if (!fs::path(file).is_absolute() || file.find('\0') != std::string::npos) return false;
+    const fs::path real = canonicalPath(file);
+    fs::path part; // a remaining link is dangling: writing would create a file at its target
+    for (const fs::path& name : real) {
+        std::error_code none;
+        part /= name;
+        if (name == ".." || fs::is_symlink(fs::symlink_status(part, none))) return false;
+    }
+    return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+        return !folder.empty() && real != fs::path(canonicalPath(folder)) && liesUnder(real, canonicalPath(folder));
+    });
+}
+
+std::string shownPath(const std::string& absolute, const std::string& from) {
+    std::error_code ec;
+    const fs::path here = from.empty() ? fs::current_path(ec) : fs::path(from);
+    if (ec || here.empty() || !liesUnder(absolute, here)) return absolute;
+    return fs::path(absolute).lexically_relative(here).string();
+}
+
+std::string shownInProject(const std::string& absolute, const std::string& folder) {
+    if (folder.empty()) return absolute;
+    if (const std::string shown = shownPath(absolute, folder); shown != absolute) return shown;
+    const std::string own = projectFolderOf(absolute);
+    const bool bare = fs::path(own) == fs::path(absolute).parent_path(); // the file name alone would be ambiguous
+    return bare ? absolute : shownPath(absolute, own);
+}
+
+bool FileSearch::onlyAsText(const std::string& path, std::string& canonical) const {
+    if (!m_texts || m_texts->empty()) return false;
+    canonical = canonicalPath(path);
+    return m_texts->contains(canonical);
+}
+
+std::vector<std::string> FileSearch::roots(const std::string& folder) const {
+    std::vector<std::string> all{canonicalPath(folder)};
+    for (const std::string& f : m_folders) {
+        if (f.empty()) continue;
+        std::string path = canonicalPath(f);
+        if (std::find(all.begin(), all.end(), path) == all.end()) all.push_back(std::move(path));
+    }
+    return all;
+}
+
+Result<std::string> FileSearch::find(std::string written, const std::string& folder, std::span<const std::string> endings) const {
+    normalise(written);
+    if (written.empty() || written.find('\0') != std::string::npos) return Error{Code::ImportNotFound, "a file name is missing"};
+    const std::vector<std::string> folders = roots(folder);
+    std::vector<std::string> names{written};
+    for (const std::string& ending : endings) names.push_back(written + "." + ending);
+    bool outside = false, unplain = false, loop = false;
+    for (const std::string& root : folders) {
+        for (const std::string& name : names) {
+            std::error_code ec;
+            const fs::path path = fs::path(root) / name; // operator/ keeps an absolute `name`
+            const fs::file_status status = fs::status(path, ec);
+            loop = loop || isLoop(ec);
+            std::string real;
+            if (fs::is_regular_file(status)) {
+                real = fs::canonical(path, ec).string();
+                if (ec) continue;
+            } else if (!onlyAsText(path.string(), real)) {
+                unplain = unplain || fs::exists(status);
+                continue;
+            }
+            const bool allowed =
+                std::any_of(folders.begin(), folders.end(), [&](const std::string& f) { return liesUnder(real, f); });
+            if (allowed) return real;
+            outside = true;
+        }
+    }
+    if (outside) return Error{Code::ImportOutside, written + " lies outside the project and the folders that are searched"};
+    if (unplain) return Error{Code::FileUnreadable, written + " is not a plain file"};
+    if (loop) return Error{Code::FileUnreadable, written + " is a link that leads back to itself"};
+    std::string places;
+    for (const std::string& root : folders) places += (places.empty() ? "" : ", ") + shownPath(root);
+    std::replace(places.begin(), places.end(), '\n', ' ');
+    return Error{Code::ImportNotFound, written + " is not found; looked in " + places};
+}
+
+std::vector<std::string> FileSearch::nearest(std::string written, const std::string& folder) const {
+    normalise(written);
+    const fs::path wanted(written);
+    std::vector<std::string> names;
+    for (const std::string& root : roots(folder)) {
+        std::error_code ec;
+        const fs::path place = (fs::path(root) / wanted).parent_path();
+        int looked = 0;
+        for (fs::directory_iterator it(place, ec), end; !ec && it != end && ++looked < kMaxEntries; it.increment(ec)) {
+            std::error_code status;
+            if (it->is_regular_file(status)) names.push_back(it->path().filename().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::vector<std::string> near = nearestWords(wanted.filename().string(), names);
+    const std::string before = written.substr(0, written.size() - wanted.filename().string().size());
+    for (std::string& name : near) name = before + name;
+    return near;
+}
+
+Result<std::string> readFile(const std::string& path, std::size_t most, const std::string& shown) {
+    const std::string& name = shown.empty() ? path : shown;
+    std::error_code ec;
+    const fs::file_status status = fs::status(path, ec);
+    if (isLoop(ec)) return Error{Code::FileUnreadable, name + " is a link that leads back to itself"};
+    if (!fs::exists(status)) return Error{Code::FileUnreadable, name + " does not exist"};
+    if (fs::is_directory(status)) return Error{Code::FileUnreadable, name + " is a folder"};
+    if (!fs::is_regular_file(status)) return Error{Code::FileUnreadable, name + " is not a plain file"};
+    const std::uintmax_t size = fs::file_size(path, ec);
+    if (!ec && size > most) return Error{Code::TooLarge, name + " is too large: an experiment may hold 64 MiB of text"};
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return Error{Code::FileUnreadable, name + " cannot be opened"};
+    std::string bytes;
+    if (!ec) bytes.reserve(static_cast<std::size_t>(size));
+    char buffer[65536];
+    while (file.read(buffer, sizeof buffer), file.gcount() > 0) {
+        bytes.append(buffer, static_cast<std::size_t>(file.gcount()));
+        if (bytes.size() > most) return Error{Code::TooLarge, name + " is too large: an experiment may hold 64 MiB of text"};
+    }
+    if (file.bad()) return Error{Code::FileUnreadable, name + " cannot be read"};
+    return bytes;
+}
+
+} // namespace trundle

@@ -1,0 +1,290 @@
+// Needs: a load. Gives: every reference by name. Walks the blocks as written, with imports expanded in place, and looks up each
+// name in the same scopes as the resolver: the top-level name spaces, the config, and the visible Params.
+#include "project/objects/name_references.h"
+
+#include <deque>
+#include <set>
+
+#include "project/objects/name_scope.h"
+#include "project/objects/object_location.h"
+
+namespace trundle {
+
+namespace {
+
+bool hasWildcard(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
+
+/// A word of a value and its source range.
+struct ValueWord {
+    std::string_view text;
+    SourceRange range;
+
+    [[nodiscard]] ValueWord piece(std::size_t begin, std::size_t length) const {
+        const auto from = range.range.begin + static_cast<std::uint32_t>(begin);
+        return {text.substr(begin, length), {range.file, {from, from + static_cast<std::uint32_t>(length)}}};
+    }
+};
+
+class ReferenceSearch {
+public:
+    explicit ReferenceSearch(const LoadedProject& loaded)
+        : m_loaded(loaded), m_outline(*loaded.outline), m_texts(m_outline.texts()) {}
+
+    std::vector<NameReference> run() {
+        for (const auto& part : m_outline.parts)
+            if (isPlaced(*part))
+                if (const Part* config = configOf(m_loaded, *part)) m_instances[config].push_back(part.get());
+        m_globals = NameScope(m_texts, m_texts.trees[0]->items(), 0, nullptr);
+        values(m_texts.trees[0]->items(), 0, {nullptr, m_outline.registry().find("settings"), nullptr, nullptr}, m_globals);
+        for (const auto& part : m_outline.parts) visit(*part, nullptr, m_globals);
+        return std::move(m_found);
+    }
+
+private:
+    /// The block whose values are searched.
+    struct ValueContext {
+        const Part* user = nullptr;
+        const Kind* kind = nullptr;
+        const Part* config = nullptr;   ///< the config that its references are resolved in
+        const Part* instance = nullptr; ///< set if the block is an instance
+    };
+
+    void visit(const Part& part, const Part* config, const NameScope& outer) {
+        const NameScope scope(m_texts, part.block->items, part.file, &outer, part.is(Role::Config) ? &part : nullptr);
+        const bool placed = isPlaced(part);
+        if (part.is(Role::Config)) config = &part;
+        if (placed) config = configOf(m_loaded, part);
+        values(part.block->items, part.file, {&part, part.kind, config, placed ? &part : nullptr}, scope);
+        if (part.is(Role::Controller) && config) defaults(part, *config);
+        for (const Part& inner : part.parts) visit(inner, config, scope);
+        if (part.parts.empty()) raw(part.block->items, part.file, part, config, scope); // invalid blocks have no parts
+    }
+
+    /// Searches blocks that are not in the outline; their references count too.
+    void raw(const std::vector<Item>& items, FileId file, const Part& user, const Part* config, const NameScope& outer) {
+        for (const Item& item : items) {
+            const auto* block = item.as<BlockItem>();
+            if (!block) continue;
+            const NameScope scope(m_texts, block->items, file, &outer);
+            values(block->items, file, {&user, m_outline.registry().find(block->type.text), config, nullptr}, scope);
+            raw(block->items, file, user, config, scope);
+        }
+    }
+
+    void values(const std::vector<Item>& items, FileId file, const ValueContext& place, const NameScope& scope) {
+        eachItem(m_texts, items, file, [&](const Item& item, FileId in) {
+            if (const auto* param = item.as<ParamItem>()) params(param->value, in, place.user, param->name.text, scope);
+            const auto* a = item.as<AssignmentItem>();
+            if (!a || a->path.empty()) return;
+            const std::string key(m_texts.slice(in, a->pathRange));
+            params(a->value, in, place.user, key, scope);
+            if (const Property* property = propertyOf(*a, in, place, key)) {
+                const bool reference = property->type == PropertyType::Reference;
+                if (reference || property->type == PropertyType::Text) words(*property, a->value, in, place, key, scope);
+            }
+        });
+    }
+
+    /// The property that an assignment sets; also adds references for the names in an override's path.
+    const Property* propertyOf(const AssignmentItem& a, FileId file, const ValueContext& place, const std::string& key) {
+        const Property* own = a.path.size() == 1 && place.kind ? place.kind->find(a.path[0].text) : nullptr;
+        if (own || !place.instance || !place.config) return own;
+        if (a.path.size() == 1) {
+            if (const SourceParam* param = place.config->param(a.path[0].text))
+                m_found.push_back({nullptr, declarationOf(*param), {file, a.path[0].range}, {}, place.user, key, false});
+            return param(place, a) ? nullptr : place.config->kind->find(a.path[0].text);
+        }
+        const Part* at = place.config;
+        SourceRange before;
+        for (std::size_t i = 0; i + 1 < a.path.size(); ++i) {
+            at = at->find(a.path[i].text);
+            if (!at) return nullptr;
+            m_found.push_back({at->block, nullptr, {file, a.path[i].range}, before, place.user, key, false});
+            before = {file, a.path[i].range};
+        }
+        return at->kind ? at->kind->find(a.path.back().text) : nullptr;
+    }
+    static bool param(const ValueContext& place, const AssignmentItem& a) { return place.config->param(a.path[0].text); }
+
+    /// Finds the ParamItem whose member `name` is param.name.
+    const ParamItem* declarationOf(const SourceParam& param) {
+        const ParamItem* found = nullptr;
+        const auto look = [&](const auto& self, const std::vector<Item>& items) -> void {
+            for (const Item& item : items) {
+                if (const auto* p = item.as<ParamItem>(); p && &p->name == param.name) found = p;
+                if (const auto* block = item.as<BlockItem>()) self(self, block->items);
+                if (found) return;
+            }
+        };
+        const auto [it, fresh] = m_declarations.try_emplace(param.name, nullptr);
+        if (fresh) {
+            look(look, m_texts.trees[param.file]->items());
+            it->second = found;
+        }
+        return it->second;
+    }
+
+    /// Adds references for every `$name` and every name in a `$( )`.
+    void params(const Value& value, FileId file, const Part* user, const std::string& key, const NameScope& scope) {
+        if (m_texts.commandLine(file)) return;
+        for (const Element& e : value.elements) {
+            if (e.kind == Element::Kind::ParamRef) {
+                const ParamItem* item = scope.find(e.text).item;
+                if (item) m_found.push_back({nullptr, item, {file, {e.range.begin + 1, e.range.end}}, {}, user, key, false});
+            }
+            if (e.expression) names(*e.expression, file, user, key, scope);
+        }
+    }
+    void names(const Expression& e, FileId file, const Part* user, const std::string& key, const NameScope& scope) {
+        if (e.op == Expression::Op::Name) {
+            if (const ParamItem* item = scope.find(e.name).item)
+                m_found.push_back({nullptr, item, {file, e.range}, {}, user, key, false});
+        }
+        for (const Expression& argument : e.arguments) names(argument, file, user, key, scope);
+    }
+
+    /// Adds references for the words of a value, also those given through Params.
+    void words(const Property& property, const Value& value, FileId file, const ValueContext& place, const std::string& key,
+               const NameScope& scope) {
+        std::set<const Value*> seen;
+        follow(property, value, file, place, key, scope, seen);
+    }
+    void follow(const Property& property, const Value& value, FileId file, const ValueContext& place, const std::string& key,
+                const NameScope& scope, std::set<const Value*>& seen) {
+        if (!seen.insert(&value).second || seen.size() > 1000) return;
+        for (const Element& e : value.elements) {
+            if (e.kind == Element::Kind::Word) word(property, {e.text, {file, e.range}}, place, key);
+            if (e.kind == Element::Kind::String && e.range.size() == e.text.size() + 2) // only strings without escapes
+                word(property, {e.text, {file, {e.range.begin + 1, e.range.end - 1}}}, place, key);
+            if (e.kind != Element::Kind::ParamRef) continue;
+            const NameScope::Declaration d = scope.find(e.text);
+            if (!d.item) continue;
+            follow(property, d.item->value, d.file, place, key, *d.scope, seen);
+            const auto users = m_instances.find(d.scope->config());
+            if (users == m_instances.end()) continue;
+            for (const Part* instance : users->second) {
+                const SourceAssignment* preset = instance->assignments.find(e.text);
+                if (!preset || (instance->kind && instance->kind->find(e.text))) continue;
+                const NameScope own(m_texts, instance->block->items, instance->file, &m_globals);
+                follow(property, *preset->value, preset->file, place, key, own, seen);
+            }
+        }
+    }
+
+    void word(const Property& property, const ValueWord& said, const ValueContext& place, const std::string& key) {
+        if (said.text.empty() || m_texts.commandLine(said.range.file)) return;
+        if (place.kind && namesWorld(*place.kind, property)) return world(said, place, key);
+        if (property.type == PropertyType::Text) {
+            if (!place.kind || place.kind->role != Role::Controller || !place.config) return;
+            const Part* part = place.config->find(said.text);
+            if (part && part->is(Role::Device)) add(*part, said.range, {}, place, key);
+            return;
+        }
+        bool local = property.choices.empty();
+        for (const std::string& choice : property.choices) {
+            const Kind* kind = m_outline.registry().find(choice);
+            const NameSpace* space = kind ? m_outline.spaceOf(*kind) : nullptr;
+            local = local || !space;
+            const Part* part = space ? space->find(said.text) : nullptr;
+            if (part) return add(*part, said.range, {}, place, key);
+        }
+        if (!local || !place.config) return;
+        const std::size_t dot = said.text.find('.');
+        const ValueWord first = said.piece(0, std::min(dot, said.text.size()));
+        const Part* part = place.config->find(first.text);
+        if (!part) return;
+        add(*part, first.range, {}, place, key);
+        if (dot == std::string_view::npos) return;
+        const ValueWord second = said.piece(dot + 1, said.text.size() - dot - 1);
+        if (const Part* inner = part->find(second.text)) add(*inner, second.range, first.range, place, key);
+    }
+
+    /// A path into the world: "robot0", "swarm_*", "robot0/leftEncoder/count".
+    void world(const ValueWord& said, const ValueContext& place, const std::string& key) {
+        const std::size_t slash = std::min(said.text.find('/'), said.text.size());
+        const ValueWord first = said.piece(0, slash);
+        std::vector<const Part*> meant;
+        if (const Part* part = m_outline.world.find(first.text)) {
+            add(*part, first.range, {}, place, key);
+            meant = {part};
+        } else if (const std::size_t bar = first.text.rfind('_');
+                   bar != std::string_view::npos &&
+                   first.text.find_first_not_of("0123456789*?", bar + 1) == std::string_view::npos) {
+            const Part* layout = m_outline.world.find(first.text.substr(0, bar));
+            if (layout && layout->is(Role::Layout)) {
+                add(*layout, first.piece(0, bar).range, {}, place, key);
+                meant = {layout};
+            }
+        }
+        if (meant.empty() && hasWildcard(first.text)) {
+            for (const Part* part : m_outline.world.all())
+                if (isPlaced(*part) && fitsPattern(first.text, part->is(Role::Layout) ? part->name + "_0" : part->name))
+                    meant.push_back(part);
+        }
+        if (slash < said.text.size()) signal(said, slash + 1, meant, place, key);
+    }
+
+    /// The second word of a signal path: a body, joint or device, or the robot's controller.
+    void signal(const ValueWord& said, std::size_t from, const std::vector<const Part*>& meant, const ValueContext& place,
+                const std::string& key) {
+        const std::size_t end = std::min(said.text.find('/', from), said.text.size());
+        const ValueWord second = said.piece(from, end - from);
+        std::set<const BlockItem*> named;
+        for (const Part* instance : meant) {
+            const Part* config = configOf(m_loaded, *instance);
+            const Part* part = config ? config->find(second.text) : nullptr;
+            if (!part) part = instance->find(second.text);
+            if (part && named.insert(part->block).second) add(*part, second.range, {}, place, key, meant.size() > 1);
+        }
+    }
+
+    /// Adds references for text properties of a controller whose default is the name of a device.
+    void defaults(const Part& controller, const Part& config) {
+        for (const Property& p : controller.kind->properties) {
+            if (p.type != PropertyType::Text || !p.defaultValue || p.defaultValue->texts.size() != 1) continue;
+            if (controller.assignments.find(p.name)) continue;
+            const Part* part = config.find(p.defaultValue->texts[0]);
+            if (part && part->is(Role::Device)) m_found.push_back({part->block, nullptr, {}, {}, &controller, p.name, false});
+        }
+    }
+
+    void add(const Part& target, SourceRange name, SourceRange before, const ValueContext& place, const std::string& key,
+             bool pattern = false) {
+        m_found.push_back({target.block, nullptr, name, before, place.user, key, pattern});
+    }
+
+    const LoadedProject& m_loaded;
+    const Outline& m_outline;
+    const TextSet& m_texts;
+    NameScope m_globals;
+    std::unordered_map<const Part*, std::vector<const Part*>> m_instances; ///< by config
+    std::unordered_map<const Name*, const ParamItem*> m_declarations;
+    std::vector<NameReference> m_found;
+};
+
+} // namespace
+
+std::vector<NameReference> referencesIn(const LoadedProject& loaded) { return ReferenceSearch(loaded).run(); }
+
+bool fitsPattern(std::string_view pattern, std::string_view name) {
+    std::vector<bool> fits(name.size() + 1, false); // whether the pattern so far matches the first i characters
+    fits[0] = true;
+    for (const char c : pattern) {
+        if (c == '*') {
+            for (std::size_t i = 1; i < fits.size(); ++i) fits[i] = fits[i] || fits[i - 1];
+            continue;
+        }
+        for (std::size_t i = fits.size(); i-- > 1;) fits[i] = fits[i - 1] && (c == '?' || c == name[i - 1]);
+        fits[0] = false;
+    }
+    return fits.back();
+}
+
+bool namesWorld(const Kind& kind, const Property& property) {
+    if (kind.role != Role::Log && kind.role != Role::Look) return false;
+    static const char* const names[] = {"Robot", "Robots", "Signal", "Signals", "Camera", "View"};
+    return (property.type == PropertyType::Text || property.type == PropertyType::Reference) &&
+           std::find(std::begin(names), std::end(names), property.name) != std::end(names);
+}
+
+} // namespace trundle

@@ -1,0 +1,118 @@
+#include "project/objects/object_location.h"
+
+#include "model/provenance.h"
+
+namespace trundle {
+
+namespace {
+
+/// The words between the dots; empty if one of them is missing.
+std::vector<std::string> wordsOf(std::string_view path) {
+    std::vector<std::string> words;
+    for (;;) {
+        const std::size_t dot = path.find('.');
+        if (path.substr(0, dot).empty()) return {};
+        words.emplace_back(path.substr(0, dot));
+        if (dot == std::string_view::npos) return words;
+        path.remove_prefix(dot + 1);
+    }
+}
+
+bool isMember(const LoadedProject& loaded, std::string_view name) {
+    const std::vector<RobotSpec>& robots = loaded.experiment->robots;
+    return std::any_of(robots.begin(), robots.end(), [&](const RobotSpec& robot) { return robot.name == name; });
+}
+
+/// Descends by name; false if a name is not found.
+bool descend(ObjectLocation& place, const Part& from, std::span<const std::string> words) {
+    const Part* at = &from;
+    std::vector<const Part*> above;
+    for (const std::string& word : words) {
+        const Part* next = at->find(word);
+        if (!next) return false;
+        above.push_back(at);
+        at = next;
+    }
+    place.part = at;
+    place.above = std::move(above);
+    return true;
+}
+
+/// Finds the top-level block that a path begins with; returns the number of words it takes.
+std::size_t findTop(const LoadedProject& loaded, const std::vector<std::string>& words, ObjectLocation& place) {
+    const Outline& outline = *loaded.outline;
+    if ((place.part = outline.world.find(words[0]))) return 1;
+    const Kind* kind = words.size() > 1 ? outline.registry().find(words[0]) : nullptr;
+    const NameSpace* space = kind ? outline.spaceOf(*kind) : nullptr;
+    const Part* part = space ? space->find(words[1]) : nullptr;
+    if (part && part->kind == kind) {
+        place.part = part;
+        return 2;
+    }
+    place.part = layoutOfMember(outline, words[0]);
+    place.member = place.part && isMember(loaded, words[0]);
+    if (!place.member) place.part = nullptr;
+    return 1;
+}
+
+/// The innermost part below `part` that contains the offset, as a chain of parts that can be reached by name.
+void deepest(const Part& part, FileId file, std::uint32_t offset, std::vector<const Part*>& chain,
+             std::vector<const Part*>& best) {
+    const bool here = part.range.file == file;
+    if (here && !part.range.range.contains(offset)) return;
+    chain.push_back(&part);
+    if (here && chain.size() > best.size()) best = chain;
+    for (const Part& inner : part.parts)
+        if (!inner.name.empty() && part.find(inner.name) == &inner) deepest(inner, file, offset, chain, best);
+    chain.pop_back();
+}
+
+} // namespace
+
+const Part* configOf(const LoadedProject& loaded, const Part& instance) { return configOf(*loaded.outline, instance); }
+
+std::optional<ObjectLocation> placeOf(const LoadedProject& loaded, std::string_view path) {
+    ObjectLocation place;
+    if (path.empty()) return place;
+    const std::vector<std::string> words = wordsOf(path);
+    if (words.empty()) return std::nullopt;
+    const std::size_t used = findTop(loaded, words, place);
+    if (!place.part) return std::nullopt;
+    const std::span<const std::string> rest = std::span(words).subspan(used);
+    const Part& top = *place.part;
+    if (!isPlaced(top)) return descend(place, top, rest) ? std::optional(place) : std::nullopt;
+    place.instance = &top;
+    for (const std::string& word : rest) place.within += (place.within.empty() ? "" : ".") + word;
+    if (descend(place, top, rest)) return place;
+    const Part* config = configOf(loaded, top);
+    if (!config || !descend(place, *config, rest)) return std::nullopt;
+    return place;
+}
+
+std::string pathOf(const LoadedProject& loaded, const std::vector<const Part*>& chain) {
+    if (chain.empty() || !chain[0]->kind) return {};
+    const NameSpace* space = loaded.outline->spaceOf(*chain[0]->kind);
+    if (!space || space->find(chain[0]->name) != chain[0]) return {};
+    std::string path = space == &loaded.outline->world ? chain[0]->name : chain[0]->kind->name + "." + chain[0]->name;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        if (chain[i]->name.empty() || chain[i - 1]->find(chain[i]->name) != chain[i]) return {};
+        path += "." + chain[i]->name;
+    }
+    return path;
+}
+
+std::string objectAt(const LoadedProject& loaded, FileId file, std::uint32_t offset) {
+    std::vector<const Part*> chain, best;
+    for (const auto& part : loaded.outline->parts)
+        if (!pathOf(loaded, {part.get()}).empty()) deepest(*part, file, offset, chain, best);
+    return pathOf(loaded, best);
+}
+
+SourceRange blockOf(const LoadedProject& loaded, std::string_view path) {
+    const std::optional<ObjectLocation> place = placeOf(loaded, path);
+    if (!place) return {};
+    if (place->part) return place->part->range;
+    return {0, {0, static_cast<std::uint32_t>(loaded.trees[0]->source().bytes().size())}};
+}
+
+} // namespace trundle

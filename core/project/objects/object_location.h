@@ -1,0 +1,37 @@
+#pragma once
+// Maps dotted paths to blocks and back. Paths begin in the world ("robot0.chassis.hull", "arena.north", "swarm", "poseLog") or
+// with a kind ("Material.red", "RobotConfig.SimpleRobot.leftAxle"); "" is the experiment.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "project/loading/project.h"
+
+namespace trundle {
+
+struct ObjectLocation {
+    const Part* part = nullptr;     ///< its block; for an object reached through an instance, the block in the config
+    const Part* instance = nullptr; ///< the Robot, Static, Grid or Scatter that it is or is reached through
+    std::string within;             ///< path below the instance: "chassis.hull"; empty: the instance itself, or no instance
+    bool member = false;            ///< a member of a Grid or Scatter ("swarm_3"), which has no text of its own
+    std::vector<const Part*> above; ///< the enclosing blocks of `part`, outermost first; empty: it is at the top level
+};
+
+/// Whether a block is a Robot, Static, Grid or Scatter.
+[[nodiscard]] inline bool isPlaced(const Part& part) { return part.is(Role::Instance) || part.is(Role::Layout); }
+
+/// Nothing if the path does not lead to an object ("" gives a location without a part).
+[[nodiscard]] std::optional<ObjectLocation> placeOf(const LoadedProject& loaded, std::string_view path);
+/// The path of the innermost object whose block contains an offset of a file; "" outside all blocks. Parts of a config have paths
+/// like "RobotConfig.SimpleRobot...", never through an instance.
+[[nodiscard]] std::string objectAt(const LoadedProject& loaded, FileId file, std::uint32_t offset);
+/// The source range of an object's block. The whole opened file for "".
+[[nodiscard]] SourceRange blockOf(const LoadedProject& loaded, std::string_view path);
+/// The path of a part as declared, from the chain of blocks from the top level down to it; "" if it cannot be reached by name.
+[[nodiscard]] std::string pathOf(const LoadedProject& loaded, const std::vector<const Part*>& chain);
+/// The config that an instance names, also through a Param; nullptr if there is none.
+[[nodiscard]] const Part* configOf(const LoadedProject& loaded, const Part& instance);
+
+} // namespace trundle

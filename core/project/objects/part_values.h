@@ -1,0 +1,29 @@
+#pragma once
+// Values of properties at an object, and numbers formatted for the text.
+
+#include <optional>
+#include <string>
+
+#include <trundle/geometry.h>
+
+#include "project/objects/object_location.h"
+
+namespace trundle {
+
+/// The value of a property, with the Params and overrides of the instance that the object is reached through; the default if none
+/// is given. Nothing if there is no value or it is invalid.
+[[nodiscard]] std::optional<PropertyValue> valueAt(const LoadedProject& loaded, const ObjectLocation& place,
+                                                   const std::string& key);
+/// The value as written in a file: numbers in the property's unit, quotes where needed.
+[[nodiscard]] std::string valueText(const Property& property, const PropertyValue& value);
+/// With the fewest digits that represent the number to 1e-10.
+[[nodiscard]] std::string shortNumber(double value);
+
+/// Pose of a body, geom or instance relative to its parent, from Pos and HPR.
+[[nodiscard]] Pose poseAt(const LoadedProject& loaded, const ObjectLocation& place);
+/// A position (m) as text: "0.1,0,0.05".
+[[nodiscard]] std::string positionText(const Vec3& position);
+/// HPR in degrees as text.
+[[nodiscard]] std::string headingText(const Quat& rotation);
+
+} // namespace trundle
