@@ -10,12 +10,12 @@
 #include "cli/manual.h"
 #include "cli/messages.h"
 #include "cli/run_guard.h"
-#include "crash/exit_hook.h"
 #include "cli/standard_streams.h"
 #include "cli/subcommands.h"
 #include "cli/usage_json.h"
 #include "control/kinds_json.h"
 #include "control/module_store.h"
+#include "crash/exit_hook.h"
 
 namespace trundle {
 namespace {

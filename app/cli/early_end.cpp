@@ -6,8 +6,8 @@
 
 #include "base/codes.h"
 #include "cli/exit_code.h"
-#include "crash/signal_text.h"
 #include "cli/standard_streams.h"
+#include "crash/signal_text.h"
 
 namespace trundle {
 namespace {
@@ -60,7 +60,10 @@ void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) 
     out.add(", \"kind\": ").addJson(target ? target->kind.c_str() : nullptr);
     const CallTarget* owner = target ? target : end.cause.threadOf;
     out.add(", \"module\": ").addJson(owner ? owner->module.c_str() : nullptr);
-    const char* during = target ? facts.calls->doing() : !end.cause.onRunsThread ? "thread" : isInSolver(facts.calls) ? "solver" : nullptr;
+    const char* during = target                    ? facts.calls->doing()
+                         : !end.cause.onRunsThread ? "thread"
+                         : isInSolver(facts.calls) ? "solver"
+                                                   : nullptr;
     out.add(", \"during\": ").addJson(during);
     if (end.kind == EarlyEndKind::NotResponding && isInSolver(facts.calls)) {
         out.add(", \"contacts\": ").add(static_cast<std::uint64_t>(facts.calls->clusterContacts()));

@@ -134,7 +134,8 @@ bool RunCommand::checkStart() {
     printDiagnostics(all, m_report.sources);
     m_report.diagnostics.insert(m_report.diagnostics.end(), all.begin(), all.end());
     if (!found.hasErrors()) return true; // the last error is the reason why the run ended
-    std::fprintf(stderr, "%s: not run, the check before it found %s\n", cleanLine(m_arguments.file).c_str(), countText(all).c_str());
+    std::fprintf(stderr, "%s: not run, the check before it found %s\n", cleanLine(m_arguments.file).c_str(),
+                 countText(all).c_str());
     return false;
 }
 

@@ -151,7 +151,8 @@ void unwatchSignals() {
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, SIG_DFL, 0);
     for (const int signal : kCrashSignals) {
         struct sigaction now = {};
-        if (sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) && now.sa_sigaction == &onCrash) setHandler(signal, SIG_DFL, 0);
+        if (sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) && now.sa_sigaction == &onCrash)
+            setHandler(signal, SIG_DFL, 0);
     }
 }
 

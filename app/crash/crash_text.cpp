@@ -60,8 +60,9 @@ void addCrash(MessageBuilder& words, const CrashedRun& run, const CrashCause& ca
         words << ", in ";
         return addThread(words, cause);
     }
-    words << (isInSolver(run.calls) ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
-                                    : "; the fault is the program's own, or damage that code of a module did before");
+    words << (isInSolver(run.calls)
+                  ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
+                  : "; the fault is the program's own, or damage that code of a module did before");
 }
 
 void addExit(MessageBuilder& words, const CrashedRun& run, const CrashCause& cause) {

@@ -16,8 +16,8 @@ struct CrashedRun {
 };
 
 struct CrashCause {
-    int signal = 0;           ///< 0: an exit()
-    bool onRunsThread = true; ///< false: a thread started by module code, or a worker thread of the program
+    int signal = 0;                       ///< 0: an exit()
+    bool onRunsThread = true;             ///< false: a thread started by module code, or a worker thread of the program
     const CallTarget* threadOf = nullptr; ///< in another thread: the module it executes; nullptr: unknown
 };
 

@@ -75,8 +75,7 @@ void report(const Found& what) {
     SignalText out(STDERR_FILENO);
     MessageBuilder words(out, false);
     words << s_program << ": ";
-    if (what.cause.signal == 0 && !what.isOfModule())
-        words << "ended from within, by code of a module or as the display is gone";
+    if (what.cause.signal == 0 && !what.isOfModule()) words << "ended from within, by code of a module or as the display is gone";
     else if (what.cause.signal == 0) addExit(words, what.run, what.cause);
     else if (what.run.calls) addCrash(words, what.run, what.cause);
     else

@@ -126,7 +126,8 @@ std::uintptr_t addressOf(void* code) { return reinterpret_cast<std::uintptr_t>(c
 const ThreadOrigin& originOfThread() noexcept { return t_origin; }
 
 void provideSignalStack() {
-    static thread_local const SignalStack* const s_stack = new SignalStack; // never deleted: exit() may crash after the destructors
+    static thread_local const SignalStack* const s_stack =
+        new SignalStack; // never deleted: exit() may crash after the destructors
     (void)s_stack;
 }
 

@@ -8,5 +8,5 @@ namespace trundle {
 
 } // namespace trundle
 
-#define TRUNDLE_ASSERT(condition) \
+#define TRUNDLE_ASSERT(condition)                                                                                                \
     (static_cast<bool>(condition) ? static_cast<void>(0) : ::trundle::assertionFailed(#condition, __FILE__, __LINE__))

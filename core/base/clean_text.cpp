@@ -36,8 +36,9 @@ bool isInvisible(std::uint32_t codePoint) {
 } // namespace
 
 bool isControl(std::uint32_t codePoint) {
-    return isInvisible(codePoint) || codePoint < 0x20 || (codePoint >= 0x7F && codePoint < 0xA0) || codePoint == 0x061C || codePoint == 0x200E ||
-           codePoint == 0x200F || (codePoint >= 0x2028 && codePoint <= 0x202E) || (codePoint >= 0x2066 && codePoint <= 0x2069);
+    return isInvisible(codePoint) || codePoint < 0x20 || (codePoint >= 0x7F && codePoint < 0xA0) || codePoint == 0x061C ||
+           codePoint == 0x200E || codePoint == 0x200F || (codePoint >= 0x2028 && codePoint <= 0x202E) ||
+           (codePoint >= 0x2066 && codePoint <= 0x2069);
 }
 
 std::string cleanText(std::string_view text) { return clean(text, '\n'); }

@@ -30,7 +30,8 @@ public:
         for (const JointSpec& joint : config.joints) {
             if (!(joint.stiffness > 0)) continue;
             const double inertia = inertiaOf(joint, config);
-            report(joint.nameRange, "the spring of " + joint.name + " in " + config.name, joint.stiffness, joint.damping, inertia);
+            report(joint.nameRange, "the spring of " + joint.name + " in " + config.name, joint.stiffness, joint.damping,
+                   inertia);
         }
         double mass = 0;
         std::set<std::uint32_t> surfaces;

@@ -16,12 +16,12 @@ namespace trundle {
 
 namespace {
 
-constexpr double kLeastDepth = 1e-3;               // m
-constexpr double kLeastShare = 0.02;               // of the smaller object's width
-constexpr double kMargin = 1e-4;                   // m, clearance after a fix
-constexpr double kLevel = 0.7;                     // cosine of the steepest slope that counts as ground
-constexpr int kRounds = 60;                        // iterations of the search for a move out of several contacts
-constexpr std::size_t kMaxTriangles = 50'000'000;  // limit on triangles tested for robots inside meshes
+constexpr double kLeastDepth = 1e-3;              // m
+constexpr double kLeastShare = 0.02;              // of the smaller object's width
+constexpr double kMargin = 1e-4;                  // m, clearance after a fix
+constexpr double kLevel = 0.7;                    // cosine of the steepest slope that counts as ground
+constexpr int kRounds = 60;                       // iterations of the search for a move out of several contacts
+constexpr std::size_t kMaxTriangles = 50'000'000; // limit on triangles tested for robots inside meshes
 
 /// A robot and what it overlaps: another robot or a Static.
 struct Pair {

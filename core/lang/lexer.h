@@ -67,14 +67,14 @@ private:
     std::size_t m_at = 0;
     std::vector<Token> m_tokens;
     LexerState m_state = LexerState::Structure;
-    int m_parens = 0;                  ///< open parentheses of an expression; 0 outside
+    int m_parens = 0;                               ///< open parentheses of an expression; 0 outside
     static constexpr std::size_t kMaxTrivia = 1000; ///< consecutive trivia tokens; further comment lines become one token
-    std::size_t m_trivia = 0;          ///< trivia tokens since the last significant token
-    std::size_t m_continuedAt = 0;     ///< in an expression: offset of the token after the trivia
-    bool m_firstOnLine = true;         ///< only blanks and comments precede on this line
-    bool m_sameLine = false;           ///< the last element is on this line
-    TokenKind m_last = TokenKind::End; ///< last token that is not trivia
-    bool m_numbers = false;            ///< the last element was a number
+    std::size_t m_trivia = 0;                       ///< trivia tokens since the last significant token
+    std::size_t m_continuedAt = 0;                  ///< in an expression: offset of the token after the trivia
+    bool m_firstOnLine = true;                      ///< only blanks and comments precede on this line
+    bool m_sameLine = false;                        ///< the last element is on this line
+    TokenKind m_last = TokenKind::End;              ///< last token that is not trivia
+    bool m_numbers = false;                         ///< the last element was a number
 };
 
 } // namespace trundle

@@ -66,7 +66,8 @@ public:
         InstanceVariants::Params all;
         for (const SourceParam& param : config->params) {
             const std::string& name = param.name->text;
-            const auto set = std::find_if(given.params.begin(), given.params.end(), [&](const auto& p) { return p.first == name; });
+            const auto set =
+                std::find_if(given.params.begin(), given.params.end(), [&](const auto& p) { return p.first == name; });
             std::optional<GivenValue> value =
                 set != given.params.end() ? set->second : m_context.evaluator.evaluate(*param.value, param.valueFile, inner);
             if (value) all.emplace_back(name, std::move(*value));
@@ -305,7 +306,7 @@ private:
     std::map<std::string, std::shared_ptr<const RobotConfigSpec>> m_robots;
     std::map<std::string, std::shared_ptr<const std::vector<GeomSpec>>> m_statics;
     std::map<const Part*, std::size_t> m_sizes;
-    const Part* m_instance = nullptr; ///< whose config is being resolved
+    const Part* m_instance = nullptr;                   ///< whose config is being resolved
     const InstanceVariants::Params* m_params = nullptr; ///< values from outside; null: none
     double m_objects = 0;
     bool m_tooMany = false;

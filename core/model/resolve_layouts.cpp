@@ -55,8 +55,7 @@ std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Rec
     if ((nx > 1 && sx == 0) || (ny > 1 && sy == 0)) {
         const bool all = (nx == 1 || sx == 0) && (ny == 1 || sy == 0);
         context.diagnostics.warning(Code::OutOfRange, record.rangeOf("Spacing", part.nameRange()),
-                                    (all ? "all members of " : "members of ") + part.title() +
-                                        " are in one place: Spacing is 0");
+                                    (all ? "all members of " : "members of ") + part.title() + " are in one place: Spacing is 0");
     }
     std::vector<Pose> poses;
     poses.reserve(nx * ny);

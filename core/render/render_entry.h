@@ -25,15 +25,14 @@ struct RenderJob {
     double eye[3] = {0, 0, 0}, target[3] = {0, 0, 0}, up[3] = {0, 0, 1}; ///< m, world
     double fieldOfView = 0;                                              ///< rad, horizontal; 0: the default
     std::uint32_t width = 1280, height = 720;                            ///< up to 4096
-    const char* view = nullptr;   ///< name of a View block; overrides the view fields above
-    const char* camera = nullptr; ///< "robot0/eye": the image of that camera in its own size; overrides the view
+    const char* view = nullptr;              ///< name of a View block; overrides the view fields above
+    const char* camera = nullptr;            ///< "robot0/eye": the image of that camera in its own size; overrides the view
     LookChoice look = LookChoice::Automatic; ///< does not apply to camera images
     const char* outputPath = nullptr;        ///< .png, .jpg or .jpeg
-    bool onlyCheck = false; ///< draws nothing; checks the camera, the view and the extension
-    char* error = nullptr;  ///< receives one line, NUL-terminated; may be null
+    bool onlyCheck = false;                  ///< draws nothing; checks the camera, the view and the extension
+    char* error = nullptr;                   ///< receives one line, NUL-terminated; may be null
     std::size_t errorSize = 0;
-    const std::function<void(const std::string&)>* warn =
-        nullptr; ///< called with a one-line warning for the user
+    const std::function<void(const std::string&)>* warn = nullptr; ///< called with a one-line warning for the user
 };
 
 } // namespace trundle

@@ -4,8 +4,8 @@
 #include <map>
 #include <memory>
 
-#include "render/platform/egl_context.h"
 #include "render/look_choice.h"
+#include "render/platform/egl_context.h"
 #include "render/requests.h"
 #include "render/target.h"
 

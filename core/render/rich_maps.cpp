@@ -3,8 +3,8 @@
 #include <osg/GLExtensions>
 #include <osg/Geometry>
 
-#include "scene/queries/sun_fit.h"
 #include "scene/nodes/surroundings.h"
+#include "scene/queries/sun_fit.h"
 
 namespace trundle {
 namespace {

@@ -7,8 +7,8 @@
 namespace trundle {
 namespace {
 
-constexpr double kLeastNear = 0.01, kMaxNear = 2.0, kFar = 8000;  // m
-constexpr GLenum kDataFormat = 0x8814;                            // four 32-bit floats per pixel
+constexpr double kLeastNear = 0.01, kMaxNear = 2.0, kFar = 8000; // m
+constexpr GLenum kDataFormat = 0x8814;                           // four 32-bit floats per pixel
 
 constexpr float kDataDetail = 16;  // the flat faces of a coarse sphere would falsify its depth
 constexpr std::size_t kValues = 4; // values read per pixel

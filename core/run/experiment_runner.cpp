@@ -65,11 +65,15 @@ void ExperimentRunner::warnOfPassages(const SweepReport& report) {
     const double tick = experiment().settings.tick;
     for (; m_reportedPassages < report.passed.size(); ++m_reportedPassages) {
         const auto& [first, second] = report.passed[m_reportedPassages];
-        m_warnings.push_back({Severity::Warning, Code::PassedThrough,
-                              "at t = " + numberText(tickTime(m_world->ticks(), tick)) + " s " + first + " passed through " + second +
-                                  ": fast bodies stop at the scenery, but not at each other. A Tick below " + numberText(tick) +
-                                  " s or larger bodies help",
-                              {}, {}, {}, {}});
+        m_warnings.push_back({Severity::Warning,
+                              Code::PassedThrough,
+                              "at t = " + numberText(tickTime(m_world->ticks(), tick)) + " s " + first + " passed through " +
+                                  second + ": fast bodies stop at the scenery, but not at each other. A Tick below " +
+                                  numberText(tick) + " s or larger bodies help",
+                              {},
+                              {},
+                              {},
+                              {}});
     }
 }
 
@@ -122,8 +126,7 @@ void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnost
             report(backend.error(), spec);
             continue;
         }
-        m_controllers.push_back({i, std::move(backend).value(),
-                                 Schedule(spec.number("UpdatePeriod"), experiment().settings.tick),
+        m_controllers.push_back({i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick),
                                  m_options.calls->add(targetOf(robots[i], i))});
         const MonitoredCall call(*m_options.calls, m_controllers.back().target, "setup");
         const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outputsFor(robots[i]));

@@ -89,7 +89,7 @@ private:
     std::optional<RunFinish> m_finishAsked, m_finish; // requested in the current tick; set after that tick
     Schedule m_reportsDropped;                        // once per second
     std::string m_rows;
-    std::size_t m_pictures = 0;       // number of saved pictures
+    std::size_t m_pictures = 0;           // number of saved pictures
     std::set<std::string> m_reportedLost; // log name and cause of left-out pictures, already reported
     std::size_t m_reportedPassages = 0;
     bool m_reportedCluster = false, m_reportedNoPictures = false, m_reportedLostPicture = false;

@@ -11,8 +11,8 @@ class FrameLog final : public Log {
 public:
     FrameLog(std::string name, const FrameLogSettings& settings)
         : m_name(std::move(name)), m_pictureOptions{settings.camera.value_or(""), settings.view.value_or(""),
-                                          static_cast<std::uint32_t>(settings.size[0]),
-                                          static_cast<std::uint32_t>(settings.size[1])},
+                                                    static_cast<std::uint32_t>(settings.size[0]),
+                                                    static_cast<std::uint32_t>(settings.size[1])},
           m_ending(settings.format) {}
 
     void usePictures(PictureSaver save) override { m_save = std::move(save); }

@@ -25,7 +25,8 @@ LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared
             });
     } catch (const std::system_error&) {
         LiveEnd end;
-        end.failure = Diagnostic{Severity::Error, Code::SystemRefused, "the system has no thread left for the run", {}, {}, {}, {}};
+        end.failure =
+            Diagnostic{Severity::Error, Code::SystemRefused, "the system has no thread left for the run", {}, {}, {}, {}};
         m_shared->end = std::move(end);
         m_shared->phase = LivePhase::Ended;
         m_shared->gone = true;
@@ -184,7 +185,8 @@ double LiveRun::busyS() const {
 
 std::optional<std::size_t> LiveRun::turn() const {
     const CallTarget* target = m_shared->calls->target();
-    return target && target->controllerOf != CallTarget::kNoRobot ? std::optional<std::size_t>(target->controllerOf) : std::nullopt;
+    return target && target->controllerOf != CallTarget::kNoRobot ? std::optional<std::size_t>(target->controllerOf)
+                                                                  : std::nullopt;
 }
 
 } // namespace trundle

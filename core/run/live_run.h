@@ -42,9 +42,9 @@ public:
 
     void run();
     void pause();
-    void step(std::uint64_t ticks = 1); ///< executes ticks, then pauses
-    void stop();                        ///< permanently, after the current tick
-    void setSpeed(double factor);       ///< simulated s per s; 0: as fast as possible
+    void step(std::uint64_t ticks = 1);   ///< executes ticks, then pauses
+    void stop();                          ///< permanently, after the current tick
+    void setSpeed(double factor);         ///< simulated s per s; 0: as fast as possible
     void setContactsEnabled(bool wanted); ///< for future snapshots; a paused run makes a new snapshot
     void setRadioEnabled(bool wanted);    ///< effective from the next tick
     /// Applies to the coming tick. Of several commands for one tick that push the same body, place the same robot or write the

@@ -17,8 +17,8 @@ using LiveClock = std::chrono::steady_clock;
 
 struct LiveRunShared {
     std::mutex lock;
-    std::condition_variable wake;   ///< the run thread waits here
-    std::condition_variable ends;   ///< others wait here for its end
+    std::condition_variable wake; ///< the run thread waits here
+    std::condition_variable ends; ///< others wait here for its end
 
     // requests
     bool stop = false, running = false, contacts = false, showAgain = false, canContinue = false;

@@ -75,7 +75,8 @@ void LiveObject::addRun() {
     constexpr auto whole = NumberScale::Kind::Whole;
     one("time", "Simulated.", NumberScale("s"), [](const LiveSnapshot& s) { return s.time; });
     one("ticks", "Done so far.", NumberScale("", whole), [](const LiveSnapshot& s) { return s.tick; });
-    one("contacts", "Points at which things touch.", NumberScale("", whole), [](const LiveSnapshot& s) { return s.contactCount; });
+    one("contacts", "Points at which things touch.", NumberScale("", whole),
+        [](const LiveSnapshot& s) { return s.contactCount; });
     one("real-time factor", "Simulated seconds per second.", NumberScale(""),
         [](const LiveSnapshot& s) { return s.realTimeFactor; });
     one("time per tick", "Of the processor, mean of the last ticks.", NumberScale("ms"),
@@ -127,7 +128,8 @@ void LiveObject::addSignals(const SignalLayout& layout, const std::string& prefi
         if (!entry.path.starts_with(prefix)) continue;
         const std::string name = entry.path.substr(prefix.size());
         const SignalDescription* described = kind ? named(kind->signals, name) : nullptr;
-        addSignal(entry, {name, entry.path, described ? described->help : "", {}, "", entry.direction == SignalDirection::Command});
+        addSignal(entry,
+                  {name, entry.path, described ? described->help : "", {}, "", entry.direction == SignalDirection::Command});
     }
 }
 
@@ -166,7 +168,8 @@ const std::vector<LiveValue>& LiveObject::read(const LiveSnapshot& snapshot) {
         value.unit = line.scale.unit();
         value.numbers.clear();
         for (const double number : m_numbers)
-            value.numbers.push_back(line.type == SignalType::Boolean ? (number != 0 ? "true" : "false") : line.scale.text(number));
+            value.numbers.push_back(line.type == SignalType::Boolean ? (number != 0 ? "true" : "false")
+                                                                     : line.scale.text(number));
         if (line.more) value.numbers.emplace_back("…");
     }
     return m_values;

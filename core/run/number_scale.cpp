@@ -58,7 +58,8 @@ std::string NumberScale::text(double value) const {
     std::snprintf(digits, sizeof digits, "%.*f", m_decimals, value * m_factor);
     const std::string_view written(digits);
     // "-0.00" is shown without the sign.
-    if (written.front() == '-' && written.find_first_not_of("-0.") == std::string_view::npos) return std::string(written.substr(1));
+    if (written.front() == '-' && written.find_first_not_of("-0.") == std::string_view::npos)
+        return std::string(written.substr(1));
     return std::string(written);
 }
 

@@ -27,7 +27,7 @@ struct RunOptions {
     std::function<void(double time, const std::string& robot, int severity, const std::string& text)> console;
     ImageSourceFactory pictures;        ///< none: cameras give no images
     std::shared_ptr<CallMonitor> calls; ///< for monitoring from other threads; created by the run if null
-    std::shared_ptr<void> keeps; ///< released after controllers and devices: the libraries with their code
+    std::shared_ptr<void> keeps;        ///< released after controllers and devices: the libraries with their code
 };
 
 /// The request of a controller that ended the run with finish().

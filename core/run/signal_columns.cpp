@@ -32,8 +32,7 @@ SignalShape shapeOf(const SignalEntry& entry) {
     return SignalShape::Plain;
 }
 
-SignalColumns::SignalColumns(const SignalEntry& entry)
-    : m_shape(shapeOf(entry)), m_offset(entry.offset), m_count(entry.count) {
+SignalColumns::SignalColumns(const SignalEntry& entry) : m_shape(shapeOf(entry)), m_offset(entry.offset), m_count(entry.count) {
     const auto add = [&](std::initializer_list<const char*> parts) {
         for (const char* part : parts) m_names.push_back(entry.path + "/" + part);
     };

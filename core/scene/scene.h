@@ -11,14 +11,14 @@
 #include <osg/MatrixTransform>
 
 #include "model/experiment_spec.h"
-#include "scene/shapes/bounds.h"
-#include "scene/queries/camera_view.h"
 #include "scene/nodes/masks.h"
+#include "scene/nodes/shape_store.h"
 #include "scene/overlay.h"
+#include "scene/queries/camera_view.h"
 #include "scene/queries/poses.h"
 #include "scene/scene_marks.h"
 #include "scene/shaders/scene_shading.h"
-#include "scene/nodes/shape_store.h"
+#include "scene/shapes/bounds.h"
 
 namespace trundle {
 

@@ -51,7 +51,7 @@ struct Fault {
 
 /// Bodies that move farther in a tick than they are thick.
 struct SweepReport {
-    std::uint64_t bodies = 0; ///< times ticks, whose paths were searched for scenery
+    std::uint64_t bodies = 0;                                ///< times ticks, whose paths were searched for scenery
     std::vector<std::pair<std::string, std::string>> passed; ///< geoms that passed through each other; once for two robots
 };
 

@@ -37,7 +37,8 @@ bool BuiltWorld::build(const DeviceCode& devices, Diagnostics& diagnostics) {
     const auto failed = [&] { return diagnostics.errorCount() > before; };
     if (!isBuildable(*m_experiment, diagnostics)) return false;
     const SettingsSpec& s = m_experiment->settings;
-    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, m_experiment->surfaces, m_calls.get()});
+    auto engine =
+        makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, m_experiment->surfaces, m_calls.get()});
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return false;

@@ -21,8 +21,8 @@ class SizeChoice;
 struct MovieDialogOptions {
     std::shared_ptr<const LoadedProject> text; ///< the experiment as in its current text
     std::shared_ptr<const LoadedProject> run;  ///< the running one; null: none
-    std::vector<Command> commands;      ///< commands given in that run
-    double runTime = 0;                 ///< s, simulated time of that run
+    std::vector<Command> commands;             ///< commands given in that run
+    double runTime = 0;                        ///< s, simulated time of that run
     /// Returns the viewport's moving camera for a movie of this size.
     std::function<MovingView(std::uint32_t width, std::uint32_t height)> view;
     PictureRequest look; ///< rendering options of the viewport

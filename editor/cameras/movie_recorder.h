@@ -20,9 +20,9 @@ using MovingView = std::function<CameraView(const BodyPoses& poses)>;
 
 struct MovieJob {
     std::shared_ptr<const LoadedProject> loaded; ///< the experiment to run
-    std::vector<Command> commands;        ///< commands given in the run that is repeated
-    double begin = 0, end = 0;            ///< simulated s
-    std::string camera;                   ///< "robot0/eye"; if empty, `view` and `look` are used:
+    std::vector<Command> commands;               ///< commands given in the run that is repeated
+    double begin = 0, end = 0;                   ///< simulated s
+    std::string camera;                          ///< "robot0/eye"; if empty, `view` and `look` are used:
     MovingView view;
     PictureRequest look; ///< size, overlays and hidden objects; scene, view and poses are ignored
     double framesPerSecond = 30;

@@ -5,8 +5,8 @@
 #include <QTimer>
 
 #include "editor/document/document_state.h"
-#include "project/loading/search.h"
 #include "project/journal/state_folder.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 
@@ -75,7 +75,8 @@ void Document::cancelOpening() {
 }
 
 Status Document::openNew(const std::string& name, const std::string& text) {
-    if (name.empty() || name.find('/') != std::string::npos) return Error{Code::EditRefused, "a new text needs a plain file name"};
+    if (name.empty() || name.find('/') != std::string::npos)
+        return Error{Code::EditRefused, "a new text needs a plain file name"};
     const std::string path = canonicalPath(userStateFolder() + "/new/" + name);
     OpenOptions options = m_options;
     options.shownFromProject = true;

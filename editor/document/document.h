@@ -16,8 +16,8 @@
 #include "base/text_edit.h"
 #include "editor/document/companions.h"
 #include "editor/document/history.h"
-#include "project/journal/journal.h"
 #include "project/edits/plans.h"
+#include "project/journal/journal.h"
 #include "project/loading/project.h"
 
 namespace trundle {
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] std::vector<std::string> files() const;
     [[nodiscard]] std::shared_ptr<const std::string> text(const std::string& file) const; ///< null if it is not of this project
     [[nodiscard]] bool isRemoved(const std::string& file) const; ///< an edit created it and was undone: the next save removes it
-    [[nodiscard]] Status addText(const std::string& file); ///< adds a file of the project's folder that nothing imports
+    [[nodiscard]] Status addText(const std::string& file);       ///< adds a file of the project's folder that nothing imports
     /// Loads another file of the project with the current texts.
     [[nodiscard]] Result<std::shared_ptr<const LoadedProject>> loadedFrom(const std::string& file) const;
     /// Path for display, relative to the project's folder.
@@ -146,9 +146,9 @@ Q_SIGNALS:
     void historyChanged();
     void modifiedChanged();
     void selectionRequested(const std::vector<std::string>& paths); ///< an edit created or renamed these
-    void refused(const QString& reason);                         ///< an edit was refused
-    void notice(const QString& text);                            ///< information for the user; no decision is needed
-    void diskChanged(const QString& file); ///< diskChanges() has one more; it is not saved until resolveDiskChange()
+    void refused(const QString& reason);                            ///< an edit was refused
+    void notice(const QString& text);                               ///< information for the user; no decision is needed
+    void diskChanged(const QString& file);       ///< diskChanges() has one more; it is not saved until resolveDiskChange()
     void readOnlyChanged(const QString& holder); ///< describes the window that has the project; empty: editable
 
 private:

@@ -75,7 +75,8 @@ Status Document::checkEditable() {
 Status Document::mayChange(const FileEdits& edits) const {
     for (const auto& [file, changes] : edits)
         if (!changes.empty() && isShippedFile(*m_loaded, file))
-            return Error{Code::FileUnwritable, shown(m_loaded->paths[file]) + " came with Trundle and is read-only; define your own in " +
+            return Error{Code::FileUnwritable, shown(m_loaded->paths[file]) +
+                                                   " came with Trundle and is read-only; define your own in " +
                                                    shown(m_state->opened) + " under another name and use that instead"};
     return {};
 }

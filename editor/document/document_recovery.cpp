@@ -9,8 +9,8 @@
 #include "editor/document/document_state.h"
 #include "editor/document/found_journals.h"
 #include "lang/line_merge.h"
-#include "project/loading/search.h"
 #include "project/journal/state_folder.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 namespace {

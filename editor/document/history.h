@@ -9,8 +9,8 @@
 
 #include <QString>
 
-#include "project/loading/text_overlay.h"
 #include "lang/text_splice.h"
+#include "project/loading/text_overlay.h"
 
 namespace trundle {
 

@@ -30,8 +30,7 @@ bool sharePlace(const std::map<std::string, std::vector<TextEdit>>& a, const std
     return std::ranges::any_of(a, [&](const auto& own) {
         const auto theirs = b.find(own.first);
         return theirs != b.end() && std::ranges::any_of(own.second, [&](const TextEdit& x) {
-                   return std::ranges::any_of(theirs->second,
-                                              [&](const TextEdit& y) { return x.range.range == y.range.range; });
+                   return std::ranges::any_of(theirs->second, [&](const TextEdit& y) { return x.range.range == y.range.range; });
                });
     });
 }
@@ -83,7 +82,9 @@ Status ProjectRename::apply(const QString& title, const std::string& name, bool 
     FilePlans all = byPath(loaded, own.value().edits);
     for (const auto& other : m_others) {
         const Result<FilePlans> plan = planOutside(*other, name);
-        if (!plan) return m_document.apply(title, Error{plan.error().code, m_document.shown(other->paths[0]) + ": " + plan.error().message});
+        if (!plan)
+            return m_document.apply(title,
+                                    Error{plan.error().code, m_document.shown(other->paths[0]) + ": " + plan.error().message});
         for (const auto& [file, edits] : plan.value())
             for (const TextEdit& edit : edits)
                 if (std::ranges::none_of(all[file], [&](const TextEdit& e) { return e.range.range == edit.range.range; }))

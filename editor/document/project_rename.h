@@ -8,8 +8,8 @@
 #include <QString>
 
 #include "base/result.h"
-#include "project/objects/config_users.h"
 #include "project/loading/project.h"
+#include "project/objects/config_users.h"
 
 namespace trundle {
 

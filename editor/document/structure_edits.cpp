@@ -10,8 +10,8 @@
 
 #include "editor/document/document.h"
 #include "editor/document/project_rename.h"
-#include "lang/tree_edit.h"
 #include "lang/text_splice.h"
+#include "lang/tree_edit.h"
 
 namespace trundle {
 
@@ -32,13 +32,13 @@ struct StructureEdits::PendingEdit {
     std::vector<std::string> paths;
     Plan plan;
     std::string mergeKey;
-    std::uint64_t revision = 0;                ///< of the document when `loaded` was taken
+    std::uint64_t revision = 0;                  ///< of the document when `loaded` was taken
     std::shared_ptr<const LoadedProject> loaded; ///< including the copies made so far
-    FileTexts texts;                           ///< texts that differ from the document's
-    std::map<std::string, std::string> copies; ///< path of a config -> path of its copy
-    std::set<std::string> decided;             ///< keys of configs that are changed themselves
-    std::set<std::string> changed;             ///< files that the plan changes; configs imported from them are copied too
-    std::function<Status()> applyWithoutCopies; ///< used instead of the plan if no text was changed for it; may be empty
+    FileTexts texts;                             ///< texts that differ from the document's
+    std::map<std::string, std::string> copies;   ///< path of a config -> path of its copy
+    std::set<std::string> decided;               ///< keys of configs that are changed themselves
+    std::set<std::string> changed;               ///< files that the plan changes; configs imported from them are copied too
+    std::function<Status()> applyWithoutCopies;  ///< used instead of the plan if no text was changed for it; may be empty
     QStringList notices;
     Status status;
     bool answered = false;

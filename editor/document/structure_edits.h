@@ -21,12 +21,12 @@ enum class ShareChoice { ChangeForAll, MakeCopy, Cancel };
 
 /// The question about a config that has several users.
 struct ShareQuestion {
-    QString config;            ///< "SimpleRobot"
-    QString file;              ///< that contains it, path for display
-    QString copyFile;          ///< where the copy would be written
-    QStringList users;         ///< files with instances of it, paths for display
-    QStringList copyFor;       ///< the instances that would use the copy: "robot0"
-    std::size_t instances = 0; ///< in the opened experiment
+    QString config;              ///< "SimpleRobot"
+    QString file;                ///< that contains it, path for display
+    QString copyFile;            ///< where the copy would be written
+    QStringList users;           ///< files with instances of it, paths for display
+    QStringList copyFor;         ///< the instances that would use the copy: "robot0"
+    std::size_t instances = 0;   ///< in the opened experiment
     bool copyIsForOpened = true; ///< copyFile is the opened file
 };
 
@@ -63,7 +63,8 @@ public:
 
 private:
     struct PendingEdit;
-    [[nodiscard]] std::shared_ptr<PendingEdit> startEdit(const QString& name, const std::vector<std::string>& paths, Plan plan) const;
+    [[nodiscard]] std::shared_ptr<PendingEdit> startEdit(const QString& name, const std::vector<std::string>& paths,
+                                                         Plan plan) const;
     Status renameEverywhere(const QString& name, const std::string& path, const std::string& to);
     Status advance(const std::shared_ptr<PendingEdit>& work);
     Status ask(const std::shared_ptr<PendingEdit>& work, const Part& config);

@@ -12,9 +12,9 @@
 
 #include "editor/outline/insert_positions.h"
 #include "lang/tree.h"
-#include "project/objects/name_references.h"
 #include "project/edits/plans.h"
 #include "project/loading/search.h"
+#include "project/objects/name_references.h"
 
 namespace trundle {
 namespace {

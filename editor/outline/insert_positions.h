@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "project/objects/object_location.h"
 #include "project/loading/project.h"
+#include "project/objects/object_location.h"
 #include "schema/allowed_parents.h"
 
 namespace trundle {

@@ -197,7 +197,8 @@ Status ObjectEdits::insertBlocks(const Blocks& blocks, const std::string& place,
         return plan;
     };
     const QString title = name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name;
-    return insertFree(title, near, [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
+    return insertFree(title, near,
+                      [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
 }
 
 Status ObjectEdits::insertFree(const QString& name, const std::optional<Vec3>& near,

@@ -120,7 +120,8 @@ QModelIndex OutlineModel::indexOfMember(const std::string& layout, const std::st
         QModelIndex next;
         for (const auto& child : nodeOf(at).children) {
             if (child->row.member && child->row.path == name) return indexOf(*child);
-            const bool holds = child->row.type == OutlineRow::Type::Members && child->row.first <= robot && robot < child->row.last;
+            const bool holds =
+                child->row.type == OutlineRow::Type::Members && child->row.first <= robot && robot < child->row.last;
             if (holds) next = indexOf(*child);
         }
         at = next;

@@ -5,8 +5,8 @@
 #include <unordered_set>
 
 #include "model/passive_objects.h"
-#include "project/objects/object_location.h"
 #include "project/loading/search.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {
@@ -324,7 +324,8 @@ void OutlineRows::name(OutlineRow& row, const Part& part, const OutlineRow& abov
 void OutlineRows::keep(Rows& rows, OutlineRow row, const OutlineRow& above) const {
     if (filtered()) {
         const bool grouped = row.type == OutlineRow::Type::Group || row.type == OutlineRow::Type::Members;
-        const bool says = !grouped && this->says(row.name, row.detail, row.part ? std::string_view(row.part->block->type.text) : "");
+        const bool says =
+            !grouped && this->says(row.name, row.detail, row.part ? std::string_view(row.part->block->type.text) : "");
         row.matches = above.matches || says;
         row.leadsToMatch = leads(row);
         if (!row.matches && !row.leadsToMatch) return;
@@ -342,7 +343,8 @@ bool OutlineRows::leads(const OutlineRow& row) const {
     switch (row.type) {
     case OutlineRow::Type::Object: {
         const auto members = row.member ? m_members.end() : m_members.find(row.part);
-        if (members != m_members.end() && leads(membersRow(row, members->second.first, members->second.second, true))) return true;
+        if (members != m_members.end() && leads(membersRow(row, members->second.first, members->second.second, true)))
+            return true;
         return leads(*row.part) || (row.config && leads(*row.config));
     }
     case OutlineRow::Type::Members: {

@@ -40,7 +40,7 @@ QToolButton* makeFilter(QWidget* parent, const char* name, const QIcon& icon, co
     return button;
 }
 
-constexpr int kColumnGap = 8; ///< pixels
+constexpr int kColumnGap = 8;   ///< pixels
 constexpr int kLeastPlace = 14; ///< characters of "controller.sim:12:34"; a longer place is elided if the messages need the room
 
 } // namespace
@@ -165,7 +165,8 @@ void ProblemsPanel::fitColumns() {
         return std::max(list.sizeHintForColumn(column), m_view->header()->sectionSizeHint(column)) + kColumnGap;
     };
     const int code = wanted(ProblemsModel::CodeColumn), room = std::max(m_view->viewport()->width() - code, 0);
-    const int least = metrics.averageCharWidth() * kLeastPlace + kColumnGap, whole = std::max(least, wanted(ProblemsModel::Place));
+    const int least = metrics.averageCharWidth() * kLeastPlace + kColumnGap,
+              whole = std::max(least, wanted(ProblemsModel::Place));
     const int message = wanted(ProblemsModel::Message) + m_view->indentation();
     const int place = std::clamp(room - message, least, whole);
     m_view->setColumnWidth(ProblemsModel::CodeColumn, code);
@@ -221,8 +222,8 @@ void ProblemsPanel::openMenu(const QPoint& place) {
     if (m_model->placeAt(index).known())
         connect(menu->addAction(tr("Go there")), &QAction::triggered, this, [this, kept] { go(kept); });
     if (const Fix* fix = m_model->fixAt(index))
-        connect(menu->addAction(tr("Fix: %1").arg(withoutMnemonics(QString::fromStdString(fix->title)))), &QAction::triggered, this,
-                [this, kept] { applyFix(kept); });
+        connect(menu->addAction(tr("Fix: %1").arg(withoutMnemonics(QString::fromStdString(fix->title)))), &QAction::triggered,
+                this, [this, kept] { applyFix(kept); });
     const QString line = QStringLiteral("%1 %2 %3")
                              .arg(m_model->index(index.row(), ProblemsModel::Place, index.parent()).data().toString(),
                                   QString::fromStdString(codeName(d->code)), QString::fromStdString(d->message));

@@ -36,7 +36,8 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
     const Outline& outline = *loaded.outline;
     std::vector<std::string> found;
     if (!choices.empty())
-        for (const NameSpace* space : {&outline.materials, &outline.surfaces, &outline.patterns, &outline.configs, &outline.world})
+        for (const NameSpace* space :
+             {&outline.materials, &outline.surfaces, &outline.patterns, &outline.configs, &outline.world})
             for (const Part* part : space->all())
                 if (fits(*part, choices)) found.push_back(part->name);
     if (config) addInside(*config, choices, wantsGeom(*loaded.registry, choices), found);

@@ -65,8 +65,8 @@ void showLine(ValueField& field, const Row& row) {
     field.setReadOnly(row.isLong());
     const SourceRange& place = row.first().place;
     if (row.isLong())
-        field.setPlaceholderText(QObject::tr("%1 long; edit it in the text")
-                                     .arg(QLocale().formattedDataSize(place.range.end - place.range.begin)));
+        field.setPlaceholderText(
+            QObject::tr("%1 long; edit it in the text").arg(QLocale().formattedDataSize(place.range.end - place.range.begin)));
     else if (!row.mixed() && row.first().text.empty()) field.setPlaceholderText(QObject::tr("not set"));
 }
 

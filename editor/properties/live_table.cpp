@@ -17,7 +17,7 @@ namespace trundle {
 namespace {
 
 enum LiveColumn { kName, kNow, kUnit, kLiveColumns };
-constexpr int kNumberWidth = 8;   // "-123.456"; longer numbers are rare
+constexpr int kNumberWidth = 8; // "-123.456"; longer numbers are rare
 constexpr int kSingleWidth = 14;
 
 /// Pads the numbers of a line so that they stay in the same columns at every tick.

@@ -38,8 +38,8 @@ struct FieldValue {
     std::optional<PropertyValue> value; ///< evaluated; nothing if not set or invalid
     std::string shown;                  ///< of a formula: its evaluated value for display
     std::string separator = ",";        ///< between elements, as in the file
-    std::string config, inherited;  ///< of an override: the config's name, and its value there with unit; empty: none
-    std::vector<std::string> parts; ///< of a formula: the evaluated value of each element, if their numbers match
+    std::string config, inherited;      ///< of an override: the config's name, and its value there with unit; empty: none
+    std::vector<std::string> parts;     ///< of a formula: the evaluated value of each element, if their numbers match
 
     [[nodiscard]] bool given() const { return origin != ValueOrigin::Default; }
     [[nodiscard]] std::string element(std::size_t i) const;

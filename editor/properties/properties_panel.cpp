@@ -187,8 +187,7 @@ QString PropertiesPanel::liveHint() const {
     if (!m_session->liveValues(path).empty()) return {};
     const auto place = placeOf(*m_document.loaded(), path);
     if (!place || !place->part) return {};
-    if (place->part->is(Role::Layout) && !place->member)
-        return tr("Click one of its members in the 3D view to see its values.");
+    if (place->part->is(Role::Layout) && !place->member) return tr("Click one of its members in the 3D view to see its values.");
     if (place->instance && !m_session->isOfRun(path.substr(0, path.find('.'))))
         return tr("Not in this run: new or renamed since it started.");
     return {};

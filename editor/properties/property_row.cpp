@@ -1,5 +1,5 @@
-#include "editor/properties/editor_for_kind.h"
 #include "editor/properties/property_row.h"
+#include "editor/properties/editor_for_kind.h"
 
 #include <algorithm>
 

@@ -34,7 +34,7 @@ struct Row {
     [[nodiscard]] const Property* property() const { return values.front().property; }
     [[nodiscard]] bool mixed() const;
     [[nodiscard]] bool mixedElement(std::size_t i) const;
-    [[nodiscard]] bool given() const; ///< set for at least one object
+    [[nodiscard]] bool given() const;  ///< set for at least one object
     [[nodiscard]] bool isLong() const; ///< a value is too long to be shown; it can only be reset
     [[nodiscard]] EditorKind editor() const;
     /// Number of fields if the row edits single numbers.

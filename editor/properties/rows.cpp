@@ -14,8 +14,8 @@
 #include "editor/properties/sections.h"
 #include "editor/properties/value_text.h"
 #include "editor/running/session.h"
-#include "project/objects/name_references.h"
 #include "project/edits/plans.h"
+#include "project/objects/name_references.h"
 
 namespace trundle {
 namespace {
@@ -135,9 +135,9 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
         edits.push_back({v.path, std::move(wanted)});
     }
     const QString what =
-        values.size() == 1
-            ? shortName(values[0].path)
-            : QObject::tr("%1 of %2 objects").arg(text(values[0].path.substr(values[0].path.rfind('.') + 1)), QString::number(values.size()));
+        values.size() == 1 ? shortName(values[0].path)
+                           : QObject::tr("%1 of %2 objects")
+                                 .arg(text(values[0].path.substr(values[0].path.rfind('.') + 1)), QString::number(values.size()));
     if (!resets.empty()) {
         if (const Result<EditPlan> plan = planReset(*document.loaded(), resets); !plan) return plan.error(); // shown in the row
         const bool copies =

@@ -173,7 +173,8 @@ QRect ValueField::textRect() const {
 }
 
 int ValueField::wholeWidth() const {
-    return fontMetrics().horizontalAdvance(m_mixed ? placeholderText() : m_value) + 1 + width() - textRect().width(); // 1: the cursor
+    return fontMetrics().horizontalAdvance(m_mixed ? placeholderText() : m_value) + 1 + width() -
+           textRect().width(); // 1: the cursor
 }
 
 bool ValueField::isElided() const {

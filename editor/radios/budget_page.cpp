@@ -38,7 +38,8 @@ QString directionText(const AntennaPose& antenna, const AntennaPose& other) {
                          : azimuth > 0              ? BudgetPage::tr("%1° left").arg(azimuth)
                                                     : BudgetPage::tr("%1° right").arg(-azimuth);
     if (elevation == 0) return side;
-    return (elevation > 0 ? BudgetPage::tr("%1, %2° up") : BudgetPage::tr("%1, %2° down")).arg(side, QString::number(std::abs(elevation)));
+    return (elevation > 0 ? BudgetPage::tr("%1, %2° up") : BudgetPage::tr("%1, %2° down"))
+        .arg(side, QString::number(std::abs(elevation)));
 }
 
 QString pathText(const MediumSettings& medium, double distance) {

@@ -14,9 +14,9 @@ namespace trundle {
 
 /// Which frames are shown.
 struct PacketFilter {
-    QString from, to;          ///< paths of radios; empty: any
+    QString from, to;                         ///< paths of radios; empty: any
     std::bitset<kReceptionOutcomes> outcomes; ///< none: any
-    QString text;              ///< in a name, an address or the payload (as hex or characters); case-insensitive
+    QString text;                             ///< in a name, an address or the payload (as hex or characters); case-insensitive
     bool operator==(const PacketFilter&) const = default;
 };
 

@@ -114,7 +114,9 @@ void PacketsPage::makeView() {
     m_view = makeLineTable("radioFrames", m_model, LineFont::Interface);
     m_view->setAccessibleName(tr("Packets"));
     const QFontMetrics metrics(m_view->font());
-    const auto widthOf = [&](const char* text) { return metrics.horizontalAdvance(QLatin1String(text)) + 24; }; // and the padding of cells
+    const auto widthOf = [&](const char* text) {
+        return metrics.horizontalAdvance(QLatin1String(text)) + 24;
+    }; // and the padding of cells
     const std::pair<int, const char*> widths[] = {
         {PacketModel::Time, "1234.567890"}, {PacketModel::From, "motes_1000"},      {PacketModel::To, "motes_1000"},
         {PacketModel::For, "motes_10"},     {PacketModel::Channel, "26"},           {PacketModel::Bytes, "Bytes"},

@@ -177,7 +177,8 @@ std::string writtenFor(const std::string& library, const LoadedProject& loaded, 
     const std::string plain = (path.parent_path() / stem).generic_string();
     const std::string own = loaded.paths.empty() ? std::string() : fs::path(loaded.paths[0]).parent_path().string();
     if (const auto below = pathBelow(plain, std::array{places.modules, own})) return *below;
-    if (!own.empty() && pathBelow(plain, std::array{loaded.projectFolder})) { // relative to the opened file, as modules are resolved
+    if (!own.empty() &&
+        pathBelow(plain, std::array{loaded.projectFolder})) { // relative to the opened file, as modules are resolved
         const fs::path there = fs::path(canonicalPath(path.parent_path().string())) / stem;
         return there.lexically_relative(canonicalPath(own)).generic_string();
     }

@@ -199,8 +199,8 @@ void ControllersPanel::loadByDialog() {
 void ControllersPanel::showRecent() {
     m_recent->clear();
     for (const QString& library : ControllerCommands::recent()) {
-        QAction* action =
-            m_recent->addAction(withoutMnemonics(QFileInfo(library).fileName()), this, [this, library] { m_commands->load(library); });
+        QAction* action = m_recent->addAction(withoutMnemonics(QFileInfo(library).fileName()), this,
+                                              [this, library] { m_commands->load(library); });
         action->setToolTip(library);
     }
     if (m_recent->isEmpty()) m_recent->addAction(tr("No module was loaded yet"))->setEnabled(false);

@@ -130,11 +130,11 @@ public Q_SLOTS:
 Q_SIGNALS:
     void stateChanged();
     void speedChanged();
-    void refusalChanged();    ///< the document changed: refusal() may differ
-    void advanced();          ///< new poses; at most about 60 times a second
-    void valuesChanged();     ///< liveValues() may differ: at most 10 times a second, and once more when the run stops
-    void experimentChanged(); ///< experiment() returns another object: built, changed live or ended
-    void waitingChanged();    ///< needsReset() or the waiting edits changed
+    void refusalChanged();       ///< the document changed: refusal() may differ
+    void advanced();             ///< new poses; at most about 60 times a second
+    void valuesChanged();        ///< liveValues() may differ: at most 10 times a second, and once more when the run stops
+    void experimentChanged();    ///< experiment() returns another object: built, changed live or ended
+    void waitingChanged();       ///< needsReset() or the waiting edits changed
     void notRespondingChanged(); ///< notRespondingText() changed
     void logsAtChanged();
     void problemsChanged();

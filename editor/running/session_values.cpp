@@ -13,10 +13,11 @@ const std::vector<LiveValue>& RunSession::liveValues(const std::string& path) co
 QString RunSession::liveTip(const std::string& path) const {
     QString rows;
     for (const LiveValue& value : liveValues(path))
-        rows += QStringLiteral("<tr><td style='color:%1'>%2&nbsp;&nbsp;</td><td align='right' style='font-family:\"%3\"'>%4</td>"
-                               "<td>&nbsp;%5</td></tr>")
-                    .arg(ink(Ink::Faint).name(), QString::fromStdString(value.name).toHtmlEscaped(), monospaceFont().family(),
-                         QString::fromStdString(value.text()).toHtmlEscaped(), QString::fromStdString(value.unit).toHtmlEscaped());
+        rows +=
+            QStringLiteral("<tr><td style='color:%1'>%2&nbsp;&nbsp;</td><td align='right' style='font-family:\"%3\"'>%4</td>"
+                           "<td>&nbsp;%5</td></tr>")
+                .arg(ink(Ink::Faint).name(), QString::fromStdString(value.name).toHtmlEscaped(), monospaceFont().family(),
+                     QString::fromStdString(value.text()).toHtmlEscaped(), QString::fromStdString(value.unit).toHtmlEscaped());
     return rows.isEmpty() ? rows : QStringLiteral("<table cellspacing='0' cellpadding='0'>") + rows + QStringLiteral("</table>");
 }
 

@@ -163,7 +163,8 @@ void TransportBar::showRefusal() {
     if (m_session.state() == RunState::Start && open) why = m_session.refusal();
     else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);
     else if (m_session.canResume() && m_session.needsReset())
-        why = tr("At its Duration, and the edits of %1 wait for a reset. F5 begins again with them; F10 runs one tick without them.")
+        why = tr("At its Duration, and the edits of %1 wait for a reset. F5 begins again with them; F10 runs one tick without "
+                 "them.")
                   .arg(m_session.waitingText());
     else if (m_session.canResume())
         why = tr("At its Duration. F5 resumes past it, F10 runs one tick; Shift+F5 resets to the start.");

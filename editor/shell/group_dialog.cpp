@@ -33,8 +33,9 @@ void askForGroup(QWidget* parent, Document& document, const std::vector<std::str
     dialog->setWindowTitle(trGroup("Group into Piece"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     auto* layout = new QVBoxLayout(dialog);
-    auto* words = new QLabel(paths.size() == 1 ? trGroup("The selected object becomes a piece that can be placed again.")
-                                               : trGroup("The %1 selected objects become one piece that can be placed again.").arg(paths.size()));
+    auto* words = new QLabel(
+        paths.size() == 1 ? trGroup("The selected object becomes a piece that can be placed again.")
+                          : trGroup("The %1 selected objects become one piece that can be placed again.").arg(paths.size()));
     auto* line = new QLineEdit(QString::fromStdString(name));
     line->setObjectName(QStringLiteral("groupName"));
     line->setAccessibleName(trGroup("Name of the piece"));
@@ -47,7 +48,8 @@ void askForGroup(QWidget* parent, Document& document, const std::vector<std::str
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     QPushButton* group = buttons->addButton(trGroup("Group"), QDialogButtonBox::AcceptRole);
     group->setDefault(true);
-    for (QWidget* widget : {static_cast<QWidget*>(words), static_cast<QWidget*>(line), static_cast<QWidget*>(file), static_cast<QWidget*>(buttons)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(words), static_cast<QWidget*>(line), static_cast<QWidget*>(file), static_cast<QWidget*>(buttons)})
         layout->addWidget(widget);
     const auto planned = [&document, line, paths, shippedConfigs] {
         return planGroup(*document.loaded(), paths, line->text().trimmed().toStdString(), shippedConfigs);

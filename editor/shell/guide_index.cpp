@@ -15,7 +15,8 @@ QString headingAnchor(const QString& heading) {
 }
 
 GuideIndex::GuideIndex(const QString& folder) {
-    static const QRegularExpression heading(QStringLiteral("^#+ (.*)$")), kinds(QStringLiteral("^<!-- (?:kinds|words): (.*) -->$"));
+    static const QRegularExpression heading(QStringLiteral("^#+ (.*)$")),
+        kinds(QStringLiteral("^<!-- (?:kinds|words): (.*) -->$"));
     const QDir guide(folder);
     for (const QString& page : guide.entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name)) {
         QFile file(guide.filePath(page));

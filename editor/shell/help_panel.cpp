@@ -29,9 +29,7 @@ HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent), m_index(guideFolde
     showKind(nullptr);
 }
 
-void HelpPanel::showKind(const Kind* kind) {
-    showPlace(kind ? m_index.placeOf(*kind) : QString());
-}
+void HelpPanel::showKind(const Kind* kind) { showPlace(kind ? m_index.placeOf(*kind) : QString()); }
 
 void HelpPanel::showConstruct(const QString& word) { showPlace(m_index.placeOf(word)); }
 

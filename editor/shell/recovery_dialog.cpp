@@ -13,8 +13,8 @@
 #include <QVBoxLayout>
 
 #include "editor/shell/line_diff.h"
-#include "editor/widgets/plain_text.h"
 #include "editor/widgets/controls.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -70,7 +70,8 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
                 : shownLine(r.head.name);
         const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(r.time), QLocale::ShortFormat);
         const std::size_t files = r.files.size();
-        m_list->addItem(files == 1 ? tr("%1, %2").arg(name, when) : tr("%1, %2, %3 files").arg(name, when, QString::number(files)));
+        m_list->addItem(files == 1 ? tr("%1, %2").arg(name, when)
+                                   : tr("%1, %2, %3 files").arg(name, when, QString::number(files)));
     }
     m_list->setCurrentRow(0);
 }

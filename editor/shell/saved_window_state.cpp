@@ -8,8 +8,8 @@
 #include <QSettings>
 
 #include "editor/viewport/overlays/pinned_values.h"
-#include "project/objects/object_location.h"
 #include "project/journal/state_folder.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {

@@ -32,16 +32,17 @@ QString copyButtonText(const ShareQuestion& question) {
     const auto some = question.copyFor.size();
     if (some == 1 && question.instances > 1) return tr("Make a copy for %1").arg(shortName(question.copyFor.front()));
     if (some > 0 && std::size_t(some) < question.instances) return tr("Make a copy for these %1").arg(some);
-    return question.copyIsForOpened ? tr("Make a copy for this experiment") : tr("Make a copy for %1").arg(shortName(question.copyFile));
+    return question.copyIsForOpened ? tr("Make a copy for this experiment")
+                                    : tr("Make a copy for %1").arg(shortName(question.copyFile));
 }
 
 } // namespace
 
 void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
-    auto* box =
-        new QMessageBox(QMessageBox::Question, tr("Shared config"),
-                        tr("This changes the structure of %1, which is defined in %2.").arg(shortName(question.config), question.file),
-                        QMessageBox::Cancel, parent);
+    auto* box = new QMessageBox(
+        QMessageBox::Question, tr("Shared config"),
+        tr("This changes the structure of %1, which is defined in %2.").arg(shortName(question.config), question.file),
+        QMessageBox::Cancel, parent);
     box->setObjectName(QStringLiteral("shareQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     const bool one = question.copyFor.size() == 1;
@@ -50,14 +51,15 @@ void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const 
     QString more = question.users.isEmpty()
                        ? QString()
                        : tr("Used by %1.").arg(listed(question.users, kMaxUsersNamed)) + QStringLiteral("\n\n");
-    more += question.copyFor.isEmpty() ? tr("A copy goes into %1.").arg(question.copyFile)
-            : one ? tr("A copy goes into %1, and %2 uses it from then on.").arg(question.copyFile, shortName(question.copyFor.front()))
-                  : tr("A copy goes into %1, and %2 use it from then on.")
-                        .arg(question.copyFile, listed(names, kMaxUsersNamed));
+    more +=
+        question.copyFor.isEmpty() ? tr("A copy goes into %1.").arg(question.copyFile)
+        : one
+            ? tr("A copy goes into %1, and %2 uses it from then on.").arg(question.copyFile, shortName(question.copyFor.front()))
+            : tr("A copy goes into %1, and %2 use it from then on.").arg(question.copyFile, listed(names, kMaxUsersNamed));
     box->setInformativeText(more + QLatin1Char(' ') +
                             tr("The choice applies to %1 until this window closes.").arg(shortName(question.config)));
-    QPushButton* all =
-        box->addButton(tr("Change %1 for all (%2)").arg(shortName(question.config), dependentsOf(question)), QMessageBox::AcceptRole);
+    QPushButton* all = box->addButton(tr("Change %1 for all (%2)").arg(shortName(question.config), dependentsOf(question)),
+                                      QMessageBox::AcceptRole);
     all->setObjectName(QStringLiteral("changeForAll"));
     QPushButton* copy = box->addButton(copyButtonText(question), QMessageBox::AcceptRole);
     copy->setObjectName(QStringLiteral("makeCopy"));

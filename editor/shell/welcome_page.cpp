@@ -33,7 +33,8 @@ public:
 
     /// So high that all its words can be read.
     [[nodiscard]] int heightAt(int width) const {
-        const QRect words = fontMetrics().boundingRect(QRect(0, 0, width - 2 * kMargin, 10000), Qt::TextWordWrap, m_sample.description);
+        const QRect words =
+            fontMetrics().boundingRect(QRect(0, 0, width - 2 * kMargin, 10000), Qt::TextWordWrap, m_sample.description);
         return descriptionTop(width) + words.height() + 10;
     }
 

@@ -76,7 +76,7 @@ void CodeEdit::setPlain(bool plain) {
                                         static_cast<long>(plain ? SC_DOCUMENTOPTION_STYLES_NONE : SC_DOCUMENTOPTION_DEFAULT));
     SendScintilla(SCI_SETDOCPOINTER, 0UL, document);
     SendScintilla(SCI_RELEASEDOCUMENT, 0UL, document); // the widget holds its own reference
-    setUtf8(true); // a setting of the document, not of the widget
+    setUtf8(true);                                     // a setting of the document, not of the widget
     SendScintilla(SCI_SETUNDOCOLLECTION, 0UL);
     setWays(m_lineEnd, m_step);
     fitWrap();

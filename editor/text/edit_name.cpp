@@ -12,7 +12,8 @@ namespace {
 /// The changed text, shortened to one line; empty if it is blank.
 QString inShort(const std::string& text) {
     constexpr int kLongest = 24;
-    const QString words = QString::fromUtf8(text.data(), static_cast<qsizetype>(std::min<std::size_t>(text.size(), 4 * kLongest))).simplified();
+    const QString words =
+        QString::fromUtf8(text.data(), static_cast<qsizetype>(std::min<std::size_t>(text.size(), 4 * kLongest))).simplified();
     return words.size() > kLongest ? words.left(kLongest).trimmed() + QStringLiteral("…") : words;
 }
 

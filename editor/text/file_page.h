@@ -56,8 +56,8 @@ public:
     void endWord(const QString& name = {});
 
 Q_SIGNALS:
-    void typed();                    ///< text is pending
-    void flushed();                  ///< nothing is pending
+    void typed();                         ///< text is pending
+    void flushed();                       ///< nothing is pending
     void textReplaced(std::uint32_t end); ///< the text was changed by others, for example undo; `end`: end of the last change
 
 private:
@@ -73,15 +73,15 @@ private:
     LargeTextNotice* m_notice = nullptr; ///< created for the first text that is too large
     TypingMerger m_typing;
     std::shared_ptr<const std::string> m_base; ///< the document's text that the editor's text is based on
-    std::string m_wordKey, m_wordBase; ///< merge key of the current history entry, and the text before it
+    std::string m_wordKey, m_wordBase;         ///< merge key of the current history entry, and the text before it
     std::vector<Diagnostic> m_problems;
     std::shared_ptr<const ModelProblems> m_modelProblems;
     QTimer m_timer;
     int m_cost = 0; ///< ms that the last flush took
     QElapsedTimer m_sinceFlush;
     bool m_flushing = false;
-    bool m_shown = true;    ///< the editor has the text
-    bool m_asText = false;  ///< the user chose to show it despite its size
+    bool m_shown = true;     ///< the editor has the text
+    bool m_asText = false;   ///< the user chose to show it despite its size
     TextRange m_selectLater; ///< pending select(), until the text is shown
 };
 

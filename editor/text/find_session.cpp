@@ -138,12 +138,11 @@ void FindSession::list() {
                                      ? *other->second
                                      : loaded.trees[static_cast<std::size_t>(path - loaded.paths.begin())]->source();
         const std::uint32_t line = text.position(found.match.range.begin).line;
-        rows.push_back(
-            {found.file, m_document.shown(found.file), line, found.match.range, std::string(text.line(line)), false});
+        rows.push_back({found.file, m_document.shown(found.file), line, found.match.range, std::string(text.line(line)), false});
     }
     QString title = m_found.empty() ? tr("Nothing found in the project")
-                                    : files == 1 ? tr("%1 found in one file").arg(m_found.size())
-                                                  : tr("%1 found in %2 files").arg(m_found.size()).arg(files);
+                    : files == 1    ? tr("%1 found in one file").arg(m_found.size())
+                                    : tr("%1 found in %2 files").arg(m_found.size()).arg(files);
     if (m_found.size() > kMaxListed) title += tr("; the first %1 are listed").arg(kMaxListed);
     if (m_project.left() > 0) title += tr("; %n larger file(s) not searched", nullptr, static_cast<int>(m_project.left()));
     m_list.showRows(title, std::move(rows));
@@ -250,7 +249,8 @@ void FindSession::replaceAll() {
     FileTexts texts;
     for (const auto& [file, matches] : byFile) {
         const auto other = m_others.find(file);
-        const std::string_view before = other != m_others.end() ? other->second->bytes() : std::string_view(*m_document.text(file));
+        const std::string_view before =
+            other != m_others.end() ? other->second->bytes() : std::string_view(*m_document.text(file));
         const std::string lineEnd = lineEndOf(before);
         std::string after;
         std::size_t at = 0;

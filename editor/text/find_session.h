@@ -51,7 +51,7 @@ private:
     ProjectTexts m_project;
     std::map<std::string, std::shared_ptr<const SourceText>> m_others; ///< texts with matches that the experiment does not load
     std::vector<FileMatches> m_found;                                  ///< by file and offset
-    std::string m_fromFile;     ///< file of the caret when the search began
+    std::string m_fromFile;                                            ///< file of the caret when the search began
     std::uint32_t m_from = 0;
 };
 

@@ -20,8 +20,8 @@ inline constexpr std::size_t kLongestShownLine = std::size_t(256) << 10; // byte
 
 struct TextSize {
     std::size_t bytes = 0;
-    std::size_t longestLine = 0;  ///< bytes
-    std::uint32_t longestAt = 1;  ///< line number
+    std::size_t longestLine = 0; ///< bytes
+    std::uint32_t longestAt = 1; ///< line number
     [[nodiscard]] bool isLarge() const { return bytes > kLargestFullText; }
     [[nodiscard]] bool isShowable() const { return longestLine <= kLongestShownLine; }
 };

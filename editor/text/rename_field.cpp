@@ -12,7 +12,8 @@
 
 namespace trundle {
 
-RenameField::RenameField(QWidget* viewport) : QFrame(viewport), m_name(new QLineEdit(this)), m_others(new QCheckBox(this)), m_error(new QLabel(this)) {
+RenameField::RenameField(QWidget* viewport)
+    : QFrame(viewport), m_name(new QLineEdit(this)), m_others(new QCheckBox(this)), m_error(new QLabel(this)) {
     setObjectName(QStringLiteral("renameField"));
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);

@@ -25,7 +25,7 @@ public:
         bool given = false;
     };
     void showRows(const QString& title, std::vector<Row> rows);
-    void setCurrent(int row); ///< an invalid row clears the selection; emits nothing
+    void setCurrent(int row);                      ///< an invalid row clears the selection; emits nothing
     [[nodiscard]] QSize sizeHint() const override; ///< a few rows: the text above needs the room
     [[nodiscard]] const std::vector<Row>& rows() const { return m_rows; }
 

@@ -14,9 +14,9 @@ struct TextLocation {
     std::uint32_t offset = 0;
     std::vector<const BlockItem*> blocks; ///< outermost first; empty: the top level
     std::vector<const Part*>
-        parts; ///< parts of `blocks`, and of the blocks that import the file; may be fewer in a text with errors
-    const Item* item = nullptr;     ///< innermost one that contains or touches the offset
-    const Kind* kind = nullptr;     ///< of the innermost block, or the settings; nullptr: unknown kind
+        parts;                  ///< parts of `blocks`, and of the blocks that import the file; may be fewer in a text with errors
+    const Item* item = nullptr; ///< innermost one that contains or touches the offset
+    const Kind* kind = nullptr; ///< of the innermost block, or the settings; nullptr: unknown kind
     const Part* config = nullptr;   ///< the config in which references are resolved here
     const Part* instance = nullptr; ///< the innermost block if it is a Robot, Static, Grid or Scatter
 

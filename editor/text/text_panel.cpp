@@ -84,8 +84,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     connect(m_uses, &ResultsList::chosen, this, &TextPanel::reveal);
     connect(&m_document, &Document::opened, this, &TextPanel::onOpened);
     connect(&m_document, &Document::changed, this, &TextPanel::onChanged);
-    m_finding =
-        new FindSession(m_document, *this, *m_bar, *m_found); // connected after the pages: it marks their new texts
+    m_finding = new FindSession(m_document, *this, *m_bar, *m_found); // connected after the pages: it marks their new texts
     connect(&m_document, &Document::modifiedChanged, this, &TextPanel::showModified);
     connect(&m_selection, &Selection::changed, this, &TextPanel::onSelectionChanged);
     addCommands();

@@ -152,10 +152,11 @@ void TextPanel::offerOthers(const ProjectRename& renaming) {
     if (!renaming.isComplete())
         lines += tr("Others were not read: the project has more than %1 files that import it").arg(ProjectRename::kMaxTexts);
     const auto files = static_cast<int>(renaming.usesOutside().size());
-    const QString where = files == 1 ? tr("Also in %1, which is not loaded (%2)") : tr("Also in %1 files that are not loaded (%2)");
-    const QString of = files == 1 ? QString::fromStdString(m_document.shown(renaming.usesOutside()[0].file)) : QString::number(files);
-    m_rename->offerOthers(where.arg(of, QString::number(uses)),
-                          lines.join(QLatin1Char('\n')));
+    const QString where =
+        files == 1 ? tr("Also in %1, which is not loaded (%2)") : tr("Also in %1 files that are not loaded (%2)");
+    const QString of =
+        files == 1 ? QString::fromStdString(m_document.shown(renaming.usesOutside()[0].file)) : QString::number(files);
+    m_rename->offerOthers(where.arg(of, QString::number(uses)), lines.join(QLatin1Char('\n')));
 }
 
 void TextPanel::rename(FilePage& page, ProjectRename& renaming, const QString& from, const QString& to) {

@@ -19,9 +19,7 @@ public:
     }
 
 private:
-    static void fit(QTableView& table) {
-        table.verticalHeader()->setDefaultSectionSize(QFontMetrics(table.font()).height() + 4);
-    }
+    static void fit(QTableView& table) { table.verticalHeader()->setDefaultSectionSize(QFontMetrics(table.font()).height() + 4); }
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() == QEvent::FontChange) fit(*static_cast<QTableView*>(watched));
         return false;
@@ -61,7 +59,8 @@ QComboBox* makeNarrowChoice(const char* name, const QString& tip, int characters
 }
 
 void resizeToFont(QWidget& dialog, const QSize& atDefault) {
-    const QSize room = dialog.screen()->availableSize() - QSize(scaledToFont(24), scaledToFont(48)); // with the frame of the window
+    const QSize room =
+        dialog.screen()->availableSize() - QSize(scaledToFont(24), scaledToFont(48)); // with the frame of the window
     dialog.resize(QSize(scaledToFont(atDefault.width()), scaledToFont(atDefault.height())).boundedTo(room));
 }
 

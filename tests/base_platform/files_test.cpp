@@ -36,7 +36,8 @@ private Q_SLOTS:
         const auto make = [&](const char* name, int ageS) {
             QFile file(QString::fromStdString(at(name)));
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write("half") == 4);
-            QVERIFY(file.flush() && file.setFileTime(QDateTime::currentDateTime().addSecs(-ageS), QFileDevice::FileModificationTime));
+            QVERIFY(file.flush() &&
+                    file.setFileTime(QDateTime::currentDateTime().addSecs(-ageS), QFileDevice::FileModificationTime));
         };
         make(".trundle-4242-0.tmp", 120); // abandoned
         make(".trundle-4242-1.tmp", 0);   // being created, perhaps on another machine
@@ -47,7 +48,8 @@ private Q_SLOTS:
         const auto locks = FileLock::takeAll({at(".trundle-4242-2.tmp")}, std::chrono::seconds(1));
         QVERIFY(locks.ok() && locks.value().size() == 1);
         QVERIFY(writeFileAtomically(at("new.sim"), "x").ok());
-        const QStringList left{".trundle-1-1.tmp", ".trundle-4242-1.tmp", ".trundle-4242-2.tmp", ".trundle-mine.tmp", "new.sim", "other.tmp"};
+        const QStringList left{".trundle-1-1.tmp", ".trundle-4242-1.tmp", ".trundle-4242-2.tmp", ".trundle-mine.tmp", "new.sim",
+                               "other.tmp"};
         QStringList found = names();
         found.sort();
         QCOMPARE(found, left);

@@ -91,27 +91,29 @@ private Q_SLOTS:
         row("a place from a formula", "Robot a { Config=Crate Pos=1,1,$(0.1/2) }", in, "50 mm", "a", true);
         row("a mesh in the floor", kMeshes + "Robot a { Config=Stone Pos=0,0,-0.03 }", in, "30 mm deep", "a", true);
         row("a mesh below the floor", kMeshes + "Robot a { Config=Stone Pos=0,0,-2 }", below, "below floor/ground", "a", true);
-        row("a turned mesh in the floor", kMeshes + "Robot a { Config=Beam Pos=0,0,0.02 HPR=30,0,90 }", in, "30 mm deep", "a", true);
+        row("a turned mesh in the floor", kMeshes + "Robot a { Config=Beam Pos=0,0,0.02 HPR=30,0,90 }", in, "30 mm deep", "a",
+            true);
         row("a mesh made larger by an override", kMeshes + "Robot a { Config=Stone Pos=0,0,-0.1 b.c.Scale=3 }", in, "100 mm deep",
             "a", true);
         row("an instance made larger through its Param", kMeshes + "Robot a { Config=Sized Pos=0,0,0.05 s=0.4 }", in,
             "150 mm deep", "a", true);
-        row("a turned arm of a mesh in the floor", kMeshes + "Robot a { Config=Crane Pos=0,0,0.05 HPR=0,60,0 }", in, "a/arm/c", "a",
-            true);
-        row("in a side of a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.58,0,0.1 }", in, "block/m",
+        row("a turned arm of a mesh in the floor", kMeshes + "Robot a { Config=Crane Pos=0,0,0.05 HPR=0,60,0 }", in, "a/arm/c",
             "a", true);
-        row("in a turned mesh", kMeshes + "Static block { Config=Block Pos=1,0,0 HPR=30,0,0 }\nRobot a { Config=Crate Pos=0.4,0,0.1 }",
-            in, "block/m", "a", true);
-        row("wholly in a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.1,0,0.5 }", in, "block/m", "a",
-            true);
-        row("a mesh in a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Stone Pos=0.52,0.1,0 }", in, "block/m", "a",
-            true);
-        row("meshes in each other", kMeshes + "Robot a { Config=Stone }\nRobot b { Config=Stone Pos=0.08,0,0 }", in, "inside a/b/c",
-            "b", true);
+        row("in a side of a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.58,0,0.1 }", in,
+            "block/m", "a", true);
+        row("in a turned mesh",
+            kMeshes + "Static block { Config=Block Pos=1,0,0 HPR=30,0,0 }\nRobot a { Config=Crate Pos=0.4,0,0.1 }", in, "block/m",
+            "a", true);
+        row("wholly in a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.1,0,0.5 }", in, "block/m",
+            "a", true);
+        row("a mesh in a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Stone Pos=0.52,0.1,0 }", in, "block/m",
+            "a", true);
+        row("meshes in each other", kMeshes + "Robot a { Config=Stone }\nRobot b { Config=Stone Pos=0.08,0,0 }", in,
+            "inside a/b/c", "b", true);
         row("a mesh in the air", kMeshes + "Robot a { Config=Stone Pos=0,0,1 }", air, "1 m above floor/ground", "a", true);
         row("a turned mesh in the air", kMeshes + "Robot a { Config=Beam Pos=0,0,1 HPR=0,0,90 }", air, "950 mm above", "a", true);
-        row("an instance above a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Sized s=0.4 Pos=0,0,1.5 }", air,
-            "300 mm above block/m", "a", true);
+        row("an instance above a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Sized s=0.4 Pos=0,0,1.5 }",
+            air, "300 mm above block/m", "a", true);
         row("in the air", "Robot a { Config=Ball Pos=0,0,1.5 }", air, "1.4 m above floor/ground", "a", true);
         row("turned, in the air", "Robot a { Config=Post Pos=0,0,1 HPR=0,90,0 }", air, "950 mm above", "a", true);
         row("above a box",

@@ -10,7 +10,8 @@ namespace trundle {
 inline void addPublished(const Kind& kind, RobotSpec& robot, SignalLayout& layout) {
     robot.published = kind.signals;
     for (const SignalDescription& s : kind.signals)
-        layout.add(robot.name + "/" + robot.controller->name + "/" + s.name, s.unit, SignalType::Real, SignalDirection::Output, s.count);
+        layout.add(robot.name + "/" + robot.controller->name + "/" + s.name, s.unit, SignalType::Real, SignalDirection::Output,
+                   s.count);
 }
 
 } // namespace trundle

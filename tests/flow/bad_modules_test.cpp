@@ -38,7 +38,9 @@ class BadModulesTest : public QObject {
         return written ? path : QString();
     }
     QStringList arguments(const QString& path) const {
-        return {"run", path, "--json", "--quiet", "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo"),
+        return {"run",       path,
+                "--json",    "--quiet",
+                "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo"),
                 "--log-dir", m_folder.filePath("logs")};
     }
     /// In a folder of its own, and without core files.
@@ -57,9 +59,7 @@ class BadModulesTest : public QObject {
         auto running = std::async(std::launch::async, [&] {
             return runZoo(path, environment, "echo $$ > '" + pid + "'; exec \"$0\" \"$@\" 2> '" + err + "'");
         });
-        const auto begins = [&] {
-            return contentOf(err).contains("zoo: begun") && !ignores(contentOf(pid).trimmed(), signal);
-        };
+        const auto begins = [&] { return contentOf(err).contains("zoo: begun") && !ignores(contentOf(pid).trimmed(), signal); };
         const bool begun = QTest::qWaitFor(begins, 60'000);
         ::kill(contentOf(pid).trimmed().toInt(), begun ? signal : SIGKILL);
         Outcome outcome = running.get();
@@ -103,14 +103,13 @@ void BadModulesTest::reportsEveryModuleFault_data() {
     QTest::addColumn<QByteArray>("controller");
     QTest::addColumn<QByteArray>("device");
     QTest::addColumn<int>("code");
-    QTest::addColumn<QByteArray>("said"); ///< expected in the message
+    QTest::addColumn<QByteArray>("said");  ///< expected in the message
     QTest::addColumn<QByteArray>("robot"); ///< in "crashed"; "": absent, "?": unknown
     QTest::addColumn<int>("rows");
     const QByteArray brain = "the controller Zoo of bad ", thing = "the device ZooDevice cart/thing ";
-    const auto row = [](const char* name, const QByteArray& controller, const QByteArray& device, int code, const QByteArray& said,
-                        const QByteArray& robot, int rows) {
-        QTest::newRow(name) << controller << device << code << said << robot << rows;
-    };
+    const auto row = [](const char* name, const QByteArray& controller, const QByteArray& device, int code,
+                        const QByteArray& said, const QByteArray& robot,
+                        int rows) { QTest::newRow(name) << controller << device << code << said << robot << rows; };
     const auto action = [](const QByteArray& name, const QByteArray& phase = "update") {
         return "Action=\"" + name + "\" Phase=" + phase;
     };
@@ -134,13 +133,13 @@ void BadModulesTest::reportsEveryModuleFault_data() {
         row(exit, action(exit), {}, 4,
             brain + "(" + TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so) ended the program in update", "bad", kRowsCut);
     const QByteArray thread = "a thread of the module " TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so";
-    for (const char* name : {"thread crashes", "thread throws", "thread aborts", "thread jumps", "thread of a thread crashes",
-                             "thread overflows", "thread overflows in the C library", "standard thread overflows",
-                             "library code crashes in a thread"})
+    for (const char* name :
+         {"thread crashes", "thread throws", "thread aborts", "thread jumps", "thread of a thread crashes", "thread overflows",
+          "thread overflows in the C library", "standard thread overflows", "library code crashes in a thread"})
         row(name, action(name), {}, 4, ", in " + thread + "\n", "?", kRowsCut);
     for (const char* name : {"thread exits", "thread _exits", "thread quick_exits"})
-        row(name, action(name), {}, 4, thread + " ended the program in the middle of the run at t = 0.49 s, by exit() or the like", "?",
-            kRowsCut);
+        row(name, action(name), {}, 4,
+            thread + " ended the program in the middle of the run at t = 0.49 s, by exit() or the like", "?", kRowsCut);
     row("segv in setup", action("segv", "setup"), {}, 4, brain, "bad", 0);
     row("exit in setup", action("exit", "setup"), {}, 4, brain, "bad", 0);
     row("segv in a destructor", action("segv", "destructor"), {}, 4, "crashed in destructor", "bad", kRowsWhole);
@@ -227,8 +226,7 @@ void BadModulesTest::reportsEveryModuleFault() {
         QVERIFY(json["crashed"].toObject()["robot"].isNull());
         QCOMPARE(json["crashed"].toObject()["during"].toString(), QStringLiteral("thread"));
         QVERIFY2(json["crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
-    }
-    else if (!robot.isEmpty()) {
+    } else if (!robot.isEmpty()) {
         QCOMPARE(json["crashed"].toObject()["robot"].toString().toLatin1(), robot);
         QVERIFY2(json["crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
     }
@@ -281,8 +279,8 @@ void BadModulesTest::aLongStepOfTheSolverEndsWithWordsOfItsCluster() {
     file.close();
     const Outcome run = interruptZoo(path, SIGTERM);
     QVERIFY2(run.code == 130, shown(run));
-    QVERIFY2(run.err.contains("one step of the solver at t = 0 s did not end within 3 s") && run.err.contains("contacts hang together") &&
-                 run.err.contains("wall_"),
+    QVERIFY2(run.err.contains("one step of the solver at t = 0 s did not end within 3 s") &&
+                 run.err.contains("contacts hang together") && run.err.contains("wall_"),
              shown(run));
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();
     QVERIFY2(json["interrupted"].toBool(), shown(run));
@@ -300,9 +298,11 @@ void BadModulesTest::reportsFaultsOnLoadAndUnload_data() {
     QTest::newRow("crash when loaded") << "TRUNDLE_ZOO_LOAD=segv" << 0 << 4 << QByteArray("crashed while it was loaded");
     QTest::newRow("crash in describe") << "TRUNDLE_ZOO_DESCRIBE=abort" << 0 << 4 << QByteArray("crashed while it was loaded");
     QTest::newRow("exit when loaded") << "TRUNDLE_ZOO_LOAD=exit" << 0 << 4 << QByteArray("ended the program while it was loaded");
-    QTest::newRow("loop when loaded") << "TRUNDLE_ZOO_LOAD=loop" << SIGTERM << 4 << QByteArray("is not responding while it was loaded");
+    QTest::newRow("loop when loaded") << "TRUNDLE_ZOO_LOAD=loop" << SIGTERM << 4
+                                      << QByteArray("is not responding while it was loaded");
     QTest::newRow("crash when unloaded") << "TRUNDLE_ZOO_UNLOAD=segv" << 0 << 4 << QByteArray("crashed while it was unloaded");
-    QTest::newRow("loop when unloaded") << "TRUNDLE_ZOO_UNLOAD=loop" << SIGHUP << 4 << QByteArray("is not responding while it was unloaded");
+    QTest::newRow("loop when unloaded") << "TRUNDLE_ZOO_UNLOAD=loop" << SIGHUP << 4
+                                        << QByteArray("is not responding while it was unloaded");
     QTest::newRow("rounding when loaded") << "TRUNDLE_ZOO_LOAD=round up" << 0 << 0 << QByteArray();
     QTest::newRow("a library built with -ffast-math") << "TRUNDLE_ZOO_LOAD=flush denormals" << 0 << 0 << QByteArray();
     QTest::newRow("print when loaded") << "TRUNDLE_ZOO_LOAD=flood" << 0 << 0 << QByteArray("printf");
@@ -325,28 +325,32 @@ void BadModulesTest::reportsFaultsOnLoadAndUnload() {
 }
 
 void BadModulesTest::describingWhatLoopsEndsWithASignal() {
-    const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so"), err = m_folder.filePath("describe.err"),
-                  pid = m_folder.filePath("describe.pid"), out = m_folder.filePath("describe.json");
+    const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so"),
+                  err = m_folder.filePath("describe.err"), pid = m_folder.filePath("describe.pid"),
+                  out = m_folder.filePath("describe.json");
     QFile::remove(err);
     auto running = std::async(std::launch::async, [&] {
         return callProgram("/usr/bin/env", {"ASAN_OPTIONS=" + kOwnHandlers, "TRUNDLE_ZOO_DESCRIBE=loop", "/bin/sh", "-c",
-                                            "echo $$ > '" + pid + "'; exec \"$0\" \"$@\" 2> '" + err + "'", programPath(), "describe",
-                                            "--module", library, "--output", out});
+                                            "echo $$ > '" + pid + "'; exec \"$0\" \"$@\" 2> '" + err + "'", programPath(),
+                                            "describe", "--module", library, "--output", out});
     });
     const bool begun = QTest::qWaitFor([&] { return contentOf(err).contains("zoo: begun"); }, 60'000);
     ::kill(contentOf(pid).trimmed().toInt(), begun ? SIGTERM : SIGKILL);
     const Outcome run = running.get();
     const QByteArray said = contentOf(err);
     QVERIFY2(run.code == 130, said); // no data can be lost, so there is no timeout
-    QVERIFY2(said.contains("trundle-cli: interrupted: ended at once, while waiting for the module " + library.toUtf8() + "\n"), said);
+    QVERIFY2(said.contains("trundle-cli: interrupted: ended at once, while waiting for the module " + library.toUtf8() + "\n"),
+             said);
     QVERIFY(!QFile::exists(out));
 }
 
 void BadModulesTest::reportsCrashWhileDescribing_data() {
     QTest::addColumn<QString>("environment");
     QTest::addColumn<QByteArray>("said");
-    QTest::newRow("when loaded") << "TRUNDLE_ZOO_LOAD=segv" << QByteArray("crashed while it was loaded and described: Segmentation");
-    QTest::newRow("in describe") << "TRUNDLE_ZOO_DESCRIBE=divide" << QByteArray("crashed while it was loaded and described: Arithmetic");
+    QTest::newRow("when loaded") << "TRUNDLE_ZOO_LOAD=segv"
+                                 << QByteArray("crashed while it was loaded and described: Segmentation");
+    QTest::newRow("in describe") << "TRUNDLE_ZOO_DESCRIBE=divide"
+                                 << QByteArray("crashed while it was loaded and described: Arithmetic");
     QTest::newRow("exit") << "TRUNDLE_ZOO_LOAD=exit" << QByteArray("ended the program while it was loaded and described");
     QTest::newRow("_exit") << "TRUNDLE_ZOO_DESCRIBE=_exit" << QByteArray("ended the program while it was loaded and described");
     QTest::newRow("when unloaded") << "TRUNDLE_ZOO_UNLOAD=abort" << QByteArray("crashed while it was unloaded: Aborted");
@@ -355,10 +359,11 @@ void BadModulesTest::reportsCrashWhileDescribing_data() {
 void BadModulesTest::reportsCrashWhileDescribing() {
     QFETCH(QString, environment);
     QFETCH(QByteArray, said);
-    const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so"), out = m_folder.filePath("out.json");
+    const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so"),
+                  out = m_folder.filePath("out.json");
     QFile::remove(out);
-    const Outcome run = callProgram("/usr/bin/env", {"ASAN_OPTIONS=" + kOwnHandlers, environment, programPath(), "describe", "--module",
-                                                     library, "--output", out});
+    const Outcome run = callProgram("/usr/bin/env", {"ASAN_OPTIONS=" + kOwnHandlers, environment, programPath(), "describe",
+                                                     "--module", library, "--output", out});
     QVERIFY2(run.code == 4, shown(run));
     QVERIFY2(run.err.contains("the module " + library.toUtf8() + " ") && run.err.contains(said), shown(run));
     QCOMPARE(QFile::exists(out), environment.contains("UNLOAD")); // written before the module was unloaded

@@ -31,10 +31,13 @@ private Q_SLOTS:
 void EditTest::concurrentEditsAllSurvive() {
     const QString path = copied("experiments/linear_motion.sim"), owner = m_folder.filePath("configs/robots/simple_robot.sim");
     for (int i = 0; i < 60; ++i) {
-        const QByteArray distance = "Distance=" + QByteArray::number(2 + i), resistance = "Resistance=" + QByteArray::number(3 + i);
+        const QByteArray distance = "Distance=" + QByteArray::number(2 + i),
+                         resistance = "Resistance=" + QByteArray::number(3 + i);
         const QStringList first{"edit", path, "--set", "robot0.brain." + distance, "--write"};
-        const QStringList second{"edit", path, "--set", "Duration=" + QString::number(100 + i), "--set",
-                                 "RobotConfig.SimpleRobot.leftMotor." + resistance, "--write"};
+        const QStringList second{"edit",   path,
+                                 "--set",  "Duration=" + QString::number(100 + i),
+                                 "--set",  "RobotConfig.SimpleRobot.leftMotor." + resistance,
+                                 "--write"};
         auto running = std::async(std::launch::async, [&] { return cli(first); });
         const Outcome two = cli(second), one = running.get();
         QVERIFY2(one.code == 0 && two.code == 0, shown(one) + shown(two));

@@ -75,13 +75,16 @@ private Q_SLOTS:
 
     /// The path of a module, in what is said of its crash.
     void theCrashOfAModuleIsReportedCleanly() {
-        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/"), folder = path(QString::fromUtf8(kHostileName));
+        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/"),
+                      folder = path(QString::fromUtf8(kHostileName));
         QDir().mkpath(folder);
-        for (const char* ending : {".so", ".so.kinds.json"}) QVERIFY(QFile::copy(modules + "libzoo" + ending, folder + "/libzoo" + ending));
+        for (const char* ending : {".so", ".so.kinds.json"})
+            QVERIFY(QFile::copy(modules + "libzoo" + ending, folder + "/libzoo" + ending));
         for (const char* action : {"exit", "thread exits"})
             for (const QStringList& json : {QStringList{}, {"--json"}}) {
                 const QString file = experiment("#loadModule zoo\nRobot r { Config=SimpleRobot Zoo brain { Action=\"" +
-                                                QByteArray(action) + "\" At=3 } }\n", "crash.sim");
+                                                    QByteArray(action) + "\" At=3 } }\n",
+                                                "crash.sim");
                 const Outcome run = cli(QStringList{"run", file, "--modules", folder} + json);
                 QVERIFY2(run.code == 4 && run.err.contains("libzoo.so"), shown(run));
                 QCOMPARE(controlCharacters(run), QByteArray());

@@ -40,7 +40,8 @@ private Q_SLOTS:
 
     /// Otherwise the display's socket or a file would get descriptor 1 or 2, and a module that prints would write into it.
     void toleratesClosedDescriptor() {
-        const QString experiment = m_folder.filePath(QStringLiteral("closed.sim")), pid = m_folder.filePath(QStringLiteral("closed.pid"));
+        const QString experiment = m_folder.filePath(QStringLiteral("closed.sim")),
+                      pid = m_folder.filePath(QStringLiteral("closed.pid"));
         QVERIFY(writeFile(experiment, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
                                       "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\nPoseLog path { }\n"));
         auto running = std::async(std::launch::async, [&] {
@@ -53,7 +54,8 @@ private Q_SLOTS:
         const QByteArray id = contentOf(pid).trimmed();
         QStringList targets;
         for (const char* descriptor : {"0", "1", "2"})
-            targets << QFile::symLinkTarget(QStringLiteral("/proc/%1/fd/%2").arg(QString::fromLatin1(id), QLatin1String(descriptor)));
+            targets << QFile::symLinkTarget(
+                QStringLiteral("/proc/%1/fd/%2").arg(QString::fromLatin1(id), QLatin1String(descriptor)));
         ::kill(id.toInt(), runs ? SIGTERM : SIGKILL);
         (void)running.get();
         QVERIFY(runs);
@@ -74,7 +76,8 @@ private Q_SLOTS:
         QVERIFY(writeFile(experiment, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
                                       "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\nPoseLog path { }\n"));
         auto running = std::async(std::launch::async, [&] {
-            return callProgram("/usr/bin/env", {"QT_QPA_PLATFORM=offscreen", "/bin/sh", "-c", "echo $$ > \"$1\"; exec \"$0\" --open \"$2\" --run-for 1e6",
+            return callProgram("/usr/bin/env", {"QT_QPA_PLATFORM=offscreen", "/bin/sh", "-c",
+                                                "echo $$ > \"$1\"; exec \"$0\" --open \"$2\" --run-for 1e6",
                                                 QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), pid, experiment});
         });
         const QString log = m_folder.filePath(QStringLiteral("marker/logs/marker/path.csv"));
@@ -226,8 +229,8 @@ private Q_SLOTS:
     void reportsCrashInModule_data() {
         QTest::addColumn<QByteArray>("brain");
         QTest::addColumn<QByteArray>("said");
-        const QByteArray library = TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so", thread = "a thread of the module " + library,
-                         controller = "the controller Zoo of r (" + library + ") ";
+        const QByteArray library = TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so",
+                         thread = "a thread of the module " + library, controller = "the controller Zoo of r (" + library + ") ";
         const auto row = [](const char* action, const char* phase, const QByteArray& said) {
             const QByteArray name = QByteArray(action) + " in " + phase;
             QTest::newRow(name.constData()) << QByteArray("Action=\"" + QByteArray(action) + "\" Phase=" + phase) << said;
@@ -235,7 +238,8 @@ private Q_SLOTS:
         row("segv", "update", controller + "crashed in update at t = 0.49 s: Segmentation fault; unsaved edits");
         row("overflow", "update", controller + "crashed in update at t = 0.49 s: Segmentation fault; unsaved edits");
         row("terminate", "update", controller + "crashed in update at t = 0.49 s: Aborted; unsaved edits");
-        row("throw past noexcept", "update", "trundle: an uncaught exception: no ?[31mbattery??\ntrundle: " + controller + "crashed in update");
+        row("throw past noexcept", "update",
+            "trundle: an uncaught exception: no ?[31mbattery??\ntrundle: " + controller + "crashed in update");
         row("segv", "setup", controller + "crashed in setup");
         row("abort", "destructor", controller + "crashed in destructor");
         row("exit", "update", controller + "ended the program in update at t = 0.49 s, by exit() or the like; unsaved edits");
@@ -254,21 +258,25 @@ private Q_SLOTS:
         QDir().mkpath(home + "/Trundle");
         QDir().mkpath(m_folder.filePath("crashes"));
         QVERIFY(writeFile(home + "/Trundle/Trundle.conf", "[General]\ntrustedFolders=" + modules.toUtf8() + "\n"));
-        QVERIFY(writeFile(file, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule \"" + modules.toUtf8() +
-                                    "zoo\"\nStatic floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot Zoo brain { " + brain +
-                                    " } }\nPoseLog path { }\n"));
+        QVERIFY(writeFile(file, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule \"" +
+                                    modules.toUtf8() +
+                                    "zoo\"\nStatic floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot Zoo brain { " +
+                                    brain + " } }\nPoseLog path { }\n"));
         qputenv("XDG_CONFIG_HOME", home.toUtf8());
         const Outcome outcome = callProgram("/bin/sh", {"-c", "ulimit -c 0; exec \"$@\"", "sh", "/usr/bin/env",
                                                         "ASAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
                                                         "TSAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
-                                                        QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), "--open", file, "--run-for", "3", "--quit"});
+                                                        QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), "--open", file,
+                                                        "--run-for", "3", "--quit"});
         qunsetenv("XDG_CONFIG_HOME");
         QVERIFY2(outcome.code == 4, shown(outcome));
         QVERIFY2(outcome.err.startsWith("trundle: ") && outcome.err.contains(said), shown(outcome));
         QVERIFY2(outcome.err.endsWith("; unsaved edits are offered at the next start\n"), shown(outcome));
         QCOMPARE(outcome.err.count('\n'), brain.contains("noexcept") ? 2 : 1);
         const qsizetype rows = contentOf(m_folder.filePath("crashes/logs/crashes/path.csv")).count('\n');
-        QCOMPARE(rows, brain.endsWith("update") ? 51 : brain.endsWith("destructor") ? 102 : rows); // a header, the start, the ticks
+        QCOMPARE(rows, brain.endsWith("update")       ? 51
+                       : brain.endsWith("destructor") ? 102
+                                                      : rows); // a header, the start, the ticks
     }
 
 private:

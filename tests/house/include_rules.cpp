@@ -52,7 +52,9 @@ QString IncludeRules::violation(const QString& file, const QString& included, bo
     }
     // An include without a folder refers to a file in the same folder.
     if (!inAngles && !included.contains('/')) return {};
-    const QString path = inAngles ? QString("core/sdk/x.h") : included.startsWith("editor/") ? included : pathOf(file, included, rule.mayInclude);
+    const QString path = inAngles                         ? QString("core/sdk/x.h")
+                         : included.startsWith("editor/") ? included
+                                                          : pathOf(file, included, rule.mayInclude);
     const QString target = folderOf(path);
     if (isWithin(target, folder)) return {};
     for (const QString& allowed : rule.mayInclude) {
@@ -73,9 +75,9 @@ QString IncludeRules::linkViolation(const QString& folder, const QString& librar
 
 QString libraryOf(const QString& header) {
     static const QRegularExpression qt("^Q[A-Z]\\w*|^Qt\\w+(/.*)?$");
-    static const QRegularExpression cHeader(
-        "^(sys/.+|linux/.+|netinet/.+|arpa/"
-        ".+|unistd\\.h|semaphore\\.h|fcntl\\.h|dlfcn\\.h|execinfo\\.h|poll\\.h|signal\\.h|pthread\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h|pwd\\.h)$");
+    static const QRegularExpression cHeader("^(sys/.+|linux/.+|netinet/.+|arpa/"
+                                            ".+|unistd\\.h|semaphore\\.h|fcntl\\.h|dlfcn\\.h|execinfo\\.h|poll\\.h|signal\\.h|"
+                                            "pthread\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h|pwd\\.h)$");
     if (header.startsWith("trundle/")) return "sdk";
     if (header.startsWith("Eigen/")) return "eigen";
     if (header.startsWith("ode/")) return "ode";

@@ -100,7 +100,8 @@ private Q_SLOTS:
     void fixesOfShippedFilesAreLeftOut() {
         PlanFixture fixture;
         const std::string parts = "Material blue { ColourRGB=0,0,1 }\n";
-        const std::map<std::string, std::string> files{{"main.sim", "#import parts/blue.sim\nTikc = 0.01\n"}, {"parts/blue.sim", parts}};
+        const std::map<std::string, std::string> files{{"main.sim", "#import parts/blue.sim\nTikc = 0.01\n"},
+                                                       {"parts/blue.sim", parts}};
         const auto offered = [](const LoadedProject& loaded) {
             QStringList fixes;
             for (const Diagnostic& d : loaded.diagnostics.all())
@@ -195,7 +196,8 @@ Robot s { Pos=1,0,0 Config = Rover2 }
     /// A config that imports a file inside its block: the copy contains the imported block that is edited.
     void copiesWriteOutWhatTheyImport() {
         PlanFixture fixture;
-        const std::string robot = "#import paint.sim\nRobotConfig Cart {\n  #import parts/body.sim\n  #import parts/other.sim\n}\n";
+        const std::string robot =
+            "#import paint.sim\nRobotConfig Cart {\n  #import parts/body.sim\n  #import parts/other.sim\n}\n";
         const std::string body = "// The body.\nBody b {\n  Box x { Size=1,1,1 Mass=1 Material=white }\n}\n";
         const auto loaded =
             fixture.open({{"configs/main.sim", "#import robots/cart.sim\nRobot r { Config=Cart }\n"},
@@ -206,11 +208,14 @@ Robot s { Pos=1,0,0 Config = Rover2 }
                          "configs/main.sim");
         QVERIFY2(!loaded->diagnostics.hasErrors(), sample::rendered(*loaded).c_str());
         const std::string inner = fixture.path("configs/robots/parts/body.sim");
-        const auto plan = planCopyConfig(*loaded, config(*loaded, "Cart"), instancesOf(*loaded, config(*loaded, "Cart")), {inner});
+        const auto plan =
+            planCopyConfig(*loaded, config(*loaded, "Cart"), instancesOf(*loaded, config(*loaded, "Cart")), {inner});
         const std::string text = fixture.text(loaded, plan, "configs/main.sim");
-        QVERIFY2(text.find("RobotConfig Cart2 {\n  // From robots/parts/body.sim\n  // The body.\n  Body b {\n    Box x { Size=1,1,1 Mass=1 "
-                           "Material=white }\n  }\n") != std::string::npos,
-                 text.c_str());
+        QVERIFY2(
+            text.find(
+                "RobotConfig Cart2 {\n  // From robots/parts/body.sim\n  // The body.\n  Body b {\n    Box x { Size=1,1,1 Mass=1 "
+                "Material=white }\n  }\n") != std::string::npos,
+            text.c_str());
         QVERIFY2(text.find("other.sim") != std::string::npos, text.c_str()); // imports of unchanged parts stay
         const auto after = fixture.apply(loaded, plan);
         QVERIFY2(!after->diagnostics.hasErrors(), sample::rendered(*after).c_str());

@@ -23,9 +23,11 @@ private Q_SLOTS:
         QTest::newRow("imports") << QByteArray("#import missing%\n") << QByteArray() << false;
         QTest::newRow("keys") << QByteArray("Light l% { Sped=1 }\n") << QByteArray() << false;
         QTest::newRow("a Param that comes last") << QByteArray("Param p% = $(q)\n") << QByteArray("Param q = 1\n") << true;
-        QTest::newRow("a Param that is imported last") << QByteArray("Param p% = $(q)\n") << QByteArray("#import q.sim\n") << true;
-        QTest::newRow("a module that comes last") << QByteArray("Robot r% { Config=c Pos=%,0,0 Walker w { Speed=0.1 } }\n") << QByteArray("#loadModule walker\nRobotConfig c { Body b { Box g { Size=1,1,1 Mass=1 } } }\n")
-                                                  << true;
+        QTest::newRow("a Param that is imported last")
+            << QByteArray("Param p% = $(q)\n") << QByteArray("#import q.sim\n") << true;
+        QTest::newRow("a module that comes last")
+            << QByteArray("Robot r% { Config=c Pos=%,0,0 Walker w { Speed=0.1 } }\n")
+            << QByteArray("#loadModule walker\nRobotConfig c { Body b { Box g { Size=1,1,1 Mass=1 } } }\n") << true;
     }
     /// The cost of a text with many errors is bounded, and reading does not stop while the rest could still make the text valid.
     void mistakesThatStayEndTheReading() {
@@ -35,7 +37,9 @@ private Q_SLOTS:
         ProjectFixture fixture;
         fixture.write("q.sim", "Param q = 1\n");
         std::string text;
-        const int lines = line.startsWith('#') ? 90'000 : line.startsWith("Robot") && whole ? 12'000 : 30'000; // beyond the first part
+        const int lines = line.startsWith('#')                ? 90'000
+                          : line.startsWith("Robot") && whole ? 12'000
+                                                              : 30'000; // beyond the first part
         for (int i = 0; i < lines; ++i) text += QByteArray(line).replace('%', QByteArray::number(i)).toStdString();
         text += end.toStdString();
         const auto loaded = fixture.open(text);

@@ -106,8 +106,7 @@ public:
         const Texts texts = after(*loaded, plan.value());
         return texts.count(path(file)) ? texts.at(path(file)) : "no such text";
     }
-    std::shared_ptr<const LoadedProject> apply(const std::shared_ptr<const LoadedProject>& loaded,
-                                                  const Result<EditPlan>& plan) {
+    std::shared_ptr<const LoadedProject> apply(const std::shared_ptr<const LoadedProject>& loaded, const Result<EditPlan>& plan) {
         return plan.ok() ? read(after(*loaded, plan.value())) : nullptr;
     }
     ProjectOptions options;

@@ -323,7 +323,8 @@ Static arena { Config=Arena }
         QCOMPARE(said[0].fixes[0].title, "#import robots/scout.sim");
         QCOMPARE(said[2].fixes[0].edits.at(0).range.file, said[2].range.file); // every file imports what it uses
         for (const FileId file : {FileId{0}, FileId{1}}) {
-            const auto& fix = std::find_if(said.begin(), said.end(), [&](const auto& d) { return d.range.file == file; })->fixes[0];
+            const auto& fix =
+                std::find_if(said.begin(), said.end(), [&](const auto& d) { return d.range.file == file; })->fixes[0];
             const std::string text = applyEdits(loaded->trees[file]->source().bytes(), fix.edits).value();
             std::ofstream(loaded->paths[file], std::ios::binary) << text;
         }

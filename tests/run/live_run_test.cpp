@@ -160,7 +160,7 @@ private Q_SLOTS:
             QFile log(m_folder.filePath("goes_on/path.csv"));
             return log.open(QIODevice::ReadOnly) ? log.readAll().count('\n') : -1;
         };
-        QCOMPARE(rows(), 202); // all rows so far are on the disk
+        QCOMPARE(rows(), 202);        // all rows so far are on the disk
         run.setContactsEnabled(true); // the current state is published again; the run is still at its end
         EVENTUALLY(run.snapshot()->contacts != nullptr);
         QCOMPARE(run.phase(), LivePhase::Ended);

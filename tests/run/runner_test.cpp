@@ -270,9 +270,10 @@ void RunnerTest::reportsEachPassageOnce() {
     const Diagnostic& first = m_runner->warnings()[0];
     QCOMPARE(first.code, Code::PassedThrough);
     QCOMPARE(first.severity, Severity::Warning);
-    QCOMPARE(QString::fromStdString(first.message),
-             QString("at t = 0.02 s a/body/ball passed through b/body/box: fast bodies stop at the scenery, but not at each other. A "
-                     "Tick below 0.01 s or larger bodies help"));
+    QCOMPARE(
+        QString::fromStdString(first.message),
+        QString("at t = 0.02 s a/body/ball passed through b/body/box: fast bodies stop at the scenery, but not at each other. A "
+                "Tick below 0.01 s or larger bodies help"));
     QVERIFY(m_runner->warnings()[1].message.find("at t = 0.05 s c/body/ball passed through d/body/box") == 0);
 }
 

@@ -44,8 +44,9 @@ bool holds(const GeomSpec& g, const Pose& owner, const Vec3& point, double depth
 std::vector<Vec3> pointsOf(const GeomSpec& g, const Pose& owner) {
     std::vector<Vec3> all;
     constexpr int kSteps = 10;
-    const Vec3 half = g.shape == GeomShape::Box ? Vec3(0.5 * g.size)
-                                                : Vec3(g.radius, g.radius, g.shape == GeomShape::Sphere ? g.radius : 0.5 * g.length);
+    const Vec3 half = g.shape == GeomShape::Box
+                          ? Vec3(0.5 * g.size)
+                          : Vec3(g.radius, g.radius, g.shape == GeomShape::Sphere ? g.radius : 0.5 * g.length);
     for (int i = 0; i <= kSteps; ++i)
         for (int j = 0; j <= kSteps; ++j)
             for (int k = 0; k <= kSteps; ++k) {
@@ -72,9 +73,10 @@ std::shared_ptr<const ExperimentSpec> room() {
     add("wall", {shape(GeomShape::Box, {2, 0.1, 0.5}, turned({0, 0, 0.25}, {0, 0, 0}))}, turned({1, 0.5, 0}, {37, 0, 0}));
     add("post", {shape(GeomShape::Cylinder, {0.2, 0, 0.6}, turned({0, 0, 0.3}, {0, 0, 0}))}, turned({-1, 0.5, 0}, {0, 0, 0}));
     add("board", {shape(GeomShape::Box, {1, 0.6, 0.05}, turned({0, 0, 0.15}, {0, -15, 0}))}, turned({0, -1.5, 0}, {20, 0, 0}));
-    add("table", {shape(GeomShape::Box, {1, 0.6, 0.04}, turned({0, 0, 0.7}, {0, 0, 0})),
-                  shape(GeomShape::Box, {0.05, 0.05, 0.68}, turned({0.45, 0.25, 0.34}, {0, 0, 0})),
-                  shape(GeomShape::Box, {0.05, 0.05, 0.68}, turned({-0.45, -0.25, 0.34}, {0, 0, 0}))},
+    add("table",
+        {shape(GeomShape::Box, {1, 0.6, 0.04}, turned({0, 0, 0.7}, {0, 0, 0})),
+         shape(GeomShape::Box, {0.05, 0.05, 0.68}, turned({0.45, 0.25, 0.34}, {0, 0, 0})),
+         shape(GeomShape::Box, {0.05, 0.05, 0.68}, turned({-0.45, -0.25, 0.34}, {0, 0, 0}))},
         turned({-2, -1.5, 0}, {10, 0, 0}));
     GeomSpec house = shape(GeomShape::Mesh, Vec3::Zero());
     house.mesh = gable();
@@ -89,11 +91,14 @@ struct Thing {
 
 std::vector<Thing> things() {
     return {{"crate", {{shape(GeomShape::Box, {0.25, 0.25, 0.25}, turned({0, 0, 0.125}, {0, 0, 0})), {}}}},
-            {"turned crate", {{shape(GeomShape::Box, {0.4, 0.2, 0.1}, turned({0, 0, 0}, {0, 0, 0})), turned({0, 0, 0}, {25, 30, 10})}}},
-            {"lying drum", {{shape(GeomShape::Cylinder, {0.1, 0, 0.4}, turned({0, 0, 0.1}, {0, 90, 0})), turned({0, 0, 0}, {40, 0, 0})}}},
+            {"turned crate",
+             {{shape(GeomShape::Box, {0.4, 0.2, 0.1}, turned({0, 0, 0}, {0, 0, 0})), turned({0, 0, 0}, {25, 30, 10})}}},
+            {"lying drum",
+             {{shape(GeomShape::Cylinder, {0.1, 0, 0.4}, turned({0, 0, 0.1}, {0, 90, 0})), turned({0, 0, 0}, {40, 0, 0})}}},
             {"ball", {{shape(GeomShape::Sphere, {0.08, 0, 0}, turned({0, 0, 0.08}, {0, 0, 0})), {}}}},
-            {"dumbbell", {{shape(GeomShape::Sphere, {0.1, 0, 0}, turned({0.2, 0, 0.1}, {0, 0, 0})), {}},
-                          {shape(GeomShape::Sphere, {0.1, 0, 0}, turned({-0.2, 0, 0.1}, {0, 0, 0})), {}}}}};
+            {"dumbbell",
+             {{shape(GeomShape::Sphere, {0.1, 0, 0}, turned({0.2, 0, 0.1}, {0, 0, 0})), {}},
+              {shape(GeomShape::Sphere, {0.1, 0, 0}, turned({-0.2, 0, 0.1}, {0, 0, 0})), {}}}}};
 }
 
 } // namespace
@@ -115,8 +120,9 @@ private Q_SLOTS:
         const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
         const auto make = [&](int kind) {
             const GeomShape shapes[] = {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder};
-            return shape(shapes[kind], {any(0.1, 0.4), any(0.1, 0.4), any(0.1, 0.4)},
-                         turned({any(-0.05, 0.05), any(-0.05, 0.05), any(-0.05, 0.05)}, {any(-180, 180), any(-90, 90), any(-180, 180)}));
+            return shape(
+                shapes[kind], {any(0.1, 0.4), any(0.1, 0.4), any(0.1, 0.4)},
+                turned({any(-0.05, 0.05), any(-0.05, 0.05), any(-0.05, 0.05)}, {any(-180, 180), any(-90, 90), any(-180, 180)}));
         };
         const auto shareAPoint = [](const GeomSpec& a, const Pose& at, const GeomSpec& b, double depth) {
             for (const Vec3& p : pointsOf(a, at))
@@ -168,9 +174,13 @@ private Q_SLOTS:
                 for (const StaticSpec& fixed : experiment->statics)
                     for (const GeomSpec& geom : *fixed.geoms)
                         for (const Vec3& p : points)
-                            QVERIFY2(!holds(geom, fixed.pose, p, 1e-5), qPrintable(QString("in %1 at %2 %3 %4, pointed at %5")
-                                                                        .arg(QString::fromStdString(fixed.name)).arg(at.x()).arg(at.y()).arg(at.z())
-                                                                        .arg(QString::fromStdString(objects.pathOf(hits.front().geom)))));
+                            QVERIFY2(!holds(geom, fixed.pose, p, 1e-5),
+                                     qPrintable(QString("in %1 at %2 %3 %4, pointed at %5")
+                                                    .arg(QString::fromStdString(fixed.name))
+                                                    .arg(at.x())
+                                                    .arg(at.y())
+                                                    .arg(at.z())
+                                                    .arg(QString::fromStdString(objects.pathOf(hits.front().geom)))));
             }
         }
         QVERIFY(steep > 2);
@@ -189,7 +199,8 @@ private Q_SLOTS:
             const Vec3 at = placement.placeFor(crate, hits, face, 0);
             QVERIFY(std::abs(at.z()) < 1e-5); // on the floor
             double nearest = 1;
-            for (const Vec3& p : pointsOf(crate[0].geom, {at, Quat::Identity()})) nearest = std::min(nearest, normal.dot(p - face));
+            for (const Vec3& p : pointsOf(crate[0].geom, {at, Quat::Identity()}))
+                nearest = std::min(nearest, normal.dot(p - face));
             QVERIFY2(nearest > 0 && nearest < 1e-4, qPrintable(QString::number(nearest)));
         }
         // The side of a table top: there is free space below.
@@ -215,7 +226,8 @@ private Q_SLOTS:
             const Vec3 exact = placement.placeFor(crate, hits, to, 0), at = placement.placeFor(crate, hits, to, 0.05);
             if (exact.z() > 1e-4 || at.z() > 1e-4) continue; // on a slope the height follows from x and y
             ++beside;
-            for (int k = 0; k < 2; ++k) QVERIFY2(std::abs(at[k] * 1000 - std::round(at[k] * 1000)) < 1e-6, qPrintable(QString::number(at[k], 'g', 12)));
+            for (int k = 0; k < 2; ++k)
+                QVERIFY2(std::abs(at[k] * 1000 - std::round(at[k] * 1000)) < 1e-6, qPrintable(QString::number(at[k], 'g', 12)));
             QVERIFY(placement.isFree(crate, at));
         }
         QVERIFY2(beside > 3, qPrintable(QString::number(beside)));
@@ -238,10 +250,17 @@ private Q_SLOTS:
             const Vec3 at = placement.placeFor(wall, hits, to, 0.05);
             for (const StaticSpec& fixed : experiment->statics)
                 for (const GeomSpec& geom : *fixed.geoms)
-                    for (const Vec3& p : pointsOf(wall[0].geom, {at, Quat::Identity()})) QVERIFY(!holds(geom, fixed.pose, p, 1e-5));
+                    for (const Vec3& p : pointsOf(wall[0].geom, {at, Quat::Identity()}))
+                        QVERIFY(!holds(geom, fixed.pose, p, 1e-5));
             const auto below = castRay(objects, {}, {at + Vec3(0, 0, 1e-3), -Vec3::UnitZ()});
             QVERIFY2(!below.empty() && at.z() - below.front().point.z() < 6e-3,
-                     qPrintable(QString("%1 m long at %2 %3 %4, put at %5 %6").arg(length).arg(at.x()).arg(at.y()).arg(at.z()).arg(to.x()).arg(to.y())));
+                     qPrintable(QString("%1 m long at %2 %3 %4, put at %5 %6")
+                                    .arg(length)
+                                    .arg(at.x())
+                                    .arg(at.y())
+                                    .arg(at.z())
+                                    .arg(to.x())
+                                    .arg(to.y())));
             (at.z() < 1e-4 ? floors : tops) += 1;
             beside += at.z() < 1e-4 && (at - to).head<2>().norm() > 0.05;
         }

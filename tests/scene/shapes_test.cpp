@@ -131,7 +131,8 @@ private Q_SLOTS:
         for (const double pixels : {20.0, 60.0, 200.0, 600.0}) { // pixels per metre
             const std::size_t n = segments(0.05, pixels);
             QVERIFY(n >= before && n % 2 == 0);
-            QVERIFY(0.05 * pixels * (1 - std::cos(std::numbers::pi / double(n))) <= 0.5 + 1e-9); // deviation from the circle in pixels
+            QVERIFY(0.05 * pixels * (1 - std::cos(std::numbers::pi / double(n))) <=
+                    0.5 + 1e-9); // deviation from the circle in pixels
             before = n;
         }
     }

@@ -42,7 +42,8 @@ private Q_SLOTS:
             QVERIFY(std::abs(value(*world, "r/j/rate") - 1) < 1e-6);
             QVERIFY(std::abs(value(*world, "r/j/position") - 0.5) < 0.011);
             QVERIFY(std::abs(spin(*world, "r/arm").z() - 1) < 1e-6);
-            QVERIFY(std::abs(armHpr(*world).x() - value(*world, "r/j/position") * 180 / kPi) < 1e-4); // positive heading is to the left
+            QVERIFY(std::abs(armHpr(*world).x() - value(*world, "r/j/position") * 180 / kPi) <
+                    1e-4); // positive heading is to the left
         }
     }
 

@@ -390,7 +390,8 @@ private Q_SLOTS:
         const auto s = scene.surface(1, 0, 0.005);
         scene.scenery({plane("floor", {}, s)}).ball("ball", {0, 0, 0.1 - 4.905e-5}, 1, 0.1, s);
         auto world = scene.build();
-        QVERIFY(world->push("ball/body", {100, 0, 0}, {0, 0, 0.14}).ok()); // through the centre of percussion: rolls without sliding
+        QVERIFY(
+            world->push("ball/body", {100, 0, 0}, {0, 0, 0.14}).ok()); // through the centre of percussion: rolls without sliding
         QVERIFY(run(*world, 0.2));
         const double v0 = velocity(*world, "ball/body").x();
         QVERIFY(run(*world, 1));

@@ -14,8 +14,8 @@ constexpr double kTicks[] = {0.005, 0.01, 0.03};
 
 /// A body that turns about a fixed point: its centre of mass, or the tip of a top.
 struct Gyro {
-    Mat3 inertia = Mat3::Identity();   ///< about that point, in the body's axes
-    Vec3 arm = Vec3::Zero();           ///< kg m: mass times the centre of mass from there
+    Mat3 inertia = Mat3::Identity(); ///< about that point, in the body's axes
+    Vec3 arm = Vec3::Zero();         ///< kg m: mass times the centre of mass from there
     Vec3 gravity = Vec3::Zero();
     Quat turned = Quat::Identity();
     Vec3 rate = Vec3::Zero(); ///< rad/s, body's axes
@@ -68,9 +68,7 @@ Vec3 momentum(World& world, const Vec3& moments) {
     return q * moments.cwiseProduct(q.conjugate() * spin(world, "b/body"));
 }
 
-double energy(World& world, const Vec3& moments) {
-    return momentum(world, moments).dot(spin(world, "b/body")) / 2;
-}
+double energy(World& world, const Vec3& moments) { return momentum(world, moments).dot(spin(world, "b/body")) / 2; }
 
 std::vector<Tumbler> tumblers() {
     std::vector<Tumbler> list{{"middle axis", 1, {0.3, 0.2, 0.1}, {0.01, 6, 0.01}, Quat::Identity()},

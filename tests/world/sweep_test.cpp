@@ -43,7 +43,8 @@ private Q_SLOTS:
         for (const double h : {0.005, 0.01, 0.03})
             for (const double speed : {1.0, 3.0, 7.0, 12.0, 20.0})
                 for (const char* shape : {"ball", "box", "capsule", "cylinder"})
-                    QTest::addRow("%s of 20 mm, 5 mm wall, %g m/s, %g ms", shape, speed, 1e3 * h) << shape << 0.02 << 0.005 << speed << h;
+                    QTest::addRow("%s of 20 mm, 5 mm wall, %g m/s, %g ms", shape, speed, 1e3 * h)
+                        << shape << 0.02 << 0.005 << speed << h;
         for (const double speed : {5.0, 20.0, 60.0}) {
             QTest::addRow("ball of 10 mm, 1 mm wall, %g m/s", speed) << "ball" << 0.01 << 0.001 << speed << 0.01;
             QTest::addRow("ball of 2 mm, 2 mm wall, %g m/s", speed) << "ball" << 0.002 << 0.002 << speed << 0.01;
@@ -64,7 +65,9 @@ private Q_SLOTS:
         if (wall > 0) scene.scenery({box("wall", {wall, width + 1, 10 * size})});
         else scene.scenery({sheet(width / 2 + 1, 5 * size)});
         std::mt19937 random(20);
-        const auto from = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967295.0; };
+        const auto from = [&](double low, double high) {
+            return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+        };
         for (int i = 0; i < phases; ++i) {
             const double x = -4 * size - wall - 2 * speed * h * (1 + (i + 0.5) / phases);
             const Pose pose{{x, (i - phases / 2) * apart, 0},
@@ -167,7 +170,9 @@ private Q_SLOTS:
         for (int i = 0; i < 60; ++i) tiles.push_back(box("t" + std::to_string(i), {0.5, 2, 0.1}, at(0.5 * i, 0, -0.05), slick));
         if (floor == "tiles") scene.scenery(tiles);
         if (shape == "ball") scene.ball("b", {0, 0, 0.02 - 5e-6}, 0.1, 0.02, slick);
-        else scene.loose("b", at(0, 0, 0.02 - 1e-6), massOfBox(0.1, {0.04, 0.04, 0.04}), {box("b", {0.04, 0.04, 0.04}, {}, slick)});
+        else
+            scene.loose("b", at(0, 0, 0.02 - 1e-6), massOfBox(0.1, {0.04, 0.04, 0.04}),
+                        {box("b", {0.04, 0.04, 0.04}, {}, slick)});
         auto world = scene.build();
         QVERIFY(run(*world, 0.2));
         QVERIFY(world->push("b/body", {200, 0, 0}, position(*world, "b/body")).ok());

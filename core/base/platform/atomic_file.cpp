@@ -45,7 +45,9 @@ struct Temporary {
     explicit Temporary(const fs::path& folder) {
         static std::atomic<unsigned> counter{0};
         for (int attempt = 0; attempt < 100 && file < 0; ++attempt) {
-            path = (folder / (std::string(kPrefix) + std::to_string(::getpid()) + "-" + std::to_string(counter++) + std::string(kSuffix))).string();
+            path = (folder /
+                    (std::string(kPrefix) + std::to_string(::getpid()) + "-" + std::to_string(counter++) + std::string(kSuffix)))
+                       .string();
             file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             if (file >= 0) (void)::flock(file, LOCK_EX | LOCK_NB); // the lock prevents removal by sweep()
             if (file < 0 && errno != EEXIST) return;

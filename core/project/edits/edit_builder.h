@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "project/objects/name_references.h"
 #include "project/edits/plans.h"
+#include "project/objects/name_references.h"
 
 namespace trundle {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "project/objects/config_users.h"
 #include "project/edits/plans.h"
+#include "project/objects/config_users.h"
 
 namespace trundle {
 
@@ -56,10 +56,10 @@ struct EditTarget {
                                               const std::vector<const Part*>& instances,
                                               const std::set<std::string>& inlined = {});
 
-
 /// Replaces the imports in the block of a config by their text where they lead to one of the files `inlined` (absolute), directly or
 /// through other such files, so that the text can be edited in the config's own file. Empty if none
 /// does.
-[[nodiscard]] Result<EditPlan> planExpandImports(const LoadedProject& loaded, const Part& config, const std::set<std::string>& inlined);
+[[nodiscard]] Result<EditPlan> planExpandImports(const LoadedProject& loaded, const Part& config,
+                                                 const std::set<std::string>& inlined);
 
 } // namespace trundle

@@ -2,9 +2,9 @@
 
 #include <set>
 
+#include "project/edits/pasted_blocks.h"
 #include "project/objects/name_references.h"
 #include "project/objects/object_location.h"
-#include "project/edits/pasted_blocks.h"
 
 namespace trundle {
 

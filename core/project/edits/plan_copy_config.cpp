@@ -13,10 +13,10 @@
 #include "lang/tree_edit.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/edit_target.h"
-#include "project/loading/import_lines.h"
-#include "project/objects/object_names.h"
 #include "project/edits/plan_targets.h"
+#include "project/loading/import_lines.h"
 #include "project/loading/search.h"
+#include "project/objects/object_names.h"
 
 namespace trundle {
 
@@ -125,7 +125,8 @@ private:
         return {};
     }
 
-    Status collectImport(const Item& item, const ImportItem& import, const Kind* kind, FileId file, std::vector<TextEdit>& edits) {
+    Status collectImport(const Item& item, const ImportItem& import, const Kind* kind, FileId file,
+                         std::vector<TextEdit>& edits) {
         const auto& imports = m_loaded.outline->texts().imports;
         const auto found = imports.find(&import);
         if (found == imports.end()) return {};
@@ -165,7 +166,8 @@ private:
         });
     }
 
-    void change(const SourceRange& range, const std::string& written, const std::string& path, std::vector<TextEdit>& edits) const {
+    void change(const SourceRange& range, const std::string& written, const std::string& path,
+                std::vector<TextEdit>& edits) const {
         const fs::path here = fs::path(m_loaded.paths[m_home]).parent_path();
         const FileSearch search(m_loaded.importFolders);
         const auto leads = [&](const std::string& words) {

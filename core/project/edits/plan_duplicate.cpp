@@ -2,10 +2,10 @@
 #include "lang/edit_style.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/moved_block.h"
-#include "project/objects/object_names.h"
-#include "project/objects/part_values.h"
 #include "project/edits/pasted_blocks.h"
 #include "project/edits/plan_targets.h"
+#include "project/objects/object_names.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 

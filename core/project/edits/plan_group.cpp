@@ -15,12 +15,12 @@
 #include "lang/tree_edit.h"
 #include "model/passive_objects.h"
 #include "project/edits/edit_builder.h"
-#include "project/loading/import_lines.h"
-#include "project/objects/object_names.h"
-#include "project/objects/part_values.h"
 #include "project/edits/plan_dependents.h"
 #include "project/edits/plan_targets.h"
+#include "project/loading/import_lines.h"
 #include "project/loading/search.h"
+#include "project/objects/object_names.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 
@@ -62,9 +62,8 @@ bool isFree(const LoadedProject& loaded, const std::string& shippedConfigs, cons
 }
 
 bool isLiteral(const Value& value) {
-    return std::all_of(value.elements.begin(), value.elements.end(), [](const Element& e) {
-        return e.kind != Element::Kind::ParamRef && e.kind != Element::Kind::Expression;
-    });
+    return std::all_of(value.elements.begin(), value.elements.end(),
+                       [](const Element& e) { return e.kind != Element::Kind::ParamRef && e.kind != Element::Kind::Expression; });
 }
 
 class GroupPlanner {
@@ -76,7 +75,8 @@ public:
         findMiddle();
         std::string parts;
         for (const Part* part : m_objects) {
-            Result<std::string> text = m_scenery ? geomsOf(*part, *configOf(m_loaded, *part), m_inverse * poseOf(*part), m_objects.size() > 1 ? part->name : "")
+            Result<std::string> text = m_scenery ? geomsOf(*part, *configOf(m_loaded, *part), m_inverse * poseOf(*part),
+                                                           m_objects.size() > 1 ? part->name : "")
                                                  : bodiesOf(*part);
             if (!text.ok()) return text.error();
             parts += text.value();
@@ -91,8 +91,9 @@ public:
                      (m_scenery || m_objects.size() < 2 ? "" : "  SelfCollision=true\n") + parts + "}\n";
         const std::string instance = UsedNames(m_loaded, nullptr, m_objects.front()->kind).take(lowerFirstOf(m_name));
         for (const Part* part : m_objects) m_sheet.removeItem(part->range);
-        m_sheet.addItem(0, nullptr, std::string(m_scenery ? "Static " : "Robot ") + instance + " { Config=" + m_name + " Pos=" +
-                                        positionText(m_middle) + " HPR=0,0,0 }");
+        m_sheet.addItem(0, nullptr,
+                        std::string(m_scenery ? "Static " : "Robot ") + instance + " { Config=" + m_name +
+                            " Pos=" + positionText(m_middle) + " HPR=0,0,0 }");
         Result<std::vector<TextEdit>> directives = editsForImports(m_loaded, 0, {group.file});
         if (!directives.ok()) return directives.error();
         for (TextEdit& edit : directives.value()) m_sheet.addFirst(std::move(edit));
@@ -108,18 +109,21 @@ private:
             const auto place = placeOf(m_loaded, path);
             const Part* part = place ? place->part : nullptr;
             if (place && place->member)
-                return Error{Code::ReplaceBySingles, path + " is one of many; replace its Grid or Scatter by single robots first"};
+                return Error{Code::ReplaceBySingles,
+                             path + " is one of many; replace its Grid or Scatter by single robots first"};
             const Part* config = part && part == place->instance ? configOf(m_loaded, *part) : nullptr;
             const bool scenery = part && part->kind && part->kind->name == "Static";
             if (!config || !part->is(Role::Instance) || (!scenery && !isPassive(*part, config)))
-                return Error{Code::WrongPlace, (part ? part->title() : path) + " cannot be part of a piece: select scenery, or robots "
+                return Error{Code::WrongPlace, (part ? part->title() : path) +
+                                                   " cannot be part of a piece: select scenery, or robots "
                                                    "without joints, devices and controller"};
             if (part->file != 0)
-                return Error{Code::WrongPlace, part->title() + " is in " + shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder) +
+                return Error{Code::WrongPlace, part->title() + " is in " +
+                                                   shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder) +
                                                    ", not in the opened file; open that to group it"};
             if (!m_objects.empty() && scenery != m_scenery)
-                return Error{Code::WrongPlace, "scenery and movable objects cannot be one piece: " + m_objects.front()->title() + " and " +
-                                                   part->title()};
+                return Error{Code::WrongPlace, "scenery and movable objects cannot be one piece: " + m_objects.front()->title() +
+                                                   " and " + part->title()};
             m_scenery = scenery;
             if (std::find(m_objects.begin(), m_objects.end(), part) == m_objects.end()) m_objects.push_back(part);
         }
@@ -163,7 +167,8 @@ private:
     Result<std::string> geomsOf(const Part& instance, const Part& owner, const Pose& at, const std::string& prefix) {
         std::string text;
         std::set<std::string>& taken = m_scenery ? m_names : m_geomNames;
-        const auto geoms = std::count_if(owner.parts.begin(), owner.parts.end(), [](const Part& p) { return p.is(Role::Geom) && p.usable; });
+        const auto geoms =
+            std::count_if(owner.parts.begin(), owner.parts.end(), [](const Part& p) { return p.is(Role::Geom) && p.usable; });
         const std::string within = &owner == configOf(m_loaded, instance) ? std::string() : owner.name + ".";
         for (const Part& part : owner.parts) {
             if (!part.is(Role::Geom) || !part.usable) continue;
@@ -181,7 +186,8 @@ private:
     Result<std::string> bodiesOf(const Part& instance) {
         std::string text;
         const Part& config = *configOf(m_loaded, instance);
-        const auto bodies = std::count_if(config.parts.begin(), config.parts.end(), [](const Part& p) { return p.is(Role::Body); });
+        const auto bodies =
+            std::count_if(config.parts.begin(), config.parts.end(), [](const Part& p) { return p.is(Role::Body); });
         for (const Part& body : config.parts) {
             if (!body.is(Role::Body) || !body.usable) continue;
             const auto place = placeOf(m_loaded, instance.name + "." + body.name);
@@ -191,7 +197,8 @@ private:
             Result<std::string> geoms = geomsOf(instance, body, Pose{}, "");
             if (!geoms.ok()) return geoms.error();
             text += "  Body " + free(m_names, bodies == 1 ? instance.name : instance.name + "_" + body.name) + " { " +
-                    placeText(m_inverse * poseOf(instance) * poseAt(m_loaded, *place)) + values.value() + "\n" + geoms.value() + "  }\n";
+                    placeText(m_inverse * poseOf(instance) * poseAt(m_loaded, *place)) + values.value() + "\n" + geoms.value() +
+                    "  }\n";
         }
         return text;
     }
@@ -211,9 +218,12 @@ private:
             if (!a) a = part.assignments.find(property.name);
             if (!a || !place) continue;
             const std::optional<PropertyValue> value = valueAt(m_loaded, *place, property.name);
-            if (!value) return Error{Code::MissingValue, property.name + " of " + instance.name + "." + within + " cannot be read"};
-            std::string written = isLiteral(*a->value) ? std::string(m_loaded.outline->texts().slice(a->valueRange())) : valueText(property, *value);
-            if (property.type == PropertyType::File && !value->texts.empty()) written = fileText(*a, value->texts.front(), written);
+            if (!value)
+                return Error{Code::MissingValue, property.name + " of " + instance.name + "." + within + " cannot be read"};
+            std::string written = isLiteral(*a->value) ? std::string(m_loaded.outline->texts().slice(a->valueRange()))
+                                                       : valueText(property, *value);
+            if (property.type == PropertyType::File && !value->texts.empty())
+                written = fileText(*a, value->texts.front(), written);
             text += " " + property.name + "=" + written;
             if (property.type == PropertyType::Reference)
                 for (const std::string& name : value->texts) m_used.insert({property.name, name});
@@ -238,7 +248,8 @@ private:
             const Property* property = part.kind->find(a.key);
             const std::optional<PropertyValue> value = place ? valueAt(m_loaded, *place, a.key) : std::nullopt;
             if (!property || !value)
-                return Error{Code::UnknownParam, a.key + " of " + part.title() + " cannot be worked out; write its value out before it is part of a piece"};
+                return Error{Code::UnknownParam, a.key + " of " + part.title() +
+                                                     " cannot be worked out; write its value out before it is part of a piece"};
             TextRange range = a.value->range;
             range.begin -= part.range.range.begin;
             range.end -= part.range.range.begin;
@@ -252,7 +263,7 @@ private:
         std::set<std::string> files;
         std::set<const Part*> moved;
         for (const auto& [property, name] : m_used) {
-            const Part* part = property == "Material" ? m_loaded.outline->materials.find(name)
+            const Part* part = property == "Material"  ? m_loaded.outline->materials.find(name)
                                : property == "Surface" ? m_loaded.outline->surfaces.find(name)
                                                        : nullptr;
             if (!part) continue; // built in
@@ -294,7 +305,8 @@ Result<GroupPlan> planGroup(const LoadedProject& loaded, const std::vector<std::
     if (!isPlainName(name))
         return Error{Code::WrongPlace, "`" + name + "` is no name: it takes letters, digits and _, and begins with no digit"};
     if (!isFree(loaded, shippedConfigs, name))
-        return Error{Code::DuplicateName, "there is a config " + name + ", or a file objects/" + fileNameFor(name) + ".sim, already"};
+        return Error{Code::DuplicateName,
+                     "there is a config " + name + ", or a file objects/" + fileNameFor(name) + ".sim, already"};
     return GroupPlanner(loaded, name).of(paths);
 }
 

@@ -5,10 +5,10 @@
 
 #include "lang/characters.h"
 #include "project/edits/edit_builder.h"
-#include "project/loading/import_lines.h"
-#include "project/objects/object_names.h"
 #include "project/edits/pasted_blocks.h"
 #include "project/edits/plan_targets.h"
+#include "project/loading/import_lines.h"
+#include "project/objects/object_names.h"
 
 namespace trundle {
 

@@ -4,12 +4,12 @@
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
 #include "project/edits/edit_builder.h"
-#include "project/loading/import_lines.h"
 #include "project/edits/moved_block.h"
+#include "project/edits/plan_targets.h"
+#include "project/loading/import_lines.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/object_names.h"
 #include "project/objects/part_values.h"
-#include "project/edits/plan_targets.h"
 
 namespace trundle {
 

@@ -4,9 +4,9 @@
 #include "lang/tree_edit.h"
 #include "model/provenance.h"
 #include "project/edits/edit_builder.h"
+#include "project/edits/plan_targets.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/part_values.h"
-#include "project/edits/plan_targets.h"
 
 namespace trundle {
 

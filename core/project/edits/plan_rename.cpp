@@ -3,9 +3,9 @@
 #include <set>
 
 #include "project/edits/edit_builder.h"
+#include "project/edits/plans.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/object_names.h"
-#include "project/edits/plans.h"
 
 namespace trundle {
 

@@ -1,8 +1,8 @@
 #include "lang/edit_style.h"
 #include "project/edits/edit_builder.h"
+#include "project/edits/plan_targets.h"
 #include "project/loading/members.h"
 #include "project/objects/object_names.h"
-#include "project/edits/plan_targets.h"
 
 namespace trundle {
 

@@ -5,10 +5,10 @@
 #include <set>
 
 #include "base/units.h"
-#include "project/objects/object_names.h"
-#include "project/objects/part_values.h"
 #include "project/edits/plan_targets.h"
 #include "project/edits/plans.h"
+#include "project/objects/object_names.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 
@@ -62,15 +62,17 @@ public:
     /// A Robot of one body with one geom, resting on the ground.
     std::string writeObject(const Kind& geom) {
         const Kind *config = m_loaded.registry->find("RobotConfig"), *robot = m_loaded.registry->find("Robot");
-        if (geom.role != Role::Geom || std::find(geom.parents.begin(), geom.parents.end(), "Body") == geom.parents.end()) return {};
+        if (geom.role != Role::Geom || std::find(geom.parents.begin(), geom.parents.end(), "Body") == geom.parents.end())
+            return {};
         const std::string title = geom.name == "Sphere" ? "Ball" : geom.name;
         const std::string configName = UsedNames(m_loaded, nullptr, config).take(title + "Object");
         const std::string name = UsedNames(m_loaded, nullptr, robot).take(lowerFirst(title));
         std::string size;
         for (const Property& p : geom.properties)
             if (p.required) size += " " + p.name + "=" + (p.name == "Radius" ? "0.1" : repeated(p, "0.2"));
-        return "RobotConfig " + configName + " {\n  Body body { " + geom.name + " " + lowerFirst(title) + " {" + size + " Pos=0,0,0.1" +
-               looks(geom, nullptr) + " Mass=0.5 } }\n}\nRobot " + name + " { Config=" + configName + " Pos=0,0,0 }";
+        return "RobotConfig " + configName + " {\n  Body body { " + geom.name + " " + lowerFirst(title) + " {" + size +
+               " Pos=0,0,0.1" + looks(geom, nullptr) + " Mass=0.5 } }\n}\nRobot " + name + " { Config=" + configName +
+               " Pos=0,0,0 }";
     }
 
 private:

@@ -9,8 +9,8 @@
 
 #include "base/result.h"
 #include "base/text_edit.h"
-#include "project/objects/object_location.h"
 #include "project/loading/project.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "base/platform/process_identity.h"
+#include "lang/text_splice.h"
 #include "project/journal/journal_record.h"
 #include "project/journal/state_folder.h"
-#include "lang/text_splice.h"
 
 namespace trundle {
 

@@ -5,11 +5,11 @@
 
 #include "base/platform/folder_handle.h"
 #include "base/platform/process_identity.h"
+#include "lang/text_splice.h"
 #include "project/journal/journal.h"
 #include "project/journal/journal_record.h"
-#include "project/loading/search.h"
 #include "project/journal/state_folder.h"
-#include "lang/text_splice.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 

@@ -24,7 +24,7 @@ Status Loader::open(const std::string& path) {
 }
 
 Result<Loader::Bytes> Loader::read(const std::string& path, const std::string& absolute, const std::string& shown,
-                                  std::size_t most) const {
+                                   std::size_t most) const {
     if (m_options.texts) {
         if (const auto held = m_options.texts->find(absolute); held != m_options.texts->end()) {
             if (held->second->size() > most)

@@ -206,7 +206,8 @@ void offerImports(const LoadedProject& loaded, const FileSearch& search, const s
     std::size_t offered = 0;
     constexpr std::size_t kMaxLookedUp = 50; ///< each is a search; more fixes would not be read
     for (Diagnostic& d : diagnostics) {
-        if (d.code != Code::UnknownReference || d.range.file >= loaded.trees.size() || loaded.paths[d.range.file].empty()) continue;
+        if (d.code != Code::UnknownReference || d.range.file >= loaded.trees.size() || loaded.paths[d.range.file].empty())
+            continue;
         if (++offered > kMaxLookedUp) return;
         offer.add(d);
     }

@@ -29,8 +29,8 @@ std::optional<InstanceVariants> variantsOf(const LoadedProject& loaded, const Ob
         return found == named.end() ? std::string() : found->second.path;
     };
     // Keeps only the shapes, not the contents of the files.
-    assets.mesh = [pathOf, experiment = loaded.experiment, shapes = loaded.shapes](
-                      const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
+    assets.mesh = [pathOf, experiment = loaded.experiment,
+                   shapes = loaded.shapes](const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
         FoundAsset<TriangleMesh> found{pathOf(written, file), nullptr};
         forEachGeom(*experiment, [&](const GeomSpec& geom) {
             if (!found.content && geom.mesh && geom.file == found.path) found.content = shapes->originalOf(geom.mesh);

@@ -142,8 +142,7 @@ public:
             else if (hasOwnAppearance(geom)) addParts(i, *geom.mesh->look);
             else m_all.push_back({i, geom.material < materials.size() ? materials[geom.material] : MaterialSpec{}, {}});
         }
-        std::erase_if(m_all,
-                      [](const Piece& piece) { return !(piece.material.opacity > 0); }); // invisible, in camera images too
+        std::erase_if(m_all, [](const Piece& piece) { return !(piece.material.opacity > 0); }); // invisible, in camera images too
     }
 
     /// The pieces accepted by `wanted` as one drawable; null if there are none.

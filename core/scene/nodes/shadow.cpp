@@ -26,9 +26,9 @@ constexpr float kContactDepth = 0.35f; // darkness directly below objects, which
 constexpr float kNoTop = 1e9f;
 constexpr float kContactTop = 0.05f; // m; higher parts hide little of it
 
-constexpr double kLeastSlant = 0.2;         // cosine; at more grazing light shadows become too long
-constexpr float kLeastLampHeight = 0.05f;   // m above the floor
-constexpr std::size_t kMaxShadowLamps = 3;  // each uses one layer
+constexpr double kLeastSlant = 0.2;        // cosine; at more grazing light shadows become too long
+constexpr float kLeastLampHeight = 0.05f;  // m above the floor
+constexpr std::size_t kMaxShadowLamps = 3; // each uses one layer
 
 float heightOf(const Lamp& lamp, const FloorPlane& floor) {
     const Vec3 place(lamp.place.x(), lamp.place.y(), lamp.place.z());

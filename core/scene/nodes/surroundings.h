@@ -7,10 +7,10 @@
 #include <osg/Group>
 
 #include "model/experiment_spec.h"
-#include "scene/shapes/bounds.h"
 #include "scene/nodes/lighting.h"
 #include "scene/nodes/pictures.h"
 #include "scene/shaders/scene_shading.h"
+#include "scene/shapes/bounds.h"
 
 namespace trundle {
 

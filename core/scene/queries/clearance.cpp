@@ -124,14 +124,16 @@ std::vector<ConvexPiece> ConvexPiece::of(const GeomSpec& geom, const Pose& owner
     ConvexPiece piece;
     piece.m_pose = owner * geom.pose;
     const auto box = [&](const Vec3& half) {
-        for (int i = 0; i < 8; ++i) piece.m_points.push_back(half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+        for (int i = 0; i < 8; ++i)
+            piece.m_points.push_back(half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
     };
     const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         if (pieces.size() >= kMaxTriangles) return;
         ConvexPiece one = piece;
         one.m_points = {a, b, c};
         for (const Vec3& p : one.m_points) one.m_bounds.add(one.m_pose * p);
-        const bool apart = (one.m_bounds.low.array() > about.high.array()).any() || (one.m_bounds.high.array() < about.low.array()).any();
+        const bool apart =
+            (one.m_bounds.low.array() > about.high.array()).any() || (one.m_bounds.high.array() < about.low.array()).any();
         if (!apart) pieces.push_back(std::move(one));
     };
     if (isPlaceholder(geom)) return pieces; // placeholders do not collide
@@ -169,7 +171,8 @@ std::vector<ConvexPiece> ConvexPiece::of(const GeomSpec& geom, const Pose& owner
         const HeightMap& map = *geom.heightMap;
         if (map.columns < 2 || map.rows < 2 || map.heights.size() < std::size_t(map.columns) * map.rows) return pieces;
         const auto point = [&](std::uint32_t column, std::uint32_t row) {
-            return Vec3(geom.size.x() * (double(column) / (map.columns - 1) - 0.5), geom.size.y() * (0.5 - double(row) / (map.rows - 1)),
+            return Vec3(geom.size.x() * (double(column) / (map.columns - 1) - 0.5),
+                        geom.size.y() * (0.5 - double(row) / (map.rows - 1)),
                         geom.size.z() * double(map.heights[std::size_t(row) * map.columns + column]));
         };
         for (std::uint32_t row = 0; row + 1 < map.rows; ++row)
@@ -193,7 +196,8 @@ Vec3 ConvexPiece::support(const Vec3& direction) const {
         if (across > 1e-15) best.head<2>() = m_radius / across * d.head<2>();
         best.z() = d.z() < 0 ? -m_half : m_half;
     } else {
-        best = *std::max_element(m_points.begin(), m_points.end(), [&](const Vec3& a, const Vec3& b) { return a.dot(d) < b.dot(d); });
+        best = *std::max_element(m_points.begin(), m_points.end(),
+                                 [&](const Vec3& a, const Vec3& b) { return a.dot(d) < b.dot(d); });
         if (m_grown > 0 && d.norm() > 0) best += m_grown * d.normalized();
     }
     return m_pose * best;

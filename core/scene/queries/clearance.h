@@ -15,7 +15,7 @@ public:
     /// which give one piece per triangle near `about`.
     [[nodiscard]] static std::vector<ConvexPiece> of(const GeomSpec& geom, const Pose& owner, const Bounds& about);
 
-    [[nodiscard]] Vec3 support(const Vec3& direction) const; ///< farthest point in that direction; not for half-spaces
+    [[nodiscard]] Vec3 support(const Vec3& direction) const;        ///< farthest point in that direction; not for half-spaces
     [[nodiscard]] const Bounds& bounds() const { return m_bounds; } ///< empty: unbounded
     void move(const Vec3& by);
 
@@ -27,8 +27,8 @@ public:
 
 private:
     Pose m_pose;
-    std::vector<Vec3> m_points; // in the piece's frame
-    double m_grown = 0;         // m, radius of a sphere around each point
+    std::vector<Vec3> m_points;      // in the piece's frame
+    double m_grown = 0;              // m, radius of a sphere around each point
     double m_radius = 0, m_half = 0; // m, cylinder along its z axis; 0: no cylinder
     Vec3 m_normal = Vec3::Zero();    // of a half-space; m_pose.position is on its surface
     Bounds m_bounds;

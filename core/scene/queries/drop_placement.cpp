@@ -18,13 +18,13 @@ namespace trundle {
 namespace {
 
 constexpr double kTipMargin = 0.01; // m; the centre of a supported object is at least this far inside the edge
-constexpr double kSteep = 0.5;    // z of a unit normal; objects do not rest on steeper faces
-constexpr double kDepth = 2e-6;   // m; smaller penetration is ignored
-constexpr double kGap = 2e-6;     // m, between touching objects; above the rounding of numbers in the text
-constexpr double kRound = 1e-3;   // m; Pos is a multiple of it where that is possible
+constexpr double kSteep = 0.5;      // z of a unit normal; objects do not rest on steeper faces
+constexpr double kDepth = 2e-6;     // m; smaller penetration is ignored
+constexpr double kGap = 2e-6;       // m, between touching objects; above the rounding of numbers in the text
+constexpr double kRound = 1e-3;     // m; Pos is a multiple of it where that is possible
 constexpr int kSteps = 40, kWays = 16;
-constexpr double kFarthest = 100; // m, of the search for a free place
-constexpr double kDigit = 1e-6; // m, resolution of Pos
+constexpr double kFarthest = 100;          // m, of the search for a free place
+constexpr double kDigit = 1e-6;            // m, resolution of Pos
 constexpr double kSupportTolerance = 5e-3; // m; an object at most this far above a surface rests on it
 
 /// Convex shape used for placement; a mesh is represented by its hull.

@@ -14,8 +14,8 @@ namespace trundle {
 [[nodiscard]] std::optional<CameraView> namedView(const ExperimentSpec& experiment, std::string_view name,
                                                   const BodyPoses& poses);
 /// The View of that name in another text of the experiment that runs, as one that was edited since; the robots and poses are the run's.
-[[nodiscard]] std::optional<CameraView> namedView(const ExperimentSpec& text, std::string_view name, const ExperimentSpec& running,
-                                                  const BodyPoses& poses);
+[[nodiscard]] std::optional<CameraView> namedView(const ExperimentSpec& text, std::string_view name,
+                                                  const ExperimentSpec& running, const BodyPoses& poses);
 /// "top, side": the names of the experiment's Views.
 [[nodiscard]] std::string viewNames(const ExperimentSpec& experiment);
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "model/experiment_spec.h"
+#include "scene/queries/poses.h"
 #include "scene/shapes/bounds.h"
 #include "scene/shapes/extents.h"
-#include "scene/queries/poses.h"
 
 namespace trundle {
 

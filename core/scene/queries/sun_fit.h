@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "scene/shapes/bounds.h"
 #include "scene/queries/camera_view.h"
+#include "scene/shapes/bounds.h"
 
 namespace trundle {
 

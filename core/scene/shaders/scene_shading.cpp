@@ -13,16 +13,12 @@ SceneShading::SceneShading()
     : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), openCasters(new osg::StateSet),
       sky(new osg::StateSet), ghosts(new osg::StateSet), collision(new osg::StateSet), guide(new osg::StateSet),
       tinted(new osg::StateSet), floorTint(new osg::StateSet), sunCasters(new osg::StateSet), faces(new osg::StateSet),
-      opened(new osg::StateSet), smoothed(new osg::StateSet),
-      floor(program("floor", "floor.vert.glsl",
-                    "floor.frag.glsl")),
+      opened(new osg::StateSet), smoothed(new osg::StateSet), floor(program("floor", "floor.vert.glsl", "floor.frag.glsl")),
       shadow(program("shadow", "shadow.vert.glsl", "shadow.frag.glsl")),
       lampShadow(program("lampShadow", "lamp_shadow.vert.glsl", "lamp_shadow.frag.glsl")),
-      flat(program("flat", "flat.vert.glsl", "flat.frag.glsl")),
-      data(program("data", "data.vert.glsl", "data.frag.glsl")),
+      flat(program("flat", "flat.vert.glsl", "flat.frag.glsl")), data(program("data", "data.vert.glsl", "data.frag.glsl")),
       pictured(program("pictured", "body.vert.glsl", "pictured.frag.glsl")),
-      picturedFloor(
-          program("picturedFloor", "floor.vert.glsl", "pictured_floor.frag.glsl")) {
+      picturedFloor(program("picturedFloor", "floor.vert.glsl", "pictured_floor.frag.glsl")) {
     const osg::ref_ptr<osg::Program> body = program("body", "body.vert.glsl", "body.frag.glsl");
     for (osg::StateSet* set : {bodies.get(), surfaces.get(), clear.get()}) set->setAttributeAndModes(body);
     surfaces->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
@@ -37,8 +33,7 @@ SceneShading::SceneShading()
     sky->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     sky->setRenderBinDetails(kDrawSky, "RenderBin");
 
-    guide->setAttributeAndModes(
-        program("guide", "floor.vert.glsl", "guide.frag.glsl"));
+    guide->setAttributeAndModes(program("guide", "floor.vert.glsl", "guide.frag.glsl"));
     guide->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
     guide->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
     guide->setAttributeAndModes(new osg::PolygonOffset(1.f, 2.f)); // objects on the ground are drawn over it

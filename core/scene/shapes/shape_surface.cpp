@@ -10,9 +10,9 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kCreaseCosine = 0.80f;      // about 37 degrees
-constexpr std::size_t kMaxNeighbours = 48;  // corners with more faces are drawn flat, which keeps smoothing linear in time
-constexpr std::uint32_t kMaxSamples = 512;  // per side of a height map
+constexpr float kCreaseCosine = 0.80f;     // about 37 degrees
+constexpr std::size_t kMaxNeighbours = 48; // corners with more faces are drawn flat, which keeps smoothing linear in time
+constexpr std::uint32_t kMaxSamples = 512; // per side of a height map
 
 struct PointKey {
     std::array<float, 3> at;

@@ -28,8 +28,8 @@ public:
 private:
     Mat3 m_tensor = Mat3::Identity(), m_inverse = Mat3::Identity();
     bool m_round = true;
-    Quat m_axes = Quat::Identity(); ///< principal axes in the body's
-    double m_ball = 1;              ///< 1 / moment about the first axis
+    Quat m_axes = Quat::Identity();   ///< principal axes in the body's
+    double m_ball = 1;                ///< 1 / moment about the first axis
     double m_second = 0, m_third = 0; ///< of the other axes, less m_ball; the second is the lesser
 };
 

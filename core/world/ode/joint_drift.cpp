@@ -11,8 +11,8 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastGain = 0.05; // with less the bodies would have to stand too far aside
-constexpr double kOpen = 1e-6;                 // m: a joint may be off by so much
-constexpr double kSmall = 0.05;               // rad in a tick: a series does
+constexpr double kOpen = 1e-6;      // m: a joint may be off by so much
+constexpr double kSmall = 0.05;     // rad in a tick: a series does
 
 /// m/s: the mean velocity of an anchor in a tick, less that at its start.
 Vec3 bend(const Vec3& rate, const Vec3& arm, double h, bool whole) {
@@ -83,8 +83,7 @@ void JointDrift::start(std::span<const OdeBody> bodies, std::span<const OdeConta
 }
 
 /// m: by how much the bodies would open a joint in this tick.
-template <class RateOf>
-Vec3 JointDrift::gapOf(const Edge& edge, const OdeJoint& joint, double h, const RateOf& rateOf) const {
+template <class RateOf> Vec3 JointDrift::gapOf(const Edge& edge, const OdeJoint& joint, double h, const RateOf& rateOf) const {
     const std::uint32_t c = joint.child, p = joint.parent;
     Vec3 gap = bend(rateOf(c), edge.childArm, h, m_whole[c]);
     if (p != kNone) gap -= bend(rateOf(p), edge.parentArm, h, m_whole[p]);

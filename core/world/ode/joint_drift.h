@@ -31,13 +31,14 @@ private:
         bool closed = false;           ///< in this tick
         Vec3 childArm = Vec3::Zero(), parentArm = Vec3::Zero(), gap = Vec3::Zero(); ///< world: at its start, and expected (m)
     };
-    template <class RateOf> [[nodiscard]] Vec3 gapOf(const Edge& edge, const OdeJoint& joint, double h, const RateOf& rateOf) const;
+    template <class RateOf>
+    [[nodiscard]] Vec3 gapOf(const Edge& edge, const OdeJoint& joint, double h, const RateOf& rateOf) const;
 
     std::vector<Edge> m_edges;
-    std::vector<std::uint32_t> m_jointed; ///< bodies
+    std::vector<std::uint32_t> m_jointed;       ///< bodies
     std::vector<Vec3> m_last, m_rates, m_aside; ///< by body
-    std::vector<bool> m_whole;   ///< by body: turns by the whole angle, not by its tangent
-    std::vector<bool> m_touches; ///< by actor
+    std::vector<bool> m_whole;                  ///< by body: turns by the whole angle, not by its tangent
+    std::vector<bool> m_touches;                ///< by actor
 };
 
 } // namespace trundle

@@ -38,7 +38,17 @@ WheelPose OdeEngine::wheelPose(const Geom& geom, std::uint32_t index) const {
 }
 
 SweepScene OdeEngine::sweepScene() {
-    return {m_actors, m_bodies, m_states, m_geoms, m_planes, m_statics, m_centres, m_boxes, m_actorBoxes, m_grid, m_contacts,
+    return {m_actors,
+            m_bodies,
+            m_states,
+            m_geoms,
+            m_planes,
+            m_statics,
+            m_centres,
+            m_boxes,
+            m_actorBoxes,
+            m_grid,
+            m_contacts,
             [this](const Body& body) { placeGeoms(body); },
             [this](std::uint32_t geom, const GroundPlane& plane) { geomOnPlane(geom, plane); },
             [this](std::uint32_t first, std::uint32_t second) { collideGeoms(first, second); },
@@ -52,7 +62,8 @@ void OdeEngine::placeGeoms(const Body& body) {
         Vec3 half = Vec3::Constant(g.bound);
         if (!g.wheel && g.shape != GeomShape::Sphere) half = half.cwiseMin(axesOf(g).cwiseAbs() * g.half);
         m_centres[i] = c;
-        m_boxes[i] = {{c.x() - half.x(), c.y() - half.y(), c.z() - half.z()}, {c.x() + half.x(), c.y() + half.y(), c.z() + half.z()}};
+        m_boxes[i] = {{c.x() - half.x(), c.y() - half.y(), c.z() - half.z()},
+                      {c.x() + half.x(), c.y() + half.y(), c.z() + half.z()}};
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kOnEnd = 0.999;      // cosine between contact normal and cylinder axis: the contact is on an end face
 constexpr double kOneDirection = 0.9; // cosine; contacts with the same direction
-constexpr double kSameDepth = 5e-5; // m; smaller differences are decided by index, so that the choice is stable between ticks
+constexpr double kSameDepth = 5e-5;   // m; smaller differences are decided by index, so that the choice is stable between ticks
 constexpr int kMaxDirections = 3;
 
 double step(double depth) { return std::floor(depth / kSameDepth); }

@@ -26,8 +26,8 @@ template <class Points> Bounds boundsOf(const Points& points) {
     return b;
 }
 
-constexpr double kNeedle = 1e-6;            // minimum height of a triangle, relative to the size of its hull
-constexpr std::size_t kMaxHullPoints = 96;  // ODE visits all of them for every pair
+constexpr double kNeedle = 1e-6;           // minimum height of a triangle, relative to the size of its hull
+constexpr std::size_t kMaxHullPoints = 96; // ODE visits all of them for every pair
 
 OdeShape simple(dGeomID id, const Vec3& half, double bound) { return {id, {}, half, bound, nullptr}; }
 

@@ -11,11 +11,11 @@ namespace trundle {
 
 namespace {
 
-constexpr double kShare = 0.9;     // of its own thickness that a body may move unswept
-constexpr double kGrazing = 0.01;  // sine of the angle to a surface below which a body slides along it
-constexpr int kMostSamples = 200;  // of a path; what is thinner than that is found by its centre
+constexpr double kShare = 0.9;    // of its own thickness that a body may move unswept
+constexpr double kGrazing = 0.01; // sine of the angle to a surface below which a body slides along it
+constexpr int kMostSamples = 200; // of a path; what is thinner than that is found by its centre
 constexpr int kHalvings = 24;
-constexpr double kDeeper = 0.02;   // of a thickness, that a contact may deepen in a tick
+constexpr double kDeeper = 0.02; // of a thickness, that a contact may deepen in a tick
 constexpr std::size_t kMostPassages = 20;
 
 Box3 around(const Box3& box, const Vec3& by) {
@@ -61,7 +61,9 @@ bool OdeSweep::outruns(const OdeGeom& g, double h) const {
                                                w.x() * half.y() + w.y() * half.x());
     const double share = g.shape == GeomShape::Convex || g.shape == GeomShape::Mesh ? kShare / 2 : kShare;
     const double most = thinnestFor(g);
-    if (round) return std::hypot(reach.x(), reach.y()) > share * std::min(g.radius, most) || reach.z() > share * std::min(half.z(), most);
+    if (round)
+        return std::hypot(reach.x(), reach.y()) > share * std::min(g.radius, most) ||
+               reach.z() > share * std::min(half.z(), most);
     return (reach.array() > share * half.array()).any();
 }
 
@@ -148,8 +150,9 @@ double OdeSweep::freeShare(std::uint32_t geom, const Path& path, bool jointed) {
     if (m_obstacles.empty()) return 1;
     const OdeGeom& g = m_scene.geoms[geom];
     const double turned = path.turned.norm() * (g.bound + g.offset.norm());
-    const double steps = std::clamp(std::ceil(((path.to - path.from).norm() + turned) / (kShare * std::min(g.half.minCoeff(), thinnestFor(g)))), 1.0,
-                                    static_cast<double>(kMostSamples));
+    const double steps =
+        std::clamp(std::ceil(((path.to - path.from).norm() + turned) / (kShare * std::min(g.half.minCoeff(), thinnestFor(g)))),
+                   1.0, static_cast<double>(kMostSamples));
     double clear = 0, stopped = 2;
     for (int i = 1; i <= static_cast<int>(steps) && stopped > 1; ++i) {
         const double t = i / steps;
@@ -230,7 +233,8 @@ void OdeSweep::run(double h) {
             ++m_count;
             const Path path = pathOf(i, h);
             const RawState end = stateOf(b);
-            for (const std::uint32_t geom : m_fast) share = std::min(share, freeShare(geom, path, actor.joints.begin != actor.joints.end));
+            for (const std::uint32_t geom : m_fast)
+                share = std::min(share, freeShare(geom, path, actor.joints.begin != actor.joints.end));
             putBack(i, end);
             for (const std::uint32_t geom : m_fast) findPassages(geom, h);
         }

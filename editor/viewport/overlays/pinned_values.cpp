@@ -14,9 +14,10 @@
 namespace trundle {
 namespace {
 
-constexpr double kPinEdge = 2, kPinLeft = 8, kPinTop = 44, kPinBottom = 70, kPinRim = 8, kPinGap = 6, kPinCross = 8, kPinNameGap = 12;
+constexpr double kPinEdge = 2, kPinLeft = 8, kPinTop = 44, kPinBottom = 70, kPinRim = 8, kPinGap = 6, kPinCross = 8,
+                 kPinNameGap = 12;
 constexpr std::size_t kPinNumbers = 3;
-constexpr int kPinDigits = 8;       // "-123.456"
+constexpr int kPinDigits = 8;                         // "-123.456"
 constexpr int kPinMostName = 200, kPinLeastName = 70; // pixels at the default font; longer names are elided in the middle
 const QColor kPinPaper(24, 27, 31, 205), kPinWords(245, 246, 248), kPinQuiet(178, 184, 192);
 
@@ -27,8 +28,8 @@ QString noValues() { return PinnedValues::tr("no values before it runs"); }
 class LabelText {
 public:
     LabelText(const QFont& font, const std::string& path, std::vector<LiveValue> values, double room)
-        : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(std::move(values)), m_words(font),
-          m_bold(font), m_figures(figuresFont(12)) {
+        : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(std::move(values)),
+          m_words(font), m_bold(font), m_figures(figuresFont(12)) {
         m_bold.setWeight(QFont::DemiBold);
         const QFontMetricsF words(m_words), figures(m_figures), bold(m_bold);
         const double inside = room - 2 * kPinRim;
@@ -45,7 +46,8 @@ public:
         m_nameWidth = std::min(m_nameWidth, m_stacked ? inside : besideNumbers);
         if (m_stacked) m_inLine = std::size_t(std::clamp((inside - m_unitWidth) / m_numberWidth, 1.0, double(m_inLine)));
         for (const LiveValue& value : m_values)
-            m_names.push_back(words.elidedText(QString::fromStdString(value.name), Qt::ElideMiddle, m_nameWidth - (m_stacked ? 0 : kPinNameGap)));
+            m_names.push_back(words.elidedText(QString::fromStdString(value.name), Qt::ElideMiddle,
+                                               m_nameWidth - (m_stacked ? 0 : kPinNameGap)));
         const double numbersWidth = double(m_inLine) * m_numberWidth + m_unitWidth;
         m_width = m_stacked ? std::max(m_nameWidth, numbersWidth) : m_nameWidth + numbersWidth;
         if (m_values.empty()) m_width = std::min(inside, words.horizontalAdvance(noValues()));

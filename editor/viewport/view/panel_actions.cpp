@@ -14,8 +14,8 @@
 #include "editor/viewport/view/view_header.h"
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/actions.h"
-#include "project/objects/object_location.h"
 #include "project/edits/path_after_edit.h"
+#include "project/objects/object_location.h"
 #include "render/service.h"
 
 namespace trundle {

@@ -82,11 +82,12 @@ View::View(const ViewContext& context, ViewKind kind, QWidget* parent)
         followSelection();
         redraw();
     });
-    connect(&m_context.document, &Document::changed, this, [this] { // the scene of a run stays, but its Views are those of the text
-        if (m_named.empty()) return;
-        followNamed();
-        redraw();
-    });
+    connect(&m_context.document, &Document::changed, this,
+            [this] { // the scene of a run stays, but its Views are those of the text
+                if (m_named.empty()) return;
+                followNamed();
+                redraw();
+            });
     connect(&m_context.world, &ViewportScene::marked, this, &View::redraw);
     connect(&m_context.world, &ViewportScene::draggedMoved, this, &View::redraw);
     connect(&m_context.settings, &ViewSettings::changed, this, &View::redraw);

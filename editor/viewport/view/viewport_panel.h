@@ -110,7 +110,7 @@ private:
     int m_shown = 1;
     bool m_toBeFramed = true, m_frameWhenShown = false;
     std::shared_ptr<const LoadedProject> m_pinsIn; // texts without errors in which the pins' paths were last valid
-    bool m_pinsOfOther = false; // another experiment was opened, but is not displayed yet
+    bool m_pinsOfOther = false;                    // another experiment was opened, but is not displayed yet
 };
 
 } // namespace trundle

@@ -9,10 +9,10 @@
 
 #include "render/graphics_context.h"
 #include "render/platform/egl_context.h"
-#include "scene/queries/camera_model.h"
 #include "scene/nodes/geom_nodes.h"
 #include "scene/nodes/osg_types.h"
 #include "scene/nodes/surroundings.h"
+#include "scene/queries/camera_model.h"
 
 namespace trundle {
 namespace {

@@ -12,7 +12,8 @@ struct Counter : trundle::Controller {
 
     static void describe(trundle::Describe<Counter>& d) {
         d.help("Counts its turns.");
-        d.field("End", &Counter::end, trundle::number().within(0, 1e6), "It finishes the run in the turn of this number; 0: never.");
+        d.field("End", &Counter::end, trundle::number().within(0, 1e6),
+                "It finishes the run in the turn of this number; 0: never.");
         d.field("What", &Counter::what, trundle::text(), "The signal that it publishes.");
         d.field("Reason", &Counter::reason, trundle::text(), "Why the run ends.");
         d.field("Early", &Counter::early, trundle::flag(), "It finishes the run in setup.");

@@ -167,13 +167,15 @@ const std::map<std::string, Action>& actions() {
         {"standard thread overflows",
          [] {
              thrd_t thread{};
-             thrd_create(&thread, [](void*) { return deeper(1); }, nullptr);
+             thrd_create(
+                 &thread, [](void*) { return deeper(1); }, nullptr);
              thrd_join(thread, nullptr);
          }},
         {"library code crashes in a thread", // no code of the module is on the thread's stack
          [] {
              pthread_t thread{};
-             pthread_create(&thread, nullptr, reinterpret_cast<void* (*)(void*)>(dlsym(RTLD_DEFAULT, "strdup")), const_cast<char*>(nowhere()));
+             pthread_create(&thread, nullptr, reinterpret_cast<void* (*)(void*)>(dlsym(RTLD_DEFAULT, "strdup")),
+                            const_cast<char*>(nowhere()));
              pthread_join(thread, nullptr);
          }},
         {"thread of a thread crashes", [] { std::thread([] { inThread("segv"); }).join(); }},
@@ -328,7 +330,8 @@ struct Zoo : trundle::Controller, Settings {
             for (int i = 0; i < 100'000; ++i) print("line ", i);
         } else if (action == "print long") print(std::string(5'000'000, 'x'));
         else if (action == "log badly") {
-            for (const char* name : {"../out.csv", "/out.csv", "path.csv", "", ".", "a\nb", ".trundle-logs"}) openLog(name).write("x");
+            for (const char* name : {"../out.csv", "/out.csv", "path.csv", "", ".", "a\nb", ".trundle-logs"})
+                openLog(name).write("x");
             for (int i = 0; i < 1100; ++i) openLog("many/" + std::to_string(i)).write("x");
         } else if (action == "fail badly") fail("\x1b[2J gone\n\xff");
         else return false;

@@ -196,7 +196,9 @@ private Q_SLOTS:
         QVERIFY(d.open(mine).ok());
         QVERIFY(!d.apply(u"Push"_qs, planPushOverride(*d.loaded(), "a.leftMotor.Resistance")).ok() && !d.isModified());
         typeResistance();
-        QCOMPARE(why(d.replaceText(u"Typing"_qs, mine, "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n")), "");
+        QCOMPARE(why(d.replaceText(u"Typing"_qs, mine,
+                                   "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n")),
+                 "");
         set("Seed", "2");
         const Status saved = d.save();
         QVERIFY(!saved.ok());

@@ -239,7 +239,8 @@ private Q_SLOTS:
         const std::string kept = "// The body.\nBody chassis {\n  Box hull { Size=0.3,0.2,0.1 Mass=2 }\n}\n";
         const std::string shipped = fixture.write("configs/shipped/body.sim", kept);
         fixture.write("configs/shipped/all.sim", "#import body.sim\n");
-        fixture.write("configs/robots/rover.sim", "RobotConfig Rover {\n  #import " + imported.toStdString() + " // the body\n}\n");
+        fixture.write("configs/robots/rover.sim",
+                      "RobotConfig Rover {\n  #import " + imported.toStdString() + " // the body\n}\n");
         for (const int edit : {0, 1, 2, 3}) {
             OtherShipment application(*m_application, fixture.path("configs/shipped"));
             Document d(application);
@@ -253,7 +254,9 @@ private Q_SLOTS:
             QCOMPARE(messages(*d.loaded()), "");
             QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.robot});
             const std::string text = *d.text(fixture.robot);
-            QVERIFY2(holds(text, "  Body ") && holds(text, "    Box hull") && holds(text, "// The body.") && holds(text, edit == 3 ? "Mass=2.5" : "nose"), text.c_str());
+            QVERIFY2(holds(text, "  Body ") && holds(text, "    Box hull") && holds(text, "// The body.") &&
+                         holds(text, edit == 3 ? "Mass=2.5" : "nose"),
+                     text.c_str());
             QVERIFY2(holds(reportOf(notices), "Rover has its text instead of the import"), reportOf(notices).c_str());
             QCOMPARE(d.history().entries().size(), 1u);
             QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
@@ -301,9 +304,18 @@ private Q_SLOTS:
         QTest::addColumn<QString>("to");
         QTest::addColumn<QString>("own");   // is in rover.sim afterwards
         QTest::addColumn<QString>("other"); // is in other.sim afterwards
-        QTest::newRow("config") << "RobotConfig.Rover" << "Buggy" << "RobotConfig Buggy {" << "Config=Buggy chassis.hull.Mass=3";
-        QTest::newRow("body") << "RobotConfig.Rover.chassis" << "base" << "Parent=base Child=leftWheel" << "Config=Rover base.hull.Mass=3";
-        QTest::newRow("through the robot") << "robot0.chassis" << "base" << "Body base {" << "Config=Rover base.hull.Mass=3";
+        QTest::newRow("config") << "RobotConfig.Rover"
+                                << "Buggy"
+                                << "RobotConfig Buggy {"
+                                << "Config=Buggy chassis.hull.Mass=3";
+        QTest::newRow("body") << "RobotConfig.Rover.chassis"
+                              << "base"
+                              << "Parent=base Child=leftWheel"
+                              << "Config=Rover base.hull.Mass=3";
+        QTest::newRow("through the robot") << "robot0.chassis"
+                                           << "base"
+                                           << "Body base {"
+                                           << "Config=Rover base.hull.Mass=3";
     }
     void renamesInTextsThatAreNotLoaded() {
         QFETCH(QString, path);

@@ -2,8 +2,8 @@
 
 #include <QMenu>
 
-#include "editor/outline/insert_menu.h"
 #include "check/model_check.h"
+#include "editor/outline/insert_menu.h"
 #include "eventually.h"
 #include "model/passive_objects.h"
 #include "outline_fixture.h"

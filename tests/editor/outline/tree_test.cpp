@@ -161,8 +161,9 @@ void TreeTest::tenThousandMembersMakeFewRows() {
 
 void TreeTest::passiveRobotIsAnObject() {
     OutlineFixture o;
-    QVERIFY(o.open(kRovers + "RobotConfig Ball { Body b { Sphere s { Radius=0.1 Mass=0.1 } } }\nRobot ball { Config=Ball Pos=3,3,0 }\n"
-                             "Grid balls { Config=Ball Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
+    QVERIFY(o.open(kRovers +
+                   "RobotConfig Ball { Body b { Sphere s { Radius=0.1 Mass=0.1 } } }\nRobot ball { Config=Ball Pos=3,3,0 }\n"
+                   "Grid balls { Config=Ball Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
     const auto groupOf = [&](const char* path) { return o.at(path).parent().data().toString(); };
     QCOMPARE(groupOf("ball"), QStringLiteral("Objects"));
     QCOMPARE(groupOf("balls"), QStringLiteral("Objects"));
@@ -359,7 +360,7 @@ void TreeTest::tooltipShowsMeasuredValues() {
     const QString now = ask();
     QVERIFY2(now.contains(QStringLiteral("speed")) && now.contains(QStringLiteral("0.098")), qPrintable(now));
     QVERIFY(before.isEmpty() || now.contains(before.section(u'\n', 0, 0).toHtmlEscaped())); // the same text as before
-    session.step(); // updated while it is shown
+    session.step();                                                                         // updated while it is shown
     EVENTUALLY(QToolTip::text().contains(QStringLiteral("0.196")));
     session.reset();
     EVENTUALLY(!ask().contains(QStringLiteral("speed")));
@@ -371,7 +372,10 @@ void TreeTest::narrowRowsKeepTheName() {
     const auto leftOf = [](OutlineFixture& o, const char* path, int width) { // the row's picture up to the end of its name
         const QRect row = o.tree().visualRect(o.at(path));
         const int name = o.tree().fontMetrics().horizontalAdvance(o.at(path).data().toString());
-        return o.tree().viewport()->grab(QRect(row.left(), row.top(), width < 0 ? row.width() : name + 24, row.height())).toImage();
+        return o.tree()
+            .viewport()
+            ->grab(QRect(row.left(), row.top(), width < 0 ? row.width() : name + 24, row.height()))
+            .toImage();
     };
     const QByteArray text = QByteArray(kRovers).replace("Rover", "AVeryLongNameOfAConfigThatFitsNowhere");
     QList<QImage> wide, narrow;

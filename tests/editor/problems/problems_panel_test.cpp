@@ -139,7 +139,8 @@ private Q_SLOTS:
                 int longest = 0;
                 for (const QString& text : fixture.messages()) longest = std::max(longest, metrics.horizontalAdvance(text));
                 const int least = metrics.averageCharWidth() * 16 + 16;
-                QVERIFY2(message >= longest || place <= least, qPrintable(QStringLiteral("%1: %2 %3").arg(width).arg(message).arg(place)));
+                QVERIFY2(message >= longest || place <= least,
+                         qPrintable(QStringLiteral("%1: %2 %3").arg(width).arg(message).arg(place)));
                 QVERIFY(view.columnWidth(ProblemsModel::CodeColumn) >= metrics.horizontalAdvance(QStringLiteral("E201")));
             }
             const QModelIndex first = fixture.model().index(0, ProblemsModel::Place);

@@ -76,8 +76,9 @@ private Q_SLOTS:
     /// Objects of different configs share a row; its heading names none of the two.
     void sharedRowsHaveACommonHeading() {
         PropertiesFixture fixture;
-        QVERIFY(fixture.open("RobotConfig Cart {\n  Param track = 0.3\n  Body b { Box hull { Size=0.1,0.1,$track Mass=1 } }\n}\n"
-                             "Robot robot0 { Config=Rover }\nRobot robot1 { Config=Rover Pos=1,0,0 }\nRobot cart { Config=Cart Pos=2,0,0 }\n"));
+        QVERIFY(fixture.open(
+            "RobotConfig Cart {\n  Param track = 0.3\n  Body b { Box hull { Size=0.1,0.1,$track Mass=1 } }\n}\n"
+            "Robot robot0 { Config=Rover }\nRobot robot1 { Config=Rover Pos=1,0,0 }\nRobot cart { Config=Cart Pos=2,0,0 }\n"));
         const auto heading = [&fixture](const std::vector<std::string>& selected) {
             const Objects objects = objectsAt(fixture.document.loaded(), selected);
             for (const Row& row : rowsOf(objects, fixture.document, nullptr))

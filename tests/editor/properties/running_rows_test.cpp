@@ -118,8 +118,10 @@ private Q_SLOTS:
             for (int i = 0; i < table.topLevelItemCount(); ++i) {
                 const QTreeWidgetItem& row = *table.topLevelItem(i);
                 const int room = row.isFirstColumnSpanned() ? table.viewport()->width() : table.columnWidth(0);
-                if (table.fontMetrics().horizontalAdvance(row.text(0)) > room - 4) return QStringList{QStringLiteral("cut: ") + row.text(0)};
-                if (table.fontMetrics().horizontalAdvance(row.text(2)) > table.columnWidth(2)) return QStringList{QStringLiteral("cut unit")};
+                if (table.fontMetrics().horizontalAdvance(row.text(0)) > room - 4)
+                    return QStringList{QStringLiteral("cut: ") + row.text(0)};
+                if (table.fontMetrics().horizontalAdvance(row.text(2)) > table.columnWidth(2))
+                    return QStringList{QStringLiteral("cut unit")};
                 all << row.text(0);
             }
             return all;

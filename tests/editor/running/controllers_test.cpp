@@ -203,7 +203,8 @@ private Q_SLOTS:
 
     void aModuleOfAnotherFolderOfTheProjectIsWrittenRelative() {
         SessionFixture o;
-        QVERIFY(QDir(o.folder.path()).mkpath(QStringLiteral(".trundle")) && QDir(o.folder.path()).mkpath(QStringLiteral("trials/one")));
+        QVERIFY(QDir(o.folder.path()).mkpath(QStringLiteral(".trundle")) &&
+                QDir(o.folder.path()).mkpath(QStringLiteral("trials/one")));
         QVERIFY(o.open(kTeam, "trials/one/trial.sim"));
         const QString library = copiedModule(o, "random_drive", "wander");
         ControllerCommands commands(o.document, o.session);
@@ -223,12 +224,15 @@ private Q_SLOTS:
         QVERIFY(o.open(kTeam));
         const std::string library = libraries.filePath(QStringLiteral("drives/libwander.so")).toStdString();
         const Locations& places = o.session.application().locations();
-        QCOMPARE(writtenFor(library, *o.document.loaded(), places, {libraries.path().toStdString()}), std::string("drives/wander"));
-        QCOMPARE(writtenFor(library, *o.document.loaded(), places), libraries.filePath(QStringLiteral("drives/wander")).toStdString());
+        QCOMPARE(writtenFor(library, *o.document.loaded(), places, {libraries.path().toStdString()}),
+                 std::string("drives/wander"));
+        QCOMPARE(writtenFor(library, *o.document.loaded(), places),
+                 libraries.filePath(QStringLiteral("drives/wander")).toStdString());
         // The project was opened through a link to the folder.
         QVERIFY(QFile::link(o.folder.path(), libraries.filePath(QStringLiteral("link"))));
-        QCOMPARE(writtenFor(libraries.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), places),
-                 std::string("mine/wander"));
+        QCOMPARE(
+            writtenFor(libraries.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), places),
+            std::string("mine/wander"));
     }
 
     void anOpenedExperimentWithAnUntrustedModuleDoesNotRunUntilItIsTrusted() {

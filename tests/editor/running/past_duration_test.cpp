@@ -75,7 +75,8 @@ private Q_SLOTS:
     void twoExperimentsThatAreInNoFileHaveTwoLogFolders() {
         QStandardPaths::setTestModeEnabled(true);
         const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
-        const std::string text = (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n").toStdString();
+        const std::string text =
+            (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n").toStdString();
         SessionFixture one, other;
         QStringList folders;
         for (SessionFixture* o : {&one, &other, &one}) {
@@ -87,7 +88,7 @@ private Q_SLOTS:
             QVERIFY(QFile::exists(folders.back() + QStringLiteral("/path.csv")));
         }
         QVERIFY2(folders[0] != folders[1], qPrintable(folders[0]));
-        QCOMPARE(folders[2], folders[0]); // the same experiment has the same log folder again
+        QCOMPARE(folders[2], folders[0]);                         // the same experiment has the same log folder again
         QVERIFY(one.document.openNew("untitled.sim", text).ok()); // another experiment
         one.session.run();
         EVENTUALLY_EQUAL(one.session.state(), RunState::Ended);
@@ -102,8 +103,8 @@ private Q_SLOTS:
         const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
         SessionFixture o;
         QVERIFY(o.document
-                    .openNew("untitled.sim", (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n")
-                                                 .toStdString())
+                    .openNew("untitled.sim",
+                             (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n").toStdString())
                     .ok());
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);

@@ -197,7 +197,8 @@ private Q_SLOTS:
             useTheme(ThemeKind::Light, font);
             QWidget window;
             const QString name = QStringLiteral("MediumArenaWithFourHighWallsAndThreeRampsForTheSecondExperiment");
-            askAboutSharedConfig(&window, {name, QStringLiteral("a.sim"), QStringLiteral("b.sim"), {}, {name}, 12}, [](ShareChoice) {});
+            askAboutSharedConfig(&window, {name, QStringLiteral("a.sim"), QStringLiteral("b.sim"), {}, {name}, 12},
+                                 [](ShareChoice) {});
             auto* question = window.findChild<QDialog*>(QStringLiteral("shareQuestion"));
             QVERIFY(question);
             const QSize least = question->sizeHint();
@@ -366,8 +367,7 @@ private:
         m_openers[QStringLiteral("movieQuestion")] = [this] { recordAndClose(); };
         m_openers[QStringLiteral("Not restored")] = [this] { failToRestore(); };
         m_openers[QStringLiteral("trustQuestion")] = [] {
-            (void)askForTrust(QStringLiteral("/opt/robots/modules/libwander.so"),
-                              QStringLiteral("/opt/robots/modules"), nullptr);
+            (void)askForTrust(QStringLiteral("/opt/robots/modules/libwander.so"), QStringLiteral("/opt/robots/modules"), nullptr);
         };
         m_openers[QStringLiteral("chooseController")] = [this] {
             openWindow();

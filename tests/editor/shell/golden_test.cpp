@@ -238,7 +238,8 @@ void leaveTheMachineOut(const QString& home) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (!qEnvironmentVariableIsSet("TRUNDLE_GOLDEN_HOME")) { // Qt reads the scale factor once at start, so each needs its own process
+    if (!qEnvironmentVariableIsSet(
+            "TRUNDLE_GOLDEN_HOME")) { // Qt reads the scale factor once at start, so each needs its own process
         const QTemporaryDir home;
         if (!home.isValid()) return 1;
         leaveTheMachineOut(home.path());

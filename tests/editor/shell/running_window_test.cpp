@@ -50,7 +50,8 @@ private Q_SLOTS:
     void noTextKeepsTheColoursOfTheOtherTheme() {
         const auto inks = [] {
             QStringList names;
-            for (const Ink which : {Ink::Faint, Ink::Accent, Ink::Error, Ink::Warning, Ink::Hint, Ink::Good}) names << ink(which).name();
+            for (const Ink which : {Ink::Faint, Ink::Accent, Ink::Error, Ink::Warning, Ink::Hint, Ink::Good})
+                names << ink(which).name();
             return names;
         };
         applyTheme(*qApp, ThemeKind::Light);

@@ -189,7 +189,7 @@ private:
     WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
     QTimer m_reader;
-    std::set<std::string> m_known; // all files that were ever part of the project
+    std::set<std::string> m_known;        // all files that were ever part of the project
     std::map<std::string, int> m_answers; // of all walks
     unsigned m_seed = 0;
     int m_step = 0;

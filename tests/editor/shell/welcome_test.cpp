@@ -242,7 +242,8 @@ private Q_SLOTS:
             const QAbstractButton* card = cardOf(sample);
             const QFontMetrics metrics = card->fontMetrics();
             const auto needed = [&] {
-                const QRect words = metrics.boundingRect(QRect(0, 0, card->width() - 28, 10000), Qt::TextWordWrap, sample.description);
+                const QRect words =
+                    metrics.boundingRect(QRect(0, 0, card->width() - 28, 10000), Qt::TextWordWrap, sample.description);
                 return card->width() * 9 / 16 + metrics.lineSpacing() + words.height() + 12;
             };
             EVENTUALLY(card->height() >= needed());

@@ -61,7 +61,10 @@ void LargeTextTest::longLinesAreNotShown() {
     window.open(window.write("main.sim", "Param p = 1\n//" + line + "\n"));
     QVERIFY(!window.page().isTextShown());
     QVERIFY(!window.page().findChild<QPushButton*>(QStringLiteral("openAsText"))->isVisible());
-    QVERIFY(window.page().findChild<QLabel*>(QStringLiteral("largeTextWords"))->text().startsWith(QStringLiteral("Line 2 of main.sim")));
+    QVERIFY(window.page()
+                .findChild<QLabel*>(QStringLiteral("largeTextWords"))
+                ->text()
+                .startsWith(QStringLiteral("Line 2 of main.sim")));
 }
 
 void LargeTextTest::aTextThatShrinksIsShown() {

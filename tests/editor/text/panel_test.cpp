@@ -58,8 +58,8 @@ void PanelTest::typedWordIsOneEntry() {
     w.keys("Duration = 12 ");
     QCOMPARE(w.text(), QByteArray(kDrive)); // not yet in the document
     EVENTUALLY(w.text().contains("Duration = 12 Material"));
-    QCOMPARE(w.history(), (QStringList{QStringLiteral("Type “Duration” at drive.sim:4"), QStringLiteral("Type “=” at drive.sim:4"),
-                                       QStringLiteral("Type “12” at drive.sim:4")}));
+    QCOMPARE(w.history(), (QStringList{QStringLiteral("Type “Duration” at drive.sim:4"),
+                                       QStringLiteral("Type “=” at drive.sim:4"), QStringLiteral("Type “12” at drive.sim:4")}));
     w.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(w.text().contains("Duration = Material"));
     QCOMPARE(w.shown(), w.text());

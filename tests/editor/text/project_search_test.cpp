@@ -66,7 +66,8 @@ void ProjectSearchTest::findsInTheProjectsFolder() {
     w.write("binary.txt", QByteArray("third\0x\n", 8));
     w.write("controllers/walk.cpp", "// for third\n");
     w.write("large.sim", QByteArray(5 << 20, ' ') + "third");
-    QCOMPARE(w.listed(QStringLiteral("third")), (QStringList{QStringLiteral("controllers/walk.cpp:1"), QStringLiteral("other.sim:2")}));
+    QCOMPARE(w.listed(QStringLiteral("third")),
+             (QStringList{QStringLiteral("controllers/walk.cpp:1"), QStringLiteral("other.sim:2")}));
     QCOMPARE(w.child<QLabel>("foundTitle")->text(), QStringLiteral("2 found in 2 files; 1 larger file(s) not searched"));
     auto* list = w.child<QTreeWidget>("foundList");
     list->setCurrentItem(list->topLevelItem(1));

@@ -31,7 +31,8 @@ private Q_SLOTS:
 void TabsTest::namesOfFilesAreWhole() {
     TextFixture w;
     QByteArray imports;
-    const QStringList names{QStringLiteral("obstacle_detection.sim"), QStringLiteral("linear_motion.sim"), QStringLiteral("arc_motion.sim")};
+    const QStringList names{QStringLiteral("obstacle_detection.sim"), QStringLiteral("linear_motion.sim"),
+                            QStringLiteral("arc_motion.sim")};
     for (const QString& name : names) {
         w.write(name.toLatin1().constData(), "// nothing\n");
         imports += "#import " + name.toUtf8() + '\n';
@@ -42,7 +43,8 @@ void TabsTest::namesOfFilesAreWhole() {
     QCOMPARE(bar->count(), 4);
     w.panel.window()->resize(320, 400);
     EVENTUALLY(bar->width() < 330);
-    for (int i = 0; i < bar->count(); ++i) QVERIFY(bar->tabRect(i).width() > bar->fontMetrics().horizontalAdvance(bar->tabText(i)));
+    for (int i = 0; i < bar->count(); ++i)
+        QVERIFY(bar->tabRect(i).width() > bar->fontMetrics().horizontalAdvance(bar->tabText(i)));
 }
 
 void TabsTest::tabsFollowTheDocument() {

@@ -96,9 +96,11 @@ private Q_SLOTS:
         m_window->document.undo();
         QCOMPARE(pinned.paths(), (Paths{"robot0", "robot0.leftMotor", "robot1", ""}));
         const auto put = [this](const QByteArray& text) {
-            return m_window->document.replaceText(QStringLiteral("Type"), m_window->document.files().front(), text.toStdString()).ok();
+            return m_window->document.replaceText(QStringLiteral("Type"), m_window->document.files().front(), text.toStdString())
+                .ok();
         };
-        QVERIFY(put(QByteArray(kRoom).replace("Robot robot0 {", "Robot  {")) && put(QByteArray(kRoom).replace("Robot robot0 {", "Robot ro {")));
+        QVERIFY(put(QByteArray(kRoom).replace("Robot robot0 {", "Robot  {")) &&
+                put(QByteArray(kRoom).replace("Robot robot0 {", "Robot ro {")));
         QCOMPARE(pinned.paths(), (Paths{"ro", "ro.leftMotor", "robot1", ""}));
         QVERIFY(put(QByteArray(kRoom).replace("robot1", "robot2").replace("robot0", "robot3"))); // two at once
         QCOMPARE(pinned.paths(), (Paths{"robot3", "robot3.leftMotor", "robot2", ""}));
@@ -106,7 +108,8 @@ private Q_SLOTS:
 
     /// A View changed during a run is shown at once and does not wait for a reset, unless the run takes pictures from it.
     void viewsAreEditedDuringARun() {
-        const QByteArray view = "View overview { Eye=3,-4,3 Target=0,0,0 }\n", log = "FrameLog frames { View=overview Interval=1 }\n";
+        const QByteArray view = "View overview { Eye=3,-4,3 Target=0,0,0 }\n",
+                         log = "FrameLog frames { View=overview Interval=1 }\n";
         for (const bool logged : {false, true}) {
             QVERIFY(m_window->open(kRoom + view + (logged ? log : QByteArray())));
             QVERIFY(m_window->panel->showView(QStringLiteral("overview")));
@@ -117,7 +120,8 @@ private Q_SLOTS:
             QCOMPARE(m_window->session.needsReset(), logged);
             if (logged) continue;
             m_window->document.undo();
-            QVERIFY(m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"overview"})).ok());
+            QVERIFY(
+                m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"overview"})).ok());
             QVERIFY(!m_window->session.needsReset());
         }
     }

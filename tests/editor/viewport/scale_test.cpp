@@ -58,7 +58,8 @@ private Q_SLOTS:
     void aGridIsSizedThroughTheParamsOfItsConfig() {
         QFETCH(QByteArray, layout);
         const QByteArray text = "RobotConfig Plank {\n  Param long = 0.8\n  Body b { Box p { Size=$long,0.2,0.2 Mass=1 } }\n}\n"
-                                "Robot other { Config=Plank Pos=9,9,1 }\n" + layout + "}\n";
+                                "Robot other { Config=Plank Pos=9,9,1 }\n" +
+                                layout + "}\n";
         open(text);
         take("planks", "tool.scale");
         const auto robots = m_window->document.loaded()->experiment->robots;
@@ -86,8 +87,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("after");
         QTest::newRow("centimetres") << QByteArray("Param long = 80 cm\nBox b { Size=$long,0.2,0.2 }") << QByteArray()
                                      << QByteArray("Pos=0.1,0,0.5 long=100 cm }");
-        QTest::newRow("on the instance") << QByteArray("Param long = 1\nBox b { Size=$long,0.2,0.2 }") << QByteArray("long=800mm ")
-                                         << QByteArray("Pos=0.1,0,0.5 long=1000mm }");
+        QTest::newRow("on the instance") << QByteArray("Param long = 1\nBox b { Size=$long,0.2,0.2 }")
+                                         << QByteArray("long=800mm ") << QByteArray("Pos=0.1,0,0.5 long=1000mm }");
         QTest::newRow("half of it") << QByteArray("Param half = 0.4\nBox b { Size=$(2*half),0.2,0.2 }") << QByteArray()
                                     << QByteArray("Pos=0.1,0,0.5 half=0.5 }");
         QTest::newRow("a radius") << QByteArray("Param r = 0.4\nSphere s { Radius=$r }") << QByteArray()
@@ -106,8 +107,10 @@ private Q_SLOTS:
         QFETCH(QByteArray, config);
         QFETCH(QByteArray, own);
         QFETCH(QByteArray, after);
-        open("StaticConfig Thing {\n" + config + "\n}\nStatic other { Config=Thing Pos=9,9,0 }\n"
-             "Static thing { Config=Thing Pos=0,0,0.5 " + own + "}\n");
+        open("StaticConfig Thing {\n" + config +
+             "\n}\nStatic other { Config=Thing Pos=9,9,0 }\n"
+             "Static thing { Config=Thing Pos=0,0,0.5 " +
+             own + "}\n");
         take("thing", "tool.scale");
         m_window->panel->settings().setSteps(0.1, 15);
         dragBy({Handle::Kind::Size, 0}, {0.2, 0, 0}, Qt::NoModifier, {0, 0, 0.5});

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include <QApplication>
-#include <QImage>
 #include <QHeaderView>
+#include <QImage>
 #include <QLabel>
 #include <QMessageBox>
-#include <QProgressBar>
 #include <QPainter>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardItemModel>

@@ -14,7 +14,7 @@ typedef struct TrundleContact {
     double normal[3];   /* world frame, towards the queried geom */
     double depth;       /* m */
     double force;       /* N along the normal, of the last step */
-    uint32_t other; /* geom; 0xffffffff: unknown */
+    uint32_t other;     /* geom; 0xffffffff: unknown */
     uint32_t reserved;
 } TrundleContact;
 
