@@ -406,8 +406,8 @@ void ExitCodesTest::checkReportsRunErrors() {
     const Outcome ran = cli({"run", deep, "--quiet"});
     QVERIFY2(ran.code == 0 && ran.err.contains("warning E325"), shown(ran));
     // A robot that starts above the floor is reported as a hint, in a run too, once each.
-    const QString high =
-        text("high.sim", "Robot r { Config=Crate Pos=0,0,2 }\nGrid g { Config=Crate Count=20,20 Spacing=1 Pos=9,9,3 }\n");
+    const QString high = text("high.sim", "Robot r { Config=Crate Pos=0,0,2 }\n"
+                                          "Grid g { Config=Crate Count=20,20 Spacing=1 Pos=9,9,3 }\n");
     const Outcome fell = cli({"run", high, "--json"});
     QVERIFY2(fell.code == 0 && fell.err.count("hint E327") == cli({"check", high}).err.count("hint E327"), shown(fell));
     const QJsonArray said = QJsonDocument::fromJson(fell.out)["diagnostics"].toArray();
@@ -419,10 +419,8 @@ void ExitCodesTest::checkReportsRunErrors() {
 /// The diagnostic has the same source range and the same fix from check and from run.
 void ExitCodesTest::checkAndRunReportMotorAlike() {
     const QString path = m_folder.filePath("one_motor.sim");
-    writeFile(
-        path,
-        "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nDuration = 0.1\nStatic floor { Config=OpenFloor }\n"
-        "Robot r { Config=SimpleRobot base.RightMotor=leftMotor }\n");
+    writeFile(path, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nDuration = 0.1\n"
+                    "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot base.RightMotor=leftMotor }\n");
     const Outcome checked = cli({"check", path}), ran = cli({"run", path, "--json"});
     QVERIFY2(checked.code == 1 && checked.err.contains("one_motor.sim:5:"), shown(checked));
     QCOMPARE(checked.err.count("same motor"), 1);

@@ -159,9 +159,15 @@ private Q_SLOTS:
         }
     }
 
+    // A folder without files of its own may leave the rows to the folders in it.
     void everyFolderOfCoreHasARow() {
-        for (const QString& folder : QDir(TRUNDLE_SOURCE_DIR "/core").entryList(QDir::Dirs | QDir::NoDotAndDotDot))
-            QVERIFY2(m_rules.folders().contains("core/" + folder), qPrintable("core/README.md has no row for core/" + folder));
+        for (const SourceFile& file : sourceFiles({"core"}, {".h", ".cpp"})) {
+            const QStringList folders = file.path.section('/', 0, -2).split('/');
+            bool row = false;
+            for (int depth = 2; depth <= folders.size(); ++depth)
+                row |= m_rules.folders().contains(folders.mid(0, depth).join('/'));
+            QVERIFY2(row, qPrintable("core/README.md has no row for " + file.path));
+        }
     }
 
 private:

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMaxEntries = 5000; ///< entries of the project's folder
+constexpr int kMaxProjectEntries = 5000; ///< entries of the project's folder
 constexpr std::uint64_t kMaxBytes = 4u << 20;
 
 bool isText(const fs::path& path) { return path.extension() == ".sim" || path.extension() == ".txt"; }
@@ -53,7 +53,7 @@ std::vector<std::string> ConfigUsers::textsIn(const std::string& folder) {
     std::error_code failed;
     int looked = 0;
     fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, failed), end;
-    for (; !failed && it != end && ++looked < kMaxEntries; it.increment(failed)) {
+    for (; !failed && it != end && ++looked < kMaxProjectEntries; it.increment(failed)) {
         std::error_code none;
         if (it->path().filename().string().starts_with('.')) {
             if (it->is_directory(none)) it.disable_recursion_pending();
@@ -86,7 +86,7 @@ const ConfigUsers::Text* ConfigUsers::read(const LoadedProject& loaded, const st
 bool ConfigUsers::reaches(const LoadedProject& loaded, const std::string& from, const std::string& file,
                           std::set<std::string>& seen) {
     if (from == file) return true;
-    if (!seen.insert(from).second || seen.size() > kMaxEntries) return false;
+    if (!seen.insert(from).second || seen.size() > kMaxProjectEntries) return false;
     const Text* text = read(loaded, from);
     if (!text) return false;
     const FileSearch search(loaded.importFolders);

@@ -1,9 +1,8 @@
 // Save, Save As, and changes that other programs make to the files meanwhile.
 
-#include <csignal>
-
 #include <QFileInfo>
 #include <QTest>
+#include <csignal>
 #include <sys/resource.h>
 
 #include "eventually.h"
@@ -196,9 +195,8 @@ private Q_SLOTS:
         QVERIFY(d.open(mine).ok());
         QVERIFY(!d.apply(u"Push"_qs, planPushOverride(*d.loaded(), "a.leftMotor.Resistance")).ok() && !d.isModified());
         typeResistance();
-        QCOMPARE(why(d.replaceText(u"Typing"_qs, mine,
-                                   "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n")),
-                 "");
+        const char* text = "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n";
+        QCOMPARE(why(d.replaceText(u"Typing"_qs, mine, text)), "");
         set("Seed", "2");
         const Status saved = d.save();
         QVERIFY(!saved.ok());
