@@ -62,8 +62,8 @@ private Q_SLOTS:
         Scene scene(h);
         scene.spec->settings.gravity = Vec3::Zero();
         const double apart = 10 * size, width = phases * apart;
-        if (wall > 0) scene.scenery({box("wall", {wall, width + 1, 10 * size})});
-        else scene.scenery({sheet(width / 2 + 1, 5 * size)});
+        if (wall > 0) scene.scenery({box("wall", {wall, width + 1, 40 * size})});
+        else scene.scenery({sheet(width / 2 + 1, 20 * size)});
         std::mt19937 random(20);
         const auto from = [&](double low, double high) {
             return low + (high - low) * static_cast<double>(random()) / 4294967295.0;

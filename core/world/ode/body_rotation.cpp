@@ -1,5 +1,6 @@
 #include "world/ode/body_rotation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "world/ode/ode_math.h"
@@ -33,7 +34,7 @@ void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const OdeJoi
     }
 }
 
-void BodyRotation::before(std::span<const OdeBody> bodies, double h) {
+void BodyRotation::before(std::span<const OdeBody> bodies, const std::vector<bool>& struck, double h) {
     for (const std::uint32_t i : m_held) {
         const OdeBody& b = bodies[i];
         const Vec3 torque = turn(b.r, m_inertias[i].changeByMidpoint(turnBack(b.r, vec(b.w)), h)) / h;
@@ -44,6 +45,8 @@ void BodyRotation::before(std::span<const OdeBody> bodies, double h) {
         const RotationalInertia& inertia = m_inertias[t.body];
         const Vec3 w = vec(b.w), torque = vec(dBodyGetTorque(b.id));
         t.start = quat(b.q);
+        t.struck = !struck.empty() && struck[t.body];
+        if (t.struck) continue;
         t.mean = w;
         t.momentum = inertia.momentum(t.start, w) + h * torque;
         if (torque.squaredNorm() > 0) t.mean = inertia.rate(t.start, t.momentum);
@@ -55,15 +58,33 @@ void BodyRotation::before(std::span<const OdeBody> bodies, double h) {
 }
 
 /// What the tick added to the mean rate, it added to the momentum.
-void BodyRotation::after(std::span<const OdeBody> bodies, double h) const {
-    for (const Tumbling& t : m_free) {
+void BodyRotation::after(std::span<const OdeBody> bodies, double h) {
+    for (Tumbling& t : m_free) {
         const OdeBody& b = bodies[t.body];
         const RotationalInertia& inertia = m_inertias[t.body];
-        const Vec3 mean = vec(b.w), momentum = t.momentum + inertia.momentum(t.start, mean - t.mean);
-        if (isSteady(mean, momentum, h)) continue;
-        const Vec3 w = inertia.rate(quat(b.q), momentum);
+        const Vec3 mean = vec(b.w);
+        if (t.struck) t.momentum = inertia.momentum(t.start, mean);
+        else t.momentum += inertia.momentum(t.start, mean - t.mean);
+        if (isSteady(mean, t.momentum, h)) continue;
+        if (t.struck) flyFreely(b, t, h);
+        const Vec3 w = inertia.rate(quat(b.q), t.momentum);
         dBodySetAngularVel(b.id, w.x(), w.y(), w.z());
     }
+}
+
+void BodyRotation::flyFreely(const OdeBody& body, const Tumbling& t, double time) const {
+    dReal q[4];
+    toOde(m_inertias[t.body].turnedFreely(t.start, t.momentum, time), q);
+    dBodySetQuaternion(body.id, q);
+}
+
+void BodyRotation::rewind(const OdeBody& body, std::uint32_t index, double time) const {
+    const auto found =
+        std::lower_bound(m_free.begin(), m_free.end(), index, [](const Tumbling& t, std::uint32_t i) { return t.body < i; });
+    if (found == m_free.end() || found->body != index) return;
+    flyFreely(body, *found, time);
+    const Vec3 w = m_inertias[index].rate(quat(body.q), found->momentum);
+    dBodySetAngularVel(body.id, w.x(), w.y(), w.z());
 }
 
 } // namespace trundle

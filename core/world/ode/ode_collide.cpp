@@ -47,12 +47,15 @@ SweepScene OdeEngine::sweepScene() {
             m_centres,
             m_boxes,
             m_actorBoxes,
+            m_settings.gravity,
+            m_settings.surfaces,
             m_grid,
             m_contacts,
             [this](const Body& body) { placeGeoms(body); },
             [this](std::uint32_t geom, const GroundPlane& plane) { geomOnPlane(geom, plane); },
             [this](std::uint32_t first, std::uint32_t second) { collideGeoms(first, second); },
-            [this](const Geom& geom) { return axesOf(geom); }};
+            [this](const Geom& geom) { return axesOf(geom); },
+            [this](std::uint32_t body, double time) { m_rotation.rewind(m_bodies[body], body, time); }};
 }
 
 void OdeEngine::placeGeoms(const Body& body) {

@@ -10,7 +10,6 @@ namespace trundle {
 namespace {
 
 constexpr double kSlipSpeed = 1e-7; // m/s: below it friction's axes are ODE's own choice
-constexpr double kBounceErp = 0.2;
 constexpr double kRolling = 0.7;    // cosine between an axis and the floor's normal
 constexpr std::uint32_t kYoung = 2; // ticks
 constexpr double kQuiet = 0.4;      // share of the limit
@@ -47,7 +46,6 @@ std::size_t OdeEngine::largestCluster() {
 }
 
 void OdeEngine::makeContactJoints(double h) {
-    m_memory.recall(m_contacts);
     const auto young = static_cast<std::uint32_t>(kYoung + kImpact / h);
     dContact contact;
     std::memset(&contact, 0, sizeof contact);
@@ -72,7 +70,6 @@ Vec3 OdeEngine::pointVelocity(const Geom& geom, const Vec3& point) const {
 
 void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
     const Geom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
-    const SurfaceSpec &s1 = m_settings.surfaces[g1.surface], &s2 = m_settings.surfaces[g2.surface];
     dSurfaceParameters& s = out.surface;
     std::memset(&s, 0, sizeof s);
     for (int k = 0; k < 3; ++k) {
@@ -83,19 +80,14 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
 
     fillSpring(c, h, out);
     const FrictionLaw law = frictionLaw(c);
-    const double restitution = std::max(s1.restitution, s2.restitution);
-    const bool grips = law.along > 0 || law.across > 0;
-    if (!(restitution > 0) && !grips) return;
-    const Vec3 point = vec(c.position);
-    const Vec3 speed = pointVelocity(g1, point) - pointVelocity(g2, point);
-    if (restitution > 0 && -law.normal.dot(speed) > kBounceSpeed) { // a spring would eat the bounce
-        s.mode = (s.mode & ~(dContactSoftCFM | dContactMotionN)) | dContactBounce;
-        s.soft_erp = kBounceErp;
-        out.geom.depth = std::min(c.depth, kCorrectingSpeed * h / kBounceErp);
-        s.bounce = restitution;
-        s.bounce_vel = kBounceSpeed;
+    if (c.bounces) { // a spring would eat the bounce
+        s.mode = (s.mode & ~dContactSoftCFM) | dContactMotionN;
+        s.motionN = -c.restitutionShare * c.restitution * c.speed;
+        out.geom.depth = 0;
     }
-    if (grips) fillFriction(c, law, speed, h, out);
+    if (!(law.along > 0) && !(law.across > 0)) return;
+    const Vec3 point = vec(c.position);
+    fillFriction(c, law, pointVelocity(g1, point) - pointVelocity(g2, point), h, out);
 }
 
 /// Where a geom's friction points, and what it is along that and across: the way a wheel rolls, else the geom's x axis (y where x

@@ -208,8 +208,9 @@ void OdeEngine::stepQuickly(double h) {
 
 /// The solver between what it does not know of: that inertia turns with its body, and joints with theirs.
 void OdeEngine::move(double h) {
+    m_impacts.find(m_contacts, m_bodies, m_geoms, m_settings.surfaces);
     m_pinned.before(m_bodies, m_joints, h, m_drift.expectRates(m_bodies));
-    m_rotation.before(m_bodies, h);
+    m_rotation.before(m_bodies, m_impacts.touching(), h);
     m_drift.start(m_bodies, m_contacts);
     solve(h);
     m_pinned.after(m_bodies);
@@ -225,8 +226,15 @@ void OdeEngine::solve(double h) {
         if (m_settings.solver == SolverChoice::Auto) m_quick = largest > kExactClusterMax;
         else if (largest > kExactClusterMax) m_largestExactCluster = std::max(m_largestExactCluster, largest);
     }
+    m_memory.recall(m_contacts);
     makeContactJoints(h);
-    if (!m_quick && !stepExactly(h)) m_quick = true;
+    m_quick = m_quick || !stepExactly(h);
+    while (!m_quick && m_impacts.addedEnergy(m_contacts, m_contactFeedbacks, m_bodies, m_geoms, m_saved)) {
+        restoreState();
+        dJointGroupEmpty(m_contactGroup);
+        makeContactJoints(h);
+        m_quick = !stepExactly(h);
+    }
     if (m_quick) stepQuickly(h);
     dJointGroupEmpty(m_contactGroup);
     keepContacts(h);

@@ -13,6 +13,7 @@
 #include "world/ode/contact_memory.h"
 #include "world/ode/friction_rows.h"
 #include "world/ode/hull_on_mesh.h"
+#include "world/ode/impacts.h"
 #include "world/ode/joint_drift.h"
 #include "world/ode/joint_rows.h"
 #include "world/ode/ode_fault.h"
@@ -173,6 +174,7 @@ private:
     std::vector<Contact> m_contacts;
     std::vector<dJointFeedback> m_contactFeedbacks; ///< by contact
     ContactMemory m_memory;
+    Impacts m_impacts;
     BodyRotation m_rotation;
     PinnedBodies m_pinned;
     JointDrift m_drift;

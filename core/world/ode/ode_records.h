@@ -127,6 +127,10 @@ struct OdeContact {
     double position[3] = {}, normal[3] = {}, depth = 0;
     double gap = 0;       ///< m, in the tick after an actor was placed: depth is 0 then
     double slide[3] = {}; ///< direction of friction's first axis, zero: along the slip
+    // Of Impacts:
+    double speed = 0;                             ///< m/s along the normal before the tick; negative: they approach
+    double restitution = 0, restitutionShare = 1; ///< the share that leaves the energy as it was
+    bool bounces = false;
     // Of the contact of the last tick that this one continues (ContactMemory):
     std::uint32_t ticks = 0;      ///< that it has lasted
     bool heir = false;            ///< has only what others left

@@ -33,6 +33,7 @@ RawState stateOf(const OdeBody& b) {
     std::memcpy(s.p, b.p, sizeof s.p);
     std::memcpy(s.r, b.r, sizeof s.r);
     std::memcpy(s.q, b.q, sizeof s.q);
+    std::memcpy(s.w, b.w, sizeof s.w);
     return s;
 }
 
@@ -70,7 +71,7 @@ bool OdeSweep::outruns(const OdeGeom& g, double h) const {
 OdeSweep::Path OdeSweep::pathOf(std::uint32_t index, double h) const {
     const OdeBody& b = m_scene.bodies[index];
     const BodyState& s = m_scene.states[index];
-    return {s.position + s.rotation * b.centre, vec(b.p), s.rotation, h * meanRate(s.rotation, quat(b.q), h, vec(b.w))};
+    return {s.position + s.rotation * b.centre, vec(b.p), s.rotation, h * meanRate(s.rotation, quat(b.q), h, vec(b.w)), h};
 }
 
 void OdeSweep::put(std::uint32_t index, const Path& path, double t) {
@@ -80,6 +81,7 @@ void OdeSweep::put(std::uint32_t index, const Path& path, double t) {
     toOde(turnedBy(t * path.turned) * path.start, q);
     dBodySetPosition(b.id, at.x(), at.y(), at.z());
     dBodySetQuaternion(b.id, q);
+    m_scene.rewind(index, t * path.time);
     m_scene.place(b);
 }
 
@@ -89,6 +91,7 @@ void OdeSweep::putBack(std::uint32_t index, const RawState& s) {
     dBodySetPosition(b.id, s.p[0], s.p[1], s.p[2]);
     std::memcpy(const_cast<dReal*>(b.r), s.r, sizeof s.r);
     std::memcpy(const_cast<dReal*>(b.q), s.q, sizeof s.q);
+    std::memcpy(const_cast<dReal*>(b.w), s.w, sizeof s.w);
     m_scene.place(b);
 }
 
@@ -148,6 +151,9 @@ double OdeSweep::freeShare(std::uint32_t geom, const Path& path, bool jointed) {
         std::erase_if(m_obstacles, [&](const Obstacle& o) { return depthIn(geom, o, path) > 0; });
     }
     if (m_obstacles.empty()) return 1;
+    const auto bounces = [&](std::uint32_t of) { return m_scene.surfaces[m_scene.geoms[of].surface].restitution > 0; };
+    m_bounces = m_bounces || bounces(geom) ||
+                std::any_of(m_obstacles.begin(), m_obstacles.end(), [&](const Obstacle& o) { return bounces(o.geom); });
     const OdeGeom& g = m_scene.geoms[geom];
     const double turned = path.turned.norm() * (g.bound + g.offset.norm());
     const double steps =
@@ -211,16 +217,37 @@ void OdeSweep::findPassages(std::uint32_t geom, double h) {
     }
 }
 
-/// The whole actor, so that its joints stay closed. It keeps what gravity gave it in all of the tick, as what rests does.
+/// The whole actor, so that its joints stay closed. What flew has the velocity of that moment; what touches something only loses what
+/// it fell faster than that, as a contact has already carried the weight of what rests. Where it does not bounce, the contact of the next tick bears what the rest
+/// of this one would have added.
 void OdeSweep::stopAt(std::uint32_t actor, double t, double h) {
     const OdeActor& a = m_scene.actors[actor];
-    for (std::uint32_t i = a.bodies.begin; i < a.bodies.end; ++i) put(i, pathOf(i, h), t);
+    const bool jointed = a.joints.begin != a.joints.end;
+    const bool flies = !jointed && std::none_of(m_scene.contacts.begin(), m_scene.contacts.end(),
+                                                [&](const OdeContact& c) { return c.actor == actor || c.partner == actor; });
+    for (std::uint32_t i = a.bodies.begin; i < a.bodies.end; ++i) {
+        put(i, pathOf(i, h), t);
+        if (jointed) continue;
+        const OdeBody& b = m_scene.bodies[i];
+        const BodyState& s = m_scene.states[i];
+        const Vec3 start = s.linear + s.angular.cross(s.rotation * b.centre), late = (1 - t) * h * m_scene.gravity;
+        Vec3 owed = (1 - t) * (vec(b.v) - start);
+        if (!flies) owed = std::clamp(vec(b.v).dot(late) / std::max(late.squaredNorm(), 1e-300), 0.0, 1.0) * late;
+        const Vec3 v = vec(b.v) - owed;
+        dBodySetLinearVel(b.id, v.x(), v.y(), v.z());
+        if (!flies || m_bounces) continue;
+        dMass mass;
+        dBodyGetMass(b.id, &mass);
+        const Vec3 force = mass.mass / h * owed;
+        dBodyAddForce(b.id, force.x(), force.y(), force.z());
+    }
 }
 
 void OdeSweep::run(double h) {
     for (std::uint32_t a = 0; a < m_scene.actors.size(); ++a) {
         const OdeActor& actor = m_scene.actors[a];
         double share = 1;
+        m_bounces = false;
         for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) {
             const OdeBody& b = m_scene.bodies[i];
             if (b.geoms.begin == b.geoms.end) continue;

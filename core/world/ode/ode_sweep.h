@@ -24,12 +24,15 @@ struct SweepScene {
     const std::vector<std::uint32_t>& statics;
     const std::vector<Vec3>& centres;
     const std::vector<Box3>&boxes, &actorBoxes;
+    const Vec3& gravity;
+    const std::vector<SurfaceSpec>& surfaces;
     StaticGrid& grid;
     std::vector<OdeContact>& contacts;
     std::function<void(const OdeBody&)> place; ///< finds centres and boxes of its geoms
     std::function<void(std::uint32_t, const GroundPlane&)> meetPlane;
     std::function<void(std::uint32_t, std::uint32_t)> meet; ///< two geoms: adds to the contacts
     std::function<Mat3(const OdeGeom&)> axesOf;
+    std::function<void(std::uint32_t, double)> rewind; ///< a body, to where it was so long after the tick began
 };
 
 class OdeSweep {
@@ -48,6 +51,7 @@ private:
         Vec3 from, to;
         Quat start;
         Vec3 turned; ///< axis times angle
+        double time; ///< s
     };
     struct Obstacle {
         std::uint32_t geom, plane; ///< kNone: not a plane
@@ -69,6 +73,7 @@ private:
     SweepScene m_scene;
     std::uint64_t m_count = 0;
     double m_thinnestBox = 1e300; ///< m, of the scenery
+    bool m_bounces = false;       ///< what stops the actor at hand
     std::vector<IndexPair> m_passages;
     std::vector<OdeContact> m_contacts;
     std::vector<std::uint32_t> m_found, m_fast; ///< m_fast: geoms of one actor
