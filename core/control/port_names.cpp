@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include <trundle/device_signals.h>
+
 #include "base/spelling.h"
 
 namespace trundle {
 namespace {
 
-constexpr std::string_view kTruthKind = "GroundTruth", kTruthName = "groundTruth";
+constexpr std::string_view kTruthKind = GroundTruthSignals::kKind, kTruthName = "groundTruth";
 
 const ComponentSpec* findDevice(const RobotSpec& robot, const std::string& name) {
     for (const ComponentSpec& device : robot.config->devices)

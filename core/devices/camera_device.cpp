@@ -26,14 +26,11 @@ void Camera::describe(Describe<Camera>& d) {
     d.field("SeesSelf", &Camera::m_seesSelf, flag(), "Whether its own robot is in the picture, and its shadow.");
     d.field("UpdatePeriod", &Camera::m_updatePeriod, seconds().within(0, 1e6),
             "Time between the pictures of its stream; 0 takes one on each request.");
-    d.output("frame", "", "Number of its newest picture.", 1, TRUNDLE_INTEGER_SIGNAL);
-    d.output("time", "s", "When that was taken.");
+    CameraSignals::describe(d);
 }
 
 void Camera::setup(Mount& mount) {
     if (!(m_near < m_far)) mount.fail("Near must be smaller than Far");
-    m_frame = mount.signal("frame");
-    m_time = mount.signal("time");
 }
 
 /// The first image is that of the start state. Each later image is taken at the first tick at or after its due time, never
@@ -41,8 +38,8 @@ void Camera::setup(Mount& mount) {
 void Camera::sense(Sensing& world) {
     const double now = world.time(), slack = 1e-6 * world.tick();
     if (m_taken > 0 && m_updatePeriod > 0 && now + slack < m_taken * m_updatePeriod) return;
-    m_frame.set(m_taken);
-    m_time.set(now);
+    frame.set(m_taken);
+    time.set(now);
     if (m_updatePeriod > 0) m_taken = std::max(m_taken + 1, std::floor((now + slack) / m_updatePeriod) + 1);
     else ++m_taken;
 }

@@ -1,10 +1,11 @@
 #pragma once
 #include <trundle/device.h>
+#include <trundle/device_signals.h>
 
 namespace trundle {
 
 /// Publishes the time of its newest image. The image itself is rendered only on request, from the same fields.
-class Camera final : public Device {
+class Camera final : public Device, public CameraSignals {
 public:
     static void describe(Describe<Camera>& d);
     void setup(Mount& mount) override;
@@ -18,7 +19,6 @@ private:
     std::string m_mode = "color";
     bool m_seesSelf = true;
 
-    Slot m_frame, m_time;
     double m_taken = 0; ///< number of images so far
 
 public:

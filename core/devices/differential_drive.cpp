@@ -33,16 +33,7 @@ void DifferentialDrive::describe(Describe<DifferentialDrive>& d) {
             "Ramps of the speed; 0: no limit.");
     d.field("MaxAngularAcceleration", &DifferentialDrive::m_maxAngularAcceleration,
             radiansPerSecondSquared().within(0, 1e6).live(), "Ramps of the turn rate; 0: no limit.");
-    d.command("linearVelocity", "m/s", "Of the middle of the axle.");
-    d.command("angularVelocity", "rad/s", "Positive turns left.");
-    d.command("linearAmount", "m", "Stop after this; 0: no limit.");
-    d.command("angularAmount", "rad", "Stop after this; 0: no limit.");
-    d.command("sequence", "", "A change starts the amounts.", 1, TRUNDLE_INTEGER_SIGNAL);
-    d.truth("pose", "", "True x [m], y [m], heading [rad] of the middle of the axle in the world.", 3);
-    d.output("odometry", "", "The same from the wheels' angles, counted from the start.", 3);
-    d.output("done", "", "No amount is under way.", 1, TRUNDLE_BOOLEAN_SIGNAL);
-    d.output("busy", "", "An amount is under way.", 1, TRUNDLE_BOOLEAN_SIGNAL);
-    d.output("finished", "", "Sequence number of the amount last ended or refused.", 1, TRUNDLE_INTEGER_SIGNAL);
+    DifferentialDriveSignals::describe(d);
 }
 
 void DifferentialDrive::setup(Mount& mount) {
@@ -50,24 +41,12 @@ void DifferentialDrive::setup(Mount& mount) {
     if (m_leftMotor == m_rightMotor) return mount.fail("LeftMotor and RightMotor are the same motor");
     m_left = mountWheel(mount, m_leftMotor);
     m_right = mountWheel(mount, m_rightMotor);
-    m_linear.bind(mount, "linearVelocity");
-    m_angular.bind(mount, "angularVelocity");
-    m_linearAmount.bind(mount, "linearAmount");
-    m_angularAmount.bind(mount, "angularAmount");
-    m_sequence.bind(mount, "sequence");
-    m_pose = mount.signal("pose", 3);
-    m_odometry = mount.signal("odometry", 3);
-    m_done = mount.signal("done");
-    m_busy = mount.signal("busy");
-    m_finished = mount.signal("finished");
 }
 
 DifferentialDrive::Wheel DifferentialDrive::mountWheel(Mount& mount, const std::string& motor) {
     Wheel wheel;
-    wheel.servo = mount.peer("RotaryMotor", motor, "servo");
-    wheel.targetRate = mount.peer("RotaryMotor", motor, "targetRate");
-    wheel.voltage = mount.peer("RotaryMotor", motor, "voltage");
-    if (!wheel.servo.bound()) return wheel;
+    wheel.motor = mount.peer<RotaryMotorSignals>(motor);
+    if (!wheel.motor.bound()) return wheel;
     wheel.joint = mount.joint(mount.peerText(motor, "Joint"));
     const double backEmf = mount.peerNumber(motor, "BackEmfConstant", 0);
     const double perVolt = mount.peerNumber(motor, "SpeedConstant", backEmf > 0 ? 1 / backEmf : 1);
@@ -77,11 +56,11 @@ DifferentialDrive::Wheel DifferentialDrive::mountWheel(Mount& mount, const std::
 }
 
 void DifferentialDrive::readCommands(const Services& world) {
-    const ChassisMotion velocity{m_linear.read(world), m_angular.read(world)};
-    const ChassisMotion amount{m_linearAmount.read(world), m_angularAmount.read(world)};
-    const double sequence = m_sequence.read(world);
-    const bool isNew = sequence != m_seen;
-    m_seen = sequence;
+    const ChassisMotion velocity{linearVelocity.read(world), angularVelocity.read(world)};
+    const ChassisMotion amount{linearAmount.read(world), angularAmount.read(world)};
+    const double number = sequence.read(world);
+    const bool isNew = number != m_seen;
+    m_seen = number;
     if (amount.linear == 0 && amount.angular == 0) {
         m_profile.aim(velocity);
     } else if (isNew) {
@@ -99,11 +78,11 @@ void DifferentialDrive::act(Actuation& world) {
 }
 
 void DifferentialDrive::drive(Actuation& world, Wheel& wheel, double rate) {
-    wheel.servo.set(m_control == Control::Servo);
+    wheel.motor.set(&RotaryMotorSignals::servo, m_control == Control::Servo);
     switch (m_control) {
-    case Control::Servo: wheel.targetRate.set(rate); break;
-    case Control::Pi: wheel.voltage.set(piVoltage(world, wheel, rate)); break;
-    case Control::Voltage: wheel.voltage.set(rate * wheel.voltsPerRate); break;
+    case Control::Servo: wheel.motor.set(&RotaryMotorSignals::targetRate, rate); break;
+    case Control::Pi: wheel.motor.set(&RotaryMotorSignals::voltage, piVoltage(world, wheel, rate)); break;
+    case Control::Voltage: wheel.motor.set(&RotaryMotorSignals::voltage, rate * wheel.voltsPerRate); break;
     }
     wheel.lastTarget = rate;
 }
@@ -140,12 +119,12 @@ void DifferentialDrive::sense(Sensing& world) {
     m_left.angle = left;
     m_right.angle = right;
     m_odometryPose = alongArc(m_odometryPose, chassisFromWheels(turned, m_radiusM, m_separationM));
-    m_odometry.set(0, m_odometryPose.x);
-    m_odometry.set(1, m_odometryPose.y);
-    m_odometry.set(2, m_odometryPose.heading);
-    m_done.set(!m_profile.busy());
-    m_busy.set(m_profile.busy());
-    if (!m_profile.busy()) m_finished.set(m_seen);
+    odometry.set(0, m_odometryPose.x);
+    odometry.set(1, m_odometryPose.y);
+    odometry.set(2, m_odometryPose.heading);
+    done.set(!m_profile.busy());
+    busy.set(m_profile.busy());
+    if (!m_profile.busy()) finished.set(m_seen);
     publishTruth(world);
 }
 
@@ -153,9 +132,9 @@ void DifferentialDrive::sense(Sensing& world) {
 void DifferentialDrive::publishTruth(const Services& world) {
     Vec3 left, right, axis;
     if (!world.jointAnchor(m_left.joint, left, axis) || !world.jointAnchor(m_right.joint, right, axis)) return;
-    m_pose.set(0, (left.x() + right.x()) / 2);
-    m_pose.set(1, (left.y() + right.y()) / 2);
-    m_pose.set(2, std::atan2(right.x() - left.x(), left.y() - right.y()));
+    pose.set(0, (left.x() + right.x()) / 2);
+    pose.set(1, (left.y() + right.y()) / 2);
+    pose.set(2, std::atan2(right.x() - left.x(), left.y() - right.y()));
 }
 
 } // namespace trundle

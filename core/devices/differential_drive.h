@@ -1,7 +1,7 @@
 #pragma once
 #include <trundle/device.h>
+#include <trundle/device_signals.h>
 
-#include "devices/command_slot.h"
 #include "devices/drive_profile.h"
 #include "devices/kinematics.h"
 
@@ -9,7 +9,7 @@ namespace trundle {
 
 /// Converts chassis motion into wheel speeds for a two-wheeled base (thesis eqs. 3.4-3.7) and commands its two motors. Belongs to
 /// a robot; commands are read once per tick in act, before the motors act. Odometry uses only the joint angles.
-class DifferentialDrive final : public Device {
+class DifferentialDrive final : public Device, public DifferentialDriveSignals {
 public:
     static void describe(Describe<DifferentialDrive>& d);
     /// Binds both motors. If one is missing, fails with a list of the available names.
@@ -22,7 +22,7 @@ private:
     /// One motor and its joint.
     struct Wheel {
         JointId joint;
-        Slot servo, targetRate, voltage;
+        Port<RotaryMotorSignals> motor;
         double voltsPerRate = 0; ///< back-EMF at the joint, V s/rad
         double maxVoltage = 0;
         double lastTarget = 0; ///< rad/s
@@ -44,8 +44,6 @@ private:
 
     Control m_control = Control::Servo;
     Wheel m_left, m_right;
-    CommandSlot m_linear, m_angular, m_linearAmount, m_angularAmount, m_sequence;
-    Slot m_pose, m_odometry, m_done, m_busy, m_finished;
     DriveProfile m_profile;
     double m_seen = 0; ///< sequence number of the last amount started or refused
     PlanePose m_odometryPose;

@@ -1,11 +1,12 @@
 #pragma once
 #include <trundle/device.h>
+#include <trundle/device_signals.h>
 
 namespace trundle {
 
 /// Counts of an encoder disc on a joint: floor(angle CPR / 2 pi), four edges per line if Quadrature is set. It publishes only
 /// counted values; the angle between two counts is lost, as on real hardware.
-class Encoder final : public Device {
+class Encoder final : public Device, public EncoderSignals {
 public:
     static void describe(Describe<Encoder>& d);
     void setup(Mount& mount) override;
@@ -18,7 +19,6 @@ private:
     bool m_hasIndex = false;
 
     JointId m_joint;
-    Slot m_count, m_angle, m_rate, m_index;
     double m_lastCount = 0;
     double m_lastTurn = 0;
 };

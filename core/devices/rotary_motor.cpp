@@ -39,16 +39,7 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.field("Efficiency", &RotaryMotor::m_efficiency, number().above(0).atMost(1).live(),
             "Part of the torque that passes the gear.");
     d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
-    d.command("voltage", "V", "Clipped to MaxVoltage.");
-    d.command("targetRate", "rad/s", "Of the joint, while servo is set.");
-    d.command("servo", "", "Holds targetRate, with at most the torque of MaxVoltage, instead of following the voltage.", 1,
-              TRUNDLE_BOOLEAN_SIGNAL);
-    d.output("current", "A", "Through the winding.");
-    d.output("terminalVoltage", "V", "Across the winding: the voltage as clipped, or what a servo's rate takes.");
-    d.output("torque", "N m", "At the joint, at the end of the last tick.");
-    d.output("rate", "rad/s", "Of the joint.");
-    d.output("saturated", "", "MaxVoltage is not enough: the voltage is clipped, or the servo does not reach its rate.", 1,
-             TRUNDLE_BOOLEAN_SIGNAL);
+    RotaryMotorSignals::describe(d);
 }
 
 void RotaryMotor::setup(Mount& mount) {
@@ -62,14 +53,6 @@ void RotaryMotor::setup(Mount& mount) {
                m_maxVoltage,     m_inductance,
                m_efficiency};
     m_joint = mount.joint(m_jointName);
-    m_voltage.bind(mount, "voltage");
-    m_targetRate.bind(mount, "targetRate");
-    m_servo.bind(mount, "servo");
-    m_current = mount.signal("current");
-    m_terminalVoltage = mount.signal("terminalVoltage");
-    m_torque = mount.signal("torque");
-    m_rate = mount.signal("rate");
-    m_saturated = mount.signal("saturated");
     // At the joint the rotor's inertia is G^2 times as large (energy: J (G w)^2 / 2).
     if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
 }
@@ -84,15 +67,15 @@ void RotaryMotor::takeLiveConstants() {
 
 void RotaryMotor::act(Actuation& world) {
     takeLiveConstants();
-    if (m_servo.read(world) != 0) return actAsServo(world);
-    const double wanted = m_voltage.read(world), voltage = std::clamp(wanted, -m_motor.maxVoltage, m_motor.maxVoltage);
-    m_beyond = wanted != voltage;
-    const VoltageConstraint row = voltageConstraint(m_motor, voltage, m_current.get(), world.tick());
+    if (servo.read(world) != 0) return actAsServo(world);
+    const double wanted = voltage.read(world), clipped = std::clamp(wanted, -m_motor.maxVoltage, m_motor.maxVoltage);
+    m_beyond = wanted != clipped;
+    const VoltageConstraint row = voltageConstraint(m_motor, clipped, current.get(), world.tick());
     world.motorRow(m_joint, row.rate, row.softness, row.limit);
 }
 
 void RotaryMotor::actAsServo(Actuation& world) {
-    const double wanted = m_targetRate.read(world), possible = m_motor.noLoadRate();
+    const double wanted = targetRate.read(world), possible = m_motor.noLoadRate();
     m_beyond = std::abs(wanted) > possible * (1 + 1e-9);
     if (m_beyond && !m_reported) {
         m_reported = true;
@@ -106,15 +89,15 @@ void RotaryMotor::actAsServo(Actuation& world) {
 }
 
 void RotaryMotor::sense(Sensing& world) {
-    const double torque = world.jointMotorEffort(m_joint), rate = world.jointRate(m_joint);
-    const double current = torque / m_motor.torquePerAmpere(), change = (current - m_current.get()) / world.tick();
-    m_terminalVoltage.set(m_motor.resistance * current + m_motor.inductance * change +
-                          m_motor.gearRatio * rate / m_motor.speedConstant);
-    m_torque.set(torque);
-    m_current.set(current);
-    m_rate.set(rate);
-    const bool late = m_servo.read(world) != 0 && std::abs(m_targetRate.read(world) - rate) > kReached * m_motor.noLoadRate();
-    m_saturated.set(world.time() > 0 && (m_beyond || late));
+    const double effort = world.jointMotorEffort(m_joint), turning = world.jointRate(m_joint);
+    const double amperes = effort / m_motor.torquePerAmpere(), change = (amperes - current.get()) / world.tick();
+    terminalVoltage.set(m_motor.resistance * amperes + m_motor.inductance * change +
+                        m_motor.gearRatio * turning / m_motor.speedConstant);
+    torque.set(effort);
+    current.set(amperes);
+    rate.set(turning);
+    const bool late = servo.read(world) != 0 && std::abs(targetRate.read(world) - turning) > kReached * m_motor.noLoadRate();
+    saturated.set(world.time() > 0 && (m_beyond || late));
 }
 
 } // namespace trundle

@@ -2,8 +2,7 @@
 #include <optional>
 
 #include <trundle/device.h>
-
-#include "devices/command_slot.h"
+#include <trundle/device_signals.h>
 
 namespace trundle {
 
@@ -37,7 +36,7 @@ struct VoltageConstraint {
 [[nodiscard]] VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage, double lastCurrent, double h);
 
 /// Drives a joint with a voltage, or as a servo with a target rate. The only owner of the joint's motor constraint.
-class RotaryMotor final : public Device {
+class RotaryMotor final : public Device, public RotaryMotorSignals {
 public:
     static void describe(Describe<RotaryMotor>& d);
     /// Fails unless exactly one of SpeedConstant and BackEmfConstant is given.
@@ -56,8 +55,6 @@ private:
     std::optional<double> m_speedConstant, m_backEmfConstant;
 
     JointId m_joint;
-    CommandSlot m_voltage, m_targetRate, m_servo;
-    Slot m_current, m_terminalVoltage, m_torque, m_rate, m_saturated;
     bool m_beyond = false; ///< the command, MaxVoltage
     bool m_reported = false;
 };

@@ -1,10 +1,11 @@
 #pragma once
 #include <trundle/device.h>
+#include <trundle/device_signals.h>
 
 namespace trundle {
 
 /// Pressed while its geoms have contacts whose forces sum to at least MinForce. Uses the contacts of the last step.
-class TouchSensor final : public Device {
+class TouchSensor final : public Device, public TouchSensorSignals {
 public:
     static void describe(Describe<TouchSensor>& d);
     void setup(Mount& mount) override;
@@ -16,7 +17,6 @@ private:
 
     std::vector<GeomId> m_geoms;
     std::vector<TrundleContact> m_contacts;
-    Slot m_pressed, m_force, m_count;
 };
 
 } // namespace trundle

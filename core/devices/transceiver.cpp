@@ -36,17 +36,17 @@ void Transceiver::describe(Describe<Transceiver>& d) {
             "While it sends: one, or one for each of PowerLevels.");
     d.field("ReceiveCurrent", &Transceiver::m_receiveCurrent, amperes().within(0, 100), "While it listens.");
     d.field("SupplyVoltage", &Transceiver::m_supply, volts().within(0, 1000), "For its energy.");
-    constexpr auto integer = TRUNDLE_INTEGER_SIGNAL;
-    d.output("address", "", "Its address.", 1, integer);
-    d.output("rssi", "dBm", "Of the last packet received; 0 before the first.");
-    d.output("lqi", "", "Link quality of the last packet received, 110 at best.", 1, integer);
-    d.output("pending", "", "Packets that wait to be read.", 1, integer);
-    d.output("queued", "", "Packets that wait to be sent.", 1, integer);
-    d.output("sent", "", "Frames sent, repetitions included.", 1, integer);
-    d.output("received", "", "Packets received.", 1, integer);
-    d.output("dropped", "", "Packets received and dropped because the buffer was full.", 1, integer);
-    d.output("failed", "", "Packets refused, or given up for a busy channel or a missing acknowledgement.", 1, integer);
-    d.output("energy", "J", "Drawn since the start.");
+    using T = Transceiver;
+    d.output("address", &T::m_ownAddress, "", "Its address.");
+    d.output("rssi", &T::m_rssi, "dBm", "Of the last packet received; 0 before the first.");
+    d.output("lqi", &T::m_lqi, "", "Link quality of the last packet received, 110 at best.");
+    d.output("pending", &T::m_pending, "", "Packets that wait to be read.");
+    d.output("queued", &T::m_queued, "", "Packets that wait to be sent.");
+    d.output("sent", &T::m_sent, "", "Frames sent, repetitions included.");
+    d.output("received", &T::m_received, "", "Packets received.");
+    d.output("dropped", &T::m_dropped, "", "Packets received and dropped because the buffer was full.");
+    d.output("failed", &T::m_failed, "", "Packets refused, or given up for a busy channel or a missing acknowledgement.");
+    d.output("energy", &T::m_energy, "J", "Drawn since the start.");
 }
 
 void Transceiver::setup(Mount& mount) {
@@ -75,16 +75,6 @@ void Transceiver::setup(Mount& mount) {
     s.transmitCurrents = m_transmitCurrent.data();
     s.transmitCurrentCount = static_cast<std::uint32_t>(m_transmitCurrent.size());
     m_radio = mount.radio(s);
-    m_ownAddress = mount.signal("address");
-    m_rssi = mount.signal("rssi");
-    m_lqi = mount.signal("lqi");
-    m_pending = mount.signal("pending");
-    m_queued = mount.signal("queued");
-    m_sent = mount.signal("sent");
-    m_received = mount.signal("received");
-    m_dropped = mount.signal("dropped");
-    m_failed = mount.signal("failed");
-    m_energy = mount.signal("energy");
 }
 
 void Transceiver::sense(Sensing& world) {

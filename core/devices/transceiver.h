@@ -20,7 +20,8 @@ private:
     double m_receiveCurrent = 0, m_supply = 3;
 
     RadioId m_radio;
-    Slot m_ownAddress, m_rssi, m_lqi, m_pending, m_queued, m_sent, m_received, m_dropped, m_failed, m_energy;
+    OutputSlot<double> m_rssi, m_energy;
+    OutputSlot<std::int64_t> m_ownAddress, m_lqi, m_pending, m_queued, m_sent, m_received, m_dropped, m_failed;
 };
 
 } // namespace trundle

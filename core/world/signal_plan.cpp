@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <trundle/describe.h>
+#include <trundle/device_signals.h>
+
 namespace trundle {
 
 namespace {
@@ -9,17 +12,21 @@ namespace {
 constexpr auto kReal = SignalType::Real;
 constexpr auto kTruth = SignalDirection::Truth;
 
+/// Pose and velocity of a robot or of one of its bodies; returns the first slot.
+std::uint32_t addState(SignalLayout& layout, const std::string& path) {
+    const auto first = layout.slotCount();
+    for (const SignalInfo& s : descriptionOf<GroundTruthSignals>().signals())
+        layout.add(path + "/" + s.name, s.unit, kReal, kTruth, s.count);
+    return first;
+}
+
 } // namespace
 
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
     const std::string& name = robot.name;
     layout.beginRobot(name);
-    const std::uint32_t first = layout.add(name + "/pose", "m", kReal, kTruth, 7);
-    layout.add(name + "/velocity", "m/s", kReal, kTruth, 6);
-    for (const BodySpec& body : robot.config->bodies) {
-        layout.add(name + "/" + body.name + "/pose", "m", kReal, kTruth, 7);
-        layout.add(name + "/" + body.name + "/velocity", "m/s", kReal, kTruth, 6);
-    }
+    const std::uint32_t first = addState(layout, name);
+    for (const BodySpec& body : robot.config->bodies) addState(layout, name + "/" + body.name);
     for (const JointSpec& joint : robot.config->joints) {
         if (!hasPosition(joint.type)) continue;
         const bool linear = joint.type == JointType::Slider;

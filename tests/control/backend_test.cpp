@@ -36,9 +36,9 @@ struct Stage {
             add((std::string("base/") + s).c_str(), SignalDirection::Command);
         add("base/pose", SignalDirection::Truth, 3);
         add("base/odometry", SignalDirection::Output, 3);
-        add("base/finished", SignalDirection::Output);
-        for (const char* s : {"frontTouch/pressed", "frontTouch/force", "frontTouch/count", "leftEncoder/count",
-                              "leftEncoder/angle", "leftEncoder/rate", "leftEncoder/index", "still/frame", "stream/frame"})
+        for (const char* s : {"base/done", "base/busy", "base/finished", "frontTouch/pressed", "frontTouch/force",
+                              "frontTouch/count", "leftEncoder/count", "leftEncoder/angle", "leftEncoder/rate",
+                              "leftEncoder/index", "still/frame", "still/time", "stream/frame", "stream/time"})
             add(s, SignalDirection::Output);
     }
     Status start(const char* library = "controllers/libgood.so") {
@@ -129,20 +129,31 @@ private Q_SLOTS:
                              "names as outputs: count, where)"));
     }
 
-    /// A module built with the headers of interface 1.2, whose tables are shorter.
-    void aModuleOfAnOlderInterfaceRuns() {
+    /// Modules built with the headers of earlier releases, whose tables are shorter.
+    void aModuleOfAnOlderSdkRuns_data() {
+        QTest::addColumn<QByteArray>("version");
+        QTest::addColumn<int>("minor");
+        QTest::newRow("1.2") << QByteArray("1.2") << 2;
+        QTest::newRow("1.3") << QByteArray("1.3") << 3;
+        QTest::newRow("1.4") << QByteArray("1.4") << 4;
+    }
+    void aModuleOfAnOlderSdkRuns() {
+        QFETCH(const QByteArray, version);
+        QFETCH(const int, minor);
+        const QByteArray library = "older/libolder_" + version + ".so";
         Stage stage("Driver", {{"Loud", ResolvedValue{{PropertyType::Boolean, {1}, {}}, {}, Origin::Config}}});
-        const Status started = stage.start("older/libolder.so");
+        const Status started = stage.start(library.constData());
         QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
         const LoadedModule* module = stage.store.owner("Driver", TRUNDLE_CONTROLLER);
-        QVERIFY(module && module->descriptor->abiMinor == 2 && module->descriptor->abiMinor < TRUNDLE_ABI_MINOR);
+        QVERIFY(module && module->descriptor->abiMinor == static_cast<std::uint32_t>(minor));
+        QCOMPARE(QByteArray(module->descriptor->sdkVersion), version + ".0");
         QVERIFY(stage.backend->tick(0, 0, 0).ok());
         QCOMPARE(stage.at("base/linearVelocity"), .2);
         QCOMPARE(stage.console.at(0), std::string("hello t=0 dt=0 n=0 rear=0 pair=3"));
         QCOMPARE(stage.logs.at(0), std::string("own.txt:line\n"));
 
         Stage watcher("Watcher", {});
-        QVERIFY(watcher.start("older/libolder.so").ok());
+        QVERIFY(watcher.start(library.constData()).ok());
         QVERIFY(watcher.backend->tick(0, 0, 0).ok());
         QCOMPARE(watcher.console.at(1), std::string("1 1 1"));
     }

@@ -52,6 +52,27 @@ private Q_SLOTS:
         const auto total = [&](int row) { return rows[row].split(',').value(4).toDouble(); };
         QVERIFY2(total(1) > total(2) && total(2) >= total(3) - 1e-6, rows[1] + "\n" + rows[2] + "\n" + rows[3]);
     }
+    /// A device of a module and the controller that commands it through the port of the same table.
+    void signalsOfAModulesTableAreLogged() {
+        const QString path = m_folder.filePath("thruster.sim");
+        QVERIFY(writeFile(path, "Tick = 0.01  Duration = 1  Gravity = 0,0,0\n#loadModule shared_table\nRobotConfig Probe { "
+                                "Body hull { Sphere s { Radius=0.1 Mass=1 } } Thruster thruster { Body=hull } }\n"
+                                "Robot probe { Config=Probe Pos=0,0,1 Pilot pilot { Speed=0.5 } }\n"
+                                "SignalLog s { Signals=\"probe/thruster/*\",\"probe/pilot/*\" }\n"));
+        const Outcome done =
+            cli({"run", path, "--quiet", "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/shared_table"),
+                 "--log-dir", m_folder.filePath("out")});
+        QVERIFY2(done.code == 0, shown(done));
+        const QList<QByteArray> rows = lines("s.csv");
+        QCOMPARE(rows[0],
+                 QByteArray("time [s],probe/thruster/thrust [N],probe/thruster/speed/0 [m/s],probe/thruster/speed/1 [m/s],"
+                            "probe/thruster/burning,probe/pilot/arrived"));
+        QCOMPARE(rows[1], QByteArray("0,0,0,0,0,0"));
+        QCOMPARE(rows[2], QByteArray("0.01,2,0.02,0,1,0")); // 2 N on 1 kg
+        const QList<QByteArray> last = rows[rows.size() - 2].split(',');
+        QVERIFY2(last[1] == "0" && std::abs(last[2].toDouble() - 0.5) < 0.03 && last[4] == "0" && last[5] == "1",
+                 rows[rows.size() - 2]);
+    }
     void reportsLogErrorsBeforeRun_data() {
         QTest::addColumn<QByteArray>("logs");
         QTest::addColumn<QByteArray>("said");

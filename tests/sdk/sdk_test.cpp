@@ -242,10 +242,11 @@ private Q_SLOTS:
 
     void ports() {
         Host host;
-        for (const char* s : {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence", "finished"})
+        for (const char* s :
+             {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence", "done", "busy", "finished"})
             host.slots[std::string("base/") + s] = {0};
         host.slots["base/odometry"] = {1, 2, 3};
-        for (const char* s : {"voltage", "servo", "current", "torque", "rate"})
+        for (const char* s : {"voltage", "targetRate", "servo", "current", "terminalVoltage", "torque", "rate", "saturated"})
             host.slots[std::string("motor/") + s] = {double(s[0])};
         for (const char* s : {"count", "angle", "rate", "index"}) host.slots[std::string("encoder/") + s] = {double(s[0])};
         for (const char* s : {"pressed", "force", "count"}) host.slots[std::string("touch/") + s] = {double(s[0])};
@@ -297,7 +298,7 @@ private Q_SLOTS:
 
     void camerasAndRadio() {
         Host host;
-        host.slots = {{"eye/frame", {4}}, {"blind/frame", {0}}};
+        host.slots = {{"eye/frame", {4}}, {"eye/time", {0}}, {"blind/frame", {0}}, {"blind/time", {0}}};
         RobotPorts robot(host.robot);
         CameraPort eye = robot.camera("eye"), blind = robot.camera("blind"), unbound;
         QVERIFY(eye.fresh());

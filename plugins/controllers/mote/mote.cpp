@@ -23,15 +23,13 @@ struct Mote : trundle::Controller {
         d.field("GoodRssi", &Mote::goodRssi, trundle::decibelMilliwatts().within(-150, 50),
                 "A hop with more costs no more than one hop.");
         d.field("Radio", &Mote::radioName, trundle::text(), "Its Transceiver.");
-        d.output("hops", "", "To the target; -1: no route is known.", 1, TRUNDLE_INTEGER_SIGNAL);
-        d.output("cost", "", "Of its route to the target: 10 for a good hop, more for a weak one; -1: no route is known.", 1,
-                 TRUNDLE_INTEGER_SIGNAL);
+        d.output("hops", &Mote::hops, "", "To the target; -1: no route is known.");
+        d.output("cost", &Mote::cost, "",
+                 "Of its route to the target: 10 for a good hop, more for a weak one; -1: no route is known.");
     }
 
     void setup(trundle::RobotPorts& robot) override {
         radio = robot.radio(radioName);
-        hops = robot.publish("hops");
-        cost = robot.publish("cost");
         learn({});
         nextBeacon = period * random();
     }
@@ -70,7 +68,7 @@ private:
     }
 
     trundle::RadioPort radio;
-    trundle::Slot hops, cost;
+    trundle::OutputSlot<int> hops, cost;
     Beacon known;
     double nextBeacon = 0, nextFlood = 0;
 };

@@ -14,7 +14,7 @@
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
 #define TRUNDLE_ABI_MINOR 4u
-#define TRUNDLE_SDK_VERSION "1.4.0"
+#define TRUNDLE_SDK_VERSION "1.5.0"
 
 #ifdef __cplusplus
 extern "C" {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <trundle/abi.h>
+#include <trundle/device_signals.h>
+#include <trundle/port.h>
 #include <trundle/slot.h>
 
 namespace trundle {
@@ -64,7 +66,7 @@ private:
     std::vector<std::uint32_t> m_objects;
 };
 
-class CameraPort {
+class CameraPort : public Port<CameraSignals> {
 public:
     /// Renders the current image. For a camera with an UpdatePeriod, returns the newest image of its stream.
     [[nodiscard]] Picture capture() {
@@ -79,7 +81,7 @@ public:
             picture.m_error = cameras()->lastError(cameras()->context);
             return picture;
         }
-        m_seen = m_frame.get();
+        m_seen = m_signals.frame.get();
         const std::size_t count = std::size_t(taken.width) * taken.height;
         picture.m_width = static_cast<int>(taken.width);
         picture.m_height = static_cast<int>(taken.height);
@@ -106,7 +108,7 @@ public:
     [[nodiscard]] const std::string& error() const { return m_error; } ///< of the last save
 
     /// For a camera with an UpdatePeriod: its stream has an image that capture() has not returned yet. Otherwise always true.
-    [[nodiscard]] bool fresh() const { return m_frame.get() != m_seen; }
+    [[nodiscard]] bool fresh() const { return m_signals.frame.get() != m_seen; }
 
     /// "robot1/chassis/hull" for an object number of Picture::object; empty if there is no such object.
     [[nodiscard]] std::string objectName(std::uint32_t object) const {
@@ -124,7 +126,6 @@ private:
 
     const TrundleCameras* m_cameras = nullptr;
     std::string m_name, m_error;
-    Slot m_frame;
     double m_seen = -1;
 };
 

@@ -4,97 +4,16 @@
 // publishes signals. It never sets a pose or a velocity directly.
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <trundle/describe.h>
 #include <trundle/geometry.h>
 #include <trundle/module.h>
+#include <trundle/mount.h>
 #include <trundle/slot.h>
 
 namespace trundle {
 inline namespace sdk1 {
-
-/// Id of an object of the world; valid as long as the world exists.
-template <class Tag> struct WorldId {
-    std::uint32_t index = 0xffffffffu;
-    [[nodiscard]] explicit operator bool() const { return index != 0xffffffffu; }
-    bool operator==(const WorldId&) const = default;
-};
-using JointId = WorldId<struct JointTag>;
-using BodyId = WorldId<struct BodyTag>;
-using GeomId = WorldId<struct GeomTag>;
-using RadioId = WorldId<struct RadioTag>;
-
-/// Access to the robot and the world during setup of a device. If a requested object is missing, setup fails with a message that
-/// lists the available names; until then the call returns an empty value.
-class Mount {
-public:
-    explicit Mount(const TrundleMount& mount) : m_mount(mount) {}
-
-    [[nodiscard]] std::string path() const { return m_mount.path; } ///< "robot0/leftMotor"
-    [[nodiscard]] Seconds tick() const { return {m_mount.tick}; }
-
-    /// A described signal of this device.
-    [[nodiscard]] Slot signal(const char* name, std::uint32_t count = 1) {
-        return Slot(m_mount.signal(m_mount.context, name), count);
-    }
-    [[nodiscard]] JointId joint(const std::string& name) { return find<JointId>(m_mount.joint, "joint", name); }
-    [[nodiscard]] BodyId body(const std::string& name) { return find<BodyId>(m_mount.body, "body", name); }
-    [[nodiscard]] GeomId geom(const std::string& path) { return find<GeomId>(m_mount.geom, "geom", path); } ///< "body.geom"
-
-    /// A signal of another device of the robot. As a consequence this device acts before the other one and senses after it.
-    [[nodiscard]] Slot peer(const char* kind, const std::string& device, const char* signal, std::uint32_t count = 1) {
-        double* first = m_mount.peerSignal(m_mount.context, kind, device.c_str(), signal);
-        if (!first) note("there is no " + std::string(kind) + " '" + device + "' with a signal '" + signal + "'");
-        return Slot(first, count);
-    }
-    /// A numeric field of another device, in SI units; `otherwise` if it is not set.
-    [[nodiscard]] double peerNumber(const std::string& device, const char* field, double otherwise) const {
-        double value = otherwise;
-        return m_mount.peerNumber(m_mount.context, device.c_str(), field, &value) == 0 ? value : otherwise;
-    }
-    [[nodiscard]] std::string peerText(const std::string& device, const char* field) const {
-        const char* text = m_mount.peerText(m_mount.context, device.c_str(), field);
-        return text ? text : "";
-    }
-    /// Adds inertia (kg m^2) about the joint's axis to its child, for example a geared rotor that turns with it.
-    void addAxialInertia(JointId joint, double inertia) {
-        const bool done = m_mount.addAxialInertia && m_mount.addAxialInertia(m_mount.context, joint.index, inertia) == 0;
-        if (!done) fail("this joint can take no additional inertia");
-    }
-    /// Opens the device's radio with the given antenna and limits.
-    [[nodiscard]] RadioId radio(const TrundleRadioSettings& settings) {
-        RadioId id;
-        if (m_mount.radio && m_mount.radio->open(m_mount.context, &settings, &id.index) == 0) return id;
-        note("the radio could not be opened");
-        return {};
-    }
-    void warn(const std::string& text) const {
-        if (m_mount.print) m_mount.print(m_mount.context, TRUNDLE_WARNING, text.c_str());
-    }
-    /// Reports why the device cannot be set up.
-    void fail(const std::string& text) {
-        note(text);
-        m_mount.fail(m_mount.context, text.c_str());
-    }
-    [[nodiscard]] const std::string& failure() const { return m_failure; } ///< the first failure; empty: none
-
-private:
-    void note(std::string text) {
-        if (m_failure.empty()) m_failure = std::move(text);
-    }
-    template <class Id, class Find> Id find(Find* find, const char* what, const std::string& name) {
-        Id id;
-        if (find(m_mount.context, name.c_str(), &id.index) != 0) {
-            id = {};
-            note("there is no " + std::string(what) + " '" + name + "'");
-        }
-        return id;
-    }
-    const TrundleMount& m_mount;
-    std::string m_failure;
-};
 
 /// Read access to the world for a device at any time of a tick.
 class Services {

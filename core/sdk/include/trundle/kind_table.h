@@ -131,6 +131,7 @@ template <class T, class Ports> std::int32_t setupController(void* handle, const
     const std::int32_t failed = guarded(instance.error, [&] {
         Ports ports(*robot);
         instance.object.attach(robot);
+        ports.publishOutputs(instance.object);
         instance.object.setup(ports);
         complete = ports.complete();
     });
@@ -145,6 +146,7 @@ template <class T, class OnRobot> std::int32_t setupDevice(void* handle, const T
     auto& instance = at<T>(handle);
     const std::int32_t failed = guarded(instance.error, [&] {
         OnRobot wrapped(*mount);
+        wrapped.bindSignals(instance.object);
         instance.object.setup(wrapped);
         instance.error = wrapped.failure();
     });

@@ -8,7 +8,9 @@
 
 #include <trundle/abi.h>
 #include <trundle/camera.h>
+#include <trundle/device_signals.h>
 #include <trundle/geometry.h>
+#include <trundle/port.h>
 #include <trundle/radio.h>
 #include <trundle/slot.h>
 
@@ -22,7 +24,7 @@ struct Pose2 {
 };
 
 /// A two-wheeled base.
-class DifferentialDrivePort {
+class DifferentialDrivePort : public Port<DifferentialDriveSignals> {
 public:
     /// Drives at `linear` m/s and turns left at `angular` rad/s until the next command. Cancels a running drive().
     void move(double linear, double angular) { command(linear, angular, 0, 0); }
@@ -31,79 +33,69 @@ public:
     /// limit: drive(0.3, 1, 0, pi) is a half circle of radius 0.3 m. Each amount must have the sign of its speed.
     void drive(double linear, double angular, double linearAmount, double angularAmount) {
         command(linear, angular, linearAmount, angularAmount);
-        m_number = m_sequence.get() + 1;
-        m_sequence.set(m_number);
+        m_number = m_signals.sequence.get() + 1;
+        m_signals.sequence.set(m_number);
     }
     /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle.
     void turn(double speed, double angle) { drive(0, std::copysign(speed, angle), 0, angle); }
     /// True once the last drive() or turn() of this port has finished or was refused.
-    [[nodiscard]] bool done() const { return m_finished.get() >= m_number; }
+    [[nodiscard]] bool done() const { return m_signals.finished.get() >= m_number; }
     /// Pose of the axle's centre from wheel odometry, relative to the start; m and rad.
-    [[nodiscard]] Pose2 odometry() const { return {m_odometry.get(0), m_odometry.get(1), m_odometry.get(2)}; }
+    [[nodiscard]] Pose2 odometry() const {
+        const Slot& now = m_signals.odometry;
+        return {now.get(0), now.get(1), now.get(2)};
+    }
 
 private:
-    friend class RobotPorts;
     void command(double linear, double angular, double linearAmount, double angularAmount) {
-        m_linear.set(linear);
-        m_angular.set(angular);
-        m_linearAmount.set(linearAmount);
-        m_angularAmount.set(angularAmount);
+        m_signals.linearVelocity.set(linear);
+        m_signals.angularVelocity.set(angular);
+        m_signals.linearAmount.set(linearAmount);
+        m_signals.angularAmount.set(angularAmount);
     }
-    Slot m_linear, m_angular, m_linearAmount, m_angularAmount, m_sequence, m_finished, m_odometry;
     double m_number = 0;
 };
 
-class MotorPort {
+class MotorPort : public Port<RotaryMotorSignals> {
 public:
     void setVoltage(double volts) {
-        m_servo.set(0);
-        m_voltage.set(volts);
+        m_signals.servo.set(0);
+        m_signals.voltage.set(volts);
     }
-    [[nodiscard]] double current() const { return m_current.get(); } ///< A
-    [[nodiscard]] double torque() const { return m_torque.get(); }   ///< N m at the joint
-    [[nodiscard]] double rate() const { return m_rate.get(); }       ///< rad/s of the joint
-
-private:
-    friend class RobotPorts;
-    Slot m_voltage, m_servo, m_current, m_torque, m_rate;
+    [[nodiscard]] double current() const { return m_signals.current.get(); } ///< A
+    [[nodiscard]] double torque() const { return m_signals.torque.get(); }   ///< N m at the joint
+    [[nodiscard]] double rate() const { return m_signals.rate.get(); }       ///< rad/s of the joint
 };
 
-class EncoderPort {
+class EncoderPort : public Port<EncoderSignals> {
 public:
-    [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(m_count.get()); }
-    [[nodiscard]] double angle() const { return m_angle.get(); } ///< rad, from encoder counts
-    [[nodiscard]] double rate() const { return m_rate.get(); }   ///< rad/s, from encoder counts over the last tick
-    [[nodiscard]] bool index() const { return m_index.get() != 0; }
-
-private:
-    friend class RobotPorts;
-    Slot m_count, m_angle, m_rate, m_index;
+    [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(m_signals.count.get()); }
+    [[nodiscard]] double angle() const { return m_signals.angle.get(); } ///< rad, from encoder counts
+    [[nodiscard]] double rate() const { return m_signals.rate.get(); }   ///< rad/s, from encoder counts over the last tick
+    [[nodiscard]] bool index() const { return m_signals.index.get() != 0; }
 };
 
-class TouchPort {
+class TouchPort : public Port<TouchSensorSignals> {
 public:
-    [[nodiscard]] bool pressed() const { return m_pressed.get() != 0; }
-    [[nodiscard]] double force() const { return m_force.get(); } ///< N
-    [[nodiscard]] int contacts() const { return static_cast<int>(m_count.get()); }
-
-private:
-    friend class RobotPorts;
-    Slot m_pressed, m_force, m_count;
+    [[nodiscard]] bool pressed() const { return m_signals.pressed.get() != 0; }
+    [[nodiscard]] double force() const { return m_signals.force.get(); } ///< N
+    [[nodiscard]] int contacts() const { return static_cast<int>(m_signals.count.get()); }
 };
 
 /// Exact state that a real robot cannot measure; for experiments that evaluate a controller, not for control.
-class GroundTruthPort {
+class GroundTruthPort : private Port<GroundTruthSignals> {
 public:
     /// Pose of the robot's config frame in the world.
     [[nodiscard]] Pose pose() const {
-        return {{m_pose.get(0), m_pose.get(1), m_pose.get(2)}, {m_pose.get(3), m_pose.get(4), m_pose.get(5), m_pose.get(6)}};
+        const Slot& now = m_signals.pose;
+        return {{now.get(0), now.get(1), now.get(2)}, {now.get(3), now.get(4), now.get(5), now.get(6)}};
     }
-    [[nodiscard]] Vec3 linearVelocity() const { return {m_velocity.get(0), m_velocity.get(1), m_velocity.get(2)}; }  ///< m/s
-    [[nodiscard]] Vec3 angularVelocity() const { return {m_velocity.get(3), m_velocity.get(4), m_velocity.get(5)}; } ///< rad/s
+    [[nodiscard]] Vec3 linearVelocity() const { return {velocity(0), velocity(1), velocity(2)}; }  ///< m/s
+    [[nodiscard]] Vec3 angularVelocity() const { return {velocity(3), velocity(4), velocity(5)}; } ///< rad/s
 
 private:
     friend class RobotPorts;
-    Slot m_pose, m_velocity;
+    [[nodiscard]] double velocity(std::uint32_t element) const { return m_signals.velocity.get(element); }
 };
 
 /// Any signal of any device, by name. Only commands can be written.
@@ -139,6 +131,8 @@ public:
     [[nodiscard]] TouchPort touch(const char* name);
     [[nodiscard]] CameraPort camera(const char* name);
     [[nodiscard]] RadioPort radio(const char* name);
+    /// A device of a module by the table of its signals (since 1.5): robot.port<SonarSignals>("front").
+    template <class S> [[nodiscard]] Port<S> port(const char* name) { return bindPort<Port<S>, S>(name); }
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);
     [[nodiscard]] GroundTruthPort groundTruth();
     /// A signal published by this controller and described as output() in describe(): logs, summaries and the window show it as
@@ -157,10 +151,19 @@ public:
     template <class Name> [[nodiscard]] RadioPort radio(const Name& n) { return radio(n.c_str()); }
     template <class Name> [[nodiscard]] CameraPort camera(const Name& n) { return camera(n.c_str()); }
 
+    template <class S, class Name> [[nodiscard]] Port<S> port(const Name& n) { return port<S>(n.c_str()); }
+
+    /// Binds the members that describe() gives to outputs of the controller; called by the SDK before setup.
+    template <class T> void publishOutputs(T& controller) {
+        for (const SignalInfo& s : descriptionOf<T>().signals())
+            if (s.bind) s.bind(&controller, publish(s.name.c_str()), s.name.c_str());
+    }
     [[nodiscard]] bool complete() const { return !m_missing; } ///< all names were found so far
 
 private:
     Slot bind(const char* kind, const char* device, const char* signal, std::uint32_t count = 1);
+    template <class S> Slot bindAs(const SignalInfo& described, const char* device);
+    template <class P, class S> P bindPort(const char* device);
     const TrundleRobot& m_robot;
     bool m_missing = false;
 };

@@ -17,53 +17,39 @@ inline bool RobotPorts::has(const char* device, const char* signal) const {
     return m_robot.signalInfo && m_robot.signalInfo(m_robot.context, device, signal, &count, &direction) == 0;
 }
 
+/// The table of the device and that of the port are compiled into two modules: a different one is reported instead of being read
+/// beyond its end or written where the device publishes.
+template <class S> Slot RobotPorts::bindAs(const SignalInfo& described, const char* device) {
+    const Slot slot = bind(S::kKind, device, described.name.c_str(), described.count);
+    std::uint32_t count = described.count, direction = described.direction;
+    const bool known =
+        m_robot.signalInfo && m_robot.signalInfo(m_robot.context, device, described.name.c_str(), &count, &direction) == 0;
+    if (!slot.bound() || !known || (count == described.count && direction == described.direction)) return slot;
+    const std::string text = "the signal '" + described.name + "' of '" + device +
+                             "' has another count or direction than the table " + S::kKind +
+                             " that the controller was compiled with; build both modules with the same table";
+    m_robot.fail(m_robot.context, text.c_str());
+    m_missing = true;
+    return {};
+}
+
+template <class P, class S> P RobotPorts::bindPort(const char* device) {
+    P port;
+    port.bind([](const SignalInfo& s) { return s.direction != TRUNDLE_TRUTH; },
+              [&](const SignalInfo& s) { return bindAs<S>(s, device); });
+    return port;
+}
+
 inline DifferentialDrivePort RobotPorts::differentialDrive(const char* name) {
-    constexpr const char* kind = "DifferentialDrive";
-    DifferentialDrivePort port;
-    port.m_linear = bind(kind, name, "linearVelocity");
-    port.m_angular = bind(kind, name, "angularVelocity");
-    port.m_linearAmount = bind(kind, name, "linearAmount");
-    port.m_angularAmount = bind(kind, name, "angularAmount");
-    port.m_sequence = bind(kind, name, "sequence");
-    port.m_finished = bind(kind, name, "finished");
-    port.m_odometry = bind(kind, name, "odometry", 3);
-    return port;
+    return bindPort<DifferentialDrivePort, DifferentialDriveSignals>(name);
 }
-
-inline MotorPort RobotPorts::motor(const char* name) {
-    constexpr const char* kind = "RotaryMotor";
-    MotorPort port;
-    port.m_voltage = bind(kind, name, "voltage");
-    port.m_servo = bind(kind, name, "servo");
-    port.m_current = bind(kind, name, "current");
-    port.m_torque = bind(kind, name, "torque");
-    port.m_rate = bind(kind, name, "rate");
-    return port;
-}
-
-inline EncoderPort RobotPorts::encoder(const char* name) {
-    constexpr const char* kind = "Encoder";
-    EncoderPort port;
-    port.m_count = bind(kind, name, "count");
-    port.m_angle = bind(kind, name, "angle");
-    port.m_rate = bind(kind, name, "rate");
-    port.m_index = bind(kind, name, "index");
-    return port;
-}
-
-inline TouchPort RobotPorts::touch(const char* name) {
-    constexpr const char* kind = "TouchSensor";
-    TouchPort port;
-    port.m_pressed = bind(kind, name, "pressed");
-    port.m_force = bind(kind, name, "force");
-    port.m_count = bind(kind, name, "count");
-    return port;
-}
+inline MotorPort RobotPorts::motor(const char* name) { return bindPort<MotorPort, RotaryMotorSignals>(name); }
+inline EncoderPort RobotPorts::encoder(const char* name) { return bindPort<EncoderPort, EncoderSignals>(name); }
+inline TouchPort RobotPorts::touch(const char* name) { return bindPort<TouchPort, TouchSensorSignals>(name); }
 
 inline CameraPort RobotPorts::camera(const char* name) {
-    CameraPort port;
+    auto port = bindPort<CameraPort, CameraSignals>(name);
     port.m_name = name;
-    port.m_frame = bind("Camera", name, "frame");
     // The table of an older program is shorter.
     if (m_robot.size >= offsetof(TrundleRobot, cameras) + sizeof m_robot.cameras) port.m_cameras = m_robot.cameras;
     return port;
@@ -99,8 +85,8 @@ inline Slot RobotPorts::publish(const char* name) {
 
 inline GroundTruthPort RobotPorts::groundTruth() {
     GroundTruthPort port;
-    port.m_pose = bind("GroundTruth", "groundTruth", "pose", 7);
-    port.m_velocity = bind("GroundTruth", "groundTruth", "velocity", 6);
+    port.bind([](const SignalInfo&) { return true; },
+              [&](const SignalInfo& s) { return bind(GroundTruthSignals::kKind, "groundTruth", s.name.c_str(), s.count); });
     return port;
 }
 
@@ -108,7 +94,7 @@ inline SignalPort RobotPorts::groundTruth(const char* path) {
     SignalPort port;
     std::uint32_t count = 1, direction = TRUNDLE_TRUTH;
     if (m_robot.signalInfo) m_robot.signalInfo(m_robot.context, "", path, &count, &direction);
-    port.m_slot = bind("GroundTruth", "groundTruth", path, count);
+    port.m_slot = bind(GroundTruthSignals::kKind, "groundTruth", path, count);
     return port;
 }
 

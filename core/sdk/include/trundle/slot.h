@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <type_traits>
+
+#include <trundle/abi.h>
 
 namespace trundle {
 // Types used only by modules and devices are in an inline namespace of their own, so that the program may have classes with the
@@ -36,6 +41,55 @@ public:
 private:
     double* m_first = nullptr;
     std::uint32_t m_count = 0;
+};
+
+/// Type and count of a signal whose value is a V: double, bool, an integer, or a std::array of one of them.
+template <class V> struct SignalValue {
+    static_assert(std::is_arithmetic_v<V>, "a signal is a number, an integer, a bool or a std::array of one of them");
+    static constexpr std::uint32_t type = std::is_same_v<V, bool> ? TRUNDLE_BOOLEAN_SIGNAL
+                                          : std::is_integral_v<V> ? TRUNDLE_INTEGER_SIGNAL
+                                                                  : TRUNDLE_REAL_SIGNAL;
+    static constexpr std::uint32_t count = 1;
+};
+template <class V, std::size_t N> struct SignalValue<std::array<V, N>> {
+    static constexpr std::uint32_t type = SignalValue<V>::type, count = N;
+};
+
+// Since 1.5: the members that describe() binds to signals. V is described; values are always passed as doubles.
+
+/// A signal that controllers and other devices write and its device reads.
+template <class V> class CommandSlot : public Slot {
+public:
+    CommandSlot() = default;
+    CommandSlot(Slot slot, const char* name) : Slot(slot), m_name(name) {}
+
+    /// The commanded value as its device should read it; `world` is the Actuation or Sensing. An infinite or NaN value counts as 0
+    /// and is reported once.
+    template <class World> [[nodiscard]] double read(const World& world) {
+        const double value = get();
+        if (std::isfinite(value)) return value;
+        if (!m_reported) world.warn(std::string(m_name) + " was given a value that is no finite number; it counts as 0");
+        m_reported = true;
+        return 0;
+    }
+
+private:
+    const char* m_name = "";
+    bool m_reported = false;
+};
+
+/// A signal that its device or controller sets: 0 until then, and kept until it is set again.
+template <class V> class OutputSlot : public Slot {
+public:
+    OutputSlot() = default;
+    OutputSlot(Slot slot, const char*) : Slot(slot) {}
+};
+
+/// Ground truth that its device sets for logs and plots; ports do not read it.
+template <class V> class TruthSlot : public Slot {
+public:
+    TruthSlot() = default;
+    TruthSlot(Slot slot, const char*) : Slot(slot) {}
 };
 
 } // namespace sdk1
