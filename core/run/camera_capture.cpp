@@ -48,7 +48,8 @@ Result<const CameraImage*> CameraCapture::capture(const std::string& camera) {
     const auto stream = m_streams.find(camera);
     const SignalBlock& state = stream == m_streams.end() ? m_world.block() : *stream->second.then;
     const auto taken = m_taken.find(camera);
-    if (taken != m_taken.end() && taken->second.tick == state.header().tick) return &taken->second;
+    const CameraImage* before = taken == m_taken.end() ? nullptr : taken->second.image.get();
+    if (before && before->tick == state.header().tick) return before;
     const Result<ImageSource*> source = this->source();
     if (!source) return source.error();
     Result<CameraImage> frame = source.value()->capture(camera, state);
@@ -57,7 +58,9 @@ Result<const CameraImage*> CameraCapture::capture(const std::string& camera) {
         if (frame.error().code == Code::NoGraphics) m_failure = frame.error();
         return frame.error();
     }
-    return &m_taken.insert_or_assign(camera, std::move(frame).value()).first->second;
+    auto image = std::make_shared<const CameraImage>(std::move(frame).value());
+    const std::uint64_t interval = before ? image->tick - before->tick : 1;
+    return m_taken.insert_or_assign(camera, RunImage{std::move(image), interval}).first->second.image.get();
 }
 
 Result<CameraImage> CameraCapture::view(const std::string& name, std::uint32_t width, std::uint32_t height) {

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] Result<std::string> viewFile(const std::string& name, std::uint32_t width, std::uint32_t height,
                                                const std::string& fileName);
     [[nodiscard]] std::string objectName(std::uint32_t object);
+    /// The newest image of each camera that was captured so far.
+    [[nodiscard]] const RunImages& images() const { return m_taken; }
 
 private:
     struct Stream {
@@ -49,7 +51,7 @@ private:
     std::unique_ptr<ImageSource> m_source;
     std::optional<Error> m_failure;
     std::map<std::string, Stream> m_streams;
-    std::map<std::string, CameraImage> m_taken;
+    RunImages m_taken;
 };
 
 } // namespace trundle

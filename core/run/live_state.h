@@ -10,6 +10,7 @@
 #include "base/diagnostic.h"
 #include "run/runner.h"
 #include "signals/block.h"
+#include "signals/camera_image.h"
 #include "signals/layout.h"
 
 namespace trundle {
@@ -35,6 +36,7 @@ struct LiveSnapshot {
     double stepMs = 0;         ///< mean wall time per tick since the previous snapshot
     std::size_t contactCount = 0;
     std::optional<std::uint64_t> hash; ///< World::stateHash(); set only while paused or ended
+    RunImages images;                  ///< the newest image of each camera that a controller or a log has used so far
 };
 
 struct LiveLine {

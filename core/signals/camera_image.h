@@ -2,6 +2,7 @@
 // Camera images as signals, and the interface through which a run gets them independently of the renderer.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,16 @@ struct CameraImage {
     std::vector<float> depth;           ///< m along the camera's axis, infinite without an object; only in some modes
     std::vector<std::uint32_t> objects; ///< object numbers, 0 without an object; only in some modes
 };
+
+/// The newest image that a run made of a camera, for a controller or a log.
+struct RunImage {
+    std::shared_ptr<const CameraImage> image;
+    std::uint64_t interval = 1; ///< ticks since the image before it
+
+    /// The run's next image of the camera is not overdue after this number of completed ticks.
+    [[nodiscard]] bool isRecentAt(std::uint64_t tick) const { return image->tick <= tick && tick - image->tick <= interval + 1; }
+};
+using RunImages = std::map<std::string, RunImage>; ///< by camera: "robot0/eye"
 
 /// Provides camera images. Equal states give equal bytes, in any order of requests. Called on one thread, which blocks until each
 /// image is complete.

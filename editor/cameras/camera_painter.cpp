@@ -28,12 +28,15 @@ CameraImageRenderer& CameraPainter::drawerOf(const std::shared_ptr<const Experim
 CameraPicture CameraPainter::picture(CameraImageRenderer& drawer, const ImageTime& moment, const CameraShot& shot) {
     CameraPicture made;
     made.shot = shot;
-    Result<CameraImage> frame = drawer.capture(shot.camera, moment, shot.mode);
-    if (!frame) {
-        made.failure = QString::fromStdString(frame.error().message);
-        return made;
+    made.frame = shot.made;
+    if (!made.frame) {
+        Result<CameraImage> frame = drawer.capture(shot.camera, moment, shot.mode);
+        if (!frame) {
+            made.failure = QString::fromStdString(frame.error().message);
+            return made;
+        }
+        made.frame = std::make_shared<const CameraImage>(std::move(frame).value());
     }
-    made.frame = std::make_shared<const CameraImage>(std::move(frame).value());
     made.image = QImage(made.frame->pixels.data(), int(made.frame->width), int(made.frame->height), int(made.frame->width) * 3,
                         QImage::Format_RGB888)
                      .convertToFormat(QImage::Format_RGB32);

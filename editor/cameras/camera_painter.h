@@ -14,8 +14,9 @@
 namespace trundle {
 
 struct CameraShot {
-    std::string camera;             ///< "robot0/eye"
-    std::optional<CameraMode> mode; ///< none: the camera's own mode
+    std::string camera;                      ///< "robot0/eye"
+    std::optional<CameraMode> mode;          ///< none: the camera's own mode
+    std::shared_ptr<const CameraImage> made; ///< the image that the run made; null: it has to be rendered
 };
 
 struct CameraPicture {
@@ -32,7 +33,7 @@ public:
     /// Waits for the image being rendered.
     ~CameraPainter() override;
 
-    /// Renders images one after the other; drawn() is emitted once, with all of them. One call at a time.
+    /// Renders the images that the run has not made, one after the other; drawn() is emitted once, with all. One call at a time.
     void draw(std::shared_ptr<const ExperimentSpec> experiment, ImageTime moment, std::vector<CameraShot> shots);
     [[nodiscard]] bool isBusy() const { return m_busy; }
     /// Writes an image file, .png or .jpg by its extension, with the camera and time of the image in it. saved() follows.

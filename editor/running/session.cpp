@@ -384,6 +384,7 @@ void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
     if (!m_placed.empty()) {
         auto moved = std::make_shared<LiveSnapshot>(*m_snapshot);
         moved->contacts = nullptr; // they belong to the previous poses
+        moved->images.clear();
         moved->block = withPlaced(*m_layout, *m_snapshot->block, *m_experiment, m_placed);
         m_snapshot = std::move(moved);
     }

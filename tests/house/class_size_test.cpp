@@ -24,7 +24,6 @@ const QMap<QString, ClassSize>& exceptions() {
         {"core/scene/Scene", {400, 0}},
         {"core/world/BuiltWorld", {500, 0}},
         {"core/world/OdeEngine", {1250, 0}},
-        {"editor/cameras/CamerasPanel", {350, 0}},
         {"editor/document/Document", {700, 65}},
         {"editor/outline/OutlineModel", {350, 30}},
         {"editor/running/RunSession", {550, 65}},

@@ -124,6 +124,23 @@ private Q_SLOTS:
         QVERIFY(m_cameraCapture->capture("robot0/stream").ok());
         QCOMPARE(m_story, std::string("made robot0/stream@0 robot0/stream@3 robot0/stream@6 "));
     }
+    /// An image is recent until the next one is overdue, by the interval between the last two.
+    void theNewestImagesAreKept() {
+        QVERIFY(m_cameraCapture->images().empty());
+        ticks(10);
+        QVERIFY(m_cameraCapture->capture("robot0/still").ok());
+        const RunImage first = m_cameraCapture->images().at("robot0/still");
+        QVERIFY(first.image->tick == 10 && first.isRecentAt(10) && first.isRecentAt(12) && !first.isRecentAt(13));
+        QVERIFY(!first.isRecentAt(9)); // it is of a later state
+        ticks(4);
+        const CameraImage* second = m_cameraCapture->capture("robot0/still").value();
+        QVERIFY(m_cameraCapture->capture("robot0/still").ok()); // the same image
+        const RunImage& kept = m_cameraCapture->images().at("robot0/still");
+        QVERIFY(kept.image.get() == second && kept.image->tick == 14 && kept.interval == 4);
+        QVERIFY(kept.isRecentAt(19) && !kept.isRecentAt(20));
+        QCOMPARE(first.image->tick, std::uint64_t(10)); // images that someone holds do not change
+        QVERIFY(!m_cameraCapture->capture("robot0/blind").ok() && m_cameraCapture->images().size() == 1);
+    }
     void aFileIsOfWhatWasCaptured() {
         ticks(4);
         QCOMPARE(m_cameraCapture->file("robot0/stream", "a.png").value(), std::string("a.png of tick 3"));

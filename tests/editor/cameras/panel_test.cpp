@@ -70,6 +70,50 @@ private Q_SLOTS:
         QVERIFY(!m_window->tile("robot1/eye")->picture.frame->depth.empty());
     }
 
+    /// robot0's controller captures its camera in every tick; nothing in the run uses that of robot1.
+    void showsTheRunsImagesWithoutRenderingThemAgain() {
+        QVERIFY(m_window->open(kTwoEyes));
+        m_window->cameras.setChosen({"robot0/eye"});
+        m_window->session.setSpeed(0.25);
+        m_window->session.run();
+        const auto fromTheRun = [&] {
+            const auto& images = m_window->session.snapshot()->images;
+            const auto made = images.find("robot0/eye");
+            const CameraTiles::Tile* tile = m_window->tile("robot0/eye");
+            return made != images.end() && tile->picture.shot.made && tile->picture.frame == tile->picture.shot.made;
+        };
+        EVENTUALLY(m_window->session.snapshot() && fromTheRun());
+        const int drawn = m_window->cameras.drawnCount();
+        QSet<const CameraImage*> seen;
+        QObject::connect(&m_window->cameras, &CamerasPanel::pictureShown, &m_window->document,
+                         [&] { seen.insert(m_window->tile("robot0/eye")->picture.frame.get()); });
+        EVENTUALLY(seen.size() >= 8);
+        QCOMPARE(m_window->cameras.drawnCount(), drawn);
+        QVERIFY(fromTheRun());
+        // Another mode is not what the run made.
+        m_window->cameras.setMode(CameraMode::Segmentation);
+        EVENTUALLY(m_window->cameras.drawnCount() > drawn && !m_window->tile("robot0/eye")->picture.frame->objects.empty());
+        m_window->cameras.setMode(std::nullopt);
+        EVENTUALLY(fromTheRun());
+        // While it is paused the image is that of the state shown in the views: rendered once.
+        const int before = m_window->cameras.drawnCount();
+        m_window->session.pause();
+        EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->cameras.isSettled());
+        QCOMPARE(m_window->tile("robot0/eye")->picture.frame->tick, m_window->session.snapshot()->tick);
+        QCOMPARE(m_window->cameras.drawnCount(), before + 1);
+    }
+
+    void rendersWhatTheRunDoesNotCapture() {
+        QVERIFY(m_window->open(kTwoEyes));
+        m_window->cameras.setChosen({"robot1/eye"});
+        EVENTUALLY(m_window->cameras.isSettled());
+        const int before = m_window->cameras.drawnCount();
+        m_window->session.run();
+        EVENTUALLY(m_window->cameras.drawnCount() >= before + 3);
+        QVERIFY(!m_window->session.snapshot()->images.contains("robot1/eye"));
+        QVERIFY(m_window->session.snapshot()->images.contains("robot0/eye"));
+    }
+
     void theRunIsTheSameWithTheDockOpen() {
         QVERIFY(m_window->open(kTwoEyes));
         m_window->cameras.setMode(CameraMode::Segmentation);
