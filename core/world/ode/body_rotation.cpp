@@ -19,24 +19,30 @@ bool isSteady(const Vec3& rate, const Vec3& momentum, double h) {
 } // namespace
 
 void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, const PinnedBodies& pinned) {
-    std::vector<bool> held(bodies.size(), false);
+    std::vector<bool> held(bodies.size(), false), swivels(bodies.size(), true);
+    const auto hold = [&](std::uint32_t body, JointType by) {
+        held[body] = true;
+        if (by != JointType::Ball && by != JointType::Universal) swivels[body] = false;
+    };
     for (const OdeJoint& joint : joints) {
-        held[joint.child] = true;
-        if (joint.parent != kNone) held[joint.parent] = true;
+        hold(joint.child, joint.type);
+        if (joint.parent != kNone) hold(joint.parent, joint.type);
     }
     m_held.clear();
     m_free.clear();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         if (!held[i] || pinned.hold(i)) dBodySetFiniteRotationMode(bodies[i].id, 1); // by its whole angle, not by the tangent
         if (m_inertias[i].isRound() || pinned.turnFreely(i)) continue;
-        if (held[i]) m_held.push_back(i);
+        if (held[i]) m_held.push_back({i, swivels[i]});
         else m_free.emplace_back().body = i;
     }
 }
 
-void BodyRotation::before(std::span<const OdeBody> bodies, const std::vector<bool>& struck, double h) {
-    for (const std::uint32_t i : m_held) {
+void BodyRotation::before(std::span<const OdeBody> bodies, const std::vector<bool>& touching, double h) {
+    for (const auto& [i, swivels] : m_held) {
         const OdeBody& b = bodies[i];
+        if (swivels) dBodySetGyroscopicMode(b.id, touching[i]);
+        if (swivels && touching[i]) continue;
         const Vec3 torque = turn(b.r, m_inertias[i].changeByMidpoint(turnBack(b.r, vec(b.w)), h)) / h;
         dBodyAddTorque(b.id, torque.x(), torque.y(), torque.z());
     }
@@ -45,8 +51,8 @@ void BodyRotation::before(std::span<const OdeBody> bodies, const std::vector<boo
         const RotationalInertia& inertia = m_inertias[t.body];
         const Vec3 w = vec(b.w), torque = vec(dBodyGetTorque(b.id));
         t.start = quat(b.q);
-        t.struck = !struck.empty() && struck[t.body];
-        if (t.struck) continue;
+        t.touches = touching[t.body];
+        if (t.touches) continue;
         t.mean = w;
         t.momentum = inertia.momentum(t.start, w) + h * torque;
         if (torque.squaredNorm() > 0) t.mean = inertia.rate(t.start, t.momentum);
@@ -63,10 +69,10 @@ void BodyRotation::after(std::span<const OdeBody> bodies, double h) {
         const OdeBody& b = bodies[t.body];
         const RotationalInertia& inertia = m_inertias[t.body];
         const Vec3 mean = vec(b.w);
-        if (t.struck) t.momentum = inertia.momentum(t.start, mean);
+        if (t.touches) t.momentum = inertia.momentum(t.start, mean);
         else t.momentum += inertia.momentum(t.start, mean - t.mean);
         if (isSteady(mean, t.momentum, h)) continue;
-        if (t.struck) flyFreely(b, t, h);
+        if (t.touches) flyFreely(b, t, h);
         const Vec3 w = inertia.rate(quat(b.q), t.momentum);
         dBodySetAngularVel(b.id, w.x(), w.y(), w.z());
     }

@@ -1,8 +1,9 @@
 #pragma once
 // How bodies turn. ODE leaves out that a body's inertia turns with it (its own correction for that takes energy), so each tick adds
 // it. What no joint holds turns as in theory: the solver works with the mean rate of the tick, then the rate at its end follows
-// from the angular momentum. A blow comes first in its tick, and free flight after it. What a joint holds has one rate for the whole
-// tick, since joints hold that.
+// from the angular momentum. Contacts come first in their tick, and free flight after them. What a joint holds has one rate for the
+// whole tick, since joints hold that; what swivels and is knocked about would soon spin so fast that its joint tears, so there ODE's own
+// correction, which takes energy, is the better one.
 
 #include <span>
 #include <vector>
@@ -19,24 +20,29 @@ public:
     void add(const Mat3& inertia) { m_inertias.emplace_back(inertia); }
     /// Once all bodies and joints are there.
     void start(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, const PinnedBodies& pinned);
-    /// Adds to the torques of a tick. `struck`: by body, those that take a blow; empty: none.
-    void before(std::span<const OdeBody> bodies, const std::vector<bool>& struck, double h);
+    /// Adds to the torques of a tick. `touching`: by body, has a contact.
+    void before(std::span<const OdeBody> bodies, const std::vector<bool>& touching, double h);
     /// Once the solver has moved the bodies.
     void after(std::span<const OdeBody> bodies, double h);
     /// Turns a body back to where it was `time` after the start of the tick, if it turns freely.
     void rewind(const OdeBody& body, std::uint32_t index, double time) const;
 
 private:
+    /// Its moments differ.
+    struct Held {
+        std::uint32_t body;
+        bool swivels; ///< by ball and universal joints alone
+    };
     struct Tumbling {
         std::uint32_t body = 0;
         Quat start = Quat::Identity(); ///< of the tick
         Vec3 momentum = Vec3::Zero(), mean = Vec3::Zero();
-        bool struck = false;
+        bool touches = false;
     };
     void flyFreely(const OdeBody& body, const Tumbling& tumbling, double time) const;
 
     std::vector<RotationalInertia> m_inertias; ///< by body
-    std::vector<std::uint32_t> m_held;         ///< bodies whose moments differ, by joints
+    std::vector<Held> m_held;                  ///< by joints
     std::vector<Tumbling> m_free;              ///< those that no joint holds, ascending
 };
 
