@@ -14,8 +14,11 @@ constexpr double kRolling = 0.7;    // cosine between an axis and the floor's no
 constexpr std::uint32_t kYoung = 2; // ticks
 constexpr double kQuiet = 0.4;      // share of the limit
 constexpr double kLevel = 0.8;      // square of the cosine between normal and gravity
-constexpr double kImpact = 0.1;     // s: longer than an impact lasts
-constexpr double kSettled = 0.7;    // share of the load before: with more change than that an impact is not over
+// m/s, of a row across that carries its limit: with less give the wheels of one axle, which cannot move against each other, push each
+// other to their limits.
+constexpr double kYield = 3e-6;
+constexpr double kImpact = 0.1;  // s: longer than an impact lasts
+constexpr double kSettled = 0.7; // share of the load before: with more change than that an impact is not over
 
 } // namespace
 
@@ -169,9 +172,10 @@ void OdeEngine::fillFriction(const Contact& c, FrictionLaw law, const Vec3& spee
     s.mu = rows.limit * load;
     s.mu2 = rows.acrossLimit * load;
     for (int k = 0; k < 3; ++k) out.fdir1[k] = rows.axis[k];
-    if (rows.give > kWorldCfm) { // less would take the place of that, and leave the rows of many contacts singular
+    const double yield = c.bounded ? std::max(rows.give, kYield / std::max(rows.acrossLimit * c.expected, kYield)) : rows.give;
+    if (yield > kWorldCfm) { // less would take the place of that, and leave the rows of many contacts singular
         s.mode |= dContactSlip2;
-        s.slip2 = rows.give;
+        s.slip2 = yield;
     }
     if (g1.moves || g2.moves || rows.creep != 0) {
         s.mode |= dContactMotion1 | dContactMotion2;
