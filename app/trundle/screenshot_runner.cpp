@@ -20,7 +20,7 @@ ScreenshotRunner::ScreenshotRunner(MainWindow& window, const WindowOptions& opti
             refuse(reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason));
         });
     }
-    connect(&m_window.session(), &RunSession::refused, this, &ScreenshotRunner::reportNoRun);
+    connect(&m_window.session().messages(), &RunMessages::refused, this, &ScreenshotRunner::reportNoRun);
     connect(&m_window.session(), &RunSession::ended, this, &ScreenshotRunner::runEnded);
     connect(&m_look, &QTimer::timeout, this, &ScreenshotRunner::next);
     m_look.start();
@@ -50,7 +50,7 @@ void ScreenshotRunner::next() {
         m_step = Step::Running;
         break;
     case Step::Running:
-        if (isStuck()) reportEnd(m_window.session().notRespondingText(), kRunCutShort);
+        if (isStuck()) reportEnd(m_window.session().responses().text(), kRunCutShort);
         if (runDone() || m_code) m_step = Step::Draw;
         break;
     case Step::Draw:
@@ -85,9 +85,9 @@ void ScreenshotRunner::runEnded(const Diagnostic& reason) {
     if (m_step != Step::Running) return;
     const QString why = QString::fromStdString(codeName(reason.code) + ": " + reason.message);
     const RunSession& session = m_window.session();
-    if (!session.layout()) return reportEnd(QStringLiteral("%1 did not run: %2").arg(m_options.open, why), kNoRun);
+    if (!session.results().layout) return reportEnd(QStringLiteral("%1 did not run: %2").arg(m_options.open, why), kNoRun);
     reportEnd(
-        QStringLiteral("the run of %1 ended at t = %2 s: %3").arg(m_options.open, QString::number(session.end()->time), why),
+        QStringLiteral("the run of %1 ended at t = %2 s: %3").arg(m_options.open, QString::number(session.results().end->time), why),
         kRunCutShort);
 }
 
@@ -108,11 +108,11 @@ bool ScreenshotRunner::select() {
 bool ScreenshotRunner::runDone() const {
     const RunSession& session = m_window.session();
     const bool over = session.state() == RunState::Ended || session.state() == RunState::Start; // Start: the run was refused
-    return over || (session.state() == RunState::Paused && session.time() > *m_options.runFor - 1e-9);
+    return over || (session.state() == RunState::Paused && session.results().time() > *m_options.runFor - 1e-9);
 }
 
 bool ScreenshotRunner::isStuck() const {
-    return m_window.session().notRespondingSeconds() > kTimeoutS && !m_window.session().unresponsiveController().isEmpty();
+    return m_window.session().responses().seconds() > kTimeoutS && !m_window.session().responses().unresponsiveController().isEmpty();
 }
 
 void ScreenshotRunner::take() {

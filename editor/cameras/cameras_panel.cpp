@@ -124,9 +124,9 @@ QWidget* CamerasPanel::makeTools() {
 
 void CamerasPanel::follow() {
     const CameraState& before = m_feed->state();
-    const bool runs = m_session.experiment() && m_session.poses();
+    const bool runs = m_session.results().experiment && m_session.results().poses;
     CameraState now;
-    now.experiment = runs ? m_session.experiment() : m_document.isOpen() ? m_document.loaded()->experiment : nullptr;
+    now.experiment = runs ? m_session.results().experiment : m_document.isOpen() ? m_document.loaded()->experiment : nullptr;
     now.running = runs && m_session.state() == RunState::Running;
     const bool another = now.experiment != before.experiment;
     if (another) { // shows nothing until the tiles are those of the new cameras
@@ -135,8 +135,8 @@ void CamerasPanel::follow() {
         listCameras();
     }
     if (runs) {
-        const LiveSnapshot& snapshot = *m_session.snapshot();
-        now.moment = {m_session.poses(), snapshot.tick, snapshot.time};
+        const LiveSnapshot& snapshot = *m_session.results().snapshot;
+        now.moment = {m_session.results().poses, snapshot.tick, snapshot.time};
         now.images = snapshot.images;
     } else if (now.experiment) {
         const bool atStart = before.moment.poses && before.moment.tick == 0 && before.moment.time == 0 && !another;

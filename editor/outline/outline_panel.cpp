@@ -118,8 +118,8 @@ void OutlinePanel::connectAll() {
 }
 
 void OutlinePanel::showValuesOf(const RunSession& session) {
-    m_tree->setMoreTip([&session](const std::string& path) { return session.liveTip(path); });
-    connect(&session, &RunSession::valuesChanged, m_tree, &OutlineView::renewTip);
+    m_tree->setMoreTip([&session](const std::string& path) { return session.values().tip(path); });
+    connect(&session.values(), &RunValues::changed, m_tree, &OutlineView::renewTip);
 }
 
 void OutlinePanel::showDocument() {

@@ -68,8 +68,8 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
     connect(&selection, &Selection::changed, this, &PropertiesPanel::refresh);
     if (session) {
         connect(session, &RunSession::stateChanged, this, &PropertiesPanel::refresh);
-        connect(session, &RunSession::waitingChanged, this, &PropertiesPanel::refresh);
-        connect(session, &RunSession::valuesChanged, this, &PropertiesPanel::showNow);
+        connect(&session->edits(), &RunEdits::changed, this, &PropertiesPanel::refresh);
+        connect(&session->values(), &RunValues::changed, this, &PropertiesPanel::showNow);
     }
     showNothing(tr("Nothing is open"));
 }
@@ -155,12 +155,12 @@ void PropertiesPanel::refresh() {
 std::vector<LiveGroup> PropertiesPanel::liveGroups() const {
     const std::vector<std::string>& selected = m_selection.paths();
     if (selected.size() <= 1) {
-        const auto& values = m_session->liveValues(m_selection.current());
+        const auto& values = m_session->values().of(m_selection.current());
         return values.empty() ? std::vector<LiveGroup>() : std::vector<LiveGroup>{{{}, values}};
     }
     std::vector<LiveGroup> groups;
     for (std::size_t i = 0; i < std::min(selected.size(), kMaxLiveGroups); ++i)
-        if (const auto& values = m_session->liveValues(selected[i]); !values.empty())
+        if (const auto& values = m_session->values().of(selected[i]); !values.empty())
             groups.push_back({QString::fromStdString(selected[i]), values});
     return groups;
 }
@@ -181,14 +181,14 @@ void PropertiesPanel::showNow() {
 /// Explains why values are missing, or why not all selected objects are shown.
 QString PropertiesPanel::liveHint() const {
     const std::string path = m_selection.current();
-    if (!m_session->snapshot() || path.empty()) return {};
+    if (!m_session->results().snapshot || path.empty()) return {};
     if (const std::size_t count = m_selection.paths().size(); count > 1)
         return count > kMaxLiveGroups ? tr("The first %1 of %2 selected objects.").arg(kMaxLiveGroups).arg(count) : QString();
-    if (!m_session->liveValues(path).empty()) return {};
+    if (!m_session->values().of(path).empty()) return {};
     const auto place = placeOf(*m_document.loaded(), path);
     if (!place || !place->part) return {};
     if (place->part->is(Role::Layout) && !place->member) return tr("Click one of its members in the 3D view to see its values.");
-    if (place->instance && !m_session->isOfRun(path.substr(0, path.find('.'))))
+    if (place->instance && !m_session->edits().isOfRun(path.substr(0, path.find('.'))))
         return tr("Not in this run: new or renamed since it started.");
     return {};
 }
@@ -285,14 +285,14 @@ void PropertiesPanel::focusRow(const std::string& id, const QString& field) {
 
 void PropertiesPanel::showHelp() {
     if (const PropertyRow* row = rowOf(m_current))
-        m_strip->display(row->row(), row->refusal(), m_session && m_session->isActive());
+        m_strip->display(row->row(), row->refusal(), m_session && m_session->state() != RunState::Start);
     else m_strip->displayText(m_header->kindHelp());
 }
 
 void PropertiesPanel::showFailure(const std::string& id, const Status& status) {
     m_current = id;
     const QString reason = status ? QString() : QString::fromStdString(status.error().message);
-    if (const PropertyRow* shown = rowOf(id)) m_strip->display(shown->row(), reason, m_session && m_session->isActive());
+    if (const PropertyRow* shown = rowOf(id)) m_strip->display(shown->row(), reason, m_session && m_session->state() != RunState::Start);
 }
 
 void PropertiesPanel::openMenu(PropertyRow* row, const QPoint& place, QMenu* under) {

@@ -159,8 +159,8 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
 }
 
 QString nowText(const RunSession& session, const std::string& robot, bool position) {
-    if (!session.isOfRun(robot)) return {};
-    const std::optional<Pose> pose = session.robotPose(robot);
+    if (!session.edits().isOfRun(robot)) return {};
+    const std::optional<Pose> pose = session.robots().pose(robot);
     if (!pose) return {};
     const Vec3 v = position ? pose->position : Vec3(hprFromRotation(pose->rotation) * (180 / std::numbers::pi));
     const int digits = position ? 3 : 1;
@@ -190,7 +190,7 @@ void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Doc
     }
     if (session) {
         row.afterReset = std::any_of(row.values.begin(), row.values.end(),
-                                     [&](const FieldValue& v) { return session->waitsForReset(v.path); });
+                                     [&](const FieldValue& v) { return session->edits().waitsForReset(v.path); });
         if (row.values.size() == 1 && object.isInstance() && (row.id == "Pos" || row.id == "HPR"))
             row.now = [session, robot = object.shownPath(), position = row.id == "Pos"] {
                 return nowText(*session, robot, position);

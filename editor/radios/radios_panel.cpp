@@ -138,8 +138,8 @@ void RadiosPanel::paintEvent(QPaintEvent*) {
 // ---- content ----
 
 void RadiosPanel::follow() {
-    const bool runs = m_session.experiment() && m_session.poses();
-    const std::shared_ptr<const ExperimentSpec> experiment = runs                  ? m_session.experiment()
+    const bool runs = m_session.results().experiment && m_session.results().poses;
+    const std::shared_ptr<const ExperimentSpec> experiment = runs                  ? m_session.results().experiment
                                                              : m_document.isOpen() ? m_document.loaded()->experiment
                                                                                    : nullptr;
     if (experiment != m_experiment) useExperiment(experiment);
@@ -167,14 +167,14 @@ void RadiosPanel::useExperiment(std::shared_ptr<const ExperimentSpec> experiment
 
 void RadiosPanel::placeNodes() {
     if (!m_nodes) return;
-    std::shared_ptr<const BodyPoses> poses = m_session.poses();
-    if (!poses || m_session.experiment() != m_experiment) poses = std::make_shared<const BodyPoses>(startPoses(*m_experiment));
+    std::shared_ptr<const BodyPoses> poses = m_session.results().poses;
+    if (!poses || m_session.results().experiment != m_experiment) poses = std::make_shared<const BodyPoses>(startPoses(*m_experiment));
     if (m_objects) m_nodes->setWalls(wallsBetween(m_objects, poses, m_nodes->all()));
     m_nodes->place(*poses);
 }
 
 void RadiosPanel::fetchPackets() {
-    if (m_session.snapshot()) {
+    if (m_session.results().snapshot) {
         LiveRadio fresh = m_session.takeRadio();
         m_expected = fresh.expected;
         if (fresh.radios && fresh.radios != m_runRadios) {

@@ -42,7 +42,7 @@ ConsolePanel::ConsolePanel(RunSession& session, QWidget* parent) : QWidget(paren
     makeView();
     column->addWidget(makeTools());
     column->addWidget(m_view);
-    connect(&session, &RunSession::consoleLines, m_model, &ConsoleModel::append);
+    connect(&session.messages(), &RunMessages::consoleLines, m_model, &ConsoleModel::append);
     connect(m_model, &ConsoleModel::robotsChanged, this, &ConsolePanel::showRobots);
     showRobots();
     showCounts();

@@ -48,13 +48,13 @@ void ControllerCommands::applyTrust() {
 
 std::vector<ModuleInfo> ControllerCommands::modules() const {
     if (!m_document.loaded()) return {};
-    return modulesOf(*m_document.loaded(), m_document.options(), m_session.application().locations());
+    return modulesOf(*m_document.loaded(), m_document.options(), m_session.source().application().locations());
 }
 
 std::vector<ControllerChoice> ControllerCommands::choices() const {
     if (!m_document.loaded()) return {};
     OpenOptions own; // only the program's modules: other folders may have thousands of files
-    return controllerChoices(*m_document.loaded(), m_session.application().moduleKinds(own), m_session.application().locations());
+    return controllerChoices(*m_document.loaded(), m_session.source().application().moduleKinds(own), m_session.source().application().locations());
 }
 
 QStringList ControllerCommands::recent() {
@@ -67,7 +67,7 @@ QStringList ControllerCommands::recent() {
 /// Whether a library is in the program's folder or a trusted one; otherwise asks the user to trust its folder.
 bool ControllerCommands::isTrusted(const QString& library) {
     const OpenOptions& options = m_document.options();
-    DirectoryCatalog catalog({options.modules, m_session.application().locations().modules, {}, options.trust});
+    DirectoryCatalog catalog({options.modules, m_session.source().application().locations().modules, {}, options.trust});
     const QString folder = QFileInfo(library).absolutePath();
     if (catalog.find(library.toStdString(), folder.toStdString())) return true;
     if (!m_ask || !m_ask(library, folder)) return false;
@@ -84,7 +84,7 @@ bool ControllerCommands::load(const QString& library) {
     if (!found) return reject(QString::fromStdString(found.error().message));
     const std::string& path = found.value().library;
     if (!isTrusted(QString::fromStdString(path))) return false;
-    const std::string written = writtenFor(path, *m_document.loaded(), m_session.application().locations(), m_given);
+    const std::string written = writtenFor(path, *m_document.loaded(), m_session.source().application().locations(), m_given);
     for (const ModuleInfo& module : modules())
         if (module.library == path) return reject(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
     if (!edit(tr("Load Module %1").arg(QString::fromStdString(written)), planLoadModule(*m_document.loaded(), written)))

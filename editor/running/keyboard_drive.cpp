@@ -38,7 +38,7 @@ KeyboardDrive::KeyboardDrive(RunSession& session, Selection& selection, Actions&
     QAction& action = actions.at("sim.drive");
     connect(&action, &QAction::toggled, this, &KeyboardDrive::setOn);
     connect(&session, &RunSession::stateChanged, this, [this] {
-        if (!m_session.isActive()) m_down.clear();
+        if (m_session.state() == RunState::Start) m_down.clear();
     });
     connect(&selection, &Selection::changed, this, &KeyboardDrive::release);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
@@ -57,18 +57,18 @@ void KeyboardDrive::setOn(bool on) {
 
 void KeyboardDrive::release() {
     m_down.clear();
-    m_session.stopDriving();
+    m_session.robots().stopDriving();
 }
 
 void KeyboardDrive::steer() {
-    if (m_down.isEmpty()) return m_session.stopDriving();
+    if (m_down.isEmpty()) return m_session.robots().stopDriving();
     const auto along = [this](int forward, int back) { return int(m_down.contains(forward)) - int(m_down.contains(back)); };
     const double scale = m_fast ? 2 : 1;
     const std::string selected = m_selection.current();
-    const auto experiment = m_session.experiment();
+    const auto experiment = m_session.results().experiment;
     const bool onlyOne = experiment && experiment->robots.size() == 1; // the only robot is driven whatever is selected
     const std::string robot = onlyOne ? experiment->robots.front().name : selected.substr(0, selected.find('.'));
-    if (!m_session.drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
+    if (!m_session.robots().drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
                          scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
         m_down.clear();
 }

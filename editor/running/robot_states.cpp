@@ -14,14 +14,14 @@ QString trState(const char* text) { return QCoreApplication::translate("Controll
 
 bool isOf(const RunSession& session, const std::string& built, const ControlledRobot& robot) {
     if (built == robot.path) return true;
-    const Part* layout = session.built() ? layoutOfMember(*session.built()->outline, built) : nullptr;
+    const Part* layout = session.results().built ? layoutOfMember(*session.results().built->outline, built) : nullptr;
     return layout && layout->name == robot.path;
 }
 
 } // namespace
 
 ControllerState controllerState(const RunSession& session, const ControlledRobot& robot) {
-    const auto experiment = session.experiment();
+    const auto experiment = session.results().experiment;
     if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
     const auto& robots = experiment->robots;
     auto built = std::ranges::find(robots, robot.path, &RobotSpec::name);
@@ -29,7 +29,7 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
         built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isOf(session, spec.name, robot); });
     if (built == robots.end()) return {trState("not in this run"), false, false};
     if (!built->controller) return {trState("no controller"), false, false};
-    const std::optional<LiveEnd>& end = session.end();
+    const std::optional<LiveEnd>& end = session.results().end;
     if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)
         return {QString::fromStdString(end->failure->message), false, true};
     if (built->controller->kind != robot.kind)
@@ -37,7 +37,7 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
     switch (session.state()) {
     case RunState::Building: return {trState("is created"), true, false};
     case RunState::Running:
-        return {isOf(session, session.driven(), robot) && !session.driven().empty() ? trState("paused: driven from the keyboard")
+        return {isOf(session, session.robots().driven(), robot) && !session.robots().driven().empty() ? trState("paused: driven from the keyboard")
                                                                                     : trState("runs"),
                 true, false};
     case RunState::Paused: return {trState("paused"), true, false};

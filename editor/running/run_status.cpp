@@ -27,28 +27,28 @@ RunStatus::RunStatus(RunSession& session, QObject* parent) : QObject(parent), m_
     connect(&session, &RunSession::advanced, this, [this] {
         if (!m_timer.isActive()) refresh();
     });
-    connect(&session, &RunSession::waitingChanged, this, &RunStatus::refresh);
-    connect(&session, &RunSession::notRespondingChanged, this, &RunStatus::refresh);
+    connect(&session.edits(), &RunEdits::changed, this, &RunStatus::refresh);
+    connect(&session.responses(), &ResponseWatch::changed, this, &RunStatus::refresh);
 }
 
 void RunStatus::refresh() {
     QStringList parts;
-    const auto experiment = m_session.experiment();
+    const auto experiment = m_session.results().experiment;
     if (experiment) {
         const RobotCounts counts = countRobots(*experiment);
         QString text = counted(counts.robots, tr("1 robot"), tr("%1 robots"));
         if (counts.objects > 0) text += tr(", ") + counted(counts.objects, tr("1 object"), tr("%1 objects"));
         parts << text;
     }
-    if (const auto shot = m_session.snapshot()) {
+    if (const auto shot = m_session.results().snapshot) {
         parts << counted(shot->contactCount, tr("1 contact"), tr("%1 contacts"));
         parts << tr("step %1 ms").arg(shot->stepMs, 0, 'f', shot->stepMs < 10 ? 2 : 0);
     }
-    if (const QString finish = m_session.finishText(); !finish.isEmpty())
+    if (const QString finish = m_session.results().finishText(); !finish.isEmpty())
         parts << (finish.size() > kMaxFinish ? finish.left(kMaxFinish) + QChar(0x2026) : finish);
-    if (const QString wasNotResponding = m_session.notRespondingText(); !wasNotResponding.isEmpty()) parts << wasNotResponding;
-    if (m_session.needsReset())
-        parts << (m_session.canResume() ? tr("edits wait: F5 begins again with them") : tr("edits wait for Reset"));
+    if (const QString wasNotResponding = m_session.responses().text(); !wasNotResponding.isEmpty()) parts << wasNotResponding;
+    if (m_session.edits().needsReset())
+        parts << (m_session.results().canResume() ? tr("edits wait: F5 begins again with them") : tr("edits wait for Reset"));
     const QString text = parts.join(QStringLiteral("  •  "));
     if (text == m_text) return;
     m_text = text;

@@ -20,19 +20,19 @@ struct StateAppearance {
 };
 
 StateAppearance appearanceOf(const RunSession& session, bool open) {
-    if (!session.unresponsiveController().isEmpty() && session.notRespondingSeconds() > 0)
+    if (!session.responses().unresponsiveController().isEmpty() && session.responses().seconds() > 0)
         return {TransportBar::tr("Not responding"), Ink::Warning};
     switch (session.state()) {
     case RunState::Start:
-        if (open && session.describesOnly()) return {TransportBar::tr("Nothing to run"), Ink::Faint};
-        if (open && !session.refusal().isEmpty()) return {TransportBar::tr("Cannot run"), Ink::Error};
+        if (open && session.source().describesOnly()) return {TransportBar::tr("Nothing to run"), Ink::Faint};
+        if (open && !session.source().refusal().isEmpty()) return {TransportBar::tr("Cannot run"), Ink::Error};
         return {TransportBar::tr("At start"), Ink::Faint};
     case RunState::Building: return {TransportBar::tr("Building"), Ink::Accent};
     case RunState::Running: return {TransportBar::tr("Running"), Ink::Good};
     case RunState::Paused: return {TransportBar::tr("Paused"), Ink::Warning};
     case RunState::Ended: break;
     }
-    const bool failed = session.end() && session.end()->failure;
+    const bool failed = session.results().end && session.results().end->failure;
     return failed ? StateAppearance{TransportBar::tr("Stopped"), Ink::Error}
                   : StateAppearance{TransportBar::tr("Finished"), Ink::Accent};
 }
@@ -63,9 +63,9 @@ TransportBar::TransportBar(RunSession& session, Actions& actions, QWidget* paren
     build();
     connectActions();
     connect(&session, &RunSession::stateChanged, this, &TransportBar::showState);
-    connect(&session, &RunSession::refusalChanged, this, &TransportBar::showState);
-    connect(&session, &RunSession::notRespondingChanged, this, &TransportBar::showRefusal);
-    connect(&session, &RunSession::waitingChanged, this, &TransportBar::showRefusal);
+    connect(&session.source(), &RunSource::changed, this, &TransportBar::showState);
+    connect(&session.responses(), &ResponseWatch::changed, this, &TransportBar::showRefusal);
+    connect(&session.edits(), &RunEdits::changed, this, &TransportBar::showRefusal);
     connect(&session, &RunSession::advanced, this, &TransportBar::showFigures);
     connect(&session, &RunSession::speedChanged, this, &TransportBar::showSpeed);
     showState();
@@ -116,7 +116,7 @@ void TransportBar::connectActions() {
     connect(&m_actions.at("sim.pause"), &QAction::triggered, &m_session, &RunSession::pause);
     connect(&m_actions.at("sim.step"), &QAction::triggered, &m_session, &RunSession::step);
     connect(&m_actions.at("sim.reset"), &QAction::triggered, &m_session, &RunSession::reset);
-    connect(&m_actions.at("sim.keepPoses"), &QAction::triggered, &m_session, &RunSession::keepPoses);
+    connect(&m_actions.at("sim.keepPoses"), &QAction::triggered, &m_session.robots(), &RobotCommands::keepPoses);
     connect(&m_actions.at("sim.faster"), &QAction::triggered, this, [this] { changeSpeed(1); });
     connect(&m_actions.at("sim.slower"), &QAction::triggered, this, [this] { changeSpeed(-1); });
 }
@@ -134,11 +134,11 @@ void TransportBar::showSpeed() {
 
 void TransportBar::showState() {
     const RunState state = m_session.state();
-    const bool open = m_session.isOpen(), goes = state == RunState::Running || state == RunState::Building;
+    const bool open = m_session.source().isOpen(), goes = state == RunState::Running || state == RunState::Building;
     QAction &run = m_actions.at("sim.run"), &pause = m_actions.at("sim.pause");
     run.setEnabled(open && !goes);
     pause.setEnabled(goes);
-    m_actions.at("sim.step").setEnabled(open && (state != RunState::Ended || m_session.canResume()) && !goes);
+    m_actions.at("sim.step").setEnabled(open && (state != RunState::Ended || m_session.results().canResume()) && !goes);
     m_actions.at("sim.reset").setEnabled(state != RunState::Start);
     m_actions.at("sim.keepPoses").setEnabled(state == RunState::Paused || state == RunState::Ended);
     QAction& shown = goes ? pause : run;
@@ -151,7 +151,7 @@ void TransportBar::showState() {
 }
 
 void TransportBar::showRefusal() {
-    const bool open = m_session.isOpen();
+    const bool open = m_session.source().isOpen();
     const StateAppearance look = appearanceOf(m_session, open);
     const QColor colour = ink(look.ink);
     m_state->setText(look.text);
@@ -159,24 +159,24 @@ void TransportBar::showRefusal() {
         QStringLiteral("QLabel { color: %1; border: 1px solid %1; border-radius: 8px; font-weight: 600; }").arg(colour.name()));
     fixWidth(m_state, {tr("At start"), tr("Building"), tr("Running"), tr("Paused"), tr("Finished"), tr("Stopped"),
                        tr("Cannot run"), tr("Nothing to run"), tr("Not responding")});
-    QString why = m_session.notRespondingText();
-    if (m_session.state() == RunState::Start && open) why = m_session.refusal();
-    else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);
-    else if (m_session.canResume() && m_session.needsReset())
+    QString why = m_session.responses().text();
+    if (m_session.state() == RunState::Start && open) why = m_session.source().refusal();
+    else if (m_session.results().end && m_session.results().end->failure) why = QString::fromStdString(m_session.results().end->failure->message);
+    else if (m_session.results().canResume() && m_session.edits().needsReset())
         why = tr("At its Duration, and the edits of %1 wait for a reset. F5 begins again with them; F10 runs one tick without "
                  "them.")
-                  .arg(m_session.waitingText());
-    else if (m_session.canResume())
+                  .arg(m_session.edits().waitingText());
+    else if (m_session.results().canResume())
         why = tr("At its Duration. F5 resumes past it, F10 runs one tick; Shift+F5 resets to the start.");
     m_state->setToolTip(why);
-    m_run->setToolTip(why.isEmpty() || m_session.isActive() ? m_run->defaultAction()->toolTip() : why);
+    m_run->setToolTip(why.isEmpty() || m_session.state() != RunState::Start ? m_run->defaultAction()->toolTip() : why);
 }
 
 void TransportBar::showFigures() {
-    m_time->setText(timeText(m_session.time()));
-    m_time->setEnabled(m_session.isActive());
+    m_time->setText(timeText(m_session.results().time()));
+    m_time->setEnabled(m_session.state() != RunState::Start);
     const bool runs = m_session.state() == RunState::Running;
-    m_factor->setText(runs ? factorText(m_session.realTimeFactor()) : QString());
+    m_factor->setText(runs ? factorText(m_session.results().realTimeFactor()) : QString());
     fixWidth(m_time, {timeText(0), timeText(8888.88), m_time->text()});
     fixWidth(m_factor, {factorText(888), factorText(0.88), m_factor->text()});
 }

@@ -202,16 +202,16 @@ void MainWindow::connectPanels() {
     connect(m_document, &Document::opened, m_console, &ConsolePanel::clear); // its messages refer to the previous project
     connect(m_document, &Document::openFailed, m_files, &FileCommands::reportNotOpened);
     connect(m_document, &Document::readOnlyChanged, this, &MainWindow::showReadOnly);
-    connect(m_session, &RunSession::refused, m_status, &StatusLine::refuse);
-    connect(m_session, &RunSession::refused, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
-    connect(m_session, &RunSession::problemsChanged, this, [this] {
-        if (m_session->built()) m_problems->setRunProblems(m_session->problems(), m_session->built());
+    connect(&m_session->messages(), &RunMessages::refused, m_status, &StatusLine::refuse);
+    connect(&m_session->messages(), &RunMessages::refused, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
+    connect(&m_session->messages(), &RunMessages::problemsChanged, this, [this] {
+        if (m_session->results().built) m_problems->setRunProblems(m_session->messages().problems(), m_session->results().built);
         else m_problems->clearRunProblems();
     });
     connect(m_session, &RunSession::ended, this, [this] {
         m_layouts->raise(QStringLiteral("problems"));
-        if (!m_session->end() || m_session->end()->body.empty()) return;
-        std::string body = m_session->end()->body;
+        if (!m_session->results().end || m_session->results().end->body.empty()) return;
+        std::string body = m_session->results().end->body;
         std::ranges::replace(body, '/', '.');
         m_selection->select(body);
     });
@@ -287,7 +287,7 @@ void MainWindow::connectActions() {
          {"edit.cut", "edit.copy", "edit.paste", "edit.delete", "edit.duplicate", "edit.rename", "edit.selectAll", "edit.find"})
         on(id, [this, id] { doEdit(id); });
     on("edit.group",
-       [this] { askForGroup(this, *m_document, m_selection->paths(), m_session->application().locations().configs); });
+       [this] { askForGroup(this, *m_document, m_selection->paths(), m_session->source().application().locations().configs); });
     on("edit.filter", [this] {
         m_layouts->raise(QStringLiteral("scene"));
         m_outline->focusFilter();

@@ -49,11 +49,11 @@ void MainWindow::connectCameras(Application& application, RenderService* render)
         if (auto* before = findChild<MovieDialog*>()) return before->raise(); // one movie at a time
         View& view = m_viewport->current();
         MovieDialogOptions options;
-        if (const QString why = m_session->refusal(); !why.isEmpty()) return m_status->refuse(why);
+        if (const QString why = m_session->source().refusal(); !why.isEmpty()) return m_status->refuse(why);
         options.text = m_document->loaded();
-        options.run = m_session->snapshot() ? m_session->built() : nullptr;
-        options.commands = m_session->commands();
-        options.runTime = m_session->time();
+        options.run = m_session->results().snapshot ? m_session->results().built : nullptr;
+        options.commands = m_session->robots().all();
+        options.runTime = m_session->results().time();
         options.view = [&view](std::uint32_t width, std::uint32_t height) { return view.movingView(width, height); };
         options.shown = view.size();
         options.look = view.still(std::uint32_t(view.width()), std::uint32_t(view.height()));

@@ -112,15 +112,15 @@ void MainWindow::setLayout(Layout layout) {
 void MainWindow::connectLogs() {
     QAction& open = m_actions->at("sim.openLogs");
     const auto show = [this, &open] {
-        const QString& folder = m_session->logsAt();
+        const QString& folder = m_session->logs().folder();
         open.setEnabled(!folder.isEmpty() && QFileInfo::exists(folder));
         m_status->setLogs(open.isEnabled() ? folder : QString());
     };
-    connect(m_session, &RunSession::logsAtChanged, this, show);
+    connect(&m_session->logs(), &RunLogs::folderChanged, this, show);
     connect(m_session, &RunSession::stateChanged, this, show); // the folder is created with the first log
     connect(m_status, &StatusLine::logsRequested, &open, &QAction::trigger);
     connect(&open, &QAction::triggered, this, [this] {
-        const QString& folder = m_session->logsAt();
+        const QString& folder = m_session->logs().folder();
         if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
             m_status->refuse(tr("No file manager is available. The logs are in %1").arg(folder));
     });

@@ -26,7 +26,6 @@ const QMap<QString, ClassSize>& exceptions() {
         {"core/world/OdeEngine", {1250, 0}},
         {"editor/document/Document", {700, 65}},
         {"editor/outline/OutlineModel", {350, 30}},
-        {"editor/running/RunSession", {550, 65}},
         {"editor/shell/MainWindow", {600, 0}},
         {"editor/text/CodeEdit", {600, 40}},
         {"editor/text/TextPanel", {550, 0}},

@@ -41,8 +41,8 @@ ViewportScene::~ViewportScene() {
 }
 
 void ViewportScene::updateScene() {
-    const bool runs = m_session.experiment() && m_session.poses();
-    std::shared_ptr<const ExperimentSpec> experiment = runs ? m_session.experiment() : m_session.shown();
+    const bool runs = m_session.results().experiment && m_session.results().poses;
+    std::shared_ptr<const ExperimentSpec> experiment = runs ? m_session.results().experiment : m_session.source().shown();
     if (experiment == m_experiment) {
         if (runs == m_running) return updatePoses();
         m_running = runs;
@@ -57,7 +57,7 @@ void ViewportScene::updateScene() {
     if (!experiment) experiment = std::make_shared<ExperimentSpec>();
     m_objects = std::make_shared<ObjectIndex>(experiment);
     m_cameras = trundle::camerasOf(*experiment);
-    const std::shared_ptr<const BodyPoses> now = runs ? m_session.poses() : nullptr;
+    const std::shared_ptr<const BodyPoses> now = runs ? m_session.results().poses : nullptr;
     m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
     if (m_render) {
         const SceneId before = m_scene;
@@ -70,8 +70,8 @@ void ViewportScene::updateScene() {
 }
 
 void ViewportScene::updatePoses() {
-    if (!m_running && m_session.poses()) return updateScene();
-    const std::shared_ptr<const BodyPoses> poses = m_running ? m_session.poses() : nullptr;
+    if (!m_running && m_session.results().poses) return updateScene();
+    const std::shared_ptr<const BodyPoses> poses = m_running ? m_session.results().poses : nullptr;
     if (!poses || poses == m_poses || poses->size() != m_objects->poseCount()) return;
     m_poses = poses;
     m_bounds.reset();
@@ -79,7 +79,7 @@ void ViewportScene::updatePoses() {
 }
 
 std::shared_ptr<const ExperimentSpec> ViewportScene::ghosts() const {
-    const std::shared_ptr<const ExperimentSpec> good = m_document.isOpen() ? m_session.lastValid() : nullptr;
+    const std::shared_ptr<const ExperimentSpec> good = m_document.isOpen() ? m_session.source().lastValid() : nullptr;
     if (!good || !m_document.loaded()->diagnostics.hasErrors()) return nullptr;
     const LoadedProject& now = *m_document.loaded();
     const bool broken = hasBrokenSyntax(now);

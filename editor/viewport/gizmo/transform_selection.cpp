@@ -167,7 +167,7 @@ Status TransformSelection::apply(const std::vector<ValueEdit>& edits, const QStr
 Status TransformSelection::move(const Pose& motion, const QString& name, const std::string& mergeKey, Fineness fineness) {
     if (m_running) {
         for (const Item& item : m_items)
-            if (!m_context.session.place(item.path, motion * item.world))
+            if (!m_context.session.robots().place(item.path, motion * item.world))
                 return Error{Code::EditRefused, "it cannot be placed there"};
         return {};
     }
@@ -192,7 +192,7 @@ Status TransformSelection::moveEach(const std::vector<Vec3>& offsets, const QStr
         if (m_running) {
             Pose to = item.world;
             to.position += offsets[i];
-            if (!m_context.session.place(item.path, to)) return Error{Code::EditRefused, "it cannot be placed there"};
+            if (!m_context.session.robots().place(item.path, to)) return Error{Code::EditRefused, "it cannot be placed there"};
             continue;
         }
         Pose local = item.local;

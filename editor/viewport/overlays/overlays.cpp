@@ -109,7 +109,7 @@ void paintContactScale(QPainter& painter, const ToolView& view, double unit, std
 }
 
 void paintContacts(QPainter& painter, const ToolView& view) {
-    const auto snapshot = view.context().session.snapshot();
+    const auto snapshot = view.context().session.results().snapshot;
     if (!snapshot || !snapshot->contacts) return;
     const double unit = forceUnit(view.context().world.objects()->experiment());
     for (const ContactArrow& shown : contactArrows(*snapshot->contacts, unit)) {

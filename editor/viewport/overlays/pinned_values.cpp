@@ -138,7 +138,7 @@ std::vector<LaidLabel> layOut(const ToolView& view, std::size_t& hidden, double&
     bool full = false;
     for (const Pin& pin : pinned->pins()) {
         const QWidget& widget = view.widget();
-        LabelText text(widget.font(), pin.path, view.context().session.liveValues(pin.path), widget.width() - 2 * kPinEdge);
+        LabelText text(widget.font(), pin.path, view.context().session.values().of(pin.path), widget.width() - 2 * kPinEdge);
         QRectF rect(QPointF(kPinLeft, y), text.size());
         if (pin.position) {
             rect.moveCenter({pin.position->x() * widget.width(), pin.position->y() * widget.height()});

@@ -135,7 +135,7 @@ void LibraryDrop::load() {
     for (const std::string& file : document.files()) options.texts.emplace(file, document.text(file));
     options.texts.insert_or_assign(opened + ".dropped", std::make_shared<const std::string>(before + text + "\n"));
     options.meshesLater = true;
-    const auto loaded = m_view.context().session.application().open(opened + ".dropped", options);
+    const auto loaded = m_view.context().session.source().application().open(opened + ".dropped", options);
     if (!loaded) return;
     m_thing = objectIn(*loaded.value()->experiment);
     if (!m_thing) return;

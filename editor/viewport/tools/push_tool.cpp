@@ -54,13 +54,13 @@ void PushTool::push() {
     const Vec3 request = ray.origin + (grip - ray.origin).dot(forward) / towards * ray.direction;
     m_force = kPerKgAndMetre * m_mass * (request - grip);
     if (m_force.norm() > kMaxPerKg * m_mass) m_force *= kMaxPerKg * m_mass / m_force.norm();
-    m_view.context().session.push(m_view.context().world.objects()->pathOf(*m_body, '/'), m_force, grip);
+    m_view.context().session.robots().push(m_view.context().world.objects()->pathOf(*m_body, '/'), m_force, grip);
     m_view.widget().update();
 }
 
 void PushTool::release(const Pointer& pointer) {
     if (m_pushing) {
-        m_view.context().session.endPush();
+        m_view.context().session.robots().endPush();
     } else if (m_body && pointer.button == Qt::LeftButton) {
         m_view.context().selection.toggle(m_view.context().world.objects()->pathOf({ObjectKind::Robot, m_body->instance}));
     }
@@ -70,7 +70,7 @@ void PushTool::release(const Pointer& pointer) {
 }
 
 void PushTool::cancel() {
-    if (m_pushing) m_view.context().session.endPush();
+    if (m_pushing) m_view.context().session.robots().endPush();
     m_body.reset();
     m_pushing = false;
 }

@@ -141,7 +141,7 @@ void ViewportPanel::connectPinned() {
     connect(&m_selection, &Selection::changed, this, check);
     connect(m_pinned.get(), &PinnedValues::changed, this, check);
     connect(m_pinned.get(), &PinnedValues::changed, this, [this] { m_current->update(); });
-    connect(&m_session, &RunSession::valuesChanged, this, repaint);
+    connect(&m_session.values(), &RunValues::changed, this, repaint);
     // Delayed: another slot of opened() may still save the pins of the previous experiment.
     connect(&m_document, &Document::opened, this, [this] { m_pinsOfOther = true; });
     connect(&m_document, &Document::changed, this, [this] { // objects may have been renamed

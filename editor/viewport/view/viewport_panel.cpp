@@ -88,7 +88,7 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     connect(&m_session, &RunSession::stateChanged, this, &ViewportPanel::showBanner);
     connect(&m_settings, &ViewSettings::changed, this, &ViewportPanel::showBanner);
     connect(m_bannerButton, &QPushButton::clicked, this, [this] {
-        if (m_blockingLayout.empty()) return m_session.keepPoses();
+        if (m_blockingLayout.empty()) return m_session.robots().keepPoses();
         (void)m_document.apply(tr("Replace %1 by single instances").arg(QString::fromStdString(m_blockingLayout)),
                                planReplaceBySingles(*m_document.loaded(), m_blockingLayout));
     });
@@ -134,8 +134,8 @@ void ViewportPanel::setCurrent(View& view) {
 
 /// While a robot is driven by keyboard, the view moves when the robot would leave it.
 void ViewportPanel::followDrivenRobot() {
-    const std::string robot = m_session.driven();
-    const std::optional<Pose> pose = robot.empty() ? std::nullopt : m_session.robotPose(robot);
+    const std::string robot = m_session.robots().driven();
+    const std::optional<Pose> pose = robot.empty() ? std::nullopt : m_session.robots().pose(robot);
     if (!pose || !m_current->isVisible() || m_current->camera().kind() != ViewKind::Perspective || m_current->throughCamera())
         return;
     const std::optional<QPointF> at = m_current->pixelOf(pose->position);
@@ -240,7 +240,7 @@ void ViewportPanel::showBanner() {
                                         : tr("%1 has no size of its own: select a shape with repeated clicks.").arg(held.title());
     }
     if (text.isEmpty() && m_session.state() == RunState::Paused && edits && m_world->isRunning() &&
-        m_session.keepRefusal().isEmpty()) {
+        m_session.robots().keepRefusal().isEmpty()) {
         text = tr("Moving objects during a run does not change their start in the text.");
         button = tr("Keep These Poses as Start");
     }

@@ -113,12 +113,12 @@ QJsonObject measureFrames(const QString& file, double seconds) {
     int pictures = 0;
     const auto counted = QObject::connect(&view, &View::pictureShown, [&] { ++pictures; });
     w.trigger("sim.run");
-    w.until("it runs", [&] { return w.window->session().time() > 0.5; });
+    w.until("it runs", [&] { return w.window->session().results().time() > 0.5; });
     pictures = 0;
     const double begin = nowMs();
     w.wait(1000 * seconds);
     const double perSecond = 1000 * pictures / (nowMs() - begin);
-    const double factor = w.window->session().realTimeFactor();
+    const double factor = w.window->session().results().realTimeFactor();
     QObject::disconnect(counted);
     w.trigger("sim.reset");
     w.wait(100);

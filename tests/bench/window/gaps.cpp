@@ -100,7 +100,7 @@ QJsonObject measureGaps(const QString& file) {
     if (document.isModified()) qFatal("it was not saved");
     phases.add("run, from F5 on", [&] {
         w.trigger("sim.run");
-        w.until("it runs", [&] { return session.time() > 0; });
+        w.until("it runs", [&] { return session.results().time() > 0; });
         w.wait(3000);
     });
     phases.add("pause", [&] {

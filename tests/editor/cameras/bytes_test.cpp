@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(window.session.state(), RunState::Running);
         window.session.setSpeed(0);
         EVENTUALLY_EQUAL(window.session.state(), RunState::Ended);
-        QVERIFY(!window.session.end()->failure);
+        QVERIFY(!window.session.results().end->failure);
         const auto seen = picturesIn(window.folder.filePath(QStringLiteral("logs/trial")));
 
         const QString alone = window.folder.filePath(QStringLiteral("alone"));

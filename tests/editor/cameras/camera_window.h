@@ -22,7 +22,7 @@ struct CameraWindow : ViewWindow {
     [[nodiscard]] bool runTicks(std::uint64_t ticks) {
         session.setSpeed(0);
         session.runFor(double(ticks) * document.loaded()->experiment->settings.tick);
-        return QTest::qWaitFor([&] { return session.state() == RunState::Paused && session.snapshot()->tick == ticks; }, 60000) &&
+        return QTest::qWaitFor([&] { return session.state() == RunState::Paused && session.results().snapshot->tick == ticks; }, 60000) &&
                QTest::qWaitFor([&] { return cameras.isSettled(); }, 20000);
     }
     /// The same run without a window.

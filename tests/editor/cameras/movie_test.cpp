@@ -110,17 +110,17 @@ private Q_SLOTS:
 
     void recordsManualCommands() {
         QVERIFY(m_window->runTicks(10));
-        m_window->session.place("robot1", {Vec3(-0.6, 0, 0), rotationFromHpr({3, 0, 0})});
+        m_window->session.robots().place("robot1", {Vec3(-0.6, 0, 0), rotationFromHpr({3, 0, 0})});
         m_window->session.runFor(0.1);
-        EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->session.snapshot()->tick == 20);
-        QCOMPARE(m_window->session.commands().size(), std::size_t(1));
+        EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->session.results().snapshot->tick == 20);
+        QCOMPARE(m_window->session.robots().all().size(), std::size_t(1));
         QByteArray ends[2];
         for (const bool byHand : {false, true}) {
             MovieJob job = jobFor(byHand ? QStringLiteral("hand.mp4") : QStringLiteral("alone.mp4"));
-            job.loaded = m_window->session.built();
+            job.loaded = m_window->session.results().built;
             job.camera = "robot0/eye"; // the other robot is directly in front of it now
             job.end = 0.2;
-            if (byHand) job.commands = m_window->session.commands();
+            if (byHand) job.commands = m_window->session.robots().all();
             MovieRecorder recorder(*m_window->application, *m_render);
             QSignalSpy finished(&recorder, &MovieRecorder::finished);
             recorder.start(job);
@@ -176,9 +176,9 @@ private Q_SLOTS:
         QVERIFY(m_window->runTicks(30));
         MovieDialogOptions offer;
         offer.text = m_window->document.loaded();
-        offer.run = m_window->session.built();
-        offer.commands = m_window->session.commands();
-        offer.runTime = m_window->session.time();
+        offer.run = m_window->session.results().built;
+        offer.commands = m_window->session.robots().all();
+        offer.runTime = m_window->session.results().time();
         offer.view = [this](std::uint32_t width, std::uint32_t height) { return m_window->view().movingView(width, height); };
         offer.look = m_window->view().still(96, 64);
         offer.file = m_window->folder.filePath(QStringLiteral("run.avi"));
@@ -194,7 +194,7 @@ private Q_SLOTS:
         dialog->findChild<QLineEdit*>(QStringLiteral("movieFile"))->setText(m_window->folder.filePath(QStringLiteral("run.mp4")));
         QVERIFY(record->isEnabled());
         QCOMPARE(dialog->job().end, 0.3); // the simulated time so far
-        QCOMPARE(dialog->job().loaded, m_window->session.built());
+        QCOMPARE(dialog->job().loaded, m_window->session.results().built);
         dialog->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(96);
         dialog->findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(64);
         QVERIFY2(sum->text().contains(QStringLiteral("10 pictures")), qPrintable(sum->text()));

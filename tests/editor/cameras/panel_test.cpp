@@ -77,12 +77,12 @@ private Q_SLOTS:
         m_window->session.setSpeed(0.25);
         m_window->session.run();
         const auto fromTheRun = [&] {
-            const auto& images = m_window->session.snapshot()->images;
+            const auto& images = m_window->session.results().snapshot->images;
             const auto made = images.find("robot0/eye");
             const CameraTiles::Tile* tile = m_window->tile("robot0/eye");
             return made != images.end() && tile->picture.shot.made && tile->picture.frame == tile->picture.shot.made;
         };
-        EVENTUALLY(m_window->session.snapshot() && fromTheRun());
+        EVENTUALLY(m_window->session.results().snapshot && fromTheRun());
         const int drawn = m_window->cameras.drawnCount();
         QSet<const CameraImage*> seen;
         QObject::connect(&m_window->cameras, &CamerasPanel::pictureShown, &m_window->document,
@@ -99,7 +99,7 @@ private Q_SLOTS:
         const int before = m_window->cameras.drawnCount();
         m_window->session.pause();
         EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->cameras.isSettled());
-        QCOMPARE(m_window->tile("robot0/eye")->picture.frame->tick, m_window->session.snapshot()->tick);
+        QCOMPARE(m_window->tile("robot0/eye")->picture.frame->tick, m_window->session.results().snapshot->tick);
         QCOMPARE(m_window->cameras.drawnCount(), before + 1);
     }
 
@@ -110,8 +110,8 @@ private Q_SLOTS:
         const int before = m_window->cameras.drawnCount();
         m_window->session.run();
         EVENTUALLY(m_window->cameras.drawnCount() >= before + 3);
-        QVERIFY(!m_window->session.snapshot()->images.contains("robot1/eye"));
-        QVERIFY(m_window->session.snapshot()->images.contains("robot0/eye"));
+        QVERIFY(!m_window->session.results().snapshot->images.contains("robot1/eye"));
+        QVERIFY(m_window->session.results().snapshot->images.contains("robot0/eye"));
     }
 
     void theRunIsTheSameWithTheDockOpen() {
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QVERIFY(m_window->cameras.drawnCount() > 2);
         const auto runner = m_window->headless(300);
         QVERIFY(runner);
-        QCOMPARE(*m_window->session.snapshot()->hash, runner->world().stateHash());
+        QCOMPARE(*m_window->session.results().snapshot->hash, runner->world().stateHash());
     }
 
     void drawsOnlyVisibleTiles() {

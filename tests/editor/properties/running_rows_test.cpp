@@ -133,7 +133,7 @@ private Q_SLOTS:
         QCOMPARE(below->text(2), QStringLiteral("rad/s"));
         const QStringList narrow = lines();
         fixture.session.step();
-        EVENTUALLY_EQUAL(fixture.session.time(), 0.02);
+        EVENTUALLY_EQUAL(fixture.session.results().time(), 0.02);
         QCoreApplication::processEvents();
         QCOMPARE(lines(), narrow); // no line appears or disappears when a value changes
         fixture.panel.resize(420, 600);
@@ -188,7 +188,7 @@ private Q_SLOTS:
         fixture.selection.select("crate");
         fixture.session.step();
         EVENTUALLY_EQUAL(fixture.value("speed"), QStringLiteral("0.098 m/s"));
-        QVERIFY(fixture.session.place("crate", {{1, 2, 3}, Quat::Identity()}));
+        QVERIFY(fixture.session.robots().place("crate", {{1, 2, 3}, Quat::Identity()}));
         EVENTUALLY_EQUAL(fixture.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
         QCOMPARE(fixture.value("speed"), QStringLiteral("0.000 m/s"));
         fixture.selection.select("crate.box");
@@ -212,12 +212,12 @@ private Q_SLOTS:
             before = places();
             for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
         } while (places() != before);
-        QSignalSpy changes(&fixture.session, &RunSession::valuesChanged), frames(&fixture.session, &RunSession::advanced);
+        QSignalSpy changes(&fixture.session.values(), &RunValues::changed), frames(&fixture.session, &RunSession::advanced);
         fixture.session.setSpeed(5);
         QElapsedTimer clock;
         clock.start();
         fixture.session.run();
-        EVENTUALLY(frames.count() > 20 && fixture.session.time() > 1);
+        EVENTUALLY(frames.count() > 20 && fixture.session.results().time() > 1);
         QVERIFY2(changes.count() <= clock.elapsed() / 90 + 3, "ten times a second is enough");
         fixture.session.pause();
         EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);

@@ -23,10 +23,10 @@ private Q_SLOTS:
         window.session.run();
         QTRY_COMPARE_WITH_TIMEOUT(window.session.state(), RunState::Ended, 60000);
         QVERIFY(window.settled());
-        QVERIFY(!window.session.end()->failure);
+        QVERIFY(!window.session.results().end->failure);
         const auto alone = window.headless(200, window.folder.filePath(QStringLiteral("alone")).toStdString());
         QVERIFY(alone.runner && alone.runner->finish().ok());
-        QCOMPARE(*window.session.snapshot()->hash, alone.runner->world().stateHash());
+        QCOMPARE(*window.session.results().snapshot->hash, alone.runner->world().stateHash());
         QVERIFY(window.model().frameCount() > 500);
         QCOMPARE(window.model().frameCount(), alone.trace->records.size());
 

@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(o.open(kCountingRobot));
 
         QString console;
-        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+        connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
             for (const LiveLine& line : lines) console += QString::fromStdString(line.text) + QLatin1Char('\n');
         });
         const RunStatus status(o.session);
@@ -68,14 +68,14 @@ private Q_SLOTS:
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         const QString reportOf = QStringLiteral("finished by robot0/brain at t = 0.03 s: <b>there now");
-        QCOMPARE(o.session.finishText(), reportOf);
+        QCOMPARE(o.session.results().finishText(), reportOf);
         QVERIFY2(console.contains(reportOf), qPrintable(console));
         QVERIFY2(status.text().contains(reportOf), qPrintable(status.text()));
         QFile log(o.folder.filePath(QStringLiteral("logs/trial/counts.csv")));
         QVERIFY(log.open(QIODevice::ReadOnly));
         QCOMPARE(log.readAll().split('\n')[4], QByteArray("0.03,3,0,5"));
         o.session.reset();
-        QVERIFY(o.session.finishText().isEmpty());
+        QVERIFY(o.session.results().finishText().isEmpty());
     }
 
     void aBatchIsOneInsertion() {

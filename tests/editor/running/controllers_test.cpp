@@ -198,7 +198,7 @@ private Q_SLOTS:
         QVERIFY(!commands.load(library)); // it is loaded already
         QCOMPARE(asked.size(), 2);
         QVERIFY(commands.assign({"idle"}, choice(commands, "RandomDrive")));
-        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
     }
 
     void aModuleOfAnotherFolderOfTheProjectIsWrittenRelative() {
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QTemporaryDir libraries;
         QVERIFY(o.open(kTeam));
         const std::string library = libraries.filePath(QStringLiteral("drives/libwander.so")).toStdString();
-        const Locations& places = o.session.application().locations();
+        const Locations& places = o.session.source().application().locations();
         QCOMPARE(writtenFor(library, *o.document.loaded(), places, {libraries.path().toStdString()}),
                  std::string("drives/wander"));
         QCOMPARE(writtenFor(library, *o.document.loaded(), places),
@@ -246,8 +246,8 @@ private Q_SLOTS:
         ControllersPanel panel(o.document, selection, o.session, actions);
         panel.show();
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("controllersNotice"))->isVisible());
-        QVERIFY(o.session.refusal().contains(QStringLiteral("trust")));
-        QVERIFY(!o.session.refusal().contains(QStringLiteral("--trust"))); // the hint of the command line
+        QVERIFY(o.session.source().refusal().contains(QStringLiteral("trust")));
+        QVERIFY(!o.session.source().refusal().contains(QStringLiteral("--trust"))); // the hint of the command line
         const auto modules = panel.commands().modules();
         QCOMPARE(modules.size(), 1u);
         QVERIFY(!modules[0].trusted);
@@ -255,15 +255,15 @@ private Q_SLOTS:
         panel.commands().setAsk([](const QString&, const QString&) { return true; });
         QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("moduleTrust")), Qt::LeftButton);
         QVERIFY(!panel.findChild<QLabel*>(QStringLiteral("controllersNotice"))->isVisible());
-        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
         QVERIFY(!o.document.isModified());
         o.session.setSpeed(0);
         o.session.run();
-        EVENTUALLY(o.session.time() > 0.1);
+        EVENTUALLY(o.session.results().time() > 0.1);
         // Removed trust takes effect at the next load.
         TrustedFolders::remove(QFileInfo(library).absolutePath());
         panel.commands().applyTrust();
-        QVERIFY(!o.session.refusal().isEmpty());
+        QVERIFY(!o.session.source().refusal().isEmpty());
     }
 
     void filesThatAreNoModulesAreRefused_data() {
@@ -298,24 +298,24 @@ private Q_SLOTS:
                            .replace("controllers/linear_motion", "mine/mind")
                            .replace("LinearMotion brain { UpdatePeriod=0.05 Speed=0.2 }", "RandomDrive brain { }")));
         ControllerCommands commands(o.document, o.session);
-        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
         o.session.setSpeed(0);
         o.session.run();
-        EVENTUALLY(o.session.time() > 0.1);
+        EVENTUALLY(o.session.results().time() > 0.1);
         QVERIFY(!copiedModule(o, "bump_and_turn", "mind").isEmpty()); // rebuilt, with another controller
         commands.reload();
         QCOMPARE(o.session.state(), RunState::Start);
-        QVERIFY(!o.session.refusal().isEmpty()); // RandomDrive is no longer in the module
+        QVERIFY(!o.session.source().refusal().isEmpty()); // RandomDrive is no longer in the module
         QCOMPARE(commands.modules()[0].kinds, std::vector<std::string>{"BumpAndTurn"});
         const std::string text = textOf(o);
         QVERIFY(o.document
                     .replaceText(QStringLiteral("Follow"), o.document.path(),
                                  QByteArray::fromStdString(text).replace("RandomDrive", "BumpAndTurn").toStdString())
                     .ok());
-        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
         o.session.run();
-        EVENTUALLY(o.session.time() > 0.1);
-        QVERIFY(!o.session.end());
+        EVENTUALLY(o.session.results().time() > 0.1);
+        QVERIFY(!o.session.results().end);
     }
 
     void runUsesRebuiltModuleWithoutReload() {
@@ -324,17 +324,17 @@ private Q_SLOTS:
         QVERIFY(o.open(minded("Pace=1")));
         ControllerCommands commands(o.document, o.session);
         QStringList reportOf;
-        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+        connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
             for (const LiveLine& line : lines) reportOf.append(QString::fromStdString(line.text));
         });
         o.session.setSpeed(0);
         o.session.run();
-        EVENTUALLY(o.session.time() > 0.1);
+        EVENTUALLY(o.session.results().time() > 0.1);
         QVERIFY(!builtModule(o, "after").isEmpty()); // while the old one runs
-        const double then = o.session.time();
-        EVENTUALLY(o.session.time() > then + 1);
+        const double then = o.session.results().time();
+        EVENTUALLY(o.session.results().time() > then + 1);
         o.session.reset();
-        QSignalSpy refused(&o.session, &RunSession::refused);
+        QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
         o.session.run(); // 1 is not a valid pace any more
         QCOMPARE(refused.size(), 1);
         QVERIFY2(refused[0][0].toString().contains(QStringLiteral("Pace")), qPrintable(refused[0][0].toString()));
@@ -354,12 +354,12 @@ private Q_SLOTS:
         QVERIFY(o.open(minded("Hold=\"" + hold.fileName().toUtf8() + "\"")));
         ControllerCommands commands(o.document, o.session);
         o.session.run();
-        EVENTUALLY(!o.session.unresponsiveController().isEmpty());
+        EVENTUALLY(!o.session.responses().unresponsiveController().isEmpty());
         o.session.reset();
         QVERIFY(!builtModule(o, "after").isEmpty());
         QVERIFY(o.document.replaceText(QStringLiteral("Hold"), o.document.path(), minded("").toStdString()).ok());
         QStringList reportOf;
-        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+        connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
             for (const LiveLine& line : lines) reportOf.append(QString::fromStdString(line.text));
         });
         o.session.run();
@@ -415,7 +415,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(robots->topLevelItem(0)->text(2), QStringLiteral("paused"));
         actions.at("controllers.remove").trigger();
         QCOMPARE(robots->topLevelItem(0)->text(1), QStringLiteral("–"));
-        QVERIFY(o.session.waitsForReset("leader.brain"));
+        QVERIFY(o.session.edits().waitsForReset("leader.brain"));
     }
 
     void createsOnlyVisibleRows() {

@@ -15,17 +15,17 @@ private Q_SLOTS:
         SessionFixture o;
         QVERIFY(o.open(kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n"));
         QStringList reportOf;
-        connect(&o.session, &RunSession::consoleLines, &o.session, [&](const std::vector<LiveLine>& lines) {
+        connect(&o.session.messages(), &RunMessages::consoleLines, &o.session, [&](const std::vector<LiveLine>& lines) {
             for (const LiveLine& line : lines) reportOf.append(QString::fromStdString(line.text));
         });
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
-        QVERIFY(o.session.canResume());
+        QVERIFY(o.session.results().canResume());
         QCOMPARE(o.tick(), 5u);
-        QCOMPARE(o.session.logsAt(), o.folder.filePath(QStringLiteral("logs/trial")));
+        QCOMPARE(o.session.logs().folder(), o.folder.filePath(QStringLiteral("logs/trial")));
         o.session.step();
         EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 6);
-        QVERIFY(!o.session.end() && !o.session.canResume());
+        QVERIFY(!o.session.results().end && !o.session.results().canResume());
         QVERIFY2(reportOf.join(u'\n').contains(QStringLiteral("continues past its end at t = 0.05 s, and so do its logs")),
                  qPrintable(reportOf.join(u'\n')));
         o.session.run();
@@ -34,7 +34,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         const auto ticks = int(o.tick());
         QVERIFY(o.session.endRuns()); // closes the logs
-        QFile log(o.session.logsAt() + QStringLiteral("/path.csv"));
+        QFile log(o.session.logs().folder() + QStringLiteral("/path.csv"));
         QVERIFY(log.open(QIODevice::ReadOnly));
         QVERIFY(log.readAll().count('\n') >= ticks + 2);
         o.session.run(); // a new run from the start
@@ -50,20 +50,20 @@ private Q_SLOTS:
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.08"}}).ok());
-        QVERIFY(o.session.canResume() && o.session.needsReset());
+        QVERIFY(o.session.results().canResume() && o.session.edits().needsReset());
         o.session.step(); // continues with the old world, and reports it
         EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 6);
         QCOMPARE(notices.size(), 1);
         QVERIFY2(notices[0].contains(QStringLiteral("without the edits of Duration")), qPrintable(notices[0]));
-        QVERIFY(o.session.needsReset());
+        QVERIFY(o.session.edits().needsReset());
         o.session.reset();
-        QVERIFY(!o.session.needsReset());
+        QVERIFY(!o.session.edits().needsReset());
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(o.tick(), 8u);
         QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.03"}}).ok());
         o.session.run(); // At its Duration: restarts, with the edits.
-        QVERIFY(!o.session.needsReset());
+        QVERIFY(!o.session.edits().needsReset());
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(o.tick(), 3u);
         QCOMPARE(notices.size(), 2);
@@ -81,10 +81,10 @@ private Q_SLOTS:
         QStringList folders;
         for (SessionFixture* o : {&one, &other, &one}) {
             if (o->document.path().empty() || !o->document.isNew()) QVERIFY(o->document.openNew("untitled.sim", text).ok());
-            if (o->session.isActive()) o->session.reset();
+            if (o->session.state() != RunState::Start) o->session.reset();
             o->session.run();
             EVENTUALLY_EQUAL(o->session.state(), RunState::Ended);
-            folders += o->session.logsAt();
+            folders += o->session.logs().folder();
             QVERIFY(QFile::exists(folders.back() + QStringLiteral("/path.csv")));
         }
         QVERIFY2(folders[0] != folders[1], qPrintable(folders[0]));
@@ -92,8 +92,8 @@ private Q_SLOTS:
         QVERIFY(one.document.openNew("untitled.sim", text).ok()); // another experiment
         one.session.run();
         EVENTUALLY_EQUAL(one.session.state(), RunState::Ended);
-        QVERIFY(!folders.contains(one.session.logsAt()));
-        folders += one.session.logsAt();
+        QVERIFY(!folders.contains(one.session.logs().folder()));
+        folders += one.session.logs().folder();
         for (SessionFixture* o : {&one, &other}) QVERIFY(o->session.endRuns());
         for (const QString& folder : folders) QDir(folder).removeRecursively();
     }
@@ -108,7 +108,7 @@ private Q_SLOTS:
                     .ok());
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
-        const QString folder = o.session.logsAt();
+        const QString folder = o.session.logs().folder();
         QVERIFY2(folder.startsWith(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)), qPrintable(folder));
         QVERIFY(QFile::exists(folder + QStringLiteral("/path.csv")));
         QVERIFY(o.session.endRuns());

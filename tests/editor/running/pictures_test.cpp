@@ -30,19 +30,19 @@ View inside { Eye=0,0,1 Target=0,0,1 }
 FrameLog film { View=inside Size=64,48 Interval=0.1 }
 )"));
         QStringList warnings;
-        QObject::connect(&o.session, &RunSession::consoleLines, &o.session, [&](const std::vector<LiveLine>& lines) {
+        QObject::connect(&o.session.messages(), &RunMessages::consoleLines, &o.session, [&](const std::vector<LiveLine>& lines) {
             for (const LiveLine& line : lines)
                 if (line.severity == TRUNDLE_WARNING) warnings.append(QString::fromStdString(line.text));
         });
         o.session.setSpeed(0);
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
-        QVERIFY(!o.session.end()->failure);
+        QVERIFY(!o.session.results().end->failure);
         QCOMPARE(warnings, QStringList(QStringLiteral("the rich look is not available, so pictures have the fast one: "
                                                       "OpenGL has no 4 samples for a pixel")));
         // If images cannot be drawn at all, that is a problem.
-        QCOMPARE(o.session.problems().size(), 1u);
-        QCOMPARE(QString::fromStdString(o.session.problems().front().message),
+        QCOMPARE(o.session.messages().problems().size(), 1u);
+        QCOMPARE(QString::fromStdString(o.session.messages().problems().front().message),
                  QStringLiteral(
                      "FrameLog film leaves out pictures, the first is film_000000.jpg: no picture can be taken from this view"));
     }

@@ -27,7 +27,7 @@ struct SessionFixture {
         QFile sample(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/") + QLatin1String(name));
         return sample.open(QIODevice::ReadOnly) && open(sample.readAll(), name);
     }
-    [[nodiscard]] std::uint64_t tick() const { return session.snapshot() ? session.snapshot()->tick : 0; }
+    [[nodiscard]] std::uint64_t tick() const { return session.results().snapshot ? session.results().snapshot->tick : 0; }
 };
 
 /// One robot on a floor, with a controller that does not move it.

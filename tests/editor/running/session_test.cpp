@@ -29,12 +29,12 @@ private Q_SLOTS:
         RunSession& s = o.session;
         s.setSpeed(0);
         QCOMPARE(s.state(), RunState::Start);
-        QVERIFY(!s.experiment());
-        QVERIFY(!s.poses());
+        QVERIFY(!s.results().experiment);
+        QVERIFY(!s.results().poses);
         s.run();
         QCOMPARE(s.state(), RunState::Building);
         EVENTUALLY_EQUAL(s.state(), RunState::Running);
-        EVENTUALLY(s.time() > 0.5);
+        EVENTUALLY(s.results().time() > 0.5);
         s.pause();
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         const std::uint64_t there = o.tick();
@@ -45,12 +45,12 @@ private Q_SLOTS:
         EVENTUALLY(o.tick() > there + 100);
         s.reset();
         QCOMPARE(s.state(), RunState::Start);
-        QCOMPARE(s.time(), 0.0);
-        QVERIFY(!s.poses());
+        QCOMPARE(s.results().time(), 0.0);
+        QVERIFY(!s.results().poses);
         s.step(); // starts the run, makes one tick and pauses
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         QCOMPARE(o.tick(), 1u);
-        QCOMPARE(s.poses()->size(), 3u);
+        QCOMPARE(s.results().poses->size(), 3u);
     }
 
     void isTheSameRunAsThatOfTheCommandLine_data() {
@@ -80,8 +80,8 @@ private Q_SLOTS:
         o.session.setSpeed(speed);
         o.session.run();
         QTRY_COMPARE_WITH_TIMEOUT(o.session.state(), RunState::Ended, 60000);
-        QVERIFY(!o.session.end()->failure);
-        const auto shot = o.session.snapshot();
+        QVERIFY(!o.session.results().end->failure);
+        const auto shot = o.session.results().snapshot;
         QCOMPARE(QStringLiteral("state-hash %1 tick %2").arg(*shot->hash, 16, 16, QLatin1Char('0')).arg(shot->tick), reportOf);
 
         // The logs are the same, and are in the default folder of the command line.
@@ -143,9 +143,9 @@ private Q_SLOTS:
 
     void isRefusedWhileTheTextHasErrors() {
         SessionFixture o;
-        QVERIFY(o.session.refusal().contains(QStringLiteral("open"))); // no document is open
+        QVERIFY(o.session.source().refusal().contains(QStringLiteral("open"))); // no document is open
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("SimpleRobot", "SimpleRobt")));
-        QSignalSpy refused(&o.session, &RunSession::refused);
+        QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
         o.session.run();
         QCOMPARE(refused.size(), 1);
         QVERIFY(refused[0][0].toString().contains(QStringLiteral("SimpleRobt")));
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QCOMPARE(refused.size(), 2);
         QCOMPARE(o.session.state(), RunState::Start);
         QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
-        QVERIFY(o.session.refusal().isEmpty());
+        QVERIFY(o.session.source().refusal().isEmpty());
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
     }
@@ -166,7 +166,7 @@ private Q_SLOTS:
         OpenOptions trusting = o.document.options();
         trusting.modules.push_back(o.folder.path().toStdString());
         o.document.setOptions(trusting);
-        const QString why = o.session.refusal();
+        const QString why = o.session.source().refusal();
         QVERIFY2(why.contains(QStringLiteral("no description file")) && !why.contains(QStringLiteral("error")), qPrintable(why));
     }
 
@@ -176,19 +176,19 @@ private Q_SLOTS:
         QSignalSpy ended(&o.session, &RunSession::ended);
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
-        QVERIFY(o.session.push("robot0/chassis", {0, 0, 9e8}, {0, 0, 0}));
+        QVERIFY(o.session.robots().push("robot0/chassis", {0, 0, 9e8}, {0, 0, 0}));
         o.session.setSpeed(0);
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(ended.size(), 1);
-        QVERIFY(o.session.end()->failure);
-        QVERIFY(!o.session.end()->body.empty());
-        QVERIFY(o.session.end()->time > 0);
-        QCOMPARE(o.session.problems().size(), 1u);
-        QVERIFY(o.session.problems()[0].range.known()); // a source range to click
-        QVERIFY(o.session.poses());                     // the last poses are still shown
+        QVERIFY(o.session.results().end->failure);
+        QVERIFY(!o.session.results().end->body.empty());
+        QVERIFY(o.session.results().end->time > 0);
+        QCOMPARE(o.session.messages().problems().size(), 1u);
+        QVERIFY(o.session.messages().problems()[0].range.known()); // a source range to click
+        QVERIFY(o.session.results().poses);                     // the last poses are still shown
         o.session.reset();
-        QVERIFY(o.session.state() == RunState::Start && o.session.problems().empty());
+        QVERIFY(o.session.state() == RunState::Start && o.session.messages().problems().empty());
     }
 
     void windowStaysResponsiveDuringRun() {
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(o.openSample("obstacle_detection.sim"));
         o.session.setSpeed(0);
         o.session.run();
-        EVENTUALLY(o.session.time() > 1);
+        EVENTUALLY(o.session.results().time() > 1);
         o.session.reset();
         QVERIFY(!o.document.isModified());
         QCOMPARE(o.document.history().entries().size(), 0u);
@@ -227,35 +227,35 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         o.document.close();
         QCOMPARE(o.session.state(), RunState::Start);
-        QVERIFY(!o.session.refusal().isEmpty());
+        QVERIFY(!o.session.source().refusal().isEmpty());
     }
 
     void keepsPosesAsStart() {
         SessionFixture o;
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("Robot robot0", "// the one\nRobot robot0")));
-        QVERIFY(!o.session.keepRefusal().isEmpty()); // there was no run
+        QVERIFY(!o.session.robots().keepRefusal().isEmpty()); // there was no run
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
-        QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))}));
-        QCOMPARE(o.session.robotPose("robot0")->position.x(), 1.25); // shown before the tick that applies it
-        QVERIFY((o.session.poses()->at(0).position - Vec3(1.25, -0.5, 0)).norm() < 0.2);
+        QVERIFY(o.session.robots().place("robot0", {{1.25, -0.5, 0}, Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))}));
+        QCOMPARE(o.session.robots().pose("robot0")->position.x(), 1.25); // shown before the tick that applies it
+        QVERIFY((o.session.results().poses->at(0).position - Vec3(1.25, -0.5, 0)).norm() < 0.2);
         o.session.step();
         EVENTUALLY_EQUAL(o.tick(), 2u);
-        QVERIFY(std::abs(o.session.robotPose("robot0")->position.x() - 1.25) < 1e-3);
-        QCOMPARE(o.session.keepRefusal(), QString());
-        o.session.keepPoses();
+        QVERIFY(std::abs(o.session.robots().pose("robot0")->position.x() - 1.25) < 1e-3);
+        QCOMPARE(o.session.robots().keepRefusal(), QString());
+        o.session.robots().keepPoses();
         QCOMPARE(o.document.history().entries().size(), 1u);
         const std::string text = *o.document.text(o.document.path());
         QVERIFY2(text.find("// the one\nRobot robot0") != std::string::npos, text.c_str());
         QVERIFY2(text.find("Pos=1.2") != std::string::npos, text.c_str());
         QVERIFY2(text.find("Pos=0,0,0 HPR") == std::string::npos, text.c_str());
         const Pose kept = o.document.loaded()->experiment->robots[0].pose;
-        QVERIFY((kept.position - o.session.robotPose("robot0")->position).norm() < 1e-6);
-        QVERIFY(kept.rotation.angularDistance(o.session.robotPose("robot0")->rotation) < 1e-5);
+        QVERIFY((kept.position - o.session.robots().pose("robot0")->position).norm() < 1e-6);
+        QVERIFY(kept.rotation.angularDistance(o.session.robots().pose("robot0")->rotation) < 1e-5);
         o.document.undo();
         QVERIFY(!o.document.isModified());
-        QVERIFY(o.session.place("robot0", {{1.25, -0.5, -3.91e-5}, Quat::Identity()}));
-        o.session.keepPoses();
+        QVERIFY(o.session.robots().place("robot0", {{1.25, -0.5, -3.91e-5}, Quat::Identity()}));
+        o.session.robots().keepPoses();
         const std::string plain = *o.document.text(o.document.path());
         QVERIFY2(plain.find("Pos=1.25,-0.5,-0.000039 HPR=0,0,0 }") != std::string::npos, plain.c_str()); // no exponent
     }
@@ -265,9 +265,9 @@ private Q_SLOTS:
         QVERIFY(o.open(kStandingRobot));
         o.session.setContactsEnabled(true);
         o.session.step();
-        EVENTUALLY(o.session.state() == RunState::Paused && o.session.snapshot()->contacts);
-        QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat::Identity()}));
-        QVERIFY(!o.session.snapshot()->contacts); // they belonged to the previous pose
+        EVENTUALLY(o.session.state() == RunState::Paused && o.session.results().snapshot->contacts);
+        QVERIFY(o.session.robots().place("robot0", {{1.25, -0.5, 0}, Quat::Identity()}));
+        QVERIFY(!o.session.results().snapshot->contacts); // they belonged to the previous pose
         const std::string path = o.document.path();
         const auto put = [&](const QByteArray& robot) {
             const QByteArray text =
@@ -276,15 +276,15 @@ private Q_SLOTS:
         };
         QVERIFY(put(""));
         QVERIFY(put("Robot robot0 { Config=SimpleRobot Pos=3,0,0 HPR=0,0,0 }"));
-        QVERIFY(!o.session.isOfRun("robot0"));
-        QVERIFY(!o.session.place("robot0", {{2, 0, 0}, Quat::Identity()}));
-        QVERIFY(o.session.keepRefusal().startsWith(QStringLiteral("robot0: new or renamed")));
+        QVERIFY(!o.session.edits().isOfRun("robot0"));
+        QVERIFY(!o.session.robots().place("robot0", {{2, 0, 0}, Quat::Identity()}));
+        QVERIFY(o.session.robots().keepRefusal().startsWith(QStringLiteral("robot0: new or renamed")));
         o.document.undo();
         o.document.undo();
-        QVERIFY(o.session.isOfRun("robot0"));
+        QVERIFY(o.session.edits().isOfRun("robot0"));
         QVERIFY(put("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }\nRobot other { Config=SimpleRobot Pos=3,0,0 }"));
         QSignalSpy reportOf(&o.document, &Document::notice);
-        o.session.keepPoses();
+        o.session.robots().keepPoses();
         QCOMPARE(reportOf.size(), 1);
         QVERIFY(reportOf[0][0].toString().contains(QStringLiteral("except of other")));
         QVERIFY(o.document.text(path)->find("Pos=1.25,-0.5") != std::string::npos);
@@ -297,10 +297,10 @@ private Q_SLOTS:
                                     "Grid swarm { Config=SimpleRobot Count=2 Spacing=1 }")));
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
-        QVERIFY(o.session.place("swarm_1", {{2, 0, 0}, Quat::Identity()}));
-        QVERIFY(o.session.keepRefusal().contains(QStringLiteral("Replace swarm by single instances")));
-        QSignalSpy refused(&o.session, &RunSession::refused);
-        o.session.keepPoses();
+        QVERIFY(o.session.robots().place("swarm_1", {{2, 0, 0}, Quat::Identity()}));
+        QVERIFY(o.session.robots().keepRefusal().contains(QStringLiteral("Replace swarm by single instances")));
+        QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
+        o.session.robots().keepPoses();
         QCOMPARE(refused.size(), 1);
         QVERIFY(!o.document.isModified());
     }
@@ -312,20 +312,20 @@ private Q_SLOTS:
                            .replace("HPR=0,0,0 }", "HPR=0,0,0 RandomDrive brain { Speed=1 Period=0.05 } }")));
         RunSession& s = o.session;
         s.setSpeed(0);
-        QVERIFY(!s.drive("robot0", 0.2, 0)); // only during a run
+        QVERIFY(!s.robots().drive("robot0", 0.2, 0)); // only during a run
         s.step();
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
-        QVERIFY(!s.drive("arena", 0.2, 0));
-        QVERIFY(s.drive("robot0", 0.2, 0));
-        const auto speed = [&] { return s.snapshot()->block->slots()[s.layout()->find("robot0/base/linearVelocity")->offset]; };
+        QVERIFY(!s.robots().drive("arena", 0.2, 0));
+        QVERIFY(s.robots().drive("robot0", 0.2, 0));
+        const auto speed = [&] { return s.results().snapshot->block->slots()[s.results().layout->find("robot0/base/linearVelocity")->offset]; };
         const std::uint64_t from = o.tick();
         for (std::uint64_t i = 1; i <= 30; ++i) {
             s.step();
             EVENTUALLY_EQUAL(o.tick(), from + i);
             QCOMPARE(speed(), 0.2); // the controller would have changed it
         }
-        s.stopDriving();
-        QVERIFY(s.driven().empty());
+        s.robots().stopDriving();
+        QVERIFY(s.robots().driven().empty());
         for (int i = 0; i < 10; ++i) s.step();
         EVENTUALLY_EQUAL(o.tick(), from + 40);
         QVERIFY(speed() != 0.2);
@@ -337,30 +337,30 @@ private Q_SLOTS:
         RunSession& s = o.session;
         s.step();
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
-        const auto resistance = [&] { return s.experiment()->robots[0].config->devices[0].number("Resistance"); };
+        const auto resistance = [&] { return s.results().experiment->robots[0].config->devices[0].number("Resistance"); };
         QCOMPARE(resistance(), 2.0);
 
         QVERIFY(o.document.setValues(QStringLiteral("Resistance"), {{"robot0.leftMotor.Resistance", "3"}}).ok());
-        QVERIFY(!s.needsReset());
+        QVERIFY(!s.edits().needsReset());
         QCOMPARE(resistance(), 3.0);
-        QCOMPARE(s.built()->experiment->robots[0].config->devices[0].number("Resistance"), 2.0);
+        QCOMPARE(s.results().built->experiment->robots[0].config->devices[0].number("Resistance"), 2.0);
 
         QVERIFY(
             o.document.setValues(QStringLiteral("Gear"), {{"robot0.leftMotor.GearRatio", "20"}, {"robot0.Pos", "1,0,0"}}).ok());
-        QVERIFY(s.needsReset());
-        QVERIFY(s.waitsForReset("robot0.leftMotor.GearRatio"));
-        QVERIFY(s.waitsForReset("robot0.Pos"));
-        QVERIFY(!s.waitsForReset("robot0.leftMotor.Resistance"));
-        QVERIFY(!s.waitsForReset("robot0.HPR"));
+        QVERIFY(s.edits().needsReset());
+        QVERIFY(s.edits().waitsForReset("robot0.leftMotor.GearRatio"));
+        QVERIFY(s.edits().waitsForReset("robot0.Pos"));
+        QVERIFY(!s.edits().waitsForReset("robot0.leftMotor.Resistance"));
+        QVERIFY(!s.edits().waitsForReset("robot0.HPR"));
         o.document.undo();
-        QVERIFY(!s.needsReset());
+        QVERIFY(!s.edits().needsReset());
         o.document.undo(); // undo changes the running world too
         QCOMPARE(resistance(), 2.0);
 
         QVERIFY(o.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
-        QCOMPARE(s.waitingForReset(), std::vector<std::string>{"Tick"});
+        QCOMPARE(s.edits().waiting(), std::vector<std::string>{"Tick"});
         s.reset();
-        QVERIFY(!s.needsReset());
+        QVERIFY(!s.edits().needsReset());
     }
 
     void aNewObjectWaitsAsAWhole() {
@@ -371,8 +371,8 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         const std::string more = kStandingRobot.toStdString() + "Robot robot1 { Config=SimpleRobot Pos=1,1,0 }\n";
         QVERIFY(o.document.replaceText(QStringLiteral("Add"), o.document.path(), more).ok());
-        QCOMPARE(s.waitingForReset(), std::vector<std::string>{"robot1"});
-        QVERIFY(s.waitsForReset("robot1.Pos") && !s.waitsForReset("robot10") && !s.waitsForReset("robot10.Pos"));
+        QCOMPARE(s.edits().waiting(), std::vector<std::string>{"robot1"});
+        QVERIFY(s.edits().waitsForReset("robot1.Pos") && !s.edits().waitsForReset("robot10") && !s.edits().waitsForReset("robot10.Pos"));
     }
 
     void slipperySurfaceTakesEffectInRun() {
@@ -386,20 +386,20 @@ Robot crate { Config=Block Pos=0,0,0 }
 )";
         SessionFixture o;
         QVERIFY(o.open(text));
-        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         const auto pushed = [&] {
-            o.session.push("crate/block", {4, 0, 0}, {0, 0, 0.02});
+            o.session.robots().push("crate/block", {4, 0, 0}, {0, 0, 0.02});
             const std::uint64_t until = o.tick() + 50;
             for (int i = 0; i < 50; ++i) o.session.step();
             [&] { EVENTUALLY_EQUAL(o.tick(), until); }();
-            return o.session.robotPose("crate")->position.x();
+            return o.session.robots().pose("crate")->position.x();
         };
         const double held = pushed();
         QVERIFY2(std::abs(held) < 0.02, qPrintable(QString::number(held)));
         QVERIFY(o.document.setValues(QStringLiteral("Ice"), {{"Surface.skin.Friction", "0.01"}}).ok());
-        QVERIFY(!o.session.needsReset());
+        QVERIFY(!o.session.edits().needsReset());
         QVERIFY(pushed() > held + 0.1);
     }
 
@@ -407,20 +407,20 @@ Robot crate { Config=Block Pos=0,0,0 }
         SessionFixture o;
         // Two motors on one drive of a joint: detected only when the world is built.
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("HPR=0,0,0 }", "HPR=0,0,0 base.RightMotor=leftMotor }")));
-        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
         QSignalSpy ended(&o.session, &RunSession::ended);
         std::vector<std::string> lines;
-        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& more) {
+        connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& more) {
             for (const LiveLine& line : more) lines.push_back(line.text);
         });
         o.session.run();
         EVENTUALLY_EQUAL(ended.size(), 1);
         QCOMPARE(o.session.state(), RunState::Start);
-        QCOMPARE(o.session.problems().size(), 1u);
+        QCOMPARE(o.session.messages().problems().size(), 1u);
         QCOMPARE(lines.size(), 1u);
         QVERIFY(lines[0].find("same motor") != std::string::npos);
         QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
-        QVERIFY(o.session.problems().empty());
+        QVERIFY(o.session.messages().problems().empty());
     }
 
     void openRunCloseLeaksNothing() {

@@ -52,11 +52,11 @@ private Q_SLOTS:
         QVERIFY(!actions.at("sim.reset").isEnabled());
         click("transportRun");
         EVENTUALLY_EQUAL(label(bar, "transportState"), QStringLiteral("Running"));
-        EVENTUALLY(o.session.time() > 0.1);
+        EVENTUALLY(o.session.results().time() > 0.1);
         EVENTUALLY(label(bar, "transportFactor").endsWith(u'×'));
         click("transportRun"); // the button pauses now
         EVENTUALLY_EQUAL(label(bar, "transportState"), QStringLiteral("Paused"));
-        const double there = o.session.time();
+        const double there = o.session.results().time();
         click("transportStep");
         EVENTUALLY_EQUAL(label(bar, "transportTime"), timeText(there + 0.01));
         click("transportReset");
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(actions.at("sim.run").isEnabled());
         QCOMPARE(label(bar, "transportState"), QStringLiteral("Cannot run"));
         QVERIFY(bar.findChild<QToolButton*>(QStringLiteral("transportRun"))->toolTip().contains(QStringLiteral("Nobody")));
-        QSignalSpy refused(&o.session, &RunSession::refused);
+        QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
         actions.at("sim.run").trigger();
         QCOMPARE(refused.size(), 1);
         QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
@@ -88,7 +88,7 @@ private Q_SLOTS:
                        "StaticConfig Yard { Box { Size=1,1,1 Material=grey Surface=rubber } }\n"));
         QCOMPARE(label(bar, "transportState"), QStringLiteral("Nothing to run"));
         o.session.run();
-        QVERIFY(!o.session.isActive());
+        QVERIFY(o.session.state() == RunState::Start);
     }
 
     void changesSpeedInSteps() {
@@ -146,7 +146,7 @@ private Q_SLOTS:
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         view->setFocus();
-        QSignalSpy refused(&o.session, &RunSession::refused);
+        QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
 
         QTest::keyPress(view, Qt::Key_Up); // driving is switched off
         QTest::keyRelease(view, Qt::Key_Up);
@@ -161,27 +161,27 @@ private Q_SLOTS:
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         QTest::keyPress(view, Qt::Key_Up);
-        QCOMPARE(o.session.driven(), std::string("robot0"));
-        EVENTUALLY(o.session.robotPose("robot0")->position.x() > 0.2);
+        QCOMPARE(o.session.robots().driven(), std::string("robot0"));
+        EVENTUALLY(o.session.robots().pose("robot0")->position.x() > 0.2);
         QTest::keyPress(view, Qt::Key_Left);
-        EVENTUALLY(o.session.robotPose("robot0")->position.y() > 0.05); // the left of a robot that faces +x
+        EVENTUALLY(o.session.robots().pose("robot0")->position.y() > 0.05); // the left of a robot that faces +x
         QTest::keyRelease(view, Qt::Key_Left);
-        QCOMPARE(o.session.driven(), std::string("robot0"));
+        QCOMPARE(o.session.robots().driven(), std::string("robot0"));
         QTest::keyRelease(view, Qt::Key_Up);
-        QCOMPARE(o.session.driven(), std::string());
+        QCOMPARE(o.session.robots().driven(), std::string());
 
         // With a single robot, that robot is driven without being selected.
         selection.select("arena");
         QTest::keyPress(view, Qt::Key_Down);
-        QCOMPARE(o.session.driven(), std::string("robot0"));
+        QCOMPARE(o.session.robots().driven(), std::string("robot0"));
         QTest::keyRelease(view, Qt::Key_Down);
 
         // A text field keeps its arrow keys, and focusing it stops the driving.
         QTest::keyPress(view, Qt::Key_Up);
         field->setFocus();
-        QCOMPARE(o.session.driven(), std::string());
+        QCOMPARE(o.session.robots().driven(), std::string());
         QTest::keyPress(field, Qt::Key_Left);
-        QCOMPARE(o.session.driven(), std::string());
+        QCOMPARE(o.session.robots().driven(), std::string());
     }
 };
 

@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
     if (const double seconds = std::atof(argv[4]); seconds > 0) {
         window.session().setSpeed(0);
         window.session().runFor(seconds);
-        settle([&] { return window.session().state() == RunState::Paused && window.session().time() > seconds - 1e-9; });
+        settle([&] { return window.session().state() == RunState::Paused && window.session().results().time() > seconds - 1e-9; });
     }
     for (int i = 6; i < argc; ++i) {
         if (!apply(window, QString::fromLocal8Bit(argv[i]))) return std::fprintf(stderr, "what is %s?\n", argv[i]), 2;

@@ -171,7 +171,7 @@ private:
         RunSession& session = m_window->session();
         for (int tenth = 1; tenth <= 71; ++tenth) { // in steps, so that the points of the trail have the same times
             session.runFor(0.1);
-            EVENTUALLY(session.state() == RunState::Paused && session.time() > 0.1 * tenth - 1e-9);
+            EVENTUALLY(session.state() == RunState::Paused && session.results().time() > 0.1 * tenth - 1e-9);
         }
         act("view.frame");
         auto* status = m_window->findChild<QLabel*>(QStringLiteral("status.run"));

@@ -129,8 +129,8 @@ private:
         window.selection().select("robot0");
         window.session().setSpeed(0);
         window.actions().at("sim.run").trigger();
-        EVENTUALLY(window.session().snapshot() && window.session().snapshot()->tick > 20);
-        m_worlds.push_back(window.session().snapshot());
+        EVENTUALLY(window.session().results().snapshot && window.session().results().snapshot->tick > 20);
+        m_worlds.push_back(window.session().results().snapshot);
         if (round % 3 == 1) window.actions().at("sim.reset").trigger();
         if (round % 3 == 2) window.actions().at("sim.pause").trigger();
         if (round % 2) EVENTUALLY(window.viewport().isUpToDate());

@@ -153,18 +153,18 @@ void RandomUser::waitForRun() {
 }
 
 void RandomUser::runAWhile() {
-    if (!m_window.session().refusal().isEmpty() && m_window.session().state() == RunState::Start) return;
+    if (!m_window.session().source().refusal().isEmpty() && m_window.session().state() == RunState::Start) return;
     m_window.session().runFor(0.02 * double(below(15) + 1));
     waitForRun();
 }
 
 void RandomUser::stepOnce() {
-    const std::uint64_t before = m_window.session().snapshot() ? m_window.session().snapshot()->tick : 0;
+    const std::uint64_t before = m_window.session().results().snapshot ? m_window.session().results().snapshot->tick : 0;
     trigger("sim.step");
     const RunSession& session = m_window.session();
     const auto done = [&] {
         return session.state() == RunState::Start || session.state() == RunState::Ended ||
-               (session.snapshot() && session.snapshot()->tick > before);
+               (session.results().snapshot && session.results().snapshot->tick > before);
     };
     waitFor(done, "a tick");
 }
@@ -174,9 +174,9 @@ void RandomUser::runAndPause() {
     if (m_window.session().state() == RunState::Ended) return;
     m_window.session().setSpeed(0);
     trigger("sim.run");
-    const double from = m_window.session().time();
+    const double from = m_window.session().results().time();
     const RunSession& session = m_window.session();
-    waitFor([&] { return session.time() > from || session.state() == RunState::Start || session.state() == RunState::Ended; },
+    waitFor([&] { return session.results().time() > from || session.state() == RunState::Start || session.state() == RunState::Ended; },
             "a run to go on");
     if (below(2) && session.state() == RunState::Running) { // an edit during the run
         if (selectRobot()) dragHandle("tool.move", {Handle::Kind::Axis, 0});
@@ -189,9 +189,9 @@ void RandomUser::runAndPause() {
 void RandomUser::pushRobot() {
     runAWhile();
     const RunSession& session = m_window.session();
-    if (session.state() != RunState::Paused || session.experiment()->robots.empty()) return;
+    if (session.state() != RunState::Paused || session.results().experiment->robots.empty()) return;
     trigger("tool.select");
-    const auto where = session.robotPose(session.experiment()->robots[below(session.experiment()->robots.size())].name);
+    const auto where = session.robots().pose(session.results().experiment->robots[below(session.results().experiment->robots.size())].name);
     const auto at = where ? view().pixelOf(where->position + Vec3(0, 0, 0.08)) : std::nullopt;
     if (!at || !view().rect().contains(at->toPoint())) return;
     mouse(view(), QEvent::MouseButtonPress, *at, Qt::LeftButton, Qt::ControlModifier);

@@ -173,7 +173,7 @@ private Q_SLOTS:
         QVERIFY(m_window->document().isNew());
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
         m_window->session().runFor(0.1);
-        EVENTUALLY(m_window->session().time() > 0.0999);
+        EVENTUALLY(m_window->session().results().time() > 0.0999);
         m_window->actions().at("sim.reset").trigger();
         QCOMPARE(m_window->session().state(), RunState::Start);
     }
@@ -200,7 +200,7 @@ private Q_SLOTS:
     void runKeepsTexts() {
         openExperiment();
         m_window->actions().at("sim.run").trigger();
-        EVENTUALLY(m_window->session().time() > 0.05);
+        EVENTUALLY(m_window->session().results().time() > 0.05);
         m_window->actions().at("sim.pause").trigger();
         EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
         QCOMPARE(text(), kExperiment);
@@ -235,7 +235,7 @@ private Q_SLOTS:
         m_window->actions().at("edit.undo").trigger();
         QCOMPARE(text(), kExperiment);
         m_window->actions().at("sim.step").trigger();
-        EVENTUALLY(m_window->session().time() > 0);
+        EVENTUALLY(m_window->session().results().time() > 0);
     }
 
     void deleteRemovesObjectsInScene() {
@@ -332,8 +332,8 @@ private Q_SLOTS:
         View& view = m_window->viewport().current();
         view.setFocus();
         QTest::keyClick(&view, Qt::Key_F5);
-        EVENTUALLY(session.poses() && session.time() > 0.02);
-        const QPoint at = view.pixelOf(session.robotPose("robot0")->position + Vec3(0, 0, 0.1)).value().toPoint();
+        EVENTUALLY(session.results().poses && session.results().time() > 0.02);
+        const QPoint at = view.pixelOf(session.robots().pose("robot0")->position + Vec3(0, 0, 0.1)).value().toPoint();
         QTest::mousePress(&view, Qt::LeftButton, Qt::ControlModifier, at);
         QMouseEvent move(QEvent::MouseMove, at + QPointF(30, 0), view.mapToGlobal(at + QPointF(30, 0)), Qt::NoButton,
                          Qt::LeftButton, Qt::ControlModifier);

@@ -114,15 +114,15 @@ private Q_SLOTS:
             QVERIFY(m_window->open(kRoom + view + (logged ? log : QByteArray())));
             QVERIFY(m_window->panel->showView(QStringLiteral("overview")));
             step();
-            QVERIFY(!m_window->session.needsReset());
+            QVERIFY(!m_window->session.edits().needsReset());
             QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"overview.Eye", "1,2,3"}}).ok());
             EVENTUALLY((m_window->view().camera().view().eye - Vec3(1, 2, 3)).norm() < 1e-9);
-            QCOMPARE(m_window->session.needsReset(), logged);
+            QCOMPARE(m_window->session.edits().needsReset(), logged);
             if (logged) continue;
             m_window->document.undo();
             QVERIFY(
                 m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"overview"})).ok());
-            QVERIFY(!m_window->session.needsReset());
+            QVERIFY(!m_window->session.edits().needsReset());
         }
     }
 
@@ -170,7 +170,7 @@ private Q_SLOTS:
         const QPointF from = *m_window->view().gizmo().spot(x);
         m_window->drag(from, from + QPointF(120, 0));
         QCOMPARE(m_window->text(), kRoom);
-        QVERIFY(m_window->session.robotPose("robot0")->position.x() > -0.4);
+        QVERIFY(m_window->session.robots().pose("robot0")->position.x() > -0.4);
         // Changed poses can be kept.
         auto* keep = m_window->panel->findChild<QWidget*>(QStringLiteral("bannerButton"));
         EVENTUALLY(keep->isVisible());
@@ -184,13 +184,13 @@ private Q_SLOTS:
         step();
         m_window->selection.select("robot0");
         m_window->trigger("tool.move");
-        const Vec3 before = m_window->session.robotPose("robot0")->position;
+        const Vec3 before = m_window->session.robots().pose("robot0")->position;
         const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Axis, 0});
         m_window->press(from);
         m_window->move(from + QPointF(120, 0), {}, Qt::LeftButton);
-        QVERIFY((m_window->session.robotPose("robot0")->position - before).norm() > 0.05);
+        QVERIFY((m_window->session.robots().pose("robot0")->position - before).norm() > 0.05);
         m_window->key(Qt::Key_Escape);
-        QVERIFY((m_window->session.robotPose("robot0")->position - before).norm() < 1e-6);
+        QVERIFY((m_window->session.robots().pose("robot0")->position - before).norm() < 1e-6);
         QVERIFY(!m_window->document.history().canUndo());
     }
 
@@ -207,11 +207,11 @@ private Q_SLOTS:
         const QPointF hull = m_window->at({-0.5, 0, 0.13});
         m_window->press(hull, Qt::LeftButton, Qt::ControlModifier);
         m_window->move(hull + QPointF(150, 0), Qt::ControlModifier, Qt::LeftButton);
-        EVENTUALLY(m_window->session.robotPose("robot0")->position.x() > -0.45);
+        EVENTUALLY(m_window->session.robots().pose("robot0")->position.x() > -0.45);
         m_window->release(hull + QPointF(150, 0), Qt::LeftButton, Qt::ControlModifier);
         QVERIFY(m_window->selection.empty());
         // A press without a drag is a click.
-        m_window->click(m_window->at(m_window->session.robotPose("robot0")->position + Vec3(0, 0, 0.13)), Qt::ControlModifier);
+        m_window->click(m_window->at(m_window->session.robots().pose("robot0")->position + Vec3(0, 0, 0.13)), Qt::ControlModifier);
         QCOMPARE(m_window->selection.paths(), std::vector<std::string>{"robot0"});
         QCOMPARE(m_window->text(), kRoom);
     }
@@ -220,24 +220,24 @@ private Q_SLOTS:
         step();
         m_window->selection.select("robot1");
         m_window->trigger("view.follow");
-        const QPointF before = *m_window->view().pixelOf(m_window->session.robotPose("robot1")->position);
-        QVERIFY(m_window->session.place("robot1", {Vec3(-1, -1, 0), Quat::Identity()}));
-        EVENTUALLY((m_window->session.robotPose("robot1")->position - Vec3(-1, -1, 0)).norm() < 1e-3);
-        QVERIFY(QLineF(*m_window->view().pixelOf(m_window->session.robotPose("robot1")->position), before).length() < 1);
+        const QPointF before = *m_window->view().pixelOf(m_window->session.robots().pose("robot1")->position);
+        QVERIFY(m_window->session.robots().place("robot1", {Vec3(-1, -1, 0), Quat::Identity()}));
+        EVENTUALLY((m_window->session.robots().pose("robot1")->position - Vec3(-1, -1, 0)).norm() < 1e-3);
+        QVERIFY(QLineF(*m_window->view().pixelOf(m_window->session.robots().pose("robot1")->position), before).length() < 1);
     }
 
     void aDrivenRobotStaysInThePicture() {
         m_window->session.run();
         EVENTUALLY(m_window->panel->world().isRunning());
-        QVERIFY(m_window->session.drive("robot1", 0.3, 0));
-        EVENTUALLY(m_window->session.robotPose("robot1")->position.x() > 0.6);
+        QVERIFY(m_window->session.robots().drive("robot1", 0.3, 0));
+        EVENTUALLY(m_window->session.robots().pose("robot1")->position.x() > 0.6);
         QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective); // it is visible, so the view does not move
-        m_window->session.stopDriving();
+        m_window->session.robots().stopDriving();
         m_window->look({-0.5, -0.6, 0.4}, {-0.5, 0, 0});
         m_window->selection.select("robot0");
-        QVERIFY(m_window->session.drive("robot0", 0.6, 0));
+        QVERIFY(m_window->session.robots().drive("robot0", 0.6, 0));
         EVENTUALLY_EQUAL(m_window->view().camera().kind(), ViewKind::Follow);
-        QVERIFY(m_window->view().rect().contains(m_window->at(m_window->session.robotPose("robot0")->position)));
+        QVERIFY(m_window->view().rect().contains(m_window->at(m_window->session.robots().pose("robot0")->position)));
         QVERIFY(m_window->open(kRoom)); // the followed robot is missing
         QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective);
     }
@@ -274,8 +274,8 @@ private Q_SLOTS:
         m_window->trigger("view.overlayContacts");
         m_window->trigger("view.overlayTrails");
         step();
-        EVENTUALLY(m_window->session.snapshot() && m_window->session.snapshot()->contacts);
-        QVERIFY(!m_window->session.snapshot()->contacts->empty());
+        EVENTUALLY(m_window->session.results().snapshot && m_window->session.results().snapshot->contacts);
+        QVERIFY(!m_window->session.results().snapshot->contacts->empty());
         EVENTUALLY(m_window->panel->isUpToDate());
         QVERIFY(!m_window->view().grab().isNull());
     }
@@ -284,7 +284,7 @@ private:
     void step() {
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
-        EVENTUALLY(m_window->session.poses() != nullptr);
+        EVENTUALLY(m_window->session.results().poses != nullptr);
     }
     std::unique_ptr<RenderService> m_render;
     std::unique_ptr<ViewWindow> m_window;

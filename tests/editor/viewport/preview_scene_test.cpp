@@ -81,7 +81,7 @@ private Q_SLOTS:
         const ViewportScene& world = m_window->view().context().world;
         QCOMPARE(world.objects()->instances().size(), std::size_t(1));
         QCOMPARE(world.objectsOf("RobotConfig.Rover.chassis").size(), std::size_t(1)); // of the instance; there is no preview
-        QVERIFY(m_window->session.refusal().isEmpty());
+        QVERIFY(m_window->session.source().refusal().isEmpty());
         m_window->document.undo();
         QVERIFY(world.find("RobotConfig.Rover.chassis"));
     }
@@ -94,18 +94,18 @@ private Q_SLOTS:
         QCOMPARE(world.objects()->instances().size(), std::size_t(2));
         QCOMPARE(selectedAt({2, 0, 0}), std::string());
         RunSession& session = m_window->session;
-        QVERIFY(session.refusal().isEmpty());
+        QVERIFY(session.source().refusal().isEmpty());
         session.setSpeed(0);
         session.runFor(1);
-        EVENTUALLY(session.state() == RunState::Paused && session.time() >= 1);
-        const auto pose = session.robotPose("RobotConfig.Rover");
+        EVENTUALLY(session.state() == RunState::Paused && session.results().time() >= 1);
+        const auto pose = session.robots().pose("RobotConfig.Rover");
         QVERIFY(pose && std::abs(pose->position.z() + 0.2) < 0.01); // the hull, which started 0.2 m above the floor
         QVERIFY(world.find("RobotConfig.Rover.chassis.mast"));
-        QVERIFY(!session.keepRefusal().isEmpty());
+        QVERIFY(!session.robots().keepRefusal().isEmpty());
         QCOMPARE(m_window->text(), high);
         QVERIFY(!m_window->document.isModified());
         QVERIFY(m_window->document.setValues({}, {{"RobotConfig.Rover.chassis.mast.Mass", "2"}}).ok());
-        QVERIFY(session.waitsForReset("RobotConfig.Rover.chassis.mast.Mass"));
+        QVERIFY(session.edits().waitsForReset("RobotConfig.Rover.chassis.mast.Mass"));
         session.reset();
     }
 
@@ -129,23 +129,23 @@ private Q_SLOTS:
         RunSession& session = m_window->session;
         session.setSpeed(0);
         session.step();
-        EVENTUALLY(session.state() == RunState::Paused && session.time() > 0);
-        QVERIFY(session.drive("RobotConfig.NewRobot", 0.2, 0));
+        EVENTUALLY(session.state() == RunState::Paused && session.results().time() > 0);
+        QVERIFY(session.robots().drive("RobotConfig.NewRobot", 0.2, 0));
         session.runFor(2);
-        EVENTUALLY(session.time() >= 2);
-        QVERIFY(session.robotPose("RobotConfig.NewRobot")->position.x() > 0.2); // it drives
+        EVENTUALLY(session.results().time() >= 2);
+        QVERIFY(session.robots().pose("RobotConfig.NewRobot")->position.x() > 0.2); // it drives
         session.reset();
     }
 
     void reportsWhyNothingRuns() {
         open(kYard);
-        QSignalSpy refused(&m_window->session, &RunSession::refused);
+        QSignalSpy refused(&m_window->session.messages(), &RunMessages::refused);
         m_window->session.run();
         QCOMPARE(refused.size(), 1);
         QVERIFY2(refused[0][0].toString().contains(QStringLiteral("describes Yard")), qPrintable(refused[0][0].toString()));
         QCOMPARE(m_window->session.state(), RunState::Start);
         open("Tick = 0.01\n"); // no configs: an empty world can run
-        QVERIFY(m_window->session.refusal().isEmpty());
+        QVERIFY(m_window->session.source().refusal().isEmpty());
     }
 
     void showsNothingForImportsAlone() {

@@ -108,7 +108,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->panel->radios().inScene().shapes->size(), std::size_t(1));
         for (const double heading : {0.0, 90.0, 180.0}) {
             const double angle = heading * std::numbers::pi / 180;
-            QVERIFY(m_window->session.place("a", {Vec3::Zero(), rotationFromHpr({angle, 0, 0})}));
+            QVERIFY(m_window->session.robots().place("a", {Vec3::Zero(), rotationFromHpr({angle, 0, 0})}));
             EVENTUALLY(m_window->panel->isUpToDate());
             EVENTUALLY(differs(bare, {ahead * std::cos(angle), ahead * std::sin(angle), 0.1}));
             QVERIFY(!differs(bare, {-ahead * std::cos(angle), -ahead * std::sin(angle), 0.1}));
@@ -221,7 +221,7 @@ Robot a { Config=Turret }
         QVERIFY(shows(middle, marginColour(kSlimMargin)));
         // A run moves it out of reach.
         step();
-        QVERIFY(m_window->session.place("b", {Vec3(9, 0, 0), Quat::Identity()}));
+        QVERIFY(m_window->session.robots().place("b", {Vec3(9, 0, 0), Quat::Identity()}));
         EVENTUALLY(m_window->panel->radios().links() && m_window->panel->radios().links()->links.empty());
         EVENTUALLY(m_window->panel->isUpToDate());
         QVERIFY(!shows(middle, marginColour(kSlimMargin)));
@@ -334,9 +334,9 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         EVENTUALLY(!m_window->panel->radios().isComputing());
         const int before = m_window->panel->radios().requests();
         m_window->session.runFor(0.3);
-        EVENTUALLY(m_window->session.time() > 0.29 && m_window->session.state() == RunState::Paused);
+        EVENTUALLY(m_window->session.results().time() > 0.29 && m_window->session.state() == RunState::Paused);
         QCOMPARE(m_window->panel->radios().requests(), before);
-        QVERIFY(m_window->session.place("b", {Vec3(1, 0, 0), Quat::Identity()})); // b is not the sender
+        QVERIFY(m_window->session.robots().place("b", {Vec3(1, 0, 0), Quat::Identity()})); // b is not the sender
         EVENTUALLY_EQUAL(m_window->panel->radios().requests(), before + 1);
     }
 
@@ -416,9 +416,9 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
             if (looked)
                 for (const char* id : {"view.overlayLobes", "view.overlayLinks", "view.overlayCoverage"}) m_window->trigger(id);
             m_window->session.runFor(0.5);
-            EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->session.time() > 0.49);
-            EVENTUALLY(m_window->session.snapshot()->hash);
-            hashes.push_back(*m_window->session.snapshot()->hash);
+            EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->session.results().time() > 0.49);
+            EVENTUALLY(m_window->session.results().snapshot->hash);
+            hashes.push_back(*m_window->session.results().snapshot->hash);
         }
         QCOMPARE(hashes[0], hashes[1]);
     }

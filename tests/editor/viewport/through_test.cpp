@@ -86,7 +86,7 @@ private Q_SLOTS:
         // The view follows the robot until the user navigates.
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
-        QVERIFY(m_window->session.place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
+        QVERIFY(m_window->session.robots().place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
         EVENTUALLY((view.cameraView().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
         m_window->session.reset();
         m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
@@ -110,7 +110,7 @@ private Q_SLOTS:
         // A camera made during a run can be chosen in it, and moves with the robots of the run.
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
-        QVERIFY(m_window->session.place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
+        QVERIFY(m_window->session.robots().place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
         (void)m_window->document.replaceText(
             u"Type"_qs, m_window->document.path(),
             (m_window->text() + "View late { Mode=chase Robot=robot0 Eye=-1,0,0.5 }\n").toStdString());
@@ -126,7 +126,7 @@ private Q_SLOTS:
         view.lookThrough("robot0/eye");
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
-        QVERIFY(m_window->session.place("robot0", {Vec3(0.4, -0.4, 0), rotationFromHpr({std::numbers::pi / 2, 0, 0})}));
+        QVERIFY(m_window->session.robots().place("robot0", {Vec3(0.4, -0.4, 0), rotationFromHpr({std::numbers::pi / 2, 0, 0})}));
         EVENTUALLY((view.cameraView().eye - Vec3(0.4, -0.4 + 0.03, 0.275)).norm() < 1e-6);
         m_window->session.reset();
         EVENTUALLY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1e-6);

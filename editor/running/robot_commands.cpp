@@ -1,0 +1,137 @@
+#include "editor/running/robot_commands.h"
+
+#include <cmath>
+
+#include "editor/document/document.h"
+#include "editor/running/pose_overlay.h"
+#include "editor/running/run_edits.h"
+#include "editor/running/run_messages.h"
+#include "editor/running/start_poses.h"
+#include "project/objects/unplaced_configs.h"
+
+namespace trundle {
+namespace {
+
+const ComponentSpec* driveOf(const RobotSpec& robot) {
+    if (!robot.config) return nullptr;
+    for (const ComponentSpec& device : robot.config->devices)
+        if (device.kind == "DifferentialDrive") return &device;
+    return nullptr;
+}
+
+} // namespace
+
+RobotCommands::RobotCommands(const ActiveRun& run, const RunEdits& edits, RunMessages& messages, Document& document,
+                             QObject* parent)
+    : QObject(parent), m_run(run), m_edits(edits), m_messages(messages), m_document(document) {}
+
+std::optional<Pose> RobotCommands::pose(const std::string& robot) const {
+    for (const PlaceCommand& place : m_placed)
+        if (place.robot == robot) return place.pose;
+    if (!m_run.snapshot || !m_run.layout) return std::nullopt;
+    return shownPose(*m_run.layout, *m_run.snapshot->block, robot);
+}
+
+bool RobotCommands::push(const std::string& body, const Vec3& force, const Vec3& point) {
+    if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A body can be pushed while the experiment runs."));
+    if (!force.allFinite() || !point.allFinite()) return false;
+    m_run.live->keepPushing(PushCommand{body, force, point});
+    return true;
+}
+
+void RobotCommands::endPush() {
+    if (m_run.live) m_run.live->keepPushing(std::nullopt);
+}
+
+bool RobotCommands::place(const std::string& robot, const Pose& to) {
+    if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A robot can be moved while the experiment is running or paused."));
+    if (!m_run.robot(robot) || !m_edits.isOfRun(robot))
+        return m_messages.refuse(tr("%1 is no robot of this run.").arg(QString::fromStdString(robot)));
+    if (!to.position.allFinite() || !to.rotation.coeffs().allFinite()) return false;
+    m_run.live->command(PlaceCommand{robot, to});
+    if (m_run.state != RunState::Paused || !m_run.snapshot) return true;
+    std::erase_if(m_placed, [&](const PlaceCommand& place) { return place.robot == robot; });
+    m_placed.push_back({robot, to});
+    m_placedTick = m_run.snapshot->tick;
+    Q_EMIT placed();
+    return true;
+}
+
+QString RobotCommands::driveRefusal(const std::string& name) const {
+    if (!m_run.acceptsCommands()) return tr("A robot can be driven while the experiment runs.");
+    const RobotSpec* robot = m_run.robot(name);
+    if (!robot) return tr("Select a robot to drive.");
+    if (!driveOf(*robot)) return tr("%1 has no DifferentialDrive to steer it by.").arg(QString::fromStdString(name));
+    return {};
+}
+
+bool RobotCommands::drive(const std::string& name, double linear, double angular) {
+    if (const QString why = driveRefusal(name); !why.isEmpty()) return m_messages.refuse(why);
+    if (!std::isfinite(linear) || !std::isfinite(angular)) return false;
+    if (m_driven != name) {
+        stopDriving();
+        m_run.live->command(HoldCommand{name, true});
+        m_driven = name;
+    }
+    const std::string base = name + "/" + driveOf(*m_run.robot(name))->name + "/";
+    m_run.live->command(SignalCommand{base + "linearAmount", 0});
+    m_run.live->command(SignalCommand{base + "angularAmount", 0});
+    m_run.live->command(SignalCommand{base + "linearVelocity", linear});
+    m_run.live->command(SignalCommand{base + "angularVelocity", angular});
+    return true;
+}
+
+void RobotCommands::stopDriving() {
+    const RobotSpec* robot = m_driven.empty() ? nullptr : m_run.robot(m_driven);
+    const ComponentSpec* drive = robot ? driveOf(*robot) : nullptr;
+    if (m_run.live && drive) {
+        for (const char* signal : {"/linearVelocity", "/angularVelocity"})
+            m_run.live->command(SignalCommand{m_driven + "/" + drive->name + signal, 0});
+        m_run.live->command(HoldCommand{m_driven, false});
+    }
+    m_driven.clear();
+}
+
+std::vector<Command> RobotCommands::all() const { return m_run.live ? m_run.live->commands() : std::vector<Command>(); }
+
+std::shared_ptr<const LiveSnapshot> RobotCommands::withPlacedRobots(std::shared_ptr<const LiveSnapshot> snapshot) {
+    if (snapshot->tick > m_placedTick) m_placed.clear();
+    if (m_placed.empty()) return snapshot;
+    auto moved = std::make_shared<LiveSnapshot>(*snapshot);
+    moved->contacts = nullptr; // they belong to the previous poses
+    moved->images.clear();
+    moved->block = withPlaced(*m_run.layout, *snapshot->block, *m_run.experiment, m_placed);
+    return moved;
+}
+
+void RobotCommands::clear() {
+    m_placed.clear();
+    m_driven.clear();
+}
+
+QString RobotCommands::keepRefusal() const {
+    if (!m_run.snapshot || !m_document.loaded()) return tr("Nothing has moved yet: run the experiment first.");
+    if (!configsWithoutInstances(*m_document.loaded()).empty())
+        return tr("This file places no robot: the one shown is a preview and has no pose in the text.");
+    if (m_run.state == RunState::Running) return tr("Pause the run first.");
+    return posesNow().refusal;
+}
+
+StartPoses RobotCommands::posesNow() const {
+    return startPoses(*m_document.loaded(),
+                      [this](const std::string& robot) { return m_edits.isOfRun(robot) ? pose(robot) : std::nullopt; });
+}
+
+void RobotCommands::keepPoses() {
+    if (const QString why = keepRefusal(); !why.isEmpty()) {
+        m_messages.refuse(why);
+        return;
+    }
+    const StartPoses kept = posesNow();
+    if (const Status done = m_document.setValues(tr("Keep Poses as Start"), kept.values); !done)
+        m_messages.refuse(QString::fromStdString(done.error().message));
+    else if (!kept.leftOut.isEmpty())
+        Q_EMIT m_document.notice(tr("Poses saved, except of %1: new or renamed since the run started.").arg(kept.leftOut));
+}
+
+} // namespace trundle

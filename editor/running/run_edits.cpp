@@ -1,0 +1,35 @@
+#include "editor/running/run_edits.h"
+
+#include <algorithm>
+
+#include <QStringList>
+
+namespace trundle {
+
+void RunEdits::setWaiting(std::vector<std::string> paths) {
+    if (paths == m_waiting) return;
+    m_waiting = std::move(paths);
+    Q_EMIT changed();
+}
+
+bool RunEdits::clear() {
+    const bool waited = needsReset();
+    m_waiting.clear();
+    return waited;
+}
+
+QString RunEdits::waitingText() const {
+    constexpr std::size_t kMaxNamed = 3;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(kMaxNamed, m_waiting.size()); ++i) names += QString::fromStdString(m_waiting[i]);
+    const QString text = names.join(QStringLiteral(", "));
+    return m_waiting.size() <= kMaxNamed ? text : tr("%1 and %2 more").arg(text, QString::number(m_waiting.size() - kMaxNamed));
+}
+
+bool RunEdits::waitsForReset(const std::string& path) const {
+    return std::ranges::any_of(m_waiting, [&](const std::string& waiting) {
+        return path == waiting || (path.size() > waiting.size() && path.starts_with(waiting) && path[waiting.size()] == '.');
+    });
+}
+
+} // namespace trundle

@@ -1,0 +1,67 @@
+#include "editor/running/run_source.h"
+
+#include "control/module_store.h"
+#include "project/objects/unplaced_configs.h"
+
+namespace trundle {
+
+RunSource::RunSource(Document& document, Application& application, QObject* parent)
+    : QObject(parent), m_document(document), m_application(application), m_preview(application) {
+    connect(&document, &Document::changed, this, &RunSource::changed);
+}
+
+std::shared_ptr<const ExperimentSpec> RunSource::shown() const {
+    const std::shared_ptr<const LoadedProject> loaded = project();
+    return loaded ? loaded->experiment : nullptr;
+}
+
+/// An arena alone has nothing that moves.
+QString RunSource::nothingToRun() const {
+    QStringList names;
+    for (const Part* config : configsWithoutInstances(*m_document.loaded())) {
+        if (config->kind && config->kind->name == "RobotConfig") return {}; // the preview runs it on a floor
+        names.append(QString::fromStdString(config->name));
+    }
+    if (names.isEmpty()) return {};
+    const QString why = tr("There is nothing to run: this file describes %1 and places nothing. To run it, import the file in an "
+                           "experiment and drag it in from the Library.")
+                            .arg(names.join(QStringLiteral(", ")));
+    return m_document.isSample(m_document.path()) ? why + tr(" Its card on the Welcome page does that.") : why;
+}
+
+QString RunSource::refusal() const {
+    const std::shared_ptr<const LoadedProject>& loaded = m_document.loaded();
+    if (!loaded) return tr("Nothing is open.");
+    std::size_t errors = 0;
+    const Diagnostic *error = nullptr, *module = nullptr; // the first of each
+    for (const Diagnostic& d : loaded->diagnostics.all()) {
+        // A text can be viewed without a module's kinds, but not run without its controller.
+        if ((d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed) && !module) module = &d;
+        if (d.severity != Severity::Error) continue;
+        ++errors;
+        if (!error) error = &d;
+    }
+    if (module && module->code == Code::ModuleNotTrusted) { // the rest of the message is advice for the command line
+        const QString why = QString::fromStdString(module->message);
+        return tr("%1 To run it, trust the folder in the Controllers panel.")
+            .arg(why.left(why.indexOf(QStringLiteral(", so its code"))) + u'.');
+    }
+    if (error) {
+        const QString why = QString::fromStdString(error->message);
+        return errors == 1 ? tr("The text has an error: %1").arg(why)
+                           : tr("The text has %1 errors, the first: %2").arg(errors).arg(why);
+    }
+    return module ? QString::fromStdString(module->message) + u'.' : nothingToRun();
+}
+
+bool RunSource::describesOnly() const {
+    const QString why = refusal();
+    return !why.isEmpty() && m_document.loaded() && why == nothingToRun();
+}
+
+void RunSource::readRebuiltModules() {
+    if (const auto& loaded = m_document.loaded(); loaded && descriptionChanged(*loaded->experiment, *loaded->registry))
+        m_document.readAgain();
+}
+
+} // namespace trundle
