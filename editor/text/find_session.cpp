@@ -8,7 +8,7 @@
 #include "editor/text/find_bar.h"
 #include "editor/text/large_text.h"
 #include "editor/text/results_list.h"
-#include "editor/text/text_panel.h"
+#include "editor/text/text_pages.h"
 
 namespace trundle {
 namespace {
@@ -24,8 +24,8 @@ std::string lineEndOf(std::string_view text) {
 
 } // namespace
 
-FindSession::FindSession(Document& document, TextPanel& panel, FindBar& bar, ResultsList& list)
-    : QObject(&panel), m_document(document), m_panel(panel), m_bar(bar), m_list(list) {
+FindSession::FindSession(Document& document, TextPages& pages, FindBar& bar, ResultsList& list, QObject* parent)
+    : QObject(parent), m_document(document), m_pages(pages), m_bar(bar), m_list(list) {
     connect(&bar, &FindBar::changed, this, &FindSession::findAsTyped);
     connect(&bar, &FindBar::step, this, &FindSession::step);
     connect(&bar, &FindBar::replaceOne, this, &FindSession::replaceOne);
@@ -36,7 +36,7 @@ FindSession::FindSession(Document& document, TextPanel& panel, FindBar& bar, Res
     });
     connect(&list, &ResultsList::closed, this, &FindSession::close);
     connect(&list, &ResultsList::chosen, this, [this](const std::string& file, TextRange range, bool focus) {
-        m_panel.reveal(file, range, focus);
+        m_pages.reveal(file, range, focus);
         updateMatches();
     });
     connect(&document, &Document::changed, this, [this] {
@@ -45,9 +45,9 @@ FindSession::FindSession(Document& document, TextPanel& panel, FindBar& bar, Res
 }
 
 void FindSession::open(bool replacing) {
-    FilePage* page = m_panel.page();
+    FilePage* page = m_pages.page();
     if (!page) return;
-    m_panel.flush();
+    m_pages.flush();
     const TextRange selected = page->edit().selection();
     const std::string bytes = page->edit().bytes();
     QString words = QString::fromStdString(bytes.substr(std::min<std::size_t>(selected.begin, bytes.size()), selected.size()));
@@ -66,8 +66,8 @@ void FindSession::close() {
     m_bar.hide();
     m_list.hide();
     m_found.clear();
-    for (FilePage* page : m_panel.pages()) page->edit().showMatches({});
-    if (FilePage* page = m_panel.page()) page->setFocus();
+    for (FilePage* page : m_pages.pages()) page->edit().showMatches({});
+    if (FilePage* page = m_pages.page()) page->setFocus();
 }
 
 void FindSession::updateMatches() {
@@ -76,13 +76,13 @@ void FindSession::updateMatches() {
     const SearchOptions searchOptions = m_bar.searchOptions();
     const TextSearch search(searchOptions);
     if (!search.valid()) {
-        for (FilePage* page : m_panel.pages()) page->edit().showMatches({});
+        for (FilePage* page : m_pages.pages()) page->edit().showMatches({});
         m_bar.showStatus(search.fault(), true);
         return list();
     }
-    FilePage* front = m_panel.page();
+    FilePage* front = m_pages.page();
     for (const std::string& file : m_document.files()) {
-        FilePage* page = m_panel.pageOf(file);
+        FilePage* page = m_pages.pageOf(file);
         std::vector<TextRange> marks;
         const auto text = m_document.text(file);
         const bool shown = page ? page->isTextShown() : text && text->size() <= kLargestFullText;
@@ -101,7 +101,7 @@ void FindSession::updateMatches() {
 
 /// Searches texts of the project's folder that the experiment does not load: their current text if open, else the file.
 void FindSession::searchProject(const TextSearch& search) {
-    FilePage* front = m_panel.page();
+    FilePage* front = m_pages.page();
     std::vector<ProjectTexts::Text> texts;
     if (m_bar.everywhere() && !m_document.isNew()) texts = m_project.in(m_document.loaded()->projectFolder);
     else if (front) texts.push_back({front->file(), nullptr});
@@ -116,14 +116,14 @@ void FindSession::searchProject(const TextSearch& search) {
             m_found.push_back({text.path, std::move(match)});
         }
         if (!marks.empty()) m_others.emplace(text.path, std::make_shared<const SourceText>(text.path, text.bytes));
-        if (FilePage* page = m_panel.pageOf(text.path)) page->edit().showMatches(marks);
+        if (FilePage* page = m_pages.pageOf(text.path)) page->edit().showMatches(marks);
     }
 }
 
 /// Fills the result list, one row per match, when all files are searched.
 void FindSession::list() {
     m_list.setVisible(m_bar.everywhere() && !m_bar.searchOptions().words.isEmpty());
-    if (!m_list.isVisibleTo(&m_panel)) return;
+    if (m_list.isHidden() || !m_document.isOpen()) return;
     std::vector<ResultsList::Row> rows;
     const LoadedProject& loaded = *m_document.loaded();
     std::size_t files = 0;
@@ -149,7 +149,7 @@ void FindSession::list() {
 }
 
 std::ptrdiff_t FindSession::here() const {
-    FilePage* page = m_panel.page();
+    FilePage* page = m_pages.page();
     if (!page) return -1;
     const TextRange selected = page->edit().selection();
     const auto at = std::find_if(m_found.begin(), m_found.end(),
@@ -168,9 +168,9 @@ void FindSession::count() {
 
 /// Incremental search: selects the first match after the caret position at which the search began.
 void FindSession::findAsTyped() {
-    m_panel.flush();
+    m_pages.flush();
     updateMatches();
-    FilePage* page = m_panel.page();
+    FilePage* page = m_pages.page();
     if (!page || m_found.empty()) return;
     if (page->file() != m_fromFile) {
         m_fromFile = page->file();
@@ -186,8 +186,8 @@ void FindSession::findAsTyped() {
 }
 
 void FindSession::go(const FileMatches& found) {
-    m_panel.reveal(found.file, found.match.range);
-    if (FilePage* page = m_panel.page(); page && page->file() == found.file) {
+    m_pages.reveal(found.file, found.match.range);
+    if (FilePage* page = m_pages.page(); page && page->file() == found.file) {
         m_fromFile = found.file;
         m_from = found.match.range.begin;
     }
@@ -195,9 +195,9 @@ void FindSession::go(const FileMatches& found) {
 }
 
 void FindSession::step(int direction) {
-    m_panel.flush();
+    m_pages.flush();
     updateMatches();
-    FilePage* page = m_panel.page();
+    FilePage* page = m_pages.page();
     if (!page || m_found.empty()) return;
     std::ptrdiff_t next = here();
     const auto total = static_cast<std::ptrdiff_t>(m_found.size());
@@ -217,18 +217,18 @@ void FindSession::step(int direction) {
         next = (next + total) % total;
     }
     const FileMatches found = m_found[static_cast<std::size_t>(next)];
-    const bool opened = !m_panel.pageOf(found.file);
+    const bool opened = !m_pages.pageOf(found.file);
     go(found);
     if (opened) updateMatches(); // also marks the newly opened tab
 }
 
 void FindSession::replaceOne() {
-    m_panel.flush();
+    m_pages.flush();
     updateMatches();
     const std::ptrdiff_t at = here();
     if (at < 0) return step(+1);
     const FileMatches found = m_found[static_cast<std::size_t>(at)];
-    FilePage* page = m_panel.page();
+    FilePage* page = m_pages.page();
     const auto before = m_document.text(found.file);
     if (!before) return;
     const std::string text = TextSearch(m_bar.searchOptions()).replacement(found.match, m_bar.replacement(), lineEndOf(*before));
@@ -241,7 +241,7 @@ void FindSession::replaceOne() {
 }
 
 void FindSession::replaceAll() {
-    m_panel.flush();
+    m_pages.flush();
     updateMatches();
     const TextSearch search(m_bar.searchOptions());
     std::map<std::string, std::vector<const FileMatches*>> byFile;

@@ -17,12 +17,12 @@ namespace trundle {
 class Document;
 class FindBar;
 class ResultsList;
-class TextPanel;
+class TextPages;
 
 class FindSession final : public QObject {
     Q_OBJECT
 public:
-    FindSession(Document& document, TextPanel& panel, FindBar& bar, ResultsList& list);
+    FindSession(Document& document, TextPages& pages, FindBar& bar, ResultsList& list, QObject* parent = nullptr);
 
     void open(bool replacing); ///< searches for the selected text
     void openInFiles();
@@ -45,7 +45,7 @@ private:
     void replaceAll();
 
     Document& m_document;
-    TextPanel& m_panel;
+    TextPages& m_pages;
     FindBar& m_bar;
     ResultsList& m_list;
     ProjectTexts m_project;

@@ -132,7 +132,7 @@ private Q_SLOTS:
         const QStringList made = {"editor/outline/outline_view.cpp",       "editor/properties/help_strip.cpp",
                                   "editor/properties/object_header.cpp",   "editor/properties/property_row.cpp",
                                   "editor/shell/main_window_commands.cpp", "editor/shell/recovery_dialog.cpp",
-                                  "editor/shell/status_line.cpp",          "editor/text/text_panel_help.cpp"};
+                                  "editor/shell/status_line.cpp",          "editor/text/text_assistance.cpp"};
         QStringList found;
         for (const SourceFile& file : sourceFiles({"editor", "app"}, kCode)) {
             if (file.path.startsWith("editor/widgets/plain_text.")) continue;

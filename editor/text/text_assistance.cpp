@@ -1,4 +1,4 @@
-// TextPanel: tooltips, links, references, fixes, rename and the context menu.
+#include "editor/text/text_assistance.h"
 
 #include <algorithm>
 
@@ -12,9 +12,10 @@
 #include "editor/text/hover.h"
 #include "editor/text/rename_field.h"
 #include "editor/text/results_list.h"
+#include "editor/text/text_commands.h"
 #include "editor/text/text_location.h"
 #include "editor/text/text_navigation.h"
-#include "editor/text/text_panel.h"
+#include "editor/text/text_pages.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/plain_text.h"
 #include "lang/formatter.h"
@@ -42,13 +43,26 @@ std::size_t placeBehind(std::string_view text, std::size_t signs) {
 
 } // namespace
 
-void TextPanel::showMessage(const QString& text) {
+TextAssistance::TextAssistance(Document& document, TextPages& pages, ResultsList& uses, TextCommands& commands, Actions& actions,
+                               QObject* parent)
+    : QObject(parent), m_document(document), m_pages(pages), m_uses(uses), m_commands(commands), m_actions(actions) {}
+
+void TextAssistance::watch(FilePage& page) {
+    CodeEdit& edit = page.edit();
+    connect(&edit, &CodeEdit::hoverRequested, this,
+            [this, &page](std::uint32_t at, const QPoint& pos) { showHover(page, at, pos); });
+    connect(&edit, &CodeEdit::linkRequested, this, [this, &page](std::uint32_t at) { showLink(page, at); });
+    connect(&edit, &CodeEdit::linkFollowed, this, &TextAssistance::goToDefinition);
+    connect(&edit, &CodeEdit::menuRequested, this, [this, &page](const QPoint& pos) { showMenu(page, pos); });
+}
+
+void TextAssistance::showMessage(const QString& text) {
     Q_EMIT messageRequested(text);
-    FilePage* page = this->page();
+    FilePage* page = m_pages.page();
     if (page) showToolTip(page->edit().viewport()->mapToGlobal(page->edit().placeOf(page->edit().caret())), text, &page->edit());
 }
 
-void TextPanel::showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos) {
+void TextAssistance::showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos) {
     page.flush();
     const FileId file = page.id();
     if (offset == CodeEdit::kNowhere || file == kNoFile) return QToolTip::hideText();
@@ -60,7 +74,7 @@ void TextPanel::showHover(FilePage& page, std::uint32_t offset, const QPoint& gl
     else showHtmlToolTip(globalPos, QString::fromStdString(html), page.edit().viewport());
 }
 
-void TextPanel::showLink(FilePage& page, std::uint32_t offset) {
+void TextAssistance::showLink(FilePage& page, std::uint32_t offset) {
     TextRange link;
     if (offset != CodeEdit::kNowhere && page.flush() && page.id() != kNoFile) {
         const auto found = definitionAt(*m_document.loaded(), page.id(), offset);
@@ -69,8 +83,8 @@ void TextPanel::showLink(FilePage& page, std::uint32_t offset) {
     page.edit().showLink(link);
 }
 
-const Kind* TextPanel::kindAtCaret() {
-    FilePage* page = this->page();
+const Kind* TextAssistance::kindAtCaret() {
+    FilePage* page = m_pages.page();
     if (!page || !page->flush() || page->id() == kNoFile) return nullptr;
     const TextLocation place = placeAt(*m_document.loaded(), page->id(), page->edit().caret());
     const auto* block = place.item ? place.item->as<BlockItem>() : nullptr;
@@ -78,8 +92,8 @@ const Kind* TextPanel::kindAtCaret() {
     return named ? named : place.kind;
 }
 
-QString TextPanel::constructAtCaret() {
-    FilePage* page = this->page();
+QString TextAssistance::constructAtCaret() {
+    FilePage* page = m_pages.page();
     if (!page || !page->flush() || page->id() == kNoFile) return {};
     const Item* item = placeAt(*m_document.loaded(), page->id(), page->edit().caret()).item;
     if (item && item->as<ImportItem>()) return QStringLiteral("#import");
@@ -87,21 +101,21 @@ QString TextPanel::constructAtCaret() {
     return item && item->as<ParamItem>() ? QStringLiteral("Param") : QString();
 }
 
-void TextPanel::goToDefinition(std::uint32_t offset) {
-    FilePage* page = this->page();
+void TextAssistance::goToDefinition(std::uint32_t offset) {
+    FilePage* page = m_pages.page();
     if (!page) return;
     page->flush();
     page->edit().showLink({});
     if (page->id() == kNoFile) return;
     const auto found = definitionAt(*m_document.loaded(), page->id(), offset);
-    if (found) revealFile(found->place, true);
+    if (found) m_pages.reveal(found->place, true);
     else showMessage(tr("No name at the caret"));
 }
 
-void TextPanel::showUses(std::uint32_t offset) {
-    FilePage* page = this->page();
+void TextAssistance::showUses(std::uint32_t offset) {
+    FilePage* page = m_pages.page();
     if (!page) return;
-    flush();
+    m_pages.flush();
     if (page->id() == kNoFile) return;
     const LoadedProject& loaded = *m_document.loaded();
     const std::vector<SourceRange> uses = usesAt(loaded, page->id(), offset);
@@ -117,13 +131,13 @@ void TextPanel::showUses(std::uint32_t offset) {
     const QString name = QString::fromStdString(given ? given->name : std::string());
     const QString title = uses.size() == 1 ? tr("Only one reference: %1").arg(name)
                                            : tr("%1 has %2 references").arg(name, QString::number(uses.size()));
-    m_uses->showRows(title, std::move(rows));
+    m_uses.showRows(title, std::move(rows));
 }
 
-void TextPanel::renameAt(std::uint32_t offset) {
-    FilePage* page = this->page();
+void TextAssistance::renameAt(std::uint32_t offset) {
+    FilePage* page = m_pages.page();
     if (!page) return;
-    flush();
+    m_pages.flush();
     if (page->id() == kNoFile) return;
     const std::optional<Symbol> symbol = symbolAt(*m_document.loaded(), page->id(), offset);
     if (!symbol) return showMessage(tr("There is no name to rename here"));
@@ -141,7 +155,7 @@ void TextPanel::renameAt(std::uint32_t offset) {
 }
 
 /// References in texts of the project that are not loaded would break: counts and lists them, and offers to rename them too.
-void TextPanel::offerOthers(const ProjectRename& renaming) {
+void TextAssistance::offerOthers(const ProjectRename& renaming) {
     if (renaming.usesOutside().empty()) return;
     int uses = 0;
     QStringList lines;
@@ -159,7 +173,7 @@ void TextPanel::offerOthers(const ProjectRename& renaming) {
     m_rename->offerOthers(where.arg(of, QString::number(uses)), lines.join(QLatin1Char('\n')));
 }
 
-void TextPanel::rename(FilePage& page, ProjectRename& renaming, const QString& from, const QString& to) {
+void TextAssistance::rename(FilePage& page, ProjectRename& renaming, const QString& from, const QString& to) {
     if (to != from) {
         const Status done = renaming.apply(tr("Rename %1 to %2").arg(from, to), to.toStdString(), m_rename->renamesOthers());
         if (!done) return m_rename->showError(QString::fromStdString(done.error().message));
@@ -168,8 +182,8 @@ void TextPanel::rename(FilePage& page, ProjectRename& renaming, const QString& f
     page.setFocus();
 }
 
-QMenu* TextPanel::showFixes() {
-    FilePage* page = this->page();
+QMenu* TextAssistance::showFixes() {
+    FilePage* page = m_pages.page();
     if (!page || !page->flush()) return nullptr;
     const std::uint32_t caret = page->edit().caret();
     const FileId file = page->id();
@@ -190,7 +204,7 @@ QMenu* TextPanel::showFixes() {
         showMessage(page->problems().empty() ? tr("No problems here") : tr("No fix available here"));
         return nullptr;
     }
-    auto* menu = new QMenu(this);
+    auto* menu = new QMenu(page);
     menu->setObjectName(QStringLiteral("fixMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* first = nullptr;
@@ -210,8 +224,8 @@ QMenu* TextPanel::showFixes() {
     return menu;
 }
 
-void TextPanel::formatText() {
-    FilePage* page = this->page();
+void TextAssistance::formatText() {
+    FilePage* page = m_pages.page();
     if (!page || !page->flush() || page->id() == kNoFile) return;
     const Tree& tree = *m_document.loaded()->trees[page->id()];
     const auto broken = std::any_of(tree.diagnostics().begin(), tree.diagnostics().end(),
@@ -224,12 +238,12 @@ void TextPanel::formatText() {
     page->edit().select({caret, caret});
 }
 
-void TextPanel::showMenu(FilePage& page, const QPoint& globalPos) {
+void TextAssistance::showMenu(FilePage& page, const QPoint& globalPos) {
     auto* menu = new QMenu(&page);
     menu->setObjectName(QStringLiteral("textMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const auto add = [&](const QString& text, const char* id) {
-        QAction* action = menu->addAction(text, this, [this, id] { apply(id); });
+        QAction* action = menu->addAction(text, this, [this, id] { (void)m_commands.apply(id); });
         action->setShortcut(m_actions.at(id).shortcut());
         action->setShortcutVisibleInContextMenu(true);
         return action;
