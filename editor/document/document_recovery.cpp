@@ -8,6 +8,7 @@
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
 #include "editor/document/found_journals.h"
+#include "editor/widgets/plain_text.h"
 #include "lang/line_merge.h"
 #include "project/journal/state_folder.h"
 #include "project/loading/search.h"
@@ -19,8 +20,6 @@ bool isMissing(const std::string& path) {
     std::error_code none;
     return !std::filesystem::exists(path, none);
 }
-
-QString onOneLine(const std::string& text) { return QString::fromStdString(cleanLine(text)); }
 
 } // namespace
 
@@ -119,7 +118,7 @@ QString journalsNotRead(const Document& document) {
                "%1 holds journals of unsaved edits, which an earlier version of Trundle left there, or which came with this "
                "folder. They are not restored, since a journal of another user could change any file of yours. If they "
                "are your own, move them to %2 and open this file again; if not, delete them.")
-        .arg(onOneLine(project + "/.trundle/journal"), onOneLine(projectStateFolder(project) + "/journal"));
+        .arg(shownLine(project + "/.trundle/journal"), shownLine(projectStateFolder(project) + "/journal"));
 }
 
 Status Document::openFor(const Recovery& recovery) {
@@ -177,7 +176,7 @@ Status Document::recover(const Recovery& recovery) {
     if (Status entered = enter(tr("Recovered"), std::move(texts), {}); !entered) return reportFailure(entered);
     m_state->journal.writeNow(); // before the old journal is deleted
     if (outside.empty()) discardRecovery(recovery);
-    else Q_EMIT notice(tr("Not restored, as outside the project: %1").arg(onOneLine(listed(outside))));
+    else Q_EMIT notice(tr("Not restored, as outside the project: %1").arg(shownLine(listed(outside))));
     notifyModified();
     for (const std::string& path : both) Q_EMIT diskChanged(QString::fromStdString(path));
     return {};

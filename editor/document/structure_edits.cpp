@@ -10,6 +10,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/project_rename.h"
+#include "editor/widgets/strings.h"
 #include "lang/text_splice.h"
 #include "lang/tree_edit.h"
 
@@ -17,11 +18,7 @@ namespace trundle {
 
 namespace {
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
 std::string keyOf(const LoadedProject& loaded, const Part& config) { return loaded.paths[config.file] + "#" + config.name; }
-
-std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
 
 bool startsWithPath(const std::string& path, const std::string& start) { return path == start || path.starts_with(start + "."); }
 
@@ -50,7 +47,7 @@ struct StructureEdits::PendingEdit {
     }
 };
 
-QString StructureEdits::shown(const std::string& file) const { return text(m_document.shown(file)); }
+QString StructureEdits::shown(const std::string& file) const { return toQString(m_document.shown(file)); }
 
 Status StructureEdits::apply(const QString& name, const std::vector<std::string>& paths, Plan plan, const std::string& mergeKey) {
     if (!m_document.isOpen() || m_document.isReadOnly()) return m_document.edit({}, {}); // reports why it is refused
@@ -160,13 +157,13 @@ Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part&
     const LoadedProject& loaded = *work->loaded;
     const std::vector<const Part*> instances = copyUsers(*work, config);
     ShareQuestion question;
-    question.config = text(config.name);
+    question.config = toQString(config.name);
     question.file = shown(loaded.paths[config.file]);
     const FileId copyFile = instances.empty() ? FileId{0} : instances.front()->file;
     question.copyFile = shown(loaded.paths[copyFile]);
     question.copyIsForOpened = copyFile == 0;
     for (const std::string& user : m_users.of(loaded, config)) question.users += shown(user);
-    for (const Part* instance : instances) question.copyFor += text(instance->name);
+    for (const Part* instance : instances) question.copyFor += toQString(instance->name);
     question.instances = instancesOf(loaded, config).size();
     const std::string key = keyOf(loaded, config);
     m_questionHandler(question, [this, work, key](ShareChoice choice) {
@@ -191,14 +188,14 @@ Status StructureEdits::copy(PendingEdit& work, const Part& config) {
     const Result<EditPlan> plan = planCopyConfig(loaded, config, instances, work.changed);
     if (!plan) return plan.error();
     const std::string from = pathOfConfig(config), to = plan.value().selects.front();
-    const QString copyName = text(to.substr(to.rfind('.') + 1));
+    const QString copyName = toQString(to.substr(to.rfind('.') + 1));
     const QString file = shown(loaded.paths[instances.empty() ? FileId{0} : instances.front()->file]);
     const QString made = instances.empty() ? QObject::tr("%1 is a copy of it in %2").arg(copyName, file)
                          : instances.size() == 1
-                             ? QObject::tr("%1 uses %2, a copy of it in %3").arg(text(instances[0]->name), copyName, file)
+                             ? QObject::tr("%1 uses %2, a copy of it in %3").arg(toQString(instances[0]->name), copyName, file)
                              : QObject::tr("%1 instances use %2, a copy of it in %3").arg(instances.size()).arg(copyName, file);
     work.notices += (isShipped ? QObject::tr("%1 came with Trundle and is read-only: %2") : QObject::tr("%1 is unchanged: %2"))
-                        .arg(text(config.name), made);
+                        .arg(toQString(config.name), made);
     if (Status read = reload(work, plan.value()); !read) return read;
     work.copies[from] = to;
     const auto copied = placeOf(*work.loaded, to);
@@ -223,7 +220,7 @@ Result<bool> StructureEdits::expand(PendingEdit& work, const Part& config) {
     if (!plan) return plan.error();
     if (plan.value().edits.empty()) return false;
     work.notices += QObject::tr("%1 came with Trundle and is read-only: %2 has its text instead of the import")
-                        .arg(names.join(QStringLiteral(", ")), text(config.name));
+                        .arg(names.join(QStringLiteral(", ")), toQString(config.name));
     if (Status read = reload(work, plan.value()); !read) return read.error();
     return true;
 }
@@ -302,7 +299,7 @@ Result<std::string> StructureEdits::copyConfig(const std::string& path, const st
         return done.error();
     }
     EditPlan none;
-    const QString configName = text(from.substr(from.rfind('.') + 1));
+    const QString configName = toQString(from.substr(from.rfind('.') + 1));
     work.name = isOwn ? QObject::tr("Expand imports of %1").arg(configName) : QObject::tr("Copy %1").arg(configName);
     work.mergeKey = mergeKey;
     if (mergeKey.empty()) none.selects = {work.copies.at(from)};

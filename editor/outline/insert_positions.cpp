@@ -60,10 +60,4 @@ std::optional<std::string> placeFor(const LoadedProject& loaded, const std::stri
     return std::nullopt;
 }
 
-const Part* controllerOf(const Part& instance) {
-    const auto it =
-        std::find_if(instance.parts.begin(), instance.parts.end(), [](const Part& p) { return p.is(Role::Controller); });
-    return it == instance.parts.end() ? nullptr : &*it;
-}
-
 } // namespace trundle

@@ -30,7 +30,5 @@ namespace trundle {
 /// The first of them in which blocks of all these kinds are allowed. Nothing if there is none.
 [[nodiscard]] std::optional<std::string> placeFor(const LoadedProject& loaded, const std::string& selected,
                                                   std::span<const Kind* const> kinds);
-/// A controller block of an instance; nullptr if there is none.
-[[nodiscard]] const Part* controllerOf(const Part& instance);
 
 } // namespace trundle

@@ -16,26 +16,25 @@
 #include "editor/outline/free_places.h"
 #include "editor/outline/insert_positions.h"
 #include "editor/outline/object_marks.h"
+#include "editor/widgets/strings.h"
 #include "lang/characters.h"
 #include "project/edits/plan_dependents.h"
 
 namespace trundle {
 namespace {
 
-QString shown(const std::string& s) { return QString::fromStdString(s); }
-
 /// The last component of a path: "hull" of "robot0.chassis.hull".
 std::string lastName(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
 /// How the history names objects: "robot0", "3 objects".
 QString named(const std::vector<std::string>& paths) {
-    return paths.size() == 1 ? shown(lastName(paths.front())) : ObjectEdits::tr("%1 objects").arg(paths.size());
+    return paths.size() == 1 ? toQString(lastName(paths.front())) : ObjectEdits::tr("%1 objects").arg(paths.size());
 }
 
 /// How the history names pasted blocks: "Box box", "3 objects".
 QString named(const Blocks& blocks) {
     if (blocks.kinds.size() != 1) return ObjectEdits::tr("%1 objects").arg(blocks.kinds.size());
-    return shown(blocks.names[0].empty() ? blocks.kinds[0] : blocks.kinds[0] + " " + blocks.names[0]);
+    return toQString(blocks.names[0].empty() ? blocks.kinds[0] : blocks.kinds[0] + " " + blocks.names[0]);
 }
 
 std::string blankless(std::string text) {
@@ -78,7 +77,7 @@ Status ObjectEdits::checkChangeable(const std::vector<std::string>& paths, const
     if (m_document.isReadOnly()) return m_document.edit({}, {}); // reports who has the project
     if (paths.empty()) return refuse(tr("select an object to %1 first").arg(verb));
     for (const std::string& path : paths)
-        if (m_marks.isLocked(path)) return refuse(tr("%1 is locked; unlock it to %2 it").arg(shown(path), verb));
+        if (m_marks.isLocked(path)) return refuse(tr("%1 is locked; unlock it to %2 it").arg(toQString(path), verb));
     return {};
 }
 
@@ -91,12 +90,12 @@ bool ObjectEdits::canRename(const std::string& path) const {
 QString ObjectEdits::nameProblem(const std::string& path, const std::string& name) const {
     if (!m_document.isOpen() || name.empty()) return {};
     const Result<EditPlan> plan = planRename(*m_document.loaded(), path, name);
-    return plan ? QString() : shown(plan.error().message);
+    return plan ? QString() : toQString(plan.error().message);
 }
 
 Status ObjectEdits::rename(const std::string& path, const std::string& name) {
     if (Status may = checkChangeable({path}, tr("rename")); !may) return may;
-    return m_document.structure().rename(tr("Rename %1 to %2").arg(shown(lastName(path)), shown(name)), path, name);
+    return m_document.structure().rename(tr("Rename %1 to %2").arg(toQString(lastName(path)), toQString(name)), path, name);
 }
 
 Status ObjectEdits::remove(const std::vector<std::string>& paths) {
@@ -156,7 +155,7 @@ Status ObjectEdits::paste(const std::string& place) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     if (!mime) return refuse(tr("there is no text to insert"));
     const Result<Blocks> blocks = read(*mime);
-    if (!blocks) return refuse(shown(blocks.error().message));
+    if (!blocks) return refuse(toQString(blocks.error().message));
     return insert(blocks.value(), place, tr("Paste %1").arg(named(blocks.value())));
 }
 
@@ -180,7 +179,7 @@ Status ObjectEdits::insertBlocks(const Blocks& blocks, const std::string& place,
     for (const NeededBlock& block : blocks.needs) {
         if (const auto there = placeOf(loaded, block.path); there && there->part) {
             if (atHome || blankless(textOf(loaded, {block.path})) == blankless(block.text)) continue;
-            return refuse(tr("%1 differs here from the source; rename one of the two first").arg(shown(there->part->title())));
+            return refuse(tr("%1 differs here from the source; rename one of the two first").arg(toQString(there->part->title())));
         }
         needed += block.text + "\n";
         ++count;
@@ -216,14 +215,14 @@ Status ObjectEdits::insertFree(const QString& name, const std::optional<Vec3>& n
 Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place, FileId file) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const Result<Blocks> blocks = read(mime);
-    return blocks ? insert(blocks.value(), place, {}, file) : refuse(shown(blocks.error().message));
+    return blocks ? insert(blocks.value(), place, {}, file) : refuse(toQString(blocks.error().message));
 }
 
 Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const Kind* one[] = {&kind};
     const std::optional<std::string> parent = placeFor(*m_document.loaded(), place, one);
-    if (!parent) return refuse(tr("%1 belongs in %2; select one first").arg(shown(kind.name), shown(placesOf(kind))));
+    if (!parent) return refuse(tr("%1 belongs in %2; select one first").arg(toQString(kind.name), toQString(placesOf(kind))));
     const auto plan = [place, name = kind.name](const LoadedProject& loaded, const PathMapping& renamed) -> Result<EditPlan> {
         const Kind* kind = loaded.registry->find(name);
         const Kind* one[] = {kind};
@@ -240,7 +239,7 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
             if (i < kinds.size() && kinds[i] != name) selects.erase(selects.begin() + std::ptrdiff_t(i));
         return plan;
     };
-    const QString title = tr("Add %1").arg(shown(kind.name));
+    const QString title = tr("Add %1").arg(toQString(kind.name));
     return insertFree(title, insertionPoint(),
                       [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
 }
@@ -248,10 +247,10 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
 Status ObjectEdits::insertObject(const Kind& geom) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const Result<Blocks> blocks = blocksFrom(objectTemplateOf(*m_document.loaded(), geom));
-    if (!blocks) return refuse(shown(blocks.error().message));
+    if (!blocks) return refuse(toQString(blocks.error().message));
     Result<EditPlan> plan = planInsert(*m_document.loaded(), {}, blocks.value().text);
     if (plan) plan.value().selects.erase(plan.value().selects.begin(), plan.value().selects.end() - 1); // not the config
-    const QString title = tr("Add %1 Object").arg(shown(geom.name));
+    const QString title = tr("Add %1 Object").arg(toQString(geom.name));
     return insertFree(title, insertionPoint(), [&](const std::string& key) { return m_document.apply(title, plan, key); });
 }
 
@@ -263,8 +262,8 @@ Status ObjectEdits::move(const std::vector<std::string>& paths, const std::strin
     const bool stays = std::all_of(objects.begin(), objects.end(), [&](const std::string& path) {
         return parentOf(loaded, path) == parent && (file == kNoFile || blockOf(loaded, path).file == file);
     });
-    const QString where = !parent.empty()   ? shown(lastName(parent))
-                          : file != kNoFile ? shown(m_document.shown(loaded.paths.at(file)))
+    const QString where = !parent.empty()   ? toQString(lastName(parent))
+                          : file != kNoFile ? toQString(m_document.shown(loaded.paths.at(file)))
                                             : tr("the top level");
     const QString title = stays ? tr("Reorder %1").arg(named(objects)) : tr("Move %1 to %2").arg(named(objects), where);
     std::vector<std::string> touched = objects;
@@ -281,7 +280,7 @@ Status ObjectEdits::replaceBySingles(const std::string& path) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const auto place = placeOf(*m_document.loaded(), path);
     const std::string layout = place && place->instance ? place->instance->name : path;
-    return m_document.apply(tr("Replace %1 by single robots").arg(shown(layout)),
+    return m_document.apply(tr("Replace %1 by single robots").arg(toQString(layout)),
                             planReplaceBySingles(*m_document.loaded(), layout));
 }
 
@@ -300,7 +299,7 @@ void ObjectEdits::removeObjects(const QString& verb, const QString& title, const
     QStringList names;
     for (const std::string& user : users)
         if (const auto place = placeOf(*m_document.loaded(), user); place && place->part)
-            names.append(shown(place->part->title()));
+            names.append(toQString(place->part->title()));
     if (users.size() > kMaxNamed) names = names.mid(0, kMaxNamed) << tr("%1 more").arg(users.size() - kMaxNamed);
     auto* question =
         new QMessageBox(QMessageBox::Question, title, tr("%1 is used by %2.").arg(named(paths), names.join(QStringLiteral(", "))),

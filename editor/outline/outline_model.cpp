@@ -9,12 +9,11 @@
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_node.h"
+#include "editor/widgets/strings.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QString iconOf(const OutlineRow& row) {
     switch (row.type) {
@@ -45,8 +44,8 @@ QString iconOf(const OutlineRow& row) {
 }
 
 QString tipOf(const OutlineRow& row) {
-    QString tip = row.detail.empty() ? text(row.tip) : text(row.name + "  " + row.detail); // the row may elide it
-    if (!row.detail.empty() && !row.tip.empty()) tip += u'\n' + text(row.tip);
+    QString tip = row.detail.empty() ? toQString(row.tip) : toQString(row.name + "  " + row.detail); // the row may elide it
+    if (!row.detail.empty() && !row.tip.empty()) tip += u'\n' + toQString(row.tip);
     const auto say = [&](int count, const QString& what) {
         if (count > 0) tip += (tip.isEmpty() ? QString() : QStringLiteral("\n")) + QStringLiteral("%1 %2").arg(count).arg(what);
     };
@@ -169,10 +168,10 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     }
     switch (role) {
     case Qt::DisplayRole:
-    case Qt::EditRole: return text(row.name);
+    case Qt::EditRole: return toQString(row.name);
     case Qt::ToolTipRole: return tipOf(row);
-    case Qt::AccessibleTextRole: return text(row.name + " " + row.detail);
-    case DetailRole: return text(row.detail);
+    case Qt::AccessibleTextRole: return toQString(row.name + " " + row.detail);
+    case DetailRole: return toQString(row.detail);
     case IconRole: return iconOf(row);
     case ErrorsRole: return row.problems.errors;
     case WarningsRole: return row.problems.warnings;

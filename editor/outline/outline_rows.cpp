@@ -28,8 +28,6 @@ std::vector<std::string> wordsOf(const std::string& filter) {
     return words;
 }
 
-bool isInstance(const Part& part) { return part.is(Role::Instance) || part.is(Role::Layout); }
-
 OutlineGroup plainGroupOf(const Part& part) {
     if (!part.usable || !part.kind) return OutlineGroup::Misplaced;
     switch (part.kind->role) {
@@ -279,7 +277,7 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
     row.range = part.range;
     row.problems = m_problems.of(part);
     name(row, part, above);
-    const bool instance = isInstance(part);
+    const bool instance = isPlaced(part);
     row.hasRows = !part.parts.empty();
     row.markable = instance && part.usable;
     if (!part.kind) return row;

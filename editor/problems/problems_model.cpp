@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "editor/problems/problem_icons.h"
+#include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 #include "project/edits/edit_target.h"
 #include "project/loading/search.h"
 
 namespace trundle {
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 /// Suggestions for which no fix is listed.
 std::vector<std::string> bareSuggestions(const Diagnostic& d) {
@@ -34,7 +33,7 @@ QString problemPlace(const LoadedProject& loaded, const SourceRange& place) {
     if (!place.known() || place.file >= loaded.sources.size()) return {};
     const SourceText& source = *loaded.sources[place.file].text;
     const bool file = place.file < loaded.paths.size() && !loaded.paths[place.file].empty();
-    const QString name = text(file ? shownInProject(loaded.paths[place.file], loaded.projectFolder) : source.path());
+    const QString name = toQString(file ? shownInProject(loaded.paths[place.file], loaded.projectFolder) : source.path());
     const LineColumn at = source.position(place.range.begin);
     return QStringLiteral("%1:%2:%3").arg(name, QString::number(at.line), QString::number(at.column));
 }
@@ -108,8 +107,8 @@ void ProblemsModel::setOrder(ProblemOrder order) {
 
 bool ProblemsModel::wanted(const Diagnostic& d) const {
     if (d.severity == Severity::Error ? !m_showErrors : !m_showWarnings) return false;
-    return m_words.isEmpty() || text(d.message).contains(m_words, Qt::CaseInsensitive) ||
-           text(codeName(d.code)).contains(m_words, Qt::CaseInsensitive);
+    return m_words.isEmpty() || toQString(d.message).contains(m_words, Qt::CaseInsensitive) ||
+           toQString(codeName(d.code)).contains(m_words, Qt::CaseInsensitive);
 }
 
 void ProblemsModel::rebuild() {
@@ -212,13 +211,13 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::DecorationRole && index.column() == Message) return severityIcon(d.severity);
     if (role == Qt::ForegroundRole && index.column() != Message) return ink(Ink::Faint);
     if (role == Qt::ToolTipRole && index.column() == Place) return placeText(d.range, *entry);
-    if (role == Qt::ToolTipRole) return QStringLiteral("%1  %2").arg(text(codeName(d.code)), text(d.message));
+    if (role == Qt::ToolTipRole) return QStringLiteral("%1  %2").arg(toQString(codeName(d.code)), toQString(d.message));
     if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
     if (role == Qt::AccessibleTextRole && index.column() == Message)
-        return severityWord(d.severity) + QStringLiteral(": ") + text(d.message);
+        return severityWord(d.severity) + QStringLiteral(": ") + toQString(d.message);
     switch (index.column()) {
-    case Message: return text(d.message);
-    case CodeColumn: return text(codeName(d.code));
+    case Message: return toQString(d.message);
+    case CodeColumn: return toQString(codeName(d.code));
     default: return placeText(d.range, *entry);
     }
 }
@@ -226,20 +225,20 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
 QVariant ProblemsModel::childData(const Diagnostic& d, const Entry& entry, int row, int column, int role) const {
     auto i = static_cast<std::size_t>(row);
     if (i < d.notes.size()) {
-        if (role == Qt::DisplayRole && column == Message) return text(d.notes[i].first);
+        if (role == Qt::DisplayRole && column == Message) return toQString(d.notes[i].first);
         if ((role == Qt::DisplayRole || role == Qt::ToolTipRole) && column == Place) return placeText(d.notes[i].second, entry);
         return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();
     }
     i -= d.notes.size();
     const std::vector<const Fix*>& fixes = entry.fixes;
     if (i < fixes.size()) {
-        if (column == Message && role == Qt::DisplayRole) return tr("Fix: %1").arg(text(fixes[i]->title));
+        if (column == Message && role == Qt::DisplayRole) return tr("Fix: %1").arg(toQString(fixes[i]->title));
         if (column == Message && role == Qt::DecorationRole) return themedIcon(QStringLiteral("fix"));
         return role == Qt::ForegroundRole ? QVariant(ink(Ink::Accent)) : QVariant();
     }
     i -= fixes.size();
     const std::vector<std::string> bare = bareSuggestions(d);
-    if (i < bare.size() && column == Message && role == Qt::DisplayRole) return tr("Suggestion: %1").arg(text(bare[i]));
+    if (i < bare.size() && column == Message && role == Qt::DisplayRole) return tr("Suggestion: %1").arg(toQString(bare[i]));
     return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();
 }
 

@@ -231,12 +231,6 @@ void ProblemsPanel::openMenu(const QPoint& place) {
     menu->popup(m_view->viewport()->mapToGlobal(place));
 }
 
-void ProblemsPanel::addRunProblem(const Diagnostic& problem) {
-    if (m_run.empty()) m_runTexts = m_document.loaded();
-    m_run.push_back(problem);
-    setRunProblems(m_run, m_runTexts);
-}
-
 void ProblemsPanel::setRunProblems(const std::vector<Diagnostic>& problems, const std::shared_ptr<const LoadedProject>& texts) {
     std::vector<Diagnostic> own = problems;
     m_run = own;

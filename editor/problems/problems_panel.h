@@ -31,8 +31,7 @@ public:
     void goTo(int step);
 
 public Q_SLOTS:
-    /// Adds a diagnostic of a run: why it ended, or a warning. `texts`: the project it was built from; null: the current one.
-    void addRunProblem(const trundle::Diagnostic& problem);
+    /// Replaces the diagnostics of the run: why it ended, and warnings. `texts`: the project it was built from.
     void setRunProblems(const std::vector<trundle::Diagnostic>& problems,
                         const std::shared_ptr<const trundle::LoadedProject>& texts);
     void clearRunProblems();

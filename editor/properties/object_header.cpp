@@ -7,13 +7,12 @@
 #include "editor/document/structure_edits.h"
 #include "editor/properties/origin_text.h"
 #include "editor/properties/value_field.h"
+#include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 #include "project/edits/plans.h"
 
 namespace trundle {
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QString link(const QString& to, const QString& shown) {
     return QStringLiteral("<a href='%1' style='color:%2; text-decoration:none'>%3</a>")
@@ -68,8 +67,8 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
     connect(m_singles, &QPushButton::clicked, this, [this] {
         const std::string path = m_object;
         const Status done =
-            m_document.apply(tr("Replace %1 by single robots").arg(text(path)), planReplaceBySingles(*m_document.loaded(), path));
-        if (!done) m_singles->setToolTip(text(done.error().message));
+            m_document.apply(tr("Replace %1 by single robots").arg(toQString(path)), planReplaceBySingles(*m_document.loaded(), path));
+        if (!done) m_singles->setToolTip(toQString(done.error().message));
     });
 }
 
@@ -78,7 +77,7 @@ void ObjectHeader::rename(const QString& name) {
     const QPointer<ValueField> field(m_name);
     const Status done = m_document.structure().rename(tr("Rename %1 to %2").arg(m_name->value(), name.trimmed()), path,
                                                       name.trimmed().toStdString());
-    if (!done && field) field->setError(text(done.error().message));
+    if (!done && field) field->setError(toQString(done.error().message));
 }
 
 void ObjectHeader::display(const Objects& objects) {
@@ -92,12 +91,12 @@ void ObjectHeader::showOne(const ObjectValues& object) {
     const Kind* kind = object.kind();
     const Part* part = object.part();
     const bool experiment = !part;
-    m_help = kind ? text(kind->help) : tr("Unknown kind: the module that provides it is not loaded or could not be read.");
+    m_help = kind ? toQString(kind->help) : tr("Unknown kind: the module that provides it is not loaded or could not be read.");
     m_name->setReadOnly(experiment);
     m_name->setFocusPolicy(experiment ? Qt::NoFocus : Qt::StrongFocus);
     m_name->setFaint(part && !part->block->name);
-    m_name->setValue(experiment ? tr("Experiment") : text(part->name));
-    m_kind->setText(faint(experiment ? QString() : text(part->block->type.text).toHtmlEscaped()));
+    m_name->setValue(experiment ? tr("Experiment") : toQString(part->name));
+    m_kind->setText(faint(experiment ? QString() : toQString(part->block->type.text).toHtmlEscaped()));
     m_kind->setToolTip(m_help);
     m_singles->setVisible(part && part->is(Role::Layout) && object.isInstance());
     showPath(object);
@@ -113,7 +112,7 @@ void ObjectHeader::showSeveral(const Objects& objects) {
     m_name->setValue(tr("%1 objects").arg(objects.size()));
     QStringList kinds;
     for (const auto& object : objects) {
-        const QString kind = object->part() ? text(object->part()->block->type.text) : QString();
+        const QString kind = object->part() ? toQString(object->part()->block->type.text) : QString();
         if (!kinds.contains(kind)) kinds << kind;
     }
     m_help = tr("Properties that all of them have. A change applies to all of them.");
@@ -123,7 +122,7 @@ void ObjectHeader::showSeveral(const Objects& objects) {
 }
 
 void ObjectHeader::showPath(const ObjectValues& object) {
-    const QStringList words = text(object.shownPath()).split(QLatin1Char('.'), Qt::SkipEmptyParts);
+    const QStringList words = toQString(object.shownPath()).split(QLatin1Char('.'), Qt::SkipEmptyParts);
     m_path->setVisible(!words.isEmpty());
     if (words.isEmpty()) return;
     QStringList steps{link(QStringLiteral("select:"), tr("experiment"))};
@@ -141,8 +140,8 @@ void ObjectHeader::showConfig(const ObjectValues& object) {
     m_configPlace = {};
     if (config && part && (object.isInstance() || object.inConfig())) {
         m_configPlace = object.isInstance() ? config->nameRange() : part->nameRange();
-        const QString path = text((config->kind ? config->kind->name : std::string("RobotConfig")) + "." + config->name);
-        line = faint(tr("created from")) + QLatin1Char(' ') + link(QStringLiteral("select:") + path, text(config->name)) +
+        const QString path = toQString((config->kind ? config->kind->name : std::string("RobotConfig")) + "." + config->name);
+        line = faint(tr("created from")) + QLatin1Char(' ') + link(QStringLiteral("select:") + path, toQString(config->name)) +
                QLatin1Char(' ') + faint(tr("in")) + QLatin1Char(' ') +
                link(QStringLiteral("jump"), placeWords(object.loaded(), m_configPlace));
     } else if (part) {
@@ -153,7 +152,7 @@ void ObjectHeader::showConfig(const ObjectValues& object) {
         line += QStringLiteral("<br>") + faint(target.toHtmlEscaped());
     if (object.member())
         line += QStringLiteral("<br>") +
-                faint(tr("One of %1: a change here applies to all of them.").arg(text(object.path())).toHtmlEscaped());
+                faint(tr("One of %1: a change here applies to all of them.").arg(toQString(object.path())).toHtmlEscaped());
     m_config->setText(line);
     m_config->setVisible(!line.isEmpty());
 }

@@ -22,8 +22,6 @@ std::vector<std::string> wordsOf(std::string_view path) {
 
 bool isFormula(const Element& e) { return e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression; }
 
-bool holdsParts(const Part& part) { return part.is(Role::Instance) || part.is(Role::Layout); }
-
 } // namespace
 
 std::string FieldValue::element(std::size_t i) const {
@@ -68,7 +66,7 @@ void ObjectValues::walk(const std::vector<std::string>& words) {
         if (m_member) m_path.replace(0, words[0].size(), start.part->name); // edits apply to the whole Grid or Scatter
     }
     if (!start.part || start.words > words.size()) return;
-    if (holdsParts(*start.part)) return enterInstance(words, start.words);
+    if (isPlaced(*start.part)) return enterInstance(words, start.words);
     if (start.part->is(Role::Config)) m_config = start.part;
     m_scope = inside(m_globals, start.part->params);
     descend(start.part, words, start.words);

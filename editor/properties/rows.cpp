@@ -14,6 +14,7 @@
 #include "editor/properties/sections.h"
 #include "editor/properties/value_text.h"
 #include "editor/running/session.h"
+#include "editor/widgets/strings.h"
 #include "project/edits/plans.h"
 #include "project/objects/name_references.h"
 
@@ -28,8 +29,6 @@ struct ListedRow {
     const Part* config = nullptr;
 };
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
 constexpr std::size_t kMaxOfSection = 200; // limit, since each row has several widgets
 
 /// Lists the fields of one object, in order.
@@ -40,7 +39,7 @@ public:
 
     std::vector<ListedRow> list() {
         addProperties(m_object, {}, {});
-        const QString config = m_object.config() ? text(m_object.config()->name) : QString();
+        const QString config = m_object.config() ? toQString(m_object.config()->name) : QString();
         if (m_object.isInstance()) {
             for (FieldValue& v : m_object.configProperties())
                 add("config." + v.property->name, config, std::move(v), m_object.config()->kind);
@@ -54,7 +53,7 @@ public:
 private:
     void add(std::string id, const QString& section, FieldValue value, const Kind* kind) {
         const std::string name = value.property ? value.property->name : value.path.substr(value.path.rfind('.') + 1);
-        m_listed.push_back({std::move(id), text(name), section, std::move(value), kind, m_object.config()});
+        m_listed.push_back({std::move(id), toQString(name), section, std::move(value), kind, m_object.config()});
     }
 
     void addProperties(ObjectValues& object, const std::string& prefix, const QString& section) {
@@ -82,7 +81,7 @@ private:
             if (!part.is(Role::Controller) || !part.usable) continue;
             ObjectValues controller(m_loaded, m_object.path() + "." + part.name);
             return addProperties(controller, "controller." + part.kind->name + ".",
-                                 QObject::tr("Controller %1").arg(text(part.title())));
+                                 QObject::tr("Controller %1").arg(toQString(part.title())));
         }
     }
 
@@ -95,7 +94,7 @@ private:
             std::optional<FieldValue> value = inner.property(key.substr(dot + 1));
             if (!value) continue; // an unresolved path; the diagnostics report it
             add("override." + key, section, std::move(*value), inner.kind());
-            m_listed.back().label = text(key);
+            m_listed.back().label = toQString(key);
         }
     }
 
@@ -137,7 +136,7 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
     const QString what =
         values.size() == 1 ? shortName(values[0].path)
                            : QObject::tr("%1 of %2 objects")
-                                 .arg(text(values[0].path.substr(values[0].path.rfind('.') + 1)), QString::number(values.size()));
+                                 .arg(toQString(values[0].path.substr(values[0].path.rfind('.') + 1)), QString::number(values.size()));
     if (!resets.empty()) {
         if (const Result<EditPlan> plan = planReset(*document.loaded(), resets); !plan) return plan.error(); // shown in the row
         const bool copies =
@@ -151,7 +150,7 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
         return document.edit(QObject::tr("Reset %1").arg(what), planReset(*document.loaded(), resets).value().edits, mergeKey);
     }
     if (edits.empty()) return {};
-    const QString value = values.size() == 1 ? text(edits[0].text).simplified() : QString();
+    const QString value = values.size() == 1 ? toQString(edits[0].text).simplified() : QString();
     constexpr int kLongest = 24;
     const QString name = value.isEmpty() || value.size() > kLongest ? QObject::tr("Set %1").arg(what)
                                                                     : QObject::tr("Set %1 to %2").arg(what, value);
@@ -175,7 +174,7 @@ std::string folderOf(const LoadedProject& loaded, const ListedRow& listed, const
     FileId file = listed.value.place.file;
     if (!listed.value.given() && object.instance()) file = object.instance()->file;
     if (file >= loaded.paths.size()) file = 0;
-    return file < loaded.paths.size() ? QFileInfo(text(loaded.paths[file])).absolutePath().toStdString() : std::string();
+    return file < loaded.paths.size() ? QFileInfo(toQString(loaded.paths[file])).absolutePath().toStdString() : std::string();
 }
 
 void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Document& document, const RunSession* session) {
@@ -206,7 +205,7 @@ void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Doc
 QString shortName(const std::string& path) {
     const std::size_t last = path.rfind('.');
     const std::size_t before = last == std::string::npos || last == 0 ? std::string::npos : path.rfind('.', last - 1);
-    return text(before == std::string::npos ? path : path.substr(before + 1));
+    return toQString(before == std::string::npos ? path : path.substr(before + 1));
 }
 
 Status pushOverride(Document& document, const std::string& propertyPath) {

@@ -54,14 +54,6 @@ std::bitset<kReceptionOutcomes> OutcomeBar::chosen() const {
     return chosen;
 }
 
-void OutcomeBar::chooseNone() {
-    for (QToolButton* button : m_buttons) {
-        const QSignalBlocker quiet(button);
-        button->setChecked(false);
-    }
-    Q_EMIT chosenChanged();
-}
-
 /// Wraps the buttons to the width. Returns the total height.
 int OutcomeBar::arrange(int width) const {
     std::vector<QWidget*> parts{m_sum};

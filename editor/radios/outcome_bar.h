@@ -21,7 +21,6 @@ public:
 
     void setCounts(std::uint64_t expected, std::uint64_t inTheAir, const std::array<std::uint64_t, kReceptionOutcomes>& outcomes);
     [[nodiscard]] std::bitset<kReceptionOutcomes> chosen() const;
-    void chooseNone();
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 

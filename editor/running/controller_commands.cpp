@@ -5,6 +5,7 @@
 
 #include "control/directory_catalog.h"
 #include "editor/running/trust.h"
+#include "project/edits/module_lines.h"
 
 namespace trundle {
 namespace {
@@ -54,7 +55,8 @@ std::vector<ModuleInfo> ControllerCommands::modules() const {
 std::vector<ControllerChoice> ControllerCommands::choices() const {
     if (!m_document.loaded()) return {};
     OpenOptions own; // only the program's modules: other folders may have thousands of files
-    return controllerChoices(*m_document.loaded(), m_session.source().application().moduleKinds(own), m_session.source().application().locations());
+    return controllerChoices(*m_document.loaded(), m_session.source().application().moduleKinds(own),
+                             m_session.source().application().locations().modules);
 }
 
 QStringList ControllerCommands::recent() {
@@ -84,7 +86,7 @@ bool ControllerCommands::load(const QString& library) {
     if (!found) return reject(QString::fromStdString(found.error().message));
     const std::string& path = found.value().library;
     if (!isTrusted(QString::fromStdString(path))) return false;
-    const std::string written = writtenFor(path, *m_document.loaded(), m_session.source().application().locations(), m_given);
+    const std::string written = writtenFor(path, *m_document.loaded(), m_session.source().application().locations().modules, m_given);
     for (const ModuleInfo& module : modules())
         if (module.library == path) return reject(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
     if (!edit(tr("Load Module %1").arg(QString::fromStdString(written)), planLoadModule(*m_document.loaded(), written)))
@@ -100,8 +102,10 @@ bool ControllerCommands::trust(const ModuleInfo& module) {
 
 bool ControllerCommands::unload(const ModuleInfo& module) {
     if (!m_document.loaded()) return false;
-    return edit(tr("Unload Module %1").arg(QString::fromStdString(module.written)),
-                planUnloadModule(*m_document.loaded(), module));
+    const QString written = QString::fromStdString(module.written);
+    if (!module.usedBy.empty())
+        return reject(tr("%1 has a kind of %2; take that out first").arg(QString::fromStdString(module.usedBy), written));
+    return edit(tr("Unload Module %1").arg(written), planUnloadModule(*m_document.loaded(), module.range.file, module.written));
 }
 
 void ControllerCommands::reload() {

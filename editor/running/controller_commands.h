@@ -5,8 +5,9 @@
 #include <QStringList>
 
 #include "editor/document/document.h"
-#include "editor/running/controller_edits.h"
+#include "editor/running/module_list.h"
 #include "editor/running/session.h"
+#include "project/edits/controllers.h"
 
 namespace trundle {
 

@@ -1,7 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "editor/running/controller_edits.h"
+#include <QString>
+
+#include "project/edits/controllers.h"
 
 class QWidget;
 

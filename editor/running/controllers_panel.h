@@ -3,7 +3,8 @@
 
 #include <QWidget>
 
-#include "editor/running/controller_edits.h"
+#include "editor/running/module_list.h"
+#include "project/edits/controllers.h"
 
 class QLabel;
 class QMenu;

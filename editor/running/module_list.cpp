@@ -1,4 +1,6 @@
-// Lists the modules of a project without running their code.
+#include "editor/running/module_list.h"
+
+#include <algorithm>
 #include <filesystem>
 
 #include <QCoreApplication>
@@ -8,7 +10,6 @@
 
 #include "control/directory_catalog.h"
 #include "control/kinds_json.h"
-#include "editor/running/controller_edits.h"
 
 namespace trundle {
 namespace {

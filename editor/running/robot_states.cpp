@@ -4,8 +4,8 @@
 
 #include <QCoreApplication>
 
-#include "editor/running/controller_edits.h"
 #include "editor/running/session.h"
+#include "project/edits/controllers.h"
 
 namespace trundle {
 namespace {

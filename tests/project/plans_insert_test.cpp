@@ -254,26 +254,6 @@ private Q_SLOTS:
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
     }
 
-    void controllers() {
-        const std::string more = "Robot a { Config=Cart Walker brain { Speed=1 } }\nRobot b {\n  Config=Cart\n}\nGrid g { "
-                                 "Config=Cart Count=2 Spacing=9 }\n";
-        const auto loaded = m_fixture.open("#loadModule walker\n" + scene(more));
-        const auto plan =
-            planController(*loaded, {"g", "a", "b"}, "LinearMotion go { Speed=2 }", {"#loadModule controllers/linear_motion"});
-        QCOMPARE(m_fixture.text(loaded, plan),
-                 "#loadModule walker\n#loadModule controllers/linear_motion\n" +
-                     scene("Robot a { Config=Cart LinearMotion go { Speed=2 } }\nRobot b {\n  "
-                           "Config=Cart\n  LinearMotion go { Speed=2 }\n}\n"
-                           "Grid g { Config=Cart Count=2 Spacing=9 LinearMotion go { Speed=2 } }\n"));
-        QCOMPARE(plan.value().selects, (std::vector<std::string>{"a.go", "b.go", "g.go"}));
-        QVERIFY(!m_fixture.apply(loaded, plan)->diagnostics.hasErrors());
-        QCOMPARE(m_fixture.text(loaded, planController(*loaded, {"g_0"}, "Walker w { }")),
-                 "refused: g_0 is a member of Grid g and has no text of its own; replace that by single robots first");
-        QCOMPARE(m_fixture.text(loaded, planController(*loaded, {"a.chassis"}, "Walker w { }")),
-                 "refused: Body chassis is no robot: it has no controller");
-        QCOMPARE(m_fixture.text(loaded, planController(*loaded, {"a"}, "Material m { }")), "refused: this is not one controller");
-    }
-
     void noPathForALine() {
         const auto loaded = m_fixture.open("");
         for (const char* path : {"a\nb", "", "  ", "a\"b"}) QVERIFY(!planInsert(*loaded, "", "Material m { }", {path}).ok());

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/platform/file_descriptor.h"
+
 namespace trundle {
 namespace {
 
@@ -65,15 +67,6 @@ struct Temporary {
     bool closeFile() {
         const int old = std::exchange(file, -1);
         return old < 0 || ::close(old) == 0;
-    }
-    bool writeAll(std::string_view bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t done = ::write(file, bytes.data(), bytes.size());
-            if (done < 0 && errno == EINTR) continue;
-            if (done < 0) return false;
-            bytes.remove_prefix(static_cast<std::size_t>(done));
-        }
-        return true;
     }
 };
 
@@ -134,7 +127,7 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
         if (::fchown(temporary.file, old.st_uid, old.st_gid) != 0) errno = 0;
         if (::fchmod(temporary.file, old.st_mode & 07777) != 0) return failure(path, std::strerror(errno));
     }
-    if (!temporary.writeAll(bytes) || ::fsync(temporary.file) != 0 || !temporary.closeFile())
+    if (!writeAll(temporary.file, bytes) || ::fsync(temporary.file) != 0 || !temporary.closeFile())
         return failure(path, std::strerror(errno));
     if (::rename(temporary.path.c_str(), target->c_str()) != 0) return failure(path, std::strerror(errno));
     temporary.path.clear();

@@ -1,8 +1,9 @@
 #pragma once
-// Internal to base/platform: shared by the functions that read files.
+// Internal to base/platform: shared by the functions that read and write files.
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <sys/types.h>
 
@@ -23,5 +24,7 @@ struct FileDescriptor {
 [[nodiscard]] const char* kindRefused(mode_t mode);
 /// All bytes of an open regular file. The error message is the reason without the path.
 [[nodiscard]] Result<std::string> readAll(const FileDescriptor& open, std::uint64_t mostBytes);
+/// Writes all bytes, also after an interruption by a signal. False, with errno, if the system refuses some.
+[[nodiscard]] bool writeAll(int file, std::string_view bytes);
 
 } // namespace trundle

@@ -42,6 +42,16 @@ const char* kindRefused(mode_t mode) {
     return "it is a device, not a file";
 }
 
+bool writeAll(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t done = ::write(file, bytes.data(), bytes.size());
+        if (done < 0 && errno == EINTR) continue;
+        if (done < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(done));
+    }
+    return true;
+}
+
 Result<std::string> readAll(const FileDescriptor& open, std::uint64_t mostBytes) {
     const auto failed = [](const std::string& why) { return Error{Code::FileUnreadable, why}; };
     struct stat state {};

@@ -29,8 +29,6 @@ ConfigPath configPathOf(const LoadedProject& loaded, const ObjectLocation& place
     return through ? ConfigPath{config, place.part, place.within + "." + key} : ConfigPath{};
 }
 
-std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
-
 /// Whether an edit is inside a block; an insertion right before the block is not.
 bool isInside(const SourceRange& edit, const SourceRange& block) {
     return edit.file == block.file && block.range.begin < edit.range.begin && edit.range.end <= block.range.end &&

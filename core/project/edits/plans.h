@@ -43,9 +43,6 @@ struct EditPlan {
 /// undefined, or if a Param of the same name has another value. Blocks of the top level are inserted into `file`.
 [[nodiscard]] Result<EditPlan> planInsert(const LoadedProject& loaded, const std::string& parent, const std::string& text,
                                           const std::vector<std::string>& imports = {}, FileId file = 0);
-/// Gives each of these Robots, Grids or Scatters the controller described by `text`, replacing an existing one.
-[[nodiscard]] Result<EditPlan> planController(const LoadedProject& loaded, const std::vector<std::string>& robots,
-                                              const std::string& text, const std::vector<std::string>& imports = {});
 /// Moves blocks before `before` (an object in `parent`), or to the end of `parent` if `before` is "". A block that keeps its
 /// parent stays in its file, near the requested position; only `file` moves top-level blocks to another file. A geom or body that
 /// gets another parent keeps its pose in the world: its Pos and HPR are rewritten. Fails if that is not possible for every robot

@@ -115,4 +115,11 @@ SourceRange blockOf(const LoadedProject& loaded, std::string_view path) {
     return {0, {0, static_cast<std::uint32_t>(loaded.trees[0]->source().bytes().size())}};
 }
 
+std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
+
+const Part* controllerOf(const Part& instance) {
+    const auto it = std::ranges::find_if(instance.parts, [](const Part& part) { return part.is(Role::Controller); });
+    return it == instance.parts.end() ? nullptr : &*it;
+}
+
 } // namespace trundle

@@ -33,5 +33,9 @@ struct ObjectLocation {
 [[nodiscard]] std::string pathOf(const LoadedProject& loaded, const std::vector<const Part*>& chain);
 /// The config that an instance names, also through a Param; nullptr if there is none.
 [[nodiscard]] const Part* configOf(const LoadedProject& loaded, const Part& instance);
+/// "RobotConfig.Rover".
+[[nodiscard]] std::string pathOfConfig(const Part& config);
+/// The controller block of an instance; nullptr if there is none.
+[[nodiscard]] const Part* controllerOf(const Part& instance);
 
 } // namespace trundle

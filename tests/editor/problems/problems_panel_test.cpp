@@ -230,14 +230,14 @@ private Q_SLOTS:
         blown.code = Code::BlowUp;
         blown.message = "crate blew up at t = 3.2 s";
         blown.range = {0, {static_cast<std::uint32_t>(kGood.find("crate")), static_cast<std::uint32_t>(kGood.find("crate")) + 5}};
-        fixture.panel.addRunProblem(blown);
+        fixture.panel.setRunProblems({blown}, fixture.document.loaded());
         QCOMPARE(fixture.messages(), QStringList(QStringLiteral("crate blew up at t = 3.2 s")));
         QCOMPARE(fixture.panel.errors(), 1);
         fixture.click(fixture.model().index(0, 0));
         QCOMPARE(fixture.selection.current(), std::string("crate"));
         Diagnostic nowhere;
         nowhere.message = "the log folder is gone";
-        fixture.panel.addRunProblem(nowhere);
+        fixture.panel.setRunProblems({blown, nowhere}, fixture.document.loaded());
         fixture.click(fixture.model().index(1, 0)); // without a source range: nothing happens
         QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], "Tick = 0.01\n").ok());
         QCOMPARE(fixture.panel.errors(), 2);
@@ -283,10 +283,11 @@ private Q_SLOTS:
         model->setModelProblems({found}, fixture.document.loaded());
         Diagnostic refused = found;
         refused.message = "the same motor";
-        fixture.panel.addRunProblem(refused);
+        fixture.panel.setRunProblems({refused}, fixture.document.loaded());
         QCOMPARE(fixture.messages(), QStringList{QStringLiteral("one motor")});
-        refused.code = Code::ControllerFailed; // another reason
-        fixture.panel.addRunProblem(refused);
+        Diagnostic other = refused;
+        other.code = Code::ControllerFailed; // another reason
+        fixture.panel.setRunProblems({refused, other}, fixture.document.loaded());
         QCOMPARE(fixture.model().rowCount(), 2);
     }
 

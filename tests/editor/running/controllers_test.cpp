@@ -13,6 +13,7 @@
 #include "editor/widgets/actions.h"
 #include "editor/widgets/theme.h"
 #include "eventually.h"
+#include "project/edits/module_lines.h"
 
 using namespace trundle;
 
@@ -223,15 +224,15 @@ private Q_SLOTS:
         QTemporaryDir libraries;
         QVERIFY(o.open(kTeam));
         const std::string library = libraries.filePath(QStringLiteral("drives/libwander.so")).toStdString();
-        const Locations& places = o.session.source().application().locations();
-        QCOMPARE(writtenFor(library, *o.document.loaded(), places, {libraries.path().toStdString()}),
+        const std::string& shipped = o.session.source().application().locations().modules;
+        QCOMPARE(writtenFor(library, *o.document.loaded(), shipped, {libraries.path().toStdString()}),
                  std::string("drives/wander"));
-        QCOMPARE(writtenFor(library, *o.document.loaded(), places),
+        QCOMPARE(writtenFor(library, *o.document.loaded(), shipped),
                  libraries.filePath(QStringLiteral("drives/wander")).toStdString());
         // The project was opened through a link to the folder.
         QVERIFY(QFile::link(o.folder.path(), libraries.filePath(QStringLiteral("link"))));
         QCOMPARE(
-            writtenFor(libraries.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), places),
+            writtenFor(libraries.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), shipped),
             std::string("mine/wander"));
     }
 

@@ -372,7 +372,7 @@ private:
         m_openers[QStringLiteral("chooseController")] = [this] {
             openWindow();
             (void)chooseController(
-                controllerChoices(*m_window->document().loaded(), m_fixture.application->moduleKinds({}), findLocations()),
+                controllerChoices(*m_window->document().loaded(), m_fixture.application->moduleKinds({}), findLocations().modules),
                 {"robot0"}, m_window.get());
         };
         m_openers[QStringLiteral("shareQuestion")] = [this] {

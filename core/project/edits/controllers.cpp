@@ -1,31 +1,18 @@
-#include "editor/running/controller_edits.h"
+#include "project/edits/controllers.h"
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
 #include <set>
 
-#include "lang/tree_edit.h"
-#include "model/outline.h"
-#include "project/loading/import_lines.h"
-#include "project/loading/import_path.h"
-#include "project/loading/search.h"
+#include "project/edits/module_lines.h"
 #include "schema/value_words.h"
 
 namespace trundle {
 namespace {
 
-namespace fs = std::filesystem;
-
 const Part* instanceAt(const LoadedProject& loaded, std::string_view path) {
     const Part* part = loaded.outline->world.find(std::string(path));
     if (!part) part = layoutOfMember(*loaded.outline, path);
     return part && (part->is(Role::Instance) || part->is(Role::Layout)) && part->kind->name != "Static" ? part : nullptr;
-}
-
-const Part* controllerOf(const Part& robot) {
-    const auto it = std::ranges::find_if(robot.parts, [](const Part& p) { return p.is(Role::Controller); });
-    return it == robot.parts.end() ? nullptr : &*it;
 }
 
 /// Whether every valid value of the old property is valid for the new one and means the same.
@@ -97,14 +84,14 @@ std::vector<std::string> robotsAmong(const LoadedProject& loaded, const std::vec
 }
 
 std::vector<ControllerChoice> controllerChoices(const LoadedProject& loaded, const std::vector<Kind>& moduleKinds,
-                                                const Locations& places) {
+                                                const std::string& shippedModules) {
     std::vector<ControllerChoice> choices;
     std::set<std::string> known;
     for (const Kind* kind : loaded.registry->all())
         if (kind->role == Role::Controller && known.insert(kind->name).second) choices.push_back({*kind, {}});
     for (const Kind& kind : moduleKinds)
         if (kind.role == Role::Controller && known.insert(kind.name).second)
-            choices.push_back({kind, writtenFor(kind.module, loaded, places)});
+            choices.push_back({kind, writtenFor(kind.module, loaded, shippedModules)});
     std::ranges::stable_sort(choices, {}, [](const ControllerChoice& c) { return std::pair(!c.module.empty(), c.kind.name); });
     return choices;
 }
@@ -144,45 +131,6 @@ Result<EditPlan> planUnassign(const LoadedProject& loaded, const std::vector<std
     Result<EditPlan> plan = planRemove(loaded, paths);
     if (plan) plan.value().selects = robots; // the user may assign another controller next
     return plan;
-}
-
-Result<EditPlan> planLoadModule(const LoadedProject& loaded, const std::string& written) {
-    Result<std::vector<TextEdit>> edits = editsForImports(loaded, 0, {"#loadModule " + written});
-    if (!edits) return edits.error();
-    if (edits.value().empty()) return Error{Code::DuplicateName, "the module " + written + " is loaded already"};
-    EditPlan plan;
-    plan.edits[0] = std::move(edits).value();
-    return plan;
-}
-
-Result<EditPlan> planUnloadModule(const LoadedProject& loaded, const ModuleInfo& module) {
-    if (!module.usedBy.empty())
-        return Error{Code::UnknownReference, module.usedBy + " has a kind of " + module.written + "; take that out first"};
-    const FileId file = module.range.file;
-    if (file >= loaded.trees.size()) return Error{Code::NoSuchPath, "no text loads " + module.written};
-    const Tree& tree = *loaded.trees[file];
-    EditPlan plan;
-    for (const Item& item : tree.items())
-        if (const ModuleItem* directive = item.as<ModuleItem>(); directive && directive->path == module.written)
-            plan.edits[file].push_back(editRemoveItem(tree, item));
-    if (plan.edits.empty()) return Error{Code::NoSuchPath, "no text loads " + module.written};
-    return plan;
-}
-
-std::string writtenFor(const std::string& library, const LoadedProject& loaded, const Locations& places,
-                       const std::vector<std::string>& moduleFolders) {
-    const fs::path path = fs::path(library).lexically_normal();
-    std::string stem = path.stem().string();
-    if (stem.starts_with("lib") && stem.size() > 3) stem.erase(0, 3);
-    const std::string plain = (path.parent_path() / stem).generic_string();
-    const std::string own = loaded.paths.empty() ? std::string() : fs::path(loaded.paths[0]).parent_path().string();
-    if (const auto below = pathBelow(plain, std::array{places.modules, own})) return *below;
-    if (!own.empty() &&
-        pathBelow(plain, std::array{loaded.projectFolder})) { // relative to the opened file, as modules are resolved
-        const fs::path there = fs::path(canonicalPath(path.parent_path().string())) / stem;
-        return there.lexically_relative(canonicalPath(own)).generic_string();
-    }
-    return pathBelow(plain, moduleFolders).value_or(plain);
 }
 
 } // namespace trundle
