@@ -10,6 +10,7 @@
 #include "cli/open_arguments.h"
 #include "cli/run_guard.h"
 #include "cli/subcommands.h"
+#include "project/loading/modules.h"
 #include "run/log_kinds.h"
 #include "world/signal_plan.h"
 #include "world/validate.h"
@@ -48,9 +49,8 @@ void buildOnce(Application& application, const LoadedProject& loaded, Diagnostic
 void checkForRun(Application& application, const LoadedProject& loaded, Diagnostics& diagnostics) {
     checkLogs(*loaded.experiment, diagnostics);
     if (diagnostics.hasErrors() || !isBuildable(*loaded.experiment, diagnostics)) return;
-    const bool allKindsKnown = std::ranges::none_of(diagnostics.all(), [](const Diagnostic& d) {
-        return d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed;
-    });
+    const bool allKindsKnown =
+        std::ranges::none_of(diagnostics.all(), [](const Diagnostic& d) { return isUnavailableModule(d.code); });
     if (allKindsKnown) // an unknown device may have any signal
         checkLogSignals(*loaded.experiment, plannedLayout(*loaded.experiment, *loaded.registry), diagnostics);
     checkModel(loaded, diagnostics);

@@ -21,6 +21,7 @@
 #include "cli/run_report.h"
 #include "cli/subcommands.h"
 #include "lang/diagnostic_text.h"
+#include "project/loading/modules.h"
 #include "project/objects/unplaced_configs.h"
 
 namespace trundle {
@@ -117,10 +118,8 @@ bool RunCommand::load() {
     m_loaded = std::move(opened).value();
     m_report.sources = m_loaded->sources;
     m_report.diagnostics = m_loaded->diagnostics.all();
-    // Other commands accept a text without a module's kinds; a run needs its controllers.
-    for (Diagnostic& diagnostic : m_report.diagnostics)
-        if (diagnostic.code == Code::ModuleNotTrusted || diagnostic.code == Code::ModuleUndescribed)
-            diagnostic.severity = Severity::Error;
+    for (Diagnostic& diagnostic : m_report.diagnostics) // a warning to other commands
+        if (isUnavailableModule(diagnostic.code)) diagnostic.severity = Severity::Error;
     return true;
 }
 

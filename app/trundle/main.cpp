@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -30,12 +31,11 @@ namespace {
 
 using trundle::endProcess, trundle::ignoreExits;
 
-QtMessageHandler g_report = nullptr; // Qt's default handler
-
-/// Forwards Qt messages except those about features that the offscreen platform does not support.
+/// Prints Qt messages except those about features that the offscreen platform does not support.
 void report(QtMsgType type, const QMessageLogContext& context, const QString& message) {
-    if (!message.startsWith(QStringLiteral("This plugin does not support")))
-        g_report(type, context, trundle::forTerminal(message)); // the message may contain a file name
+    if (message.startsWith(QStringLiteral("This plugin does not support"))) return;
+    const QString shown = qFormatLogMessage(type, context, trundle::forTerminal(message)); // it may contain a file name
+    std::fprintf(stderr, "%s\n", shown.toLocal8Bit().constData());
 }
 
 /// Message handler while Qt opens the display. Without a display Qt would list its plugins and abort; this exits with a clear
@@ -61,18 +61,18 @@ bool isTextOnly(int argc, char** argv) {
 }
 
 constexpr std::chrono::seconds kLastWait(5);
-std::atomic<bool> g_endRequested = false; // requested by a signal
 
 /// Handles SIGTERM and similar signals, for example at the end of a session. No dialogs are shown; unsaved texts are kept in the
-/// journal for the next start.
-void endOnRequest() {
-    trundle::watchEndRequests(
-        [](int exitCode) {
-            g_endRequested = true;
-            QMetaObject::invokeMethod(
-                QCoreApplication::instance(), [exitCode] { QCoreApplication::exit(exitCode); }, Qt::QueuedConnection);
-        },
-        kLastWait);
+/// journal for the next start. The result becomes true with the first request.
+std::shared_ptr<const std::atomic<bool>> endOnRequest() {
+    const auto requested = std::make_shared<std::atomic<bool>>(false);
+    const auto end = [requested](int exitCode) {
+        *requested = true;
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(), [exitCode] { QCoreApplication::exit(exitCode); }, Qt::QueuedConnection);
+    };
+    trundle::watchEndRequests(end, kLastWait);
+    return requested;
 }
 
 /// Ends the process after a timeout. The window has already saved what must be kept; the remaining destructors may wait minutes
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
         const QCoreApplication application(argc, argv);
         (void)readOptions(application); // prints the text and exits
     }
-    g_report = qInstallMessageHandler(reportStart);
+    qInstallMessageHandler(reportStart);
     QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication application(argc, argv);
     qInstallMessageHandler(report);
@@ -123,9 +123,9 @@ int main(int argc, char** argv) {
     ScreenshotRunner screenshots(window, options); // executes the options after the window is shown
     QObject::connect(&window.session(), &RunSession::stateChanged, &window, &watchExits);
     watchExits();
-    endOnRequest();
+    const auto endRequested = endOnRequest();
     const int code = QApplication::exec();
-    if (g_endRequested) { // the journal has already been written
+    if (*endRequested) { // the journal has already been written
         BufferedFile::writeOutAll();
         endProcess(code);
     }

@@ -30,10 +30,7 @@ QString oneOf(const QCommandLineParser& parser, const QString& option, const QSt
     return value;
 }
 
-} // namespace
-
-WindowOptions readOptions(const QCoreApplication& application) {
-    QCommandLineParser parser;
+void describeOptions(QCommandLineParser& parser) {
     parser.setApplicationDescription(QStringLiteral(
         "Trundle: build robots and arenas, run them in 3D, watch and measure.\n\n"
         "Exit codes with --quit: 0 done, 1 FILE did not run (errors in its text, a module that is not trusted), 2 wrong "
@@ -58,6 +55,13 @@ WindowOptions readOptions(const QCoreApplication& application) {
          {QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window to OUT.png once all is drawn."),
           QStringLiteral("OUT")},
          {QStringLiteral("quit"), QStringLiteral("Then quit.")}});
+}
+
+} // namespace
+
+WindowOptions readOptions(const QCoreApplication& application) {
+    QCommandLineParser parser;
+    describeOptions(parser);
     if (!parser.parse(application.arguments())) refuse(parser.errorText());
     parser.process(application); // handles --help and --version
 

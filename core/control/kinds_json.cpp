@@ -131,8 +131,6 @@ Kind kindFromJson(const Json& j, const std::string& library) {
 
 } // namespace
 
-std::string kindsJsonPath(const std::string& library) { return library + ".kinds.json"; }
-
 std::string kindsToJson(const std::vector<Kind>& kinds) {
     Json j{{"format", kFormat},
            {"sdk", TRUNDLE_SDK_VERSION},

@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "base/result.h"
+#include "project/loading/sources.h"
 #include "schema/kind.h"
 
 namespace trundle {
-
-/// "d/libn.so" → "d/libn.so.kinds.json".
-[[nodiscard]] std::string kindsJsonPath(const std::string& library);
 
 [[nodiscard]] std::string kindsToJson(const std::vector<Kind>& kinds);
 /// Fails with E408 and the position if a text is not a valid description.

@@ -236,8 +236,4 @@ void addControllerFields(Kind& kind) {
         if (!kind.find(field.name)) kind.properties.push_back(propertyFrom(field));
 }
 
-ControllerSettings controllerSettings(const ComponentSpec& controller) {
-    return {controller.number("UpdatePeriod"), controller.text("Isolation"), controller.number("Budget")};
-}
-
 } // namespace trundle

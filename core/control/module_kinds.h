@@ -19,13 +19,4 @@ namespace trundle {
 /// Adds the fields of every controller block: UpdatePeriod, Isolation, Budget. Other kinds are unchanged.
 void addControllerFields(Kind& kind);
 
-/// The values of those fields in a robot's controller block.
-struct ControllerSettings {
-    double updatePeriod = 0; ///< s; 0: every tick
-    std::string isolation;   ///< empty: as set in the experiment
-    double budget = 0;       ///< s; 0: none
-};
-struct ComponentSpec;
-[[nodiscard]] ControllerSettings controllerSettings(const ComponentSpec& controller);
-
 } // namespace trundle

@@ -34,76 +34,11 @@ bool ItemErrors::restOfComment() {
 }
 
 void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
-    const auto startsNumberOrText = [this](std::size_t i) {
-        return !newLine(i) && (kind(i) == TokenKind::Number || kind(i) == TokenKind::String || kind(i) == TokenKind::ParamRef ||
-                               kind(i) == TokenKind::ExprOpen);
-    };
-    const std::string word(text());
-    if (restOfComment()) return;
-    if (kind(1) == TokenKind::String && kind(2) == TokenKind::OpenBrace) {
-        Diagnostic& d = error(Code::UnexpectedText, range(1), "a name is written without quotes");
-        const std::string_view quoted = text(1);
-        const std::string bare(quoted.substr(1, quoted.size() - 2));
-        if (!bare.empty() && isIdentStart(bare[0]) && std::all_of(bare.begin(), bare.end(), isIdent))
-            fix(d, bare, {edit(range(1), bare)});
-        return m_grammar.block(out, depth, 1);
-    }
-    const bool numberAndWord =
-        (kind(2) == TokenKind::Unit || kind(2) == TokenKind::Word) && adjacent(2) && kind(3) == TokenKind::OpenBrace;
-    if (kind(1) == TokenKind::Number && (kind(2) == TokenKind::OpenBrace || numberAndWord)) {
-        const bool two = numberAndWord;
-        error(Code::UnexpectedText, {range(1).begin, range(two ? 2 : 1).end}, "a name begins with a letter or _");
-        return m_grammar.block(out, depth, two ? 2 : 1);
-    }
-    if (word == "Param" && kind(1) == TokenKind::Number) {
-        const std::uint32_t begin = range().begin;
-        advance();
-        error(Code::UnexpectedText, {begin, range().end}, "a Param needs a name before its value");
-        return skipLine();
-    }
-    if (startsNumberOrText(1)) {
-        Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected after `" + word + "`");
-        fix(d, word + " =", {edit({range().end, range().end}, kind(1) == TokenKind::Number && !adjacent(1) ? " =" : " = ")});
-        if (adjacent(1)) d.fixes.back().edits[0].text = "=";
-        AssignmentItem node;
-        const TextRange key = range();
-        node.path.push_back(name());
-        node.pathRange = key;
-        m_grammar.rejectReserved(node.path[0], "a key");
-        advance();
-        node.value = m_grammar.value(word, key, {key.end, key.end});
-        out.push_back({{key.begin, std::max(key.end, node.value.range.end)}, std::move(node)});
+    if (restOfComment() || quotedName(out, depth) || nameThatBeginsWithDigit(out, depth) || paramWithoutName() ||
+        missingEquals(out) || blockInBrackets(out, depth) || nameWithSigns(out, depth) || wordBeforeAssignment() ||
+        nameOfTwoWords(out, depth) || missingBrace(out, depth))
         return;
-    }
-    if (blockInBrackets(out, depth) || nameWithSigns(out, depth)) return;
-    if (kind(1) == TokenKind::Word && !newLine(1)) {
-        if (kind(2) == TokenKind::Equals || wrongEquals(2)) { // `double x = 5`
-            Diagnostic& d =
-                error(Code::UnexpectedText, range(), "`" + word + "` does not belong before `" + std::string(text(1)) + " =`");
-            if (word == "param" || word == "PARAM" || word == "var" || word == "let" || word == "const") {
-                d.suggestions = {"Param"};
-                fix(d, "Param", {edit(range(), "Param")});
-            } else {
-                fix(d, "remove `" + word + "`", {edit({range().begin, range(1).begin}, "")});
-            }
-            return advance();
-        }
-        if (kind(2) == TokenKind::Word && kind(3) == TokenKind::OpenBrace && !newLine(2)) { // `Robot my robot {`
-            const TextRange names{range(1).begin, range(2).end};
-            Diagnostic& d = error(Code::UnexpectedText, names, "a name is one word");
-            const std::string joined = std::string(text(1)) + "_" + std::string(text(2));
-            fix(d, joined, {edit(names, joined)});
-            return m_grammar.block(out, depth, 2);
-        }
-        const int indent = m_balance.indentOf(range().begin);
-        if (indent >= 0 && kind(2) != TokenKind::End && newLine(2) &&
-            m_balance.indentOf(range(2).begin) > indent) { // `Robot r` with indented items below
-            Diagnostic& d =
-                error(Code::UnexpectedText, range(1), "`{` expected after `" + word + " " + std::string(text(1)) + "`");
-            fix(d, std::string(text(1)) + " {", {edit({range(1).end, range(1).end}, " {")});
-            return blockWithoutBrace(out, depth);
-        }
-    }
+    const std::string word(text());
     const bool named = kind(1) == TokenKind::Word && !newLine(1) && newLine(2);
     const std::string what = named ? word + " " + std::string(text(1)) : word;
     const TextRange where{range().begin, named ? range(1).end : range().end};
@@ -113,7 +48,101 @@ void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
     skipLine();
 }
 
-/// `Robot r [ ... ]` or `Robot r ( ... )`. False if there is no such text here.
+/// `Robot "r" {`. This and the following functions return false if there is no such text here.
+bool ItemErrors::quotedName(std::vector<Item>& out, int depth) {
+    if (kind(1) != TokenKind::String || kind(2) != TokenKind::OpenBrace) return false;
+    Diagnostic& d = error(Code::UnexpectedText, range(1), "a name is written without quotes");
+    const std::string_view quoted = text(1);
+    const std::string bare(quoted.substr(1, quoted.size() - 2));
+    if (!bare.empty() && isIdentStart(bare[0]) && std::all_of(bare.begin(), bare.end(), isIdent))
+        fix(d, bare, {edit(range(1), bare)});
+    m_grammar.block(out, depth, 1);
+    return true;
+}
+
+/// `Robot 2nd {`.
+bool ItemErrors::nameThatBeginsWithDigit(std::vector<Item>& out, int depth) {
+    if (kind(1) != TokenKind::Number) return false;
+    const bool numberAndWord =
+        (kind(2) == TokenKind::Unit || kind(2) == TokenKind::Word) && adjacent(2) && kind(3) == TokenKind::OpenBrace;
+    if (kind(2) != TokenKind::OpenBrace && !numberAndWord) return false;
+    const std::size_t tokens = numberAndWord ? 2 : 1;
+    error(Code::UnexpectedText, {range(1).begin, range(tokens).end}, "a name begins with a letter or _");
+    m_grammar.block(out, depth, tokens);
+    return true;
+}
+
+/// `Param 3`.
+bool ItemErrors::paramWithoutName() {
+    if (text() != "Param" || kind(1) != TokenKind::Number) return false;
+    const std::uint32_t begin = range().begin;
+    advance();
+    error(Code::UnexpectedText, {begin, range().end}, "a Param needs a name before its value");
+    skipLine();
+    return true;
+}
+
+/// `Tick 0.01`.
+bool ItemErrors::missingEquals(std::vector<Item>& out) {
+    const bool startsValue = kind(1) == TokenKind::Number || kind(1) == TokenKind::String || kind(1) == TokenKind::ParamRef ||
+                             kind(1) == TokenKind::ExprOpen;
+    if (newLine(1) || !startsValue) return false;
+    const std::string word(text());
+    Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected after `" + word + "`");
+    fix(d, word + " =", {edit({range().end, range().end}, kind(1) == TokenKind::Number && !adjacent(1) ? " =" : " = ")});
+    if (adjacent(1)) d.fixes.back().edits[0].text = "=";
+    AssignmentItem node;
+    const TextRange key = range();
+    node.path.push_back(name());
+    node.pathRange = key;
+    m_grammar.rejectReserved(node.path[0], "a key");
+    advance();
+    node.value = m_grammar.value(word, key, {key.end, key.end});
+    out.push_back({{key.begin, std::max(key.end, node.value.range.end)}, std::move(node)});
+    return true;
+}
+
+/// `double x = 5`.
+bool ItemErrors::wordBeforeAssignment() {
+    if (kind(1) != TokenKind::Word || newLine(1) || !(kind(2) == TokenKind::Equals || wrongEquals(2))) return false;
+    const std::string word(text());
+    Diagnostic& d =
+        error(Code::UnexpectedText, range(), "`" + word + "` does not belong before `" + std::string(text(1)) + " =`");
+    if (word == "param" || word == "PARAM" || word == "var" || word == "let" || word == "const") {
+        d.suggestions = {"Param"};
+        fix(d, "Param", {edit(range(), "Param")});
+    } else {
+        fix(d, "remove `" + word + "`", {edit({range().begin, range(1).begin}, "")});
+    }
+    advance();
+    return true;
+}
+
+/// `Robot my robot {`.
+bool ItemErrors::nameOfTwoWords(std::vector<Item>& out, int depth) {
+    if (kind(1) != TokenKind::Word || newLine(1)) return false;
+    if (kind(2) != TokenKind::Word || kind(3) != TokenKind::OpenBrace || newLine(2)) return false;
+    const TextRange names{range(1).begin, range(2).end};
+    Diagnostic& d = error(Code::UnexpectedText, names, "a name is one word");
+    const std::string joined = std::string(text(1)) + "_" + std::string(text(2));
+    fix(d, joined, {edit(names, joined)});
+    m_grammar.block(out, depth, 2);
+    return true;
+}
+
+/// `Robot r` with indented items below.
+bool ItemErrors::missingBrace(std::vector<Item>& out, int depth) {
+    if (kind(1) != TokenKind::Word || newLine(1)) return false;
+    const int indent = m_balance.indentOf(range().begin);
+    if (indent < 0 || kind(2) == TokenKind::End || !newLine(2) || m_balance.indentOf(range(2).begin) <= indent) return false;
+    const std::string name(text(1));
+    Diagnostic& d = error(Code::UnexpectedText, range(1), "`{` expected after `" + std::string(text()) + " " + name + "`");
+    fix(d, name + " {", {edit({range(1).end, range(1).end}, " {")});
+    blockWithoutBrace(out, depth);
+    return true;
+}
+
+/// `Robot r [ ... ]` or `Robot r ( ... )`.
 bool ItemErrors::blockInBrackets(std::vector<Item>& out, int depth) {
     const auto bracketAt = [this](std::size_t i) {
         if (newLine(i) || !(kind(i) == TokenKind::OpenParen || (kind(i) == TokenKind::Unknown && text(i) == "["))) return false;
@@ -125,7 +154,7 @@ bool ItemErrors::blockInBrackets(std::vector<Item>& out, int depth) {
     return true;
 }
 
-/// `Robot r-1 {`. False if there is no such text here.
+/// `Robot r-1 {`.
 bool ItemErrors::nameWithSigns(std::vector<Item>& out, int depth) {
     if (kind(1) != TokenKind::Word || newLine(1)) return false;
     constexpr std::size_t kMaxPieces = 20;

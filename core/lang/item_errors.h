@@ -35,6 +35,13 @@ public:
 
 private:
     [[nodiscard]] bool restOfComment();
+    [[nodiscard]] bool quotedName(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool nameThatBeginsWithDigit(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool paramWithoutName();
+    [[nodiscard]] bool missingEquals(std::vector<Item>& out);
+    [[nodiscard]] bool wordBeforeAssignment();
+    [[nodiscard]] bool nameOfTwoWords(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool missingBrace(std::vector<Item>& out, int depth);
     [[nodiscard]] bool explainUnexpected();
     void blockWithoutBrace(std::vector<Item>& out, int depth);
     [[nodiscard]] bool blockInBrackets(std::vector<Item>& out, int depth);

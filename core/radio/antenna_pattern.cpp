@@ -68,8 +68,6 @@ template <class Gain> double meanOverSphere(const Gain& gain, int rings, int spo
 
 } // namespace
 
-std::string_view antennaModelWords() { return "isotropic|dipole|inverted_f|patch|yagi|cosine"; }
-
 std::optional<AntennaModel> antennaModelNamed(std::string_view word) {
     const auto it = std::find(kWords.begin(), kWords.end(), word);
     if (it == kWords.end()) return std::nullopt;

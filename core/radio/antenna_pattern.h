@@ -14,8 +14,6 @@ namespace trundle {
 
 enum class AntennaModel { Isotropic, Dipole, InvertedF, Patch, Yagi, Cosine };
 
-/// The names of the models in the text: "isotropic|dipole|inverted_f|patch|yagi|cosine".
-[[nodiscard]] std::string_view antennaModelWords();
 [[nodiscard]] std::optional<AntennaModel> antennaModelNamed(std::string_view word);
 
 /// An angle (rad) and a gain (dBi).

@@ -66,7 +66,6 @@ public:
     [[nodiscard]] std::size_t radioCount() const { return m_radios.size(); }
     [[nodiscard]] const RadioDefinition& radio(RadioId radio) const { return m_radios[radio].definition; }
     [[nodiscard]] const RadioCounts& counts(RadioId radio) const { return m_radios[radio].counts; }
-    [[nodiscard]] const Pose& antennaPose(RadioId radio) const { return m_radios[radio].place.pose; }
     /// The link at the sender's highest output power.
     [[nodiscard]] LinkBudget link(RadioId from, RadioId to) const;
     /// Data frames at all radios of their channel, by outcome. Frames in the air are not counted yet.

@@ -6,9 +6,7 @@
 
 namespace trundle {
 
-std::int64_t Neighbours::column(double x) const {
-    return static_cast<std::int64_t>(std::floor(std::clamp(x, -1e9, 1e9) / m_edge));
-}
+std::int64_t Neighbours::column(double x) { return static_cast<std::int64_t>(std::floor(std::clamp(x, -1e9, 1e9) / kEdge)); }
 
 std::uint64_t Neighbours::cellOf(std::int64_t x, std::int64_t y) {
     return static_cast<std::uint64_t>(x) << 32 ^ static_cast<std::uint32_t>(y);

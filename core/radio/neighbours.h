@@ -13,20 +13,18 @@ namespace trundle {
 
 class Neighbours {
 public:
-    /// Edge of a cell, m. Must be called before the first put().
-    void setCell(double edge) { m_edge = edge; }
     void put(RadioId id, const Vec3& place);
     /// All radios within `range` (m) and some beyond, in order of their ids.
     void near(const Vec3& place, double range, std::vector<RadioId>& out) const;
 
 private:
-    [[nodiscard]] std::int64_t column(double x) const;
+    [[nodiscard]] static std::int64_t column(double x);
     [[nodiscard]] static std::uint64_t cellOf(std::int64_t x, std::int64_t y);
     struct CellEntry {
         std::uint64_t cell = 0;
         bool taken = false;
     };
-    double m_edge = 50;
+    static constexpr double kEdge = 50;                              ///< of a cell, m
     std::vector<CellEntry> m_entries;                                ///< by radio id
     std::unordered_map<std::uint64_t, std::vector<RadioId>> m_cells; ///< iteration order is never used
 };

@@ -14,14 +14,15 @@
 #include "app/application.h"
 #include "base/result.h"
 #include "base/text_edit.h"
-#include "editor/document/companions.h"
 #include "editor/document/history.h"
 #include "project/edits/plans.h"
 #include "project/journal/journal.h"
 #include "project/loading/project.h"
+#include "project/saving/companions.h"
 
 namespace trundle {
 
+struct SaveEnvironment;
 struct SavePlan;
 class StructureEdits;
 
@@ -173,12 +174,11 @@ private:
     void notifyEdited();
     void notifyModified();
 
-    /// Fails if one of these files cannot be written at its path; first loads what another program changed.
-    [[nodiscard]] Status checkWritable(const std::vector<std::string>& files);
     [[nodiscard]] std::vector<std::string> modifiedSamples() const;
     [[nodiscard]] Status checkSaveTarget(const std::string& target) const;
     [[nodiscard]] Result<SavePlan> planFor(const std::string& target, ModuleCopies modules) const;
-    void moveFile(const std::string& from, const std::string& to);
+    [[nodiscard]] SaveEnvironment saveEnvironment();
+    [[nodiscard]] Status followMoves(const SavePlan& plan); ///< continues with the files at their new paths
     /// Handles a changed file: loads it if it was not edited here, merges if possible, else emits diskChanged().
     void applyExternalChange(const std::string& path, std::shared_ptr<const std::string> bytes);
     void notifyMoved(const SavePlan& save);

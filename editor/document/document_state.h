@@ -10,9 +10,9 @@
 #include "editor/document/disk_watch.h"
 #include "editor/document/document.h"
 #include "editor/document/journal_writer.h"
-#include "editor/document/open_files.h"
 #include "editor/document/structure_edits.h"
 #include "project/journal/project_lock.h"
+#include "project/saving/open_files.h"
 
 namespace trundle {
 

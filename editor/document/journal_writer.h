@@ -6,8 +6,8 @@
 #include <QThreadPool>
 #include <QTimer>
 
-#include "editor/document/open_files.h"
 #include "project/journal/journal.h"
+#include "project/saving/open_files.h"
 
 namespace trundle {
 

@@ -10,8 +10,8 @@
 #include <QJsonObject>
 #include <QMimeData>
 
-#include "editor/outline/insert_positions.h"
 #include "lang/tree.h"
+#include "project/edits/insert_positions.h"
 #include "project/edits/plans.h"
 #include "project/loading/search.h"
 #include "project/objects/name_references.h"

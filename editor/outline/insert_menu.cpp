@@ -7,10 +7,10 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
-#include "editor/outline/insert_positions.h"
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/object_edits.h"
 #include "editor/widgets/theme.h"
+#include "project/edits/insert_positions.h"
 
 namespace trundle {
 namespace {

@@ -9,12 +9,12 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/outline/block_mime.h"
-#include "editor/outline/insert_positions.h"
 #include "editor/outline/library_items.h"
 #include "editor/outline/library_model.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/library_pictures.h"
 #include "editor/outline/object_edits.h"
+#include "project/edits/insert_positions.h"
 #include "project/loading/search.h"
 
 namespace trundle {

@@ -12,7 +12,6 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/outline/block_mime.h"
-#include "editor/outline/insert_positions.h"
 #include "editor/outline/library_items.h"
 #include "editor/outline/library_model.h"
 #include "editor/outline/library_pictures.h"
@@ -20,6 +19,7 @@
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/widgets/theme.h"
+#include "project/edits/insert_positions.h"
 
 namespace trundle {
 

@@ -12,12 +12,12 @@
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
 #include "editor/outline/block_mime.h"
-#include "editor/outline/duplicate_offset.h"
 #include "editor/outline/free_places.h"
-#include "editor/outline/insert_positions.h"
 #include "editor/outline/object_marks.h"
 #include "editor/widgets/strings.h"
 #include "lang/characters.h"
+#include "project/edits/duplicate_offset.h"
+#include "project/edits/insert_positions.h"
 #include "project/edits/plan_dependents.h"
 
 namespace trundle {
@@ -179,7 +179,8 @@ Status ObjectEdits::insertBlocks(const Blocks& blocks, const std::string& place,
     for (const NeededBlock& block : blocks.needs) {
         if (const auto there = placeOf(loaded, block.path); there && there->part) {
             if (atHome || blankless(textOf(loaded, {block.path})) == blankless(block.text)) continue;
-            return refuse(tr("%1 differs here from the source; rename one of the two first").arg(toQString(there->part->title())));
+            return refuse(
+                tr("%1 differs here from the source; rename one of the two first").arg(toQString(there->part->title())));
         }
         needed += block.text + "\n";
         ++count;

@@ -6,10 +6,10 @@
 #include <QMimeData>
 
 #include "editor/outline/block_mime.h"
-#include "editor/outline/insert_positions.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_node.h"
+#include "project/edits/insert_positions.h"
 
 namespace trundle {
 namespace {

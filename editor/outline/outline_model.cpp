@@ -4,12 +4,12 @@
 
 #include <QColor>
 
-#include "editor/outline/insert_positions.h"
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_node.h"
 #include "editor/widgets/strings.h"
+#include "project/edits/insert_positions.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {

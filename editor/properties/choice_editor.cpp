@@ -6,9 +6,9 @@
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 
-#include "editor/properties/value_text.h"
 #include "editor/properties/wheel_filter.h"
 #include "editor/widgets/theme.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

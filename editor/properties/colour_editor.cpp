@@ -7,8 +7,8 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "editor/properties/value_text.h"
 #include "editor/widgets/theme.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

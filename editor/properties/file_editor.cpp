@@ -7,9 +7,9 @@
 
 #include "editor/properties/line_editor.h"
 #include "editor/properties/value_field.h"
-#include "editor/properties/value_text.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/theme.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 

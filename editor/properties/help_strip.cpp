@@ -6,8 +6,8 @@
 #include "editor/properties/origin_text.h"
 #include "editor/properties/param_help.h"
 #include "editor/properties/row.h"
-#include "editor/properties/value_text.h"
 #include "editor/widgets/theme.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

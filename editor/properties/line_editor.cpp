@@ -5,7 +5,7 @@
 
 #include "editor/properties/scrub.h"
 #include "editor/properties/value_field.h"
-#include "editor/properties/value_text.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

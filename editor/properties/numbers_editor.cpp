@@ -5,8 +5,8 @@
 #include "editor/properties/scrub.h"
 #include "editor/properties/scrub_label.h"
 #include "editor/properties/value_field.h"
-#include "editor/properties/value_text.h"
 #include "editor/widgets/theme.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

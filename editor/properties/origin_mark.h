@@ -1,7 +1,7 @@
 #pragma once
 #include <QToolButton>
 
-#include "editor/properties/object_values.h"
+#include "project/objects/object_values.h"
 
 namespace trundle {
 

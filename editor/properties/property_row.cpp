@@ -14,8 +14,8 @@
 #include "editor/properties/row_editor.h"
 #include "editor/properties/scrub_label.h"
 #include "editor/properties/value_field.h"
-#include "editor/properties/value_text.h"
 #include "editor/widgets/theme.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

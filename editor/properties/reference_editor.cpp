@@ -10,7 +10,7 @@
 
 #include "editor/properties/line_editor.h"
 #include "editor/properties/value_field.h"
-#include "editor/properties/value_text.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

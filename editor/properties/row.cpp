@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/properties/value_text.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <QString>
 
-#include "editor/properties/object_values.h"
+#include "project/objects/object_values.h"
 
 namespace trundle {
 

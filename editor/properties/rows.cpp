@@ -12,11 +12,11 @@
 #include "editor/document/structure_edits.h"
 #include "editor/properties/fitting_names.h"
 #include "editor/properties/sections.h"
-#include "editor/properties/value_text.h"
 #include "editor/running/session.h"
 #include "editor/widgets/strings.h"
 #include "project/edits/plans.h"
 #include "project/objects/name_references.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {
@@ -133,10 +133,10 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
         if (const auto read = readElements(wanted); !read) return read.error();
         edits.push_back({v.path, std::move(wanted)});
     }
-    const QString what =
-        values.size() == 1 ? shortName(values[0].path)
-                           : QObject::tr("%1 of %2 objects")
-                                 .arg(toQString(values[0].path.substr(values[0].path.rfind('.') + 1)), QString::number(values.size()));
+    const QString what = values.size() == 1 ? shortName(values[0].path)
+                                            : QObject::tr("%1 of %2 objects")
+                                                  .arg(toQString(values[0].path.substr(values[0].path.rfind('.') + 1)),
+                                                       QString::number(values.size()));
     if (!resets.empty()) {
         if (const Result<EditPlan> plan = planReset(*document.loaded(), resets); !plan) return plan.error(); // shown in the row
         const bool copies =

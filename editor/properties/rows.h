@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "editor/document/document.h"
-#include "editor/properties/object_values.h"
 #include "editor/properties/row.h"
+#include "project/objects/object_values.h"
 
 namespace trundle {
 

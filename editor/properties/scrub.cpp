@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "editor/properties/value_text.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {

@@ -1,6 +1,8 @@
 #include "editor/running/run_source.h"
 
 #include "control/module_store.h"
+#include "editor/running/module_list.h"
+#include "project/loading/modules.h"
 #include "project/objects/unplaced_configs.h"
 
 namespace trundle {
@@ -35,16 +37,17 @@ QString RunSource::refusal() const {
     std::size_t errors = 0;
     const Diagnostic *error = nullptr, *module = nullptr; // the first of each
     for (const Diagnostic& d : loaded->diagnostics.all()) {
-        // A text can be viewed without a module's kinds, but not run without its controller.
-        if ((d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed) && !module) module = &d;
+        if (isUnavailableModule(d.code) && !module) module = &d;
         if (d.severity != Severity::Error) continue;
         ++errors;
         if (!error) error = &d;
     }
-    if (module && module->code == Code::ModuleNotTrusted) { // the rest of the message is advice for the command line
-        const QString why = QString::fromStdString(module->message);
-        return tr("%1 To run it, trust the folder in the Controllers panel.")
-            .arg(why.left(why.indexOf(QStringLiteral(", so its code"))) + u'.');
+    if (module && module->code == Code::ModuleNotTrusted) { // its message advises options of the command line
+        for (const ModuleInfo& info : modulesOf(*loaded, m_document.options(), m_application.locations()))
+            if (!info.trusted)
+                return tr("the module %1 is %2, in a folder that is not trusted. To run it, trust the folder in the Controllers "
+                          "panel.")
+                    .arg(QString::fromStdString(info.written), QString::fromStdString(info.library));
     }
     if (error) {
         const QString why = QString::fromStdString(error->message);

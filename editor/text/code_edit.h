@@ -30,7 +30,7 @@ public:
 
     /// For large texts: no colours, folds or line wrapping, so that the widget stores no style per byte. Clears the text.
     void setPlain(bool plain);
-    [[nodiscard]] bool isPlain() const { return m_plain; }
+    [[nodiscard]] bool isPlain() const { return m_plain; } ///< for tests
 
     void setWrapLines(WrapLines wrap);
     [[nodiscard]] bool wrapsLines() const { return m_wraps; } ///< at the current width
@@ -97,6 +97,8 @@ private:
     void chooseKeys();
     void buildMargins();
     void applyStyle();
+    void applyCaretStyle();
+    void applyIndicatorStyles();
     void drawMarks();
     void fitNumberMargin();
     void fitWrap();

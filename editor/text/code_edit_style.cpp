@@ -164,6 +164,16 @@ void CodeEdit::applyStyle() {
     SendScintilla(SCI_STYLESETBACK, static_cast<unsigned long>(STYLE_LINENUMBER), palette().color(QPalette::AlternateBase));
     for (const int margin : {kBlocks, kSymbols}) setMarginBackgroundColor(margin, palette().color(QPalette::AlternateBase));
     setFoldMarginColors(base, base);
+    applyCaretStyle();
+    applyIndicatorStyles();
+    SendScintilla(SCI_MARKERSETBACK, static_cast<unsigned long>(kBlockMark), accent);
+    drawMarks();
+    fitNumberMargin();
+}
+
+/// Colours of braces, caret and selection.
+void CodeEdit::applyCaretStyle() {
+    const QColor base = palette().color(QPalette::Base), text = ink(Ink::Text), accent = ink(Ink::Accent);
     setMatchedBraceForegroundColor(accent);
     setMatchedBraceBackgroundColor(mixed(base, accent, 0.18));
     setUnmatchedBraceForegroundColor(ink(Ink::Error));
@@ -175,7 +185,10 @@ void CodeEdit::applyStyle() {
     setSelectionBackgroundColor(mixed(base, accent, 0.30));
     resetSelectionForegroundColor();
     SendScintilla(SCI_SETSELFORE, 0UL, 0L);
+}
 
+void CodeEdit::applyIndicatorStyles() {
+    const QColor accent = ink(Ink::Accent);
     const auto indicator = [&](int number, int style, const QColor& colour, int alpha, int outline, bool under) {
         const auto n = static_cast<unsigned long>(number);
         SendScintilla(SCI_INDICSETSTYLE, n, static_cast<long>(style));
@@ -190,9 +203,6 @@ void CodeEdit::applyStyle() {
     indicator(kMatch, INDIC_ROUNDBOX, ink(Ink::Warning), 60, 140, true);
     indicator(kBlock, INDIC_FULLBOX, accent, 26, 26, true);
     indicator(kLink, INDIC_PLAIN, accent, 255, 255, true);
-    SendScintilla(SCI_MARKERSETBACK, static_cast<unsigned long>(kBlockMark), accent);
-    drawMarks();
-    fitNumberMargin();
 }
 
 /// Draws dots and chevrons of the margins as images, because the widget's own shapes are not antialiased.

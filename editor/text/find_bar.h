@@ -4,6 +4,7 @@
 #include "editor/text/text_search.h"
 
 class QCheckBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
@@ -36,6 +37,9 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    QHBoxLayout* makeFindRow();
+    void makeReplaceRow();
+    QToolButton* button(const QString& text, const QString& name, const QString& tip);
     QToolButton* toggle(const QString& text, const QString& name, const QString& tip);
 
     QLineEdit *m_find, *m_replace;

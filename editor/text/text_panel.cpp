@@ -191,8 +191,6 @@ void TextPanel::markSelected(bool scroll) {
 
 void TextPanel::reveal(const std::string& file, TextRange range, bool focus) { m_pages->reveal(file, range, focus); }
 
-void TextPanel::revealRange(const SourceRange& place) { m_pages->reveal(place, false); }
-
 void TextPanel::revealBlock(const std::string& file, TextRange block) {
     reveal(file, {block.begin, block.begin}, true);
     if (FilePage* page = pageOf(file)) page->edit().scrollTo(block);

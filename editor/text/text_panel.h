@@ -62,7 +62,6 @@ public Q_SLOTS:
     void reveal(const std::string& file, TextRange range, bool focus = false);
     /// Moves focus and caret to the start of a block, without a selection that typing would replace.
     void revealBlock(const std::string& file, TextRange block);
-    void revealRange(const SourceRange& place);
     /// Shows the diagnostics of the model check while the document has these texts.
     void setModelProblems(const std::shared_ptr<const trundle::LoadedProject>& texts,
                           const std::vector<trundle::Diagnostic>& found);

@@ -90,10 +90,11 @@ private Q_SLOTS:
         const std::vector<std::string> both{other, fixture.path("configs/main.sim")};
         QCOMPARE(users.of(*loaded, config(*loaded)), both);
         const EditTarget structure = targetOfStructure(*loaded, config(*loaded), nullptr, users);
-        QVERIFY(structure.isShared(*loaded));
+        QCOMPARE(structure.users, both);
         std::ofstream(other) << "#import main.sim\nRobotConfig Other { Body b { Sphere s { Radius=1 Mass=1 } } }\n"
                                 "Robot second { Config=Other }\n";
-        QVERIFY(!targetOfStructure(*loaded, config(*loaded), nullptr, users).isShared(*loaded));
+        QCOMPARE(targetOfStructure(*loaded, config(*loaded), nullptr, users).users,
+                 std::vector{fixture.path("configs/main.sim")});
     }
 
     /// Fixes of a shipped file are not offered, since they would be refused; those of the opened file are.

@@ -136,4 +136,6 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
     return {};
 }
 
+bool isWritable(const std::string& path) { return ::access(path.c_str(), W_OK) == 0; }
+
 } // namespace trundle

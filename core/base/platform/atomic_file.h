@@ -13,5 +13,7 @@ namespace trundle {
 /// files (`.trundle-*.tmp`) of killed writers that are unlocked and over a minute old are removed by the next write in that
 /// folder.
 [[nodiscard]] Status writeFileAtomically(const std::string& path, std::string_view bytes);
+/// Whether this process may write a file or, for a folder, create files in it.
+[[nodiscard]] bool isWritable(const std::string& path);
 
 } // namespace trundle

@@ -75,12 +75,6 @@ std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& co
     return instances;
 }
 
-bool EditTarget::isShared(const LoadedProject& loaded) const {
-    if (!config || isOverride) return false;
-    if (config->file != 0 || (instance && instances > 1)) return true;
-    return std::any_of(users.begin(), users.end(), [&](const std::string& user) { return user != loaded.paths[0]; });
-}
-
 EditTarget targetOfStructure(const LoadedProject& loaded, const Part& config, const Part* instance, ConfigUsers& users) {
     EditTarget target;
     target.path = pathOfConfig(config);

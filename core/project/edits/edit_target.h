@@ -24,9 +24,6 @@ struct EditTarget {
     bool isShipped = false;         ///< the change would be made in a shipped file other than the opened file
     std::size_t instances = 0;      ///< number of instances of the config in this load
     std::vector<std::string> users; ///< files of the project that place the config; set only if a config would be changed
-
-    /// Whether the change affects others too: another instance, another file, or files that import the config's file later.
-    [[nodiscard]] bool isShared(const LoadedProject& loaded) const;
 };
 
 /// Whether a file was shipped with the program. The opened file never counts: it can be edited, and Save As stores it elsewhere.

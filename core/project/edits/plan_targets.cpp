@@ -54,9 +54,4 @@ std::string allowedPlaces(const Kind& kind) {
     return withArticle(kind.name) + " is allowed " + (top ? "at " : "in ") + listText(places);
 }
 
-std::string parentPath(const ObjectLocation& place, const std::string& path) {
-    const bool top = place.above.empty() && (!place.instance || place.within.empty());
-    return top ? "" : path.substr(0, path.rfind('.'));
-}
-
 } // namespace trundle

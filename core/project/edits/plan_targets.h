@@ -27,7 +27,5 @@ struct Chosen {
 [[nodiscard]] bool isAllowedIn(const Kind& kind, const Part* parent);
 /// For messages: "a Box is in a Body or a StaticConfig".
 [[nodiscard]] std::string allowedPlaces(const Kind& kind);
-/// The path without its last name; "" at the top level.
-[[nodiscard]] std::string parentPath(const ObjectLocation& place, const std::string& path);
 
 } // namespace trundle

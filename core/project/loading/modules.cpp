@@ -7,12 +7,7 @@
 
 namespace trundle {
 
-namespace {
-
-/// Whether the module is unavailable although the text is correct: its blocks are kept unparsed.
-bool onlyUnknown(Code code) { return code == Code::ModuleNotTrusted || code == Code::ModuleUndescribed; }
-
-} // namespace
+bool isUnavailableModule(Code code) { return code == Code::ModuleNotTrusted || code == Code::ModuleUndescribed; }
 
 FoundModules findModules(const std::vector<ModuleReference>& references, ModuleCatalog& catalog, Registry& registry,
                          Diagnostics& diagnostics) {
@@ -26,7 +21,7 @@ FoundModules findModules(const std::vector<ModuleReference>& references, ModuleC
         if (!listing.ok()) {
             found.open = true;
             if (!failed.emplace(reference.written, reference.folder).second) continue;
-            const Severity severity = onlyUnknown(listing.error().code) ? Severity::Warning : Severity::Error;
+            const Severity severity = isUnavailableModule(listing.error().code) ? Severity::Warning : Severity::Error;
             Diagnostic& d = diagnostics.add(severity, listing.error().code, reference.range, listing.error().message);
             if (listing.error().code == Code::ModuleNotFound && ++notFound > kMaxNotFound)
                 d.message = "too many modules are not found; those from here on are not looked for";

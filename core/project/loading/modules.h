@@ -9,6 +9,10 @@ namespace trundle {
 
 struct LoadedProject;
 
+/// Whether a module is unavailable although the text is correct: it can be viewed and edited, its blocks kept unparsed, but it
+/// does not run without its controllers.
+[[nodiscard]] bool isUnavailableModule(Code code);
+
 /// Queries the catalog once for each module and adds its kinds to the registry.
 struct FoundModules {
     std::vector<ModuleSpec> modules;

@@ -19,6 +19,9 @@ struct ModuleListing {
     std::vector<Kind> kinds;
 };
 
+/// The description file of a module's library: "d/libn.so" → "d/libn.so.kinds.json".
+[[nodiscard]] inline std::string kindsJsonPath(const std::string& library) { return library + ".kinds.json"; }
+
 class ModuleCatalog {
 public:
     virtual ~ModuleCatalog() = default;

@@ -52,36 +52,32 @@ struct Opened {
     EGLSurface surface = EGL_NO_SURFACE;
 };
 
+// clang-format off
+constexpr std::array<EGLint, 13> kConfig{
+    EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+    EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+    EGL_RED_SIZE, 8,
+    EGL_GREEN_SIZE, 8,
+    EGL_BLUE_SIZE, 8,
+    EGL_DEPTH_SIZE, 24,
+    EGL_NONE};
+constexpr std::array<EGLint, 7> kContext{
+    EGL_CONTEXT_MAJOR_VERSION, 3,
+    EGL_CONTEXT_MINOR_VERSION, 3,
+    EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+    EGL_NONE};
+// clang-format on
+
 /// Returns the reason of the failure, or an empty string when `opened` is current.
 std::string open(EGLDisplay display, Opened& opened) {
     EGLint major = 0, minor = 0;
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return eglWords();
     if (!eglBindAPI(EGL_OPENGL_API)) return "no OpenGL";
-    constexpr std::array<EGLint, 13> wanted{EGL_SURFACE_TYPE,
-                                            EGL_PBUFFER_BIT,
-                                            EGL_RENDERABLE_TYPE,
-                                            EGL_OPENGL_BIT,
-                                            EGL_RED_SIZE,
-                                            8,
-                                            EGL_GREEN_SIZE,
-                                            8,
-                                            EGL_BLUE_SIZE,
-                                            8,
-                                            EGL_DEPTH_SIZE,
-                                            24,
-                                            EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1)
+    if (!eglChooseConfig(display, kConfig.data(), &config, 1, &count) || count < 1)
         return "no configuration with 8 bits for each colour";
-    constexpr std::array<EGLint, 7> asked{EGL_CONTEXT_MAJOR_VERSION,
-                                          3,
-                                          EGL_CONTEXT_MINOR_VERSION,
-                                          3,
-                                          EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                          EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
-                                          EGL_NONE};
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, asked.data());
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, kContext.data());
     if (context == EGL_NO_CONTEXT) return eglWords();
     EGLSurface surface = EGL_NO_SURFACE;
     bool current = eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);

@@ -117,74 +117,84 @@ std::vector<Vec3> manyDirections() {
     return all;
 }
 
+/// Calls `add` with the corners of each triangle.
+template <class Add> void forTriangles(const TriangleMesh& mesh, const Add& add) {
+    const auto point = [&](std::uint32_t i) { return Vec3(mesh.points[i][0], mesh.points[i][1], mesh.points[i][2]); };
+    for (const auto& t : mesh.triangles)
+        if (std::max({t[0], t[1], t[2]}) < mesh.points.size()) add(point(t[0]), point(t[1]), point(t[2]));
+}
+
+template <class Add> void forTriangles(const HeightMap& map, const Vec3& size, const Add& add) {
+    if (map.columns < 2 || map.rows < 2 || map.heights.size() < std::size_t(map.columns) * map.rows) return;
+    const auto point = [&](std::uint32_t column, std::uint32_t row) {
+        return Vec3(size.x() * (double(column) / (map.columns - 1) - 0.5), size.y() * (0.5 - double(row) / (map.rows - 1)),
+                    size.z() * double(map.heights[std::size_t(row) * map.columns + column]));
+    };
+    for (std::uint32_t row = 0; row + 1 < map.rows; ++row)
+        for (std::uint32_t column = 0; column + 1 < map.columns; ++column) {
+            add(point(column, row), point(column, row + 1), point(column + 1, row));
+            add(point(column + 1, row), point(column, row + 1), point(column + 1, row + 1));
+        }
+}
+
 } // namespace
 
 std::vector<ConvexPiece> ConvexPiece::of(const GeomSpec& geom, const Pose& owner, const Bounds& about) {
-    std::vector<ConvexPiece> pieces;
-    ConvexPiece piece;
+    if (isPlaceholder(geom)) return {}; // placeholders do not collide
+    const bool isMesh = geom.shape == GeomShape::Mesh || geom.shape == GeomShape::Convex;
+    if (geom.shape == GeomShape::Heightfield || (isMesh && !geom.collideAsHull)) return ofTriangles(geom, owner, about);
+    std::vector<ConvexPiece> pieces(1);
+    ConvexPiece& piece = pieces.front();
     piece.m_pose = owner * geom.pose;
-    const auto box = [&](const Vec3& half) {
-        for (int i = 0; i < 8; ++i)
-            piece.m_points.push_back(half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
-    };
-    const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    piece.takeShape(geom);
+    if (!piece.isHalfSpace()) piece.m_bounds = boundsOf(geom, owner);
+    return pieces;
+}
+
+/// The points and radii of a geom that is one convex piece.
+void ConvexPiece::takeShape(const GeomSpec& geom) {
+    const Vec3 half = 0.5 * geom.size, end(0, 0, 0.5 * geom.length);
+    switch (geom.shape) {
+    case GeomShape::Box:
+        for (int i = 0; i < 8; ++i) m_points.push_back(half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+        break;
+    case GeomShape::Sphere:
+        m_points = {Vec3::Zero()};
+        m_grown = geom.radius;
+        break;
+    case GeomShape::Capsule:
+        m_points = {end, -end};
+        m_grown = geom.radius;
+        break;
+    case GeomShape::Cylinder:
+        m_radius = geom.radius;
+        m_half = 0.5 * geom.length;
+        break;
+    case GeomShape::Plane: m_normal = m_pose.rotation * Vec3::UnitZ(); break;
+    case GeomShape::Convex:
+    case GeomShape::Mesh:
+        for (const auto& p : (geom.hull ? *geom.hull : *geom.mesh).points) m_points.emplace_back(p[0], p[1], p[2]);
+        break;
+    case GeomShape::Heightfield: break; // triangles
+    }
+}
+
+/// One piece for each triangle of a mesh or height map near `about`.
+std::vector<ConvexPiece> ConvexPiece::ofTriangles(const GeomSpec& geom, const Pose& owner, const Bounds& about) {
+    std::vector<ConvexPiece> pieces;
+    const Pose pose = owner * geom.pose;
+    const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         if (pieces.size() >= kMaxTriangles) return;
-        ConvexPiece one = piece;
+        ConvexPiece one;
+        one.m_pose = pose;
         one.m_points = {a, b, c};
-        for (const Vec3& p : one.m_points) one.m_bounds.add(one.m_pose * p);
+        for (const Vec3& p : one.m_points) one.m_bounds.add(pose * p);
         const bool apart =
             (one.m_bounds.low.array() > about.high.array()).any() || (one.m_bounds.high.array() < about.low.array()).any();
         if (!apart) pieces.push_back(std::move(one));
     };
-    if (isPlaceholder(geom)) return pieces; // placeholders do not collide
-    switch (geom.shape) {
-    case GeomShape::Box: box(0.5 * geom.size); break;
-    case GeomShape::Sphere:
-        piece.m_points = {Vec3::Zero()};
-        piece.m_grown = geom.radius;
-        break;
-    case GeomShape::Capsule:
-        piece.m_points = {Vec3(0, 0, 0.5 * geom.length), Vec3(0, 0, -0.5 * geom.length)};
-        piece.m_grown = geom.radius;
-        break;
-    case GeomShape::Cylinder:
-        piece.m_radius = geom.radius;
-        piece.m_half = 0.5 * geom.length;
-        break;
-    case GeomShape::Plane:
-        piece.m_normal = piece.m_pose.rotation * Vec3::UnitZ();
-        pieces.push_back(std::move(piece));
-        return pieces;
-    case GeomShape::Convex:
-    case GeomShape::Mesh: {
-        const TriangleMesh& mesh = geom.collideAsHull && geom.hull ? *geom.hull : *geom.mesh;
-        const auto point = [&](std::uint32_t i) { return Vec3(mesh.points[i][0], mesh.points[i][1], mesh.points[i][2]); };
-        if (geom.collideAsHull) {
-            for (std::uint32_t i = 0; i < mesh.points.size(); ++i) piece.m_points.push_back(point(i));
-            break;
-        }
-        for (const auto& t : mesh.triangles)
-            if (std::max({t[0], t[1], t[2]}) < mesh.points.size()) triangle(point(t[0]), point(t[1]), point(t[2]));
-        return pieces;
-    }
-    case GeomShape::Heightfield: {
-        const HeightMap& map = *geom.heightMap;
-        if (map.columns < 2 || map.rows < 2 || map.heights.size() < std::size_t(map.columns) * map.rows) return pieces;
-        const auto point = [&](std::uint32_t column, std::uint32_t row) {
-            return Vec3(geom.size.x() * (double(column) / (map.columns - 1) - 0.5),
-                        geom.size.y() * (0.5 - double(row) / (map.rows - 1)),
-                        geom.size.z() * double(map.heights[std::size_t(row) * map.columns + column]));
-        };
-        for (std::uint32_t row = 0; row + 1 < map.rows; ++row)
-            for (std::uint32_t column = 0; column + 1 < map.columns; ++column) {
-                triangle(point(column, row), point(column, row + 1), point(column + 1, row));
-                triangle(point(column + 1, row), point(column, row + 1), point(column + 1, row + 1));
-            }
-        return pieces;
-    }
-    }
-    piece.m_bounds = boundsOf(geom, owner);
-    pieces.push_back(std::move(piece));
+    if (geom.shape == GeomShape::Heightfield) forTriangles(*geom.heightMap, geom.size, add);
+    else forTriangles(*geom.mesh, add);
     return pieces;
 }
 

@@ -26,6 +26,9 @@ public:
     [[nodiscard]] bool isInside(const ConvexPiece& fixed, double depth) const;
 
 private:
+    void takeShape(const GeomSpec& geom);
+    [[nodiscard]] static std::vector<ConvexPiece> ofTriangles(const GeomSpec& geom, const Pose& owner, const Bounds& about);
+
     Pose m_pose;
     std::vector<Vec3> m_points;      // in the piece's frame
     double m_grown = 0;              // m, radius of a sphere around each point

@@ -88,57 +88,58 @@ InstanceVariants::Params ParamSizes::with(const Param& param, double number) con
 }
 
 void ParamSizes::findAxes(const InstanceVariants::Params& all) {
-    struct Effect {
-        Vec3 low = Vec3::Zero(), high = Vec3::Zero(); // m per unit of the Param, for each side
-        double step = 0;
-    };
     std::vector<Effect> effects;
-    for (const Param& param : m_params) {
-        const double number = param.value.elements[0].number;
-        Effect effect;
-        effect.step = std::max(std::abs(number) * kShare, kLeastStep / param.metres);
-        const auto moved = [&](double to) {
-            InstanceVariants::Params held = all;
-            for (auto& [name, value] : held)
-                if (name == param.name) value.elements[0].number = to;
-            return boxWith(held);
-        };
-        std::optional<Bounds> less = moved(number - effect.step), more = moved(number + effect.step);
-        if (less || more) {
-            const double span = (less && more ? 2 : 1) * effect.step;
-            const Bounds &from = less ? *less : m_box, &to = more ? *more : m_box;
-            effect.low = (to.low - from.low) / span;
-            effect.high = (to.high - from.high) / span;
-        }
-        effects.push_back(effect);
+    for (const Param& param : m_params) effects.push_back(effectOf(param, all));
+    for (int k = 0; k < 3; ++k) m_axes[std::size_t(k)] = axisFrom(k, effects);
+}
+
+/// Measured with the Param a little smaller and larger.
+ParamSizes::Effect ParamSizes::effectOf(const Param& param, const InstanceVariants::Params& all) const {
+    const double number = param.value.elements[0].number, step = std::max(std::abs(number) * kShare, kLeastStep / param.metres);
+    const auto moved = [&](double to) {
+        InstanceVariants::Params held = all;
+        for (auto& [name, value] : held)
+            if (name == param.name) value.elements[0].number = to;
+        return boxWith(held);
+    };
+    const std::optional<Bounds> less = moved(number - step), more = moved(number + step);
+    Effect effect;
+    if (!less && !more) return effect;
+    const double span = (less && more ? 2 : 1) * step;
+    const Bounds &from = less ? *less : m_box, &to = more ? *more : m_box;
+    effect.low = (to.low - from.low) / span;
+    effect.high = (to.high - from.high) / span;
+    return effect;
+}
+
+/// The Param that sets the extent along an axis: the only one that changes it, or the only one that changes it most.
+ParamSizes::Axis ParamSizes::axisFrom(int k, const std::vector<Effect>& effects) const {
+    std::vector<int> setters, own;
+    for (int i = 0; i < int(effects.size()); ++i) {
+        const Vec3 slope = effects[i].slope();
+        if (std::abs(slope[k]) < kNoChange * m_params[i].metres) continue;
+        setters.push_back(i);
+        if (std::abs(slope[k]) >= kAsMuch * slope.cwiseAbs().maxCoeff()) own.push_back(i);
     }
-    for (int k = 0; k < 3; ++k) {
-        std::vector<int> setters, own;
-        for (int i = 0; i < int(effects.size()); ++i) {
-            const Vec3 slope = effects[i].high - effects[i].low;
-            if (std::abs(slope[k]) < kNoChange * m_params[i].metres) continue;
-            setters.push_back(i);
-            if (std::abs(slope[k]) >= kAsMuch * slope.cwiseAbs().maxCoeff()) own.push_back(i);
-        }
-        Axis& axis = m_axes[std::size_t(k)];
-        const std::vector<int>& meant = setters.size() == 1 ? setters : own;
-        if (meant.size() != 1) {
-            for (const int i : setters) axis.several.push_back(m_params[i].name);
-            continue;
-        }
-        const Effect& effect = effects[meant[0]];
-        const Vec3 slope = effect.high - effect.low;
-        const auto stays = [&](double side) { return std::abs(side) < kNoChange * std::abs(slope[k]); };
-        int across = 0; // number of other axes with the same effect
-        for (int other = 0; other < 3; ++other)
-            across += other != k && std::abs(slope[other]) >= kAsMuch * slope.cwiseAbs().maxCoeff();
-        axis.param = meant[0];
-        axis.slope = slope[k];
-        axis.sides = stays(effect.low[k])    ? Sides::Upper
-                     : stays(effect.high[k]) ? Sides::Lower
-                     : across > 0            ? Sides::Middle
-                                             : Sides::Both;
+    Axis axis;
+    const std::vector<int>& meant = setters.size() == 1 ? setters : own;
+    if (meant.size() != 1) {
+        for (const int i : setters) axis.several.push_back(m_params[i].name);
+        return axis;
     }
+    const Effect& effect = effects[meant[0]];
+    const Vec3 slope = effect.slope();
+    const auto stays = [&](double side) { return std::abs(side) < kNoChange * std::abs(slope[k]); };
+    int across = 0; // number of other axes with the same effect
+    for (int other = 0; other < 3; ++other)
+        across += other != k && std::abs(slope[other]) >= kAsMuch * slope.cwiseAbs().maxCoeff();
+    axis.param = meant[0];
+    axis.slope = slope[k];
+    axis.sides = stays(effect.low[k])    ? Sides::Upper
+                 : stays(effect.high[k]) ? Sides::Lower
+                 : across > 0            ? Sides::Middle
+                                         : Sides::Both;
+    return axis;
 }
 
 SizeName ParamSizes::sizeName(int axis) const {

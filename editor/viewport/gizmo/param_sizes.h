@@ -52,9 +52,16 @@ private:
     };
     ParamSizes(std::string path, InstanceVariants variants) : m_path(std::move(path)), m_variants(std::move(variants)) {}
 
+    struct Effect {                                   ///< of a Param on the sides of the box
+        Vec3 low = Vec3::Zero(), high = Vec3::Zero(); ///< m per unit of the Param
+        [[nodiscard]] Vec3 slope() const { return high - low; }
+    };
+
     [[nodiscard]] std::optional<Bounds> boxWith(const InstanceVariants::Params& changed) const;
     [[nodiscard]] InstanceVariants::Params with(const Param& param, double number) const;
     void findAxes(const InstanceVariants::Params& all);
+    [[nodiscard]] Effect effectOf(const Param& param, const InstanceVariants::Params& all) const;
+    [[nodiscard]] Axis axisFrom(int axis, const std::vector<Effect>& effects) const;
 
     std::string m_path, m_config;
     InstanceVariants m_variants;

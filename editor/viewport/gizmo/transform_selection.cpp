@@ -284,59 +284,55 @@ void TransformSelection::resizeByParam(Item& item, const Vec3& growth, int side,
 Status TransformSelection::resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey,
                                   Fineness fineness) {
     std::vector<ValueEdit> edits;
-    const auto set = [&](const Item& item, const char* key, std::span<const double> before, std::span<const double> after) {
+    for (Item& item : m_items) {
+        if (item.sizes) resizeByParam(item, growth, side, fineness.lengthM, edits);
+        else if (const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr)
+            resizeGeom(item, *geom, growth, side, fineness.lengthM, edits);
+    }
+    return apply(edits, name, mergeKey);
+}
+
+void TransformSelection::resizeGeom(Item& item, const GeomSpec& geom, const Vec3& growth, int side, double fineness,
+                                    std::vector<ValueEdit>& edits) {
+    const auto set = [&](const char* key, std::span<const double> before, std::span<const double> after) {
         const std::string path = item.path + "." + key;
         const auto [text, isNew] = m_sizeTexts.try_emplace(path);
         if (isNew) text->second = textOf(path);
-        edits.push_back({path, withNumbers(text->second, before, after, "m", fineness.lengthM)});
+        edits.push_back({path, withNumbers(text->second, before, after, "m", fineness)});
     };
     // The value as it will be rounded in the text; Pos is computed from it.
     const auto grown = [&](double value, double by) {
         const double to = std::max(kLeastLength, value + by);
-        return by == 0 ? value : std::max(kLeastLength, fineness.lengthM * std::round(to / fineness.lengthM));
+        return by == 0 ? value : std::max(kLeastLength, fineness * std::round(to / fineness));
     };
-    for (Item& item : m_items) {
-        if (item.sizes) {
-            resizeByParam(item, growth, side, fineness.lengthM, edits);
-            continue;
-        }
-        const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr;
-        if (!geom) continue;
-        const double radius = geom->radius, length = geom->length;
-        const double across = std::abs(growth.x()) > std::abs(growth.y()) ? growth.x() : growth.y();
-        switch (geom->shape) {
-        case GeomShape::Box: {
-            Vec3 size = geom->size;
-            for (int k = 0; k < 3; ++k) size[k] = grown(size[k], 2 * growth[k]);
-            set(item, "Size", arrayOf(geom->size), arrayOf(size));
-            follow(item, geom->size, size, side, edits);
-            break;
-        }
-        case GeomShape::Heightfield: { // its Pos is at the centre of its base
-            Vec3 size = geom->size;
-            for (int k = 0; k < 3; ++k) size[k] = grown(size[k], (k == 2 ? 1 : 2) * growth[k]);
-            set(item, "Size", arrayOf(geom->size), arrayOf(size));
-            const Vec3 base(1, 1, 0);
-            follow(item, geom->size.cwiseProduct(base), size.cwiseProduct(base), side, edits);
-            break;
-        }
-        case GeomShape::Sphere: {
-            const double by = std::abs(across) > std::abs(growth.z()) ? across : growth.z(), to = grown(radius, by);
-            set(item, "Radius", {&radius, 1}, {&to, 1});
-            break;
-        }
-        case GeomShape::Cylinder:
-        case GeomShape::Capsule: {
-            const double wide = grown(radius, across), far = grown(length, 2 * growth.z());
-            if (across != 0 || m_sizeTexts.contains(item.path + ".Radius")) set(item, "Radius", {&radius, 1}, {&wide, 1});
-            if (growth.z() != 0 || m_sizeTexts.contains(item.path + ".Length")) set(item, "Length", {&length, 1}, {&far, 1});
-            follow(item, {0, 0, length}, {0, 0, far}, side, edits);
-            break;
-        }
-        default: break;
-        }
+    const double radius = geom.radius, length = geom.length;
+    const double across = std::abs(growth.x()) > std::abs(growth.y()) ? growth.x() : growth.y();
+    switch (geom.shape) {
+    case GeomShape::Box:
+    case GeomShape::Heightfield: {
+        const bool onBase = geom.shape == GeomShape::Heightfield; // its Pos is at the centre of its base
+        Vec3 size = geom.size;
+        for (int k = 0; k < 3; ++k) size[k] = grown(size[k], (onBase && k == 2 ? 1 : 2) * growth[k]);
+        set("Size", arrayOf(geom.size), arrayOf(size));
+        const Vec3 moving(1, 1, onBase ? 0 : 1);
+        follow(item, geom.size.cwiseProduct(moving), size.cwiseProduct(moving), side, edits);
+        break;
     }
-    return apply(edits, name, mergeKey);
+    case GeomShape::Sphere: {
+        const double by = std::abs(across) > std::abs(growth.z()) ? across : growth.z(), to = grown(radius, by);
+        set("Radius", {&radius, 1}, {&to, 1});
+        break;
+    }
+    case GeomShape::Cylinder:
+    case GeomShape::Capsule: {
+        const double wide = grown(radius, across), far = grown(length, 2 * growth.z());
+        if (across != 0 || m_sizeTexts.contains(item.path + ".Radius")) set("Radius", {&radius, 1}, {&wide, 1});
+        if (growth.z() != 0 || m_sizeTexts.contains(item.path + ".Length")) set("Length", {&length, 1}, {&far, 1});
+        follow(item, {0, 0, length}, {0, 0, far}, side, edits);
+        break;
+    }
+    default: break;
+    }
 }
 
 } // namespace trundle

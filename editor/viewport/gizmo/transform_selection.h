@@ -77,6 +77,9 @@ private:
     [[nodiscard]] std::string textOf(const std::string& property) const;
     /// The edits that resize an instance: its Param, and Pos if the opposite side is to stay.
     void resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) const;
+    /// The same for a geom of the text: its size. `fineness`: m.
+    void resizeGeom(Item& item, const GeomSpec& geom, const Vec3& growth, int side, double fineness,
+                    std::vector<ValueEdit>& edits);
     /// Adds the edit of Pos that keeps the opposite side in place after side-to-side sizes changed from `before` to `after`.
     void follow(Item& item, const Vec3& before, const Vec3& after, int side, std::vector<ValueEdit>& edits) const;
     [[nodiscard]] std::vector<ValueEdit> editsOf(Item& item, const Pose& local, Fineness fineness) const;

@@ -34,7 +34,8 @@ public:
     [[nodiscard]] const CoverageMap* coverage() const { return m_coverage ? &*m_coverage : nullptr; }
 
     [[nodiscard]] bool isComputing() const { return m_linksAwaited || m_coverageAwaited; }
-    [[nodiscard]] int requests() const { return int(m_number); } ///< number of requests sent to the worker so far
+    /// Numbers of requests sent to the worker, and of coverages that it gave up. For tests.
+    [[nodiscard]] int requests() const { return int(m_number); }
     [[nodiscard]] int coveragesGivenUp() const { return m_givenUp; }
 
 Q_SIGNALS:

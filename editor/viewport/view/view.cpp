@@ -53,6 +53,21 @@ View::View(const ViewContext& context, ViewKind kind, QWidget* parent)
     setMinimumSize(120, 90);
     setAccessibleName(tr("3D view"));
 
+    makeTools();
+    m_pumpTimer.setSingleShot(true);
+    m_settle.setSingleShot(true);
+    connect(&m_pumpTimer, &QTimer::timeout, this, [this] {
+        if (mayAsk()) ask(false);
+    });
+    connect(&m_settle, &QTimer::timeout, this, [this] {
+        if (!m_wanted && !m_inFlight && isVisible() && !isMouseBusy()) ask(true);
+    });
+    connect(&m_glide, &QTimer::timeout, this, &View::glide);
+    connectContext();
+    m_camera.setKind(kind);
+}
+
+void View::makeTools() {
     m_tools.push_back(std::make_unique<PinTool>(*this));
     auto navigation = std::make_unique<Navigation>(*this);
     m_navigation = navigation.get();
@@ -63,16 +78,9 @@ View::View(const ViewContext& context, ViewKind kind, QWidget* parent)
     m_tools.push_back(std::move(gizmo));
     m_tools.push_back(std::make_unique<PushTool>(*this));
     m_tools.push_back(std::make_unique<SelectTool>(*this));
+}
 
-    m_pumpTimer.setSingleShot(true);
-    m_settle.setSingleShot(true);
-    connect(&m_pumpTimer, &QTimer::timeout, this, [this] {
-        if (mayAsk()) ask(false);
-    });
-    connect(&m_settle, &QTimer::timeout, this, [this] {
-        if (!m_wanted && !m_inFlight && isVisible() && !isMouseBusy()) ask(true);
-    });
-    connect(&m_glide, &QTimer::timeout, this, &View::glide);
+void View::connectContext() {
     connect(&m_context.session, &RunSession::stateChanged, this, &View::settle);
     connect(&m_context.world, &ViewportScene::replaced, this, [this] {
         followSelection();
@@ -101,7 +109,6 @@ View::View(const ViewContext& context, ViewKind kind, QWidget* parent)
         connect(radios, &RadioOverlays::sceneChanged, this, &View::redraw);
         connect(radios, &RadioOverlays::linksChanged, this, qOverload<>(&QWidget::update));
     }
-    m_camera.setKind(kind);
 }
 
 View::~View() {

@@ -73,7 +73,7 @@ public:
     void setCurrent(bool current, bool framed);
     [[nodiscard]] bool isCurrent() const override { return m_isCurrent; }
 
-    /// Number of images requested because of a change, and number of refinements requested when idle.
+    /// Number of images requested because of a change, and number of refinements requested when idle. For tests.
     [[nodiscard]] int redraws() const { return m_redraws; }
     [[nodiscard]] int refinements() const { return m_refinements; }
     /// A view that displays an error instead of an image also counts as up to date.
@@ -134,6 +134,8 @@ private:
     bool leaveCamera();
     [[nodiscard]] CameraView throughView(const CameraModel& camera, const BodyPoses& poses) const;
     void paintThrough(QPainter& painter) const;
+    void makeTools();
+    void connectContext(); ///< to what the view shows
     void settle();
     void glide();
     void cancelTool();

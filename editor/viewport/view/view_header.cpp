@@ -36,6 +36,12 @@ QDoubleSpinBox* stepBox(const QString& name, double value, const QString& suffix
     return box;
 }
 
+constexpr const char* kOverlays[] = {
+    "view.overlayGrid",     "view.overlayShadows",   "view.overlayNames",    "view.overlayTrails", "view.overlayJoints",
+    "view.overlayMass",     "view.overlayFrusta",    "view.overlayLobes",    "view.overlayLinks",  "view.overlayCoverage",
+    "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"};
+constexpr const char* kViewCounts[] = {"view.one", "view.two", "view.three", "view.four"};
+
 } // namespace
 
 QString viewKindName(ViewKind kind) {
@@ -124,59 +130,57 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     setObjectName(QStringLiteral("viewBar"));
     setIconSize({16, 16});
     fitFont();
-
-    auto* axes = new QMenu(this);
-    const auto addAxes = [&](const QString& name, AxesOf which) {
-        connect(axes->addAction(name), &QAction::triggered, this, [this, which] { m_settings.setAxes(which); });
-    };
-    addAxes(tr("World axes"), AxesOf::World);
-    addAxes(tr("Parent axes"), AxesOf::Parent);
-    addAxes(tr("Local axes"), AxesOf::Local);
-
-    auto* steps = new QMenu(this);
-    auto* form = new QWidget;
-    auto* lines = new QFormLayout(form);
-    auto *move = stepBox(QStringLiteral("moveStep"), settings.moveStep(), tr(" m"), 3),
-         *turn = stepBox(QStringLiteral("turnStep"), settings.rotationStep(), QStringLiteral("°"), 1);
-    lines->addRow(tr("Move"), move);
-    lines->addRow(tr("Turn"), turn);
-    const auto take = [this, move, turn] { m_settings.setSteps(move->value(), turn->value()); };
-    connect(move, &QDoubleSpinBox::valueChanged, this, take);
-    connect(turn, &QDoubleSpinBox::valueChanged, this, take);
-    connect(&settings, &ViewSettings::changed, this, [this, move, turn] {
-        const QSignalBlocker quietMove(move), quietTurn(turn);
-        // Only if changed elsewhere, so that a number being typed is not replaced.
-        if (move->value() != m_settings.moveStep()) move->setValue(m_settings.moveStep());
-        if (turn->value() != m_settings.rotationStep()) turn->setValue(m_settings.rotationStep());
-    });
-    auto* holder = new QWidgetAction(steps);
-    holder->setDefaultWidget(form);
-    steps->addAction(holder);
-
-    auto* overlays = new QMenu(this);
-    for (const char* id :
-         {"view.overlayGrid", "view.overlayShadows", "view.overlayNames", "view.overlayTrails", "view.overlayJoints",
-          "view.overlayMass", "view.overlayFrusta", "view.overlayLobes", "view.overlayLinks", "view.overlayCoverage",
-          "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"})
-        overlays->addAction(&actions.at(id));
-
-    auto* counts = new QMenu(this);
-    for (const char* id : {"view.one", "view.two", "view.three", "view.four"}) counts->addAction(&actions.at(id));
-
-    m_axes = addMenuButton("axes", tr("Axes of arrows and rings"), axes);
-    m_steps = addMenuButton("steps", tr("Steps of moves and turns"), steps);
+    m_axes = addMenuButton("axes", tr("Axes of arrows and rings"), makeAxesMenu());
+    m_steps = addMenuButton("steps", tr("Steps of moves and turns"), makeStepsMenu());
     auto* gap = new QWidget;
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(gap);
-    QAction* shown = addMenuButton("overlays", tr("What is drawn over the views"), overlays);
-    shown->setText(tr("Overlays"));
-    shown->setIcon(themedIcon(QStringLiteral("overlays")));
-    QAction* views = addMenuButton("views", tr("How many views"), counts);
+    QAction* overlays = addMenuButton("overlays", tr("What is drawn over the views"), menuOf(actions, kOverlays));
+    overlays->setText(tr("Overlays"));
+    overlays->setIcon(themedIcon(QStringLiteral("overlays")));
+    QAction* views = addMenuButton("views", tr("How many views"), menuOf(actions, kViewCounts));
     views->setText(tr("Views")); // title of the overflow menu
     views->setIcon(themedIcon(QStringLiteral("views")));
     qobject_cast<QToolButton*>(widgetForAction(views))->setToolButtonStyle(Qt::ToolButtonIconOnly);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showSettings);
     showSettings();
+}
+
+QMenu* ViewBar::menuOf(Actions& actions, std::span<const char* const> ids) {
+    auto* menu = new QMenu(this);
+    for (const char* id : ids) menu->addAction(&actions.at(id));
+    return menu;
+}
+
+QMenu* ViewBar::makeAxesMenu() {
+    auto* menu = new QMenu(this);
+    for (const auto& [name, axes] : {std::pair(tr("World axes"), AxesOf::World), std::pair(tr("Parent axes"), AxesOf::Parent),
+                                     std::pair(tr("Local axes"), AxesOf::Local)})
+        connect(menu->addAction(name), &QAction::triggered, this, [this, axes = axes] { m_settings.setAxes(axes); });
+    return menu;
+}
+
+QMenu* ViewBar::makeStepsMenu() {
+    auto* menu = new QMenu(this);
+    auto* form = new QWidget;
+    auto* lines = new QFormLayout(form);
+    auto *move = stepBox(QStringLiteral("moveStep"), m_settings.moveStep(), tr(" m"), 3),
+         *turn = stepBox(QStringLiteral("turnStep"), m_settings.rotationStep(), QStringLiteral("°"), 1);
+    lines->addRow(tr("Move"), move);
+    lines->addRow(tr("Turn"), turn);
+    const auto take = [this, move, turn] { m_settings.setSteps(move->value(), turn->value()); };
+    connect(move, &QDoubleSpinBox::valueChanged, this, take);
+    connect(turn, &QDoubleSpinBox::valueChanged, this, take);
+    connect(&m_settings, &ViewSettings::changed, this, [this, move, turn] {
+        const QSignalBlocker quietMove(move), quietTurn(turn);
+        // Only if changed elsewhere, so that a number being typed is not replaced.
+        if (move->value() != m_settings.moveStep()) move->setValue(m_settings.moveStep());
+        if (turn->value() != m_settings.rotationStep()) turn->setValue(m_settings.rotationStep());
+    });
+    auto* holder = new QWidgetAction(menu);
+    holder->setDefaultWidget(form);
+    menu->addAction(holder);
+    return menu;
 }
 
 /// Same height as the tabs of the text editor beside it.

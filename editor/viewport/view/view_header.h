@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include <QToolBar>
 
 class QMenu;
@@ -41,6 +43,9 @@ protected:
 
 private:
     void fitFont();
+    QMenu* menuOf(Actions& actions, std::span<const char* const> ids);
+    QMenu* makeAxesMenu();
+    QMenu* makeStepsMenu(); ///< with boxes for the steps
     QAction* addMenuButton(const char* name, const QString& tip, QMenu* menu);
     void showSettings();
     ViewSettings& m_settings;

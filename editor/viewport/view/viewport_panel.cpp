@@ -42,7 +42,24 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     column->addWidget(new ViewBar(m_settings, actions));
 
     m_columns = new QSplitter(Qt::Horizontal);
-    // Placed over the views, so that the layout does not change when it appears.
+    makeBanner();
+    m_left = new QSplitter(Qt::Vertical);
+    m_right = new QSplitter(Qt::Vertical);
+    m_columns->addWidget(m_left);
+    m_columns->addWidget(m_right);
+    column->addWidget(m_columns, 1);
+    makeViews(render);
+    connectActions();
+    connectOverlays();
+    connectPinned();
+    setViewCount(1);
+    connectFraming();
+    connectBanner();
+    connect(m_world.get(), &ViewportScene::posed, this, &ViewportPanel::followDrivenRobot);
+}
+
+/// Placed over the views, so that the layout does not change when it appears.
+void ViewportPanel::makeBanner() {
     m_banner = new QFrame(this);
     m_banner->setObjectName(QStringLiteral("viewportBanner"));
     m_banner->setAutoFillBackground(true);
@@ -56,18 +73,23 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     words->addWidget(m_bannerText, 1);
     words->addWidget(m_bannerButton);
     m_banner->hide();
-    m_left = new QSplitter(Qt::Vertical);
-    m_right = new QSplitter(Qt::Vertical);
-    m_columns->addWidget(m_left);
-    m_columns->addWidget(m_right);
-    column->addWidget(m_columns, 1);
-    makeViews(render);
-    connectActions();
-    connectOverlays();
-    connectPinned();
-    setViewCount(1);
+}
 
-    // A new document is framed once, as soon as it has objects.
+void ViewportPanel::connectBanner() {
+    for (const auto& signal : {&ViewportScene::replaced, &ViewportScene::posed})
+        connect(m_world.get(), signal, this, &ViewportPanel::showBanner);
+    connect(&m_selection, &Selection::changed, this, &ViewportPanel::showBanner);
+    connect(&m_session, &RunSession::stateChanged, this, &ViewportPanel::showBanner);
+    connect(&m_settings, &ViewSettings::changed, this, &ViewportPanel::showBanner);
+    connect(m_bannerButton, &QPushButton::clicked, this, [this] {
+        if (m_blockingLayout.empty()) return m_session.robots().keepPoses();
+        (void)m_document.apply(tr("Replace %1 by single instances").arg(QString::fromStdString(m_blockingLayout)),
+                               planReplaceBySingles(*m_document.loaded(), m_blockingLayout));
+    });
+}
+
+/// A new document is framed once, as soon as it has objects.
+void ViewportPanel::connectFraming() {
     connect(&m_document, &Document::opened, this, [this] {
         m_toBeFramed = true;
         for (View* view : m_views) // the followed robot is gone
@@ -81,17 +103,6 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
         frameAll();
     });
     if (!m_world->objects()->instances().empty()) m_toBeFramed = false, m_frameWhenShown = true;
-    for (const auto& signal : {&ViewportScene::replaced, &ViewportScene::posed})
-        connect(m_world.get(), signal, this, &ViewportPanel::showBanner);
-    connect(m_world.get(), &ViewportScene::posed, this, &ViewportPanel::followDrivenRobot);
-    connect(&m_selection, &Selection::changed, this, &ViewportPanel::showBanner);
-    connect(&m_session, &RunSession::stateChanged, this, &ViewportPanel::showBanner);
-    connect(&m_settings, &ViewSettings::changed, this, &ViewportPanel::showBanner);
-    connect(m_bannerButton, &QPushButton::clicked, this, [this] {
-        if (m_blockingLayout.empty()) return m_session.robots().keepPoses();
-        (void)m_document.apply(tr("Replace %1 by single instances").arg(QString::fromStdString(m_blockingLayout)),
-                               planReplaceBySingles(*m_document.loaded(), m_blockingLayout));
-    });
 }
 
 ViewportPanel::~ViewportPanel() {

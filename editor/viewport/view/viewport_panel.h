@@ -75,6 +75,9 @@ protected:
 private:
     void placeBanner();
     void makeViews(RenderService* render);
+    void makeBanner();
+    void connectBanner();
+    void connectFraming();
     void connectActions();
     void connectOverlays();
     void connectPinned();

@@ -7,8 +7,8 @@
 
 #include "editor/properties/property_row.h"
 #include "editor/properties/row_editor.h"
-#include "editor/properties/value_text.h"
 #include "model/provenance.h"
+#include "project/objects/value_text.h"
 
 using namespace trundle;
 

@@ -1,4 +1,4 @@
-#include "editor/document/open_files.h"
+#include "project/saving/open_files.h"
 
 #include <algorithm>
 
@@ -14,6 +14,13 @@ void OpenFiles::take(const std::string& path, std::string_view bytes) {
 void OpenFiles::make(const std::string& path) {
     take(path, {});
     m_files.at(path).made = true;
+}
+
+void OpenFiles::rename(const std::string& from, const std::string& to) {
+    const OpenFile moved = m_files.at(from);
+    m_files.erase(from);
+    take(to, *moved.text);
+    m_files.at(to).made |= moved.made;
 }
 
 OpenFile* OpenFiles::find(const std::string& path) {

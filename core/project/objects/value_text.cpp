@@ -1,4 +1,4 @@
-#include "editor/properties/value_text.h"
+#include "project/objects/value_text.h"
 
 #include <algorithm>
 #include <charconv>

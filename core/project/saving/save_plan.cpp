@@ -6,7 +6,7 @@
 //              path in the text is changed
 // data         moves: old path -> new path, without the files that stay; m_edits: changed paths, in the current texts
 
-#include "editor/document/save_plan.h"
+#include "project/saving/save_plan.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,9 +14,9 @@
 #include <set>
 
 #include "base/platform/read_file.h"
-#include "editor/document/save_companions.h"
 #include "lang/tree_edit.h"
 #include "project/loading/search.h"
+#include "project/saving/named_files.h"
 
 namespace trundle {
 
@@ -56,20 +56,16 @@ bool sameBytes(const std::string& a, const std::string& b) {
 
 class SaveAs {
 public:
-    SaveAs(Application& application, const LoadedProject& loaded, OpenOptions options, const std::set<std::string>& mustMove,
+    SaveAs(const SavePlanSources& sources, const LoadedProject& loaded, const std::set<std::string>& mustMove,
            ModuleCopies modules)
-        : m_application(application), m_loaded(loaded), m_options(std::move(options)), m_mustMove(mustMove), m_modules(modules) {
-        m_options.previous = nullptr;
-        m_options.meshesLater = true; // their content does not matter here
-    }
+        : m_sources(sources), m_loaded(loaded), m_mustMove(mustMove), m_modules(modules) {}
 
     Result<SavePlan> plan(const std::string& target) {
+        m_plan.target = target;
         if (Status moved = move(0, target); !moved) return moved.error();
-        const std::vector<NamedThere> named = namedBy(m_loaded, m_application, m_options);
+        const std::vector<NamedFileUse> named = namedFiles(m_loaded, m_sources.modules);
         for (std::size_t round = 0; round <= 2 * m_loaded.paths.size() + named.size(); ++round) {
-            OpenOptions options = m_options;
-            for (const auto& [path, text] : m_plan.texts) options.texts.insert_or_assign(path, text);
-            const Result<std::shared_ptr<const LoadedProject>> there = m_application.open(target, options);
+            const Result<std::shared_ptr<const LoadedProject>> there = m_sources.load(target, m_plan.texts);
             if (!there) return there.error();
             m_seen.clear();
             const Result<bool> changed = compare(0, *there.value(), 0);
@@ -125,8 +121,8 @@ private:
     }
 
     /// Copies files that the texts refer to and that would not be found any more. True if texts have moved or changed.
-    Result<bool> carry(const std::vector<NamedThere>& named, const LoadedProject& there) {
-        for (const NamedThere& file : named) {
+    Result<bool> carry(const std::vector<NamedFileUse>& named, const LoadedProject& there) {
+        for (const NamedFileUse& file : named) {
             if (isFoundFrom(there, file)) continue;
             const auto place = m_plan.moves.find(m_loaded.paths[file.text]);
             const Status done = place == m_plan.moves.end()
@@ -138,20 +134,19 @@ private:
         return false;
     }
 
-    [[nodiscard]] bool isFoundFrom(const LoadedProject& there, const NamedThere& file) const {
+    [[nodiscard]] bool isFoundFrom(const LoadedProject& there, const NamedFileUse& file) const {
         if (m_brought.contains({file.text, file.written})) return true;
         const std::string& before = m_loaded.paths[file.text];
         const auto place = m_plan.moves.find(before);
         const std::string& now = place == m_plan.moves.end() ? before : place->second;
-        if (file.module)
-            return libraryOf(file.written, fs::path(now).parent_path().string(), m_application, m_options) == file.path;
+        if (file.module) return libraryOf(file.written, fs::path(now).parent_path().string(), m_sources.modules) == file.path;
         const auto text = std::ranges::find(there.paths, now);
         const auto found = there.named.find({static_cast<FileId>(text - there.paths.begin()), file.written});
         return found != there.named.end() && found->second.path == file.path;
     }
 
     /// `folder`: new folder of the text that refers to the file.
-    Status bring(const NamedThere& file, const fs::path& folder, const std::string& project) {
+    Status bring(const NamedFileUse& file, const fs::path& folder, const std::string& project) {
         m_brought.insert({file.text, file.written});
         const fs::path from = file.path;
         // Texts name a module without the platform's prefix and suffix.
@@ -166,7 +161,7 @@ private:
         const fs::path place = stays ? folder / fs::path(file.written).parent_path() : folder;
         (file.module ? m_plan.companions.modules : m_plan.companions.files).push_back(file.path);
         if (Status done = copy(from, place / from.filename()); !done) return done;
-        for (const std::string& part : partsOf(file))
+        for (const std::string& part : neededBy(file))
             if (Status done = copy(from.parent_path() / part, place / part); !done) return done;
         return stays ? Status() : rewrite(file, shown.string());
     }
@@ -183,9 +178,9 @@ private:
         return {};
     }
 
-    Status rewrite(const NamedThere& file, const std::string& words) {
+    Status rewrite(const NamedFileUse& file, const std::string& words) {
         const std::vector<TextRange> places =
-            file.module ? std::vector{file.range} : placesOf(*m_loaded.trees[file.text], file.written);
+            file.module ? std::vector{file.range} : rangesOf(*m_loaded.trees[file.text], file.written);
         return rewrite(file.text, places, words);
     }
 
@@ -228,9 +223,8 @@ private:
 
     static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-    Application& m_application;
+    const SavePlanSources& m_sources;
     const LoadedProject& m_loaded;
-    OpenOptions m_options;
     const std::set<std::string>& m_mustMove;
     const ModuleCopies m_modules;
     SavePlan m_plan;
@@ -242,9 +236,9 @@ private:
 
 } // namespace
 
-Result<SavePlan> planSaveAs(Application& application, const LoadedProject& loaded, OpenOptions options, const std::string& target,
+Result<SavePlan> planSaveAs(const SavePlanSources& sources, const LoadedProject& loaded, const std::string& target,
                             const std::set<std::string>& mustMove, ModuleCopies modules) {
-    return SaveAs(application, loaded, std::move(options), mustMove, modules).plan(target);
+    return SaveAs(sources, loaded, mustMove, modules).plan(target);
 }
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-#include "editor/outline/insert_positions.h"
+#include "project/edits/insert_positions.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
-#include "editor/properties/object_values.h"
+#include "project/objects/object_values.h"
 
 #include <algorithm>
 
-#include "editor/properties/value_text.h"
 #include "model/set_targets.h"
 #include "project/objects/object_location.h"
+#include "project/objects/value_text.h"
 #include "schema/value_words.h"
 
 namespace trundle {

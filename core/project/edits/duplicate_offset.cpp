@@ -1,4 +1,4 @@
-#include "editor/outline/duplicate_offset.h"
+#include "project/edits/duplicate_offset.h"
 
 #include <algorithm>
 #include <cmath>

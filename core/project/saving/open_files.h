@@ -32,6 +32,8 @@ public:
     void take(const std::string& path, std::string_view bytes);
     void make(const std::string& path); ///< adds a file that is not on disk, with an empty text
     void remove(const std::string& path) { m_files.erase(path); }
+    /// A file was saved at another path: its text is on disk there. A file known at that path is kept.
+    void rename(const std::string& from, const std::string& to);
 
     [[nodiscard]] OpenFile* find(const std::string& path);
     [[nodiscard]] const OpenFile* find(const std::string& path) const;
