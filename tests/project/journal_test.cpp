@@ -15,6 +15,7 @@
 
 #include "base/platform/read_file.h"
 #include "project/journal/journal.h"
+#include "project/journal/journal_record.h"
 #include "project/journal/project_lock.h"
 #include "project/journal/state_folder.h"
 
@@ -63,6 +64,23 @@ private Q_SLOTS:
         QVERIFY(findRecoveries(m_project).empty());
         QCOMPARE(entriesIn(journals()), 0u);
         QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
+    }
+
+    void newestFirst() {
+        leave("base\n", {"text"}); // now
+        for (const std::int64_t time : {1'500'000'000, 1'100'000'000, 1'300'000'000, 1'400'000'000, 1'200'000'000}) {
+            const std::string at = std::to_string(time);
+            write(journals() + "/" + at + ".journal",
+                  std::string(kJournalMark) +
+                      journalBytes({JournalRecord::Head, {m_project + "/main.sim", "", "1", "1", thisProcess().host}}) +
+                      journalBytes({JournalRecord::Begin, {"a.sim", "base", at}}) +
+                      journalBytes({JournalRecord::Change, {"a.sim", "0", "4", "text", at}}));
+        }
+        std::vector<std::int64_t> times;
+        for (const Recovery& recovery : findRecoveries(m_project)) times.push_back(recovery.time / 100'000'000);
+        QCOMPARE(times.size(), std::size_t(6));
+        QVERIFY(std::ranges::is_sorted(times, std::greater()));
+        QCOMPARE(times.back(), 11);
     }
 
     void ignoresJournalOfLiveWindow() {

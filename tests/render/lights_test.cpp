@@ -140,6 +140,17 @@ private Q_SLOTS:
         ball->statics[0].geoms = std::make_shared<const std::vector<GeomSpec>>(geoms);
         QCOMPARE(floorAt(ball, 0.5, 1), floorAt(post({night, lampAt(1, 1, 1)}), 0.5, 1));
     }
+    /// It casts none onto the floor, and takes none of the places of three lamps above it.
+    void aLampBelowTheFloorCastsNoShadow() {
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}}), below = lampAt(0.6, 0, -0.8),
+                            dark = lampAt(0.6, 0, -0.8, {{"Shadows", numbers({0})}});
+        for (const double x : {-1.2, -0.6, 0.4, 0.8, 1.2})
+            QCOMPARE(floorAt(post({night, below}), x, 0), floorAt(post({night, dark}), x, 0));
+        std::vector<ComponentSpec> above{night, lampAt(1, 0, 1.5), lampAt(0, 1, 1.5), lampAt(-1, 0, 1.5)}, more = above;
+        more.insert(more.begin() + 1, below);
+        above.insert(above.begin() + 1, dark);
+        QCOMPARE(floorAt(post(more), 0.6, 0), floorAt(post(above), 0.6, 0)); // in the shadow of the third lamp above
+    }
     void threeLampsCastShadowsAndTheFourthDoesNot() {
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
         std::vector<ComponentSpec> looks{night};

@@ -275,7 +275,7 @@ private Q_SLOTS:
         Document& d = *m_document;
         QVERIFY(d.open(m_fixture->main).ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok());
-        QSignalSpy opened(&d, &Document::opened), failed(&d, &Document::openFailed);
+        QSignalSpy opened(&d, &Document::opened), failed(&d, &Document::openFailed), read(&d, &Document::aboutToOpen);
         d.openLater(m_fixture->robot);
         d.cancelOpening();
         QVERIFY(!d.isOpening());
@@ -284,6 +284,7 @@ private Q_SLOTS:
         d.openLater(m_fixture->path("none.sim")); // queued behind the first
         EVENTUALLY_EQUAL(failed.count(), 1);
         QCOMPARE(opened.count(), 0);
+        QCOMPARE(read.count(), 0);
         QCOMPARE(d.path(), m_fixture->main);
     }
 

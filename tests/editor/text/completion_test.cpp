@@ -143,6 +143,7 @@ void CompletionTest::lists_data() {
     row("angles", "StaticConfig A { Box s { HPR=0,0,90 d|", "deg", "cm");
     row("no units without a dimension", "Seed = 4|", "", "cm deg Tick");
     row("Params", "#import parts.sim\nParam speed = 2\nTick = $|", "$speed", "$wheelRadius");
+    row("a Param in its own value", "Param a = 2\nParam b = $|", "$a", "$b");
     row("Params of the config", "RobotConfig A { Param r = 1\n Body b { Sphere s { Radius=$| } } }", "$r", "");
     row("in an expression", "Param a = 2\nTick = $(a*|)", "a sqrt sin pi", "$a Tick");
     row("a Param among values", "Param a = 2\nDuration = |", "$a", "");

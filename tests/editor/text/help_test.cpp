@@ -26,6 +26,7 @@ private Q_SLOTS:
     void completionClosesWithItsContext();
     void valuesFollowAKey();
     void fixesByAltEnter();
+    void fixesOnTheLineOfTheCaret();
     void problemsAreMarked();
     void hovers_data();
     void hovers();
@@ -196,6 +197,24 @@ void HelpTest::fixesByAltEnter() {
     QCOMPARE(w.history().last(), QStringLiteral("Fix: Tick"));
     w.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(w.text().contains("\nick = 0.01"));
+}
+
+/// Where no problem is at the caret, those of its line are offered, and no others.
+void HelpTest::fixesOnTheLineOfTheCaret() {
+    TwoBalls w;
+    w.caretAt("Tick");
+    w.key(Qt::Key_Delete);
+    EVENTUALLY(!w.page().problems().empty());
+    w.key(Qt::Key_Down);
+    w.key(Qt::Key_Return, Qt::AltModifier);
+    QVERIFY(!w.panel.findChild<QMenu*>(QStringLiteral("fixMenu")));
+    w.key(Qt::Key_Up);
+    w.key(Qt::Key_End);
+    w.key(Qt::Key_Return, Qt::AltModifier);
+    auto* menu = w.panel.findChild<QMenu*>(QStringLiteral("fixMenu"));
+    QVERIFY(menu && menu->isVisible());
+    QTest::keyClick(menu, Qt::Key_Return);
+    QCOMPARE(w.text(), QByteArray(kTwoBalls));
 }
 
 void HelpTest::problemsAreMarked() {

@@ -1,0 +1,101 @@
+// Noise and lens distortion of camera images, without drawing one.
+#include <QtTest>
+
+#include "render/sensor_model.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr std::uint32_t kWidth = 60, kHeight = 40;
+constexpr std::size_t kPixels = std::size_t(kWidth) * kHeight;
+
+CameraModel camera(CameraMode mode, double noise) {
+    CameraModel camera;
+    camera.path = "robot/eye";
+    camera.width = kWidth;
+    camera.height = kHeight;
+    camera.mode = mode;
+    camera.noise = noise;
+    return camera;
+}
+
+CameraImage grey(std::uint8_t value) {
+    CameraImage image;
+    image.pixels.assign(kPixels * 3, value);
+    return image;
+}
+
+} // namespace
+
+class SensorModelTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    /// Each pixel has an error of its own, proportional to its depth; what nothing was seen of stays infinite.
+    void depthNoiseIsOfEachPixel() {
+        const CameraModel model = camera(CameraMode::Depth, 0.1);
+        for (const float depth : {0.5f, 3.0f}) {
+            CameraImage image = grey(0);
+            image.depth.assign(kPixels, depth);
+            image.depth[7] = std::numeric_limits<float>::infinity();
+            addNoise(model, 1, image);
+            QVERIFY(std::isinf(image.depth[7]));
+            std::set<float> values(image.depth.begin(), image.depth.end());
+            QVERIFY(values.size() > kPixels - 20); // hardly any two are equal
+            double sum = 0, squares = 0;
+            for (std::size_t i = 8; i < kPixels; ++i) {
+                const double error = (image.depth[i] - depth) / depth;
+                sum += error, squares += error * error;
+            }
+            const double count = double(kPixels) - 8;
+            QVERIFY(std::abs(sum / count) < 0.01);
+            QVERIFY(std::abs(std::sqrt(squares / count) / 0.1 - 1) < 0.05);
+        }
+    }
+
+    void greyNoiseIsTheSameInAllColours() {
+        CameraImage image = grey(128), coloured = grey(128);
+        addNoise(camera(CameraMode::Grey, 0.1), 1, image);
+        addNoise(camera(CameraMode::Colour, 0.1), 1, coloured);
+        std::set<std::uint8_t> values;
+        std::size_t unequal = 0;
+        for (std::size_t i = 0; i < kPixels; ++i) {
+            QCOMPARE(image.pixels[3 * i], image.pixels[3 * i + 1]);
+            QCOMPARE(image.pixels[3 * i], image.pixels[3 * i + 2]);
+            values.insert(image.pixels[3 * i]);
+            unequal += coloured.pixels[3 * i] != coloured.pixels[3 * i + 1];
+        }
+        QVERIFY(values.size() > 60);
+        QVERIFY(unequal > kPixels / 2);
+    }
+
+    /// r(1 - r²/2) is largest at r = 0.816, where it is 0.544: no ray arrives farther out, and none of the rays beyond is used
+    /// although they would be shown inside.
+    void aLensThatFoldsBackShowsItsInnerPart() {
+        CameraModel model = camera(CameraMode::Colour, 0);
+        model.fieldOfView = M_PI / 2; // tangents up to 1 at the sides
+        model.k1 = -0.5;
+        const std::optional<LensMap> lens = lensMapOf(model);
+        QVERIFY(lens);
+        const double drawnFocal = 0.5 * lens->width / std::tan(0.5 * lens->fieldOfView), focal = 0.5 * kWidth;
+        int inner = 0, dark = 0;
+        for (std::uint32_t y = 0; y < kHeight; ++y)
+            for (std::uint32_t x = 0; x < kWidth; ++x) {
+                const LensMap::Source& source = lens->sources[std::size_t(y) * kWidth + x];
+                const double shown = std::hypot(x + 0.5 - 0.5 * kWidth, y + 0.5 - 0.5 * kHeight) / focal;
+                if (source.x < 0) {
+                    QVERIFY2(shown > 0.53, qPrintable(QString::number(shown)));
+                    ++dark;
+                    continue;
+                }
+                const double r = std::hypot(source.x - 0.5 * lens->width, source.y - 0.5 * lens->height) / drawnFocal;
+                QVERIFY2(r < 0.8165, qPrintable(QString::number(r)));
+                QVERIFY(std::abs(r * (1 - 0.5 * r * r) - shown) < 1e-4);
+                ++inner;
+            }
+        QVERIFY(inner > 500 && dark > 500);
+    }
+};
+
+QTEST_APPLESS_MAIN(SensorModelTest)
+#include "sensor_model_test.moc"
