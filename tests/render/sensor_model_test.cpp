@@ -1,4 +1,6 @@
 // Noise and lens distortion of camera images, without drawing one.
+#include <set>
+
 #include <QtTest>
 
 #include "render/sensor_model.h"
