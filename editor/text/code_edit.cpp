@@ -10,6 +10,7 @@
 #include <QToolTip>
 
 #include "base/utf8.h"
+#include "editor/text/code_appearance.h"
 #include "editor/text/splice.h"
 #include "lang/lexer.h"
 
@@ -29,8 +30,8 @@ CodeEdit::CodeEdit(QWidget* parent) : QsciScintilla(parent) {
     setTabIndents(true);
     setBackspaceUnindents(true);
     setWays(m_lineEnd, m_step);
-    chooseKeys();
-    buildMargins();
+    chooseKeys(*this);
+    buildMargins(*this);
     applyStyle();
     connect(this, &QsciScintillaBase::SCN_MODIFIED, this,
             [this](int at, int what, const char* text, int length) { onModified(at, what, text, length); });
@@ -54,6 +55,7 @@ std::string CodeEdit::bytes() const {
 void CodeEdit::load(std::string_view bytes) {
     const QScopedValueRollback<bool> own(m_own, true);
     m_bom = bytes.starts_with(kBom) ? static_cast<std::uint32_t>(kBom.size()) : 0;
+    m_marks.setBom(m_bom);
     bytes.remove_prefix(m_bom);
     const bool locked = isReadOnly();
     setReadOnly(false);
@@ -70,6 +72,7 @@ void CodeEdit::setPlain(bool plain) {
     if (plain == m_plain) return;
     const QScopedValueRollback<bool> own(m_own, true);
     m_plain = plain;
+    m_marks.setBlocksShown(!plain);
     m_stale = true;
     m_styles = {};
     const long document = SendScintilla(SCI_CREATEDOCUMENT, 0UL,
@@ -87,6 +90,7 @@ std::uint32_t CodeEdit::bring(std::string_view bytes) {
     const std::uint32_t bom = bytes.starts_with(kBom) ? static_cast<std::uint32_t>(kBom.size()) : 0;
     bytes.remove_prefix(bom);
     m_bom = bom;
+    m_marks.setBom(bom);
     const std::vector<Splice> splices = splicesBetween(view(), bytes);
     if (splices.empty()) return caret();
     const bool locked = isReadOnly();
@@ -283,6 +287,34 @@ void CodeEdit::updateCaret() {
     m_lastCaret = caret;
     m_lastAnchor = anchor;
     Q_EMIT caretMovedByHand();
+}
+
+void CodeEdit::fitNumberMargin() {
+    const int digits = std::max(2, static_cast<int>(QString::number(lines()).size()));
+    setMarginWidth(kNumberMargin, QString(digits + 1, QLatin1Char('9')));
+    fitWrap();
+}
+
+void CodeEdit::setWrapLines(WrapLines wrap) {
+    m_wrap = wrap;
+    fitWrap();
+}
+
+void CodeEdit::fitWrap() {
+    constexpr int kNarrow = 80; // columns
+    int room = viewport()->width();
+    for (const int margin : {kNumberMargin, kBlockMargin, kSymbolMargin, kFoldMargin}) room -= marginWidth(margin);
+    const bool narrow = room < kNarrow * SendScintilla(SCI_TEXTWIDTH, static_cast<unsigned long>(STYLE_DEFAULT), "9");
+    const bool wraps = !m_plain && (m_wrap == WrapLines::Always || (m_wrap == WrapLines::InNarrowPanes && narrow));
+    if (wraps == m_wraps) return;
+    m_wraps = wraps;
+    setWrapMode(wraps ? WrapWhitespace : WrapNone);
+    Q_EMIT wrapsLinesChanged();
+}
+
+void CodeEdit::applyStyle() {
+    applyAppearance(*this);
+    fitNumberMargin();
 }
 
 // --- events ---

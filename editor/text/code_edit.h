@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "editor/text/code_marks.h"
 #include "editor/text/line_edits.h"
 #include "editor/text/qscintilla.h"
 #include "editor/text/token_styles.h"
@@ -49,10 +50,7 @@ public:
     /// Replaces a range, reported like typing.
     void type(TextRange range, std::string_view text, std::uint32_t caretAfter);
 
-    void showProblems(const std::vector<Diagnostic>& problems); ///< diagnostics of this text
-    void showMatches(const std::vector<TextRange>& matches);
-    void showBlock(TextRange block); ///< with a faint background; empty: none
-    void showLink(TextRange link);   ///< underlines what Ctrl+click opens
+    [[nodiscard]] CodeMarks& marks() { return m_marks; }
 
     void removeForward(); ///< deletes the selection, else the next character
     void toggleComment();
@@ -94,12 +92,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void chooseKeys();
-    void buildMargins();
     void applyStyle();
-    void applyCaretStyle();
-    void applyIndicatorStyles();
-    void drawMarks();
     void fitNumberMargin();
     void fitWrap();
     void onModified(int at, int what, const char* text, int length);
@@ -110,9 +103,8 @@ private:
     [[nodiscard]] std::string_view view() const; ///< without the BOM; valid until the next change
     [[nodiscard]] long position(std::uint32_t offset) const;
     [[nodiscard]] std::uint32_t offset(long position) const { return static_cast<std::uint32_t>(position) + m_bom; }
-    void mark(int indicator, TextRange range);
-    void clearMarks(int indicator);
 
+    CodeMarks m_marks{*this};
     std::string m_styles; ///< of the text without the BOM
     std::string m_lineEnd = "\n", m_step = "  ";
     std::uint32_t m_bom = 0; ///< its length in bytes

@@ -194,7 +194,7 @@ void FilePage::showProblems() {
             for (const Diagnostic& d : m_modelProblems->found)
                 if (d.range.file == file) m_problems.push_back(d);
     } else if (m_typing.pending()) return; // old ranges: the marks move with the text until it is loaded
-    if (m_shown) m_edit->showProblems(m_problems);
+    if (m_shown) m_edit->marks().showProblems(m_problems);
 }
 
 void FilePage::setModelProblems(std::shared_ptr<const ModelProblems> problems) {

@@ -66,7 +66,7 @@ void FindSession::close() {
     m_bar.hide();
     m_list.hide();
     m_found.clear();
-    for (FilePage* page : m_pages.pages()) page->edit().showMatches({});
+    for (FilePage* page : m_pages.pages()) page->edit().marks().showMatches({});
     if (FilePage* page = m_pages.page()) page->setFocus();
 }
 
@@ -76,7 +76,7 @@ void FindSession::updateMatches() {
     const SearchOptions searchOptions = m_bar.searchOptions();
     const TextSearch search(searchOptions);
     if (!search.valid()) {
-        for (FilePage* page : m_pages.pages()) page->edit().showMatches({});
+        for (FilePage* page : m_pages.pages()) page->edit().marks().showMatches({});
         m_bar.showStatus(search.fault(), true);
         return list();
     }
@@ -92,7 +92,7 @@ void FindSession::updateMatches() {
                 m_found.push_back({file, std::move(match)});
             }
         }
-        if (page) page->edit().showMatches(marks);
+        if (page) page->edit().marks().showMatches(marks);
     }
     searchProject(search);
     list();
@@ -116,7 +116,7 @@ void FindSession::searchProject(const TextSearch& search) {
             m_found.push_back({text.path, std::move(match)});
         }
         if (!marks.empty()) m_others.emplace(text.path, std::make_shared<const SourceText>(text.path, text.bytes));
-        if (FilePage* page = m_pages.pageOf(text.path)) page->edit().showMatches(marks);
+        if (FilePage* page = m_pages.pageOf(text.path)) page->edit().marks().showMatches(marks);
     }
 }
 

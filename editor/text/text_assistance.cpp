@@ -80,7 +80,7 @@ void TextAssistance::showLink(FilePage& page, std::uint32_t offset) {
         const auto found = definitionAt(*m_document.loaded(), page.id(), offset);
         if (found) link = found->word.range;
     }
-    page.edit().showLink(link);
+    page.edit().marks().showLink(link);
 }
 
 const Kind* TextAssistance::kindAtCaret() {
@@ -105,7 +105,7 @@ void TextAssistance::goToDefinition(std::uint32_t offset) {
     FilePage* page = m_pages.page();
     if (!page) return;
     page->flush();
-    page->edit().showLink({});
+    page->edit().marks().showLink({});
     if (page->id() == kNoFile) return;
     const auto found = definitionAt(*m_document.loaded(), page->id(), offset);
     if (found) m_pages.reveal(found->place, true);

@@ -182,7 +182,7 @@ void TextPanel::markSelected(bool scroll) {
     }
     for (FilePage* page : pages()) {
         const bool here = block.known() && page->id() == block.file;
-        if (!page->pending()) page->edit().showBlock(here ? block.range : TextRange{});
+        if (!page->pending()) page->edit().marks().showBlock(here ? block.range : TextRange{});
         if (!here || !scroll) continue;
         m_pages->setCurrentWidget(page);
         page->edit().scrollTo(block.range);
