@@ -24,7 +24,6 @@ struct Case {
     Measure measure;
     double most = 0.02, mostAt30 = 0.04; ///< relative
     double quickUpTo = 1;                ///< s: longest tick at which the quick solver also keeps the bounds
-    bool missed = false;                 ///< a bound known not to be met
 };
 
 inline void addCases(const std::vector<Case>& cases) {
@@ -45,7 +44,6 @@ inline void check(const Case& c, const Conditions& conditions) {
     const Figures f = c.measure(conditions);
     const double off = f.measured / f.expected - 1;
     qInfo("%.5g, Coulomb %.5g: %+.2f %%", f.measured, f.expected, 100 * off);
-    if (c.missed) QEXPECT_FAIL("", "missed", Continue);
     QVERIFY(std::abs(off) <= (conditions.tick > 0.02 ? c.mostAt30 : c.most));
 }
 

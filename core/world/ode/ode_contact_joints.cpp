@@ -166,9 +166,9 @@ void OdeEngine::fillFriction(const Contact& c, FrictionLaw law, const Vec3& spee
 
     dSurfaceParameters& s = out.surface;
     s.mode |= dContactFDir1 | dContactAxisDep;
-    const bool bounded = c.bounded && !quiet;
+    const bool bounded = (c.bounded && !quiet) || c.loadNow >= 0;
     if (!bounded) s.mode |= dContactApprox1;
-    const double load = bounded ? c.expected : 1;
+    const double load = c.loadNow >= 0 ? c.loadNow : bounded ? c.expected : 1;
     s.mu = rows.limit * load;
     s.mu2 = rows.acrossLimit * load;
     for (int k = 0; k < 3; ++k) out.fdir1[k] = rows.axis[k];

@@ -229,7 +229,7 @@ void OdeEngine::solve(double h) {
     m_memory.recall(m_contacts);
     makeContactJoints(h);
     m_quick = m_quick || !stepExactly(h);
-    while (!m_quick && m_impacts.addedEnergy(m_contacts, m_contactFeedbacks, m_bodies, m_geoms, m_saved)) {
+    while (!m_quick && m_impacts.needRepeat(m_contacts, m_contactFeedbacks, m_bodies, m_geoms, m_saved)) {
         restoreState();
         dJointGroupEmpty(m_contactGroup);
         makeContactJoints(h);

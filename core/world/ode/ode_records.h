@@ -131,6 +131,8 @@ struct OdeContact {
     double speed = 0;                             ///< m/s along the normal before the tick; negative: they approach
     double restitution = 0, restitutionShare = 1; ///< the share that leaves the energy as it was
     bool bounces = false;
+    double friction = 0; ///< of a blow and what goes with it: the smaller of both surfaces'
+    double loadNow = -1; ///< N in the last solution of this tick, which bounds friction in the next one; negative: none
     // Of the contact of the last tick that this one continues (ContactMemory):
     std::uint32_t ticks = 0;      ///< that it has lasted
     bool heir = false;            ///< has only what others left
