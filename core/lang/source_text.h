@@ -24,6 +24,7 @@ public:
 
     [[nodiscard]] const std::string& path() const { return m_path; } ///< as displayed to the user
     [[nodiscard]] std::string_view bytes() const { return *m_bytes; }
+    [[nodiscard]] const std::shared_ptr<const std::string>& sharedBytes() const { return m_bytes; }
     [[nodiscard]] std::string_view slice(TextRange range) const;
     [[nodiscard]] LineColumn position(std::uint32_t offset) const;
     /// The text of a 1-based line without its line end.

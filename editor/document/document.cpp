@@ -131,7 +131,7 @@ void Document::adopt(std::shared_ptr<const LoadedProject> loaded) {
     if (!m_loaded->diagnostics.hasErrors()) m_lastValid = m_loaded;
     for (FileId file = 0; file < m_loaded->paths.size(); ++file) {
         const std::string& path = m_loaded->paths[file];
-        if (!path.empty()) m_state->files.take(path, m_loaded->trees[file]->source().bytes());
+        if (!path.empty()) m_state->files.take(path, m_loaded->trees[file]->source().sharedBytes());
     }
     updateWatchedFiles();
     if (m_loaded->pending) readNamed();

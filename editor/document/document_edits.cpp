@@ -155,9 +155,9 @@ Status Document::addText(const std::string& file) {
     if (m_state->files.find(file)) return {};
     if (!isOpen() || isNew() || isSample(file) || canonicalPath(file) != file || !isInside(file, {m_loaded->projectFolder}))
         return Error{Code::FileUnreadable, shown(file) + " is no text of this project"};
-    const Result<std::string> bytes = readRegularFile(file, kMaxTextBytes);
+    Result<std::string> bytes = readRegularFile(file, kMaxTextBytes);
     if (!bytes) return bytes.error();
-    m_state->files.take(file, bytes.value());
+    m_state->files.take(file, std::make_shared<const std::string>(std::move(bytes).value()));
     updateWatchedFiles();
     return {};
 }

@@ -159,7 +159,9 @@ Status Document::recover(const Recovery& recovery) {
         if (!m_state->files.find(path)) { // imported only by the recovered text
             const Result<std::string> disk = readRegularFile(path);
             const bool isCreated = kept.isCreated && isMissing(path); // by an edit, and not on disk yet
-            m_state->files.take(path, disk ? disk.value() : isCreated ? std::string() : kept.base);
+            m_state->files.take(path, std::make_shared<const std::string>(disk        ? disk.value()
+                                                                          : isCreated ? std::string()
+                                                                                      : kept.base));
             m_state->files.find(path)->gone = !disk && !isCreated;
         }
         OpenFile& file = *m_state->files.find(path);

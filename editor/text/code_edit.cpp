@@ -59,11 +59,15 @@ void CodeEdit::load(std::string_view bytes) {
     bytes.remove_prefix(m_bom);
     const bool locked = isReadOnly();
     setReadOnly(false);
+    const long notifications = SendScintilla(SCI_GETMODEVENTMASK);
+    SendScintilla(SCI_SETMODEVENTMASK, 0UL); // QScintilla would convert both texts to a QString for its notifications
     SendScintilla(SCI_CLEARALL);
     SendScintilla(SCI_ALLOCATE, static_cast<unsigned long>(bytes.size() + 1024));
     SendScintilla(SCI_ADDTEXT, static_cast<unsigned long>(bytes.size()), bytes.data());
+    SendScintilla(SCI_SETMODEVENTMASK, static_cast<unsigned long>(notifications));
     SendScintilla(SCI_GOTOPOS, 0UL);
     setReadOnly(locked);
+    m_stale = true;
     m_lastCaret = m_lastAnchor = 0;
     fitNumberMargin();
 }

@@ -46,7 +46,9 @@ LargeTextNotice::LargeTextNotice(QWidget* parent)
     m_words->setWordWrap(true);
     m_words->setAlignment(Qt::AlignCenter);
     m_open->setObjectName(QStringLiteral("openAsText"));
-    m_open->setToolTip(tr("Shows and edits the text without colors, folds and wrapped lines; each edit takes time"));
+    m_open->setToolTip(
+        tr("Shows and edits the text without colors, folds and wrapped lines; each edit takes time, and memory of several "
+           "times the size of the text"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(12);

@@ -52,7 +52,7 @@ class SavingTest : public QObject {
     }
     /// A file of the project with a new text.
     void edit(const std::string& name, const std::string& disk, const std::string& text) {
-        m_files.take(write(name, disk), disk);
+        m_files.take(write(name, disk), std::make_shared<const std::string>(disk));
         m_files.find(path(name))->text = std::make_shared<const std::string>(text);
     }
     SaveEnvironment environment() {

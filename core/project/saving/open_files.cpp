@@ -1,25 +1,26 @@
 #include "project/saving/open_files.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace trundle {
 
-void OpenFiles::take(const std::string& path, std::string_view bytes) {
+void OpenFiles::take(const std::string& path, SharedText bytes) {
     const auto [at, isNew] = m_files.try_emplace(path);
     if (!isNew) return;
-    at->second.text = std::make_shared<const std::string>(bytes);
-    at->second.disk = at->second.text;
+    at->second.disk = bytes;
+    at->second.text = std::move(bytes);
 }
 
 void OpenFiles::make(const std::string& path) {
-    take(path, {});
+    take(path, std::make_shared<const std::string>());
     m_files.at(path).made = true;
 }
 
 void OpenFiles::rename(const std::string& from, const std::string& to) {
     const OpenFile moved = m_files.at(from);
     m_files.erase(from);
-    take(to, *moved.text);
+    take(to, moved.text);
     m_files.at(to).made |= moved.made;
 }
 

@@ -29,7 +29,7 @@ class OpenFiles {
 public:
     void clear() { m_files.clear(); }
     /// Adds a file with its content on disk. A known file does not change.
-    void take(const std::string& path, std::string_view bytes);
+    void take(const std::string& path, SharedText bytes);
     void make(const std::string& path); ///< adds a file that is not on disk, with an empty text
     void remove(const std::string& path) { m_files.erase(path); }
     /// A file was saved at another path: its text is on disk there. A file known at that path is kept.

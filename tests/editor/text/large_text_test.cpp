@@ -13,6 +13,7 @@ class LargeTextTest final : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void showsLargeTextsOnRequest();
+    void aLargeTextIsNotCopied();
     void longLinesAreNotShown();
     void aTextThatShrinksIsShown();
     void marksModelDiagnostics();
@@ -53,6 +54,22 @@ void LargeTextTest::showsLargeTextsOnRequest() {
     window.panel.reveal(window.document.files()[1], {0, 5});
     QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
     QCOMPARE(window.edit().styleAt(0), TextStyle::Keyword);
+}
+
+/// The document, the loaded project and the disk state share the bytes; the editor converts none of them to a QString.
+void LargeTextTest::aLargeTextIsNotCopied() {
+    TextFixture window;
+    const std::string file = window.write("main.sim", largeText("// what was written here once\n"));
+    window.open(file);
+    QCOMPARE(static_cast<const void*>(window.document.text(file)->data()),
+             static_cast<const void*>(window.document.loaded()->trees[0]->source().bytes().data()));
+    int notifications = 0;
+    connect(&window.edit(), &QsciScintillaBase::SCN_MODIFIED, this, [&] { ++notifications; });
+    QTest::mouseClick(window.page().findChild<QPushButton*>(QStringLiteral("openAsText")), Qt::LeftButton);
+    QVERIFY(window.page().isTextShown());
+    QCOMPARE(notifications, 0);
+    QTest::keyClicks(&window.edit(), QStringLiteral("x"));
+    QVERIFY(notifications > 0);
 }
 
 void LargeTextTest::longLinesAreNotShown() {
