@@ -67,6 +67,16 @@ std::shared_ptr<StructureEdits::PendingEdit> StructureEdits::startEdit(const QSt
     return work;
 }
 
+Status StructureEdits::applyFix(const Fix& fix) {
+    const QString name = QObject::tr("Fix: %1").arg(QString::fromStdString(fix.title));
+    const auto found = m_document.loaded();
+    const auto isShipped = [&](const TextEdit& edit) { return isShippedFile(*found, edit.range.file); };
+    if (!m_document.isOpen() || std::ranges::none_of(fix.edits, isShipped)) return m_document.edit(name, editsOf(fix));
+    return apply(name, {}, [found, fix](const LoadedProject& loaded, const PathMapping& renamed) {
+        return planFix(*found, fix, loaded, renamed);
+    });
+}
+
 Status StructureEdits::rename(const QString& name, const std::string& path, const std::string& to) {
     if (!m_document.isOpen()) return m_document.edit({}, {}); // reports why it is refused
     const auto place = placeOf(*m_document.loaded(), path);

@@ -51,6 +51,9 @@ public:
     /// Renames an object in every reference, also in texts of the project that are not loaded; one entry of the history. After the
     /// question as in apply(), in the copy of its config instead.
     Status rename(const QString& name, const std::string& path, const std::string& to);
+    /// Applies a fix of a diagnostic of the document's current texts. A config installed with Trundle gets a copy for the opened file,
+    /// in which the fix is made.
+    Status applyFix(const Fix& fix);
     /// Where a value of this path would be written; see project/edits/edit_target.h.
     [[nodiscard]] EditTarget targetOf(const std::string& propertyPath);
     /// The paths where these values are set: decided once for all steps of a drag, which have the same merge key. Configs

@@ -16,6 +16,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/problems/model_checker.h"
 #include "editor/problems/problem_icons.h"
 #include "editor/problems/problems_model.h"
@@ -206,8 +207,7 @@ void ProblemsPanel::fixCurrent() { applyFix(m_view->currentIndex()); }
 void ProblemsPanel::applyFix(const QModelIndex& index) {
     const Fix* fix = m_model->fixAt(index);
     if (!fix) return;
-    const QString name = tr("Fix: %1").arg(QString::fromStdString(fix->title));
-    const Status done = m_document.edit(name, editsOf(*fix)); // this has rebuilt the model
+    const Status done = m_document.structure().applyFix(Fix(*fix)); // this has rebuilt the model
     if (!done) m_fix->setToolTip(QString::fromStdString(done.error().message));
 }
 

@@ -7,6 +7,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/project_rename.h"
+#include "editor/document/structure_edits.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/hover.h"
@@ -213,10 +214,7 @@ QMenu* TextAssistance::showFixes() {
         for (const Fix* fix : applicableFixes(*m_document.loaded(), *problem)) {
             QAction* action = menu->addAction(withoutMnemonics(QString::fromStdString(fix->title)));
             if (!first) first = action;
-            connect(action, &QAction::triggered, this,
-                    [this, edits = editsOf(*fix), name = tr("Fix: %1").arg(QString::fromStdString(fix->title))] {
-                        (void)m_document.edit(name, edits);
-                    });
+            connect(action, &QAction::triggered, this, [this, fix = Fix(*fix)] { (void)m_document.structure().applyFix(fix); });
         }
     }
     menu->setActiveAction(first);

@@ -60,14 +60,6 @@ FileEdits editsOf(const Fix& fix) {
     return edits;
 }
 
-std::vector<const Fix*> applicableFixes(const LoadedProject& loaded, const Diagnostic& diagnostic) {
-    std::vector<const Fix*> fixes;
-    for (const Fix& fix : diagnostic.fixes)
-        if (std::ranges::none_of(fix.edits, [&](const TextEdit& edit) { return isShippedFile(loaded, edit.range.file); }))
-            fixes.push_back(&fix);
-    return fixes;
-}
-
 std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config) {
     std::vector<const Part*> instances;
     for (const auto& part : loaded.outline->parts)

@@ -6,6 +6,7 @@
 // of structure (insert, remove, move, rename) is made in the config itself. If the config has other users, the user of the editor
 // chooses between changing all of them and making a copy. A config shipped with the program is read-only: it is always copied.
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -39,8 +40,14 @@ struct EditTarget {
 
 /// The edits of a fix, by file.
 [[nodiscard]] FileEdits editsOf(const Fix& fix);
-/// The fixes of a diagnostic that can be applied: those that change no shipped file. Pointers into the diagnostic.
+/// The fixes of a diagnostic that can be applied: in shipped files those that change configs only, which are copied. Pointers into
+/// the diagnostic.
 [[nodiscard]] std::vector<const Fix*> applicableFixes(const LoadedProject& loaded, const Diagnostic& diagnostic);
+
+/// The edits of a fix that was made for the texts `found`, in the texts `loaded`, in which some configs have copies: `renamed` maps
+/// the path of a config to that of its copy, or to itself.
+[[nodiscard]] Result<EditPlan> planFix(const LoadedProject& found, const Fix& fix, const LoadedProject& loaded,
+                                       const std::function<std::string(const std::string&)>& renamed);
 
 /// The configs whose contents a plan changes, each once.
 [[nodiscard]] std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan);

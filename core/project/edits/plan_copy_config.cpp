@@ -155,14 +155,22 @@ private:
         return {};
     }
 
-    /// Whether a file is to be expanded, or imports one that is.
+    /// Whether a file is to be expanded, or imports one that is, directly or through other files.
     bool leadsToInlined(FileId file) const {
+        std::set<FileId> seen;
+        return leadsToInlined(file, seen);
+    }
+    bool leadsToInlined(FileId file, std::set<FileId>& seen) const {
         if (m_inlined.contains(m_loaded.paths[file])) return true;
+        return seen.insert(file).second && haveInlined(m_loaded.trees[file]->items(), seen);
+    }
+    bool haveInlined(const std::vector<Item>& items, std::set<FileId>& seen) const {
         const auto& imports = m_loaded.outline->texts().imports;
-        return std::ranges::any_of(m_loaded.trees[file]->items(), [&](const Item& item) {
+        return std::ranges::any_of(items, [&](const Item& item) {
+            if (const auto* block = item.as<BlockItem>()) return haveInlined(block->items, seen);
             const auto* import = item.as<ImportItem>();
             const auto found = import ? imports.find(import) : imports.end();
-            return found != imports.end() && found->second != file && m_inlined.contains(m_loaded.paths[found->second]);
+            return found != imports.end() && leadsToInlined(found->second, seen);
         });
     }
 

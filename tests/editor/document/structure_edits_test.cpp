@@ -232,6 +232,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("imported"); ///< by the block
         QTest::newRow("directly") << "../shipped/body.sim";
         QTest::newRow("by another shipped file") << "../shipped/all.sim";
+        QTest::newRow("by files of one's own") << "outer.sim";
     }
     void expandsShippedImportInOwnBlock() {
         QFETCH(QString, imported);
@@ -239,6 +240,8 @@ private Q_SLOTS:
         const std::string kept = "// The body.\nBody chassis {\n  Box hull { Size=0.3,0.2,0.1 Mass=2 }\n}\n";
         const std::string shipped = fixture.write("configs/shipped/body.sim", kept);
         fixture.write("configs/shipped/all.sim", "#import body.sim\n");
+        fixture.write("configs/robots/outer.sim", "#import inner.sim\n");
+        fixture.write("configs/robots/inner.sim", "#import ../shipped/all.sim\n");
         fixture.write("configs/robots/rover.sim",
                       "RobotConfig Rover {\n  #import " + imported.toStdString() + " // the body\n}\n");
         for (const int edit : {0, 1, 2, 3}) {
@@ -264,6 +267,44 @@ private Q_SLOTS:
             QVERIFY(holds(*d.text(fixture.robot), "#import " + imported.toStdString() + " // the body"));
             QCOMPARE(bytesOf(shipped), kept);
         }
+    }
+
+    /// A fix in a shipped config is made in a copy.
+    void fixesCopiesOfShippedConfigs() {
+        const DocumentFixture fixture;
+        const std::string kept =
+            "// Drives.\n  RobotConfig Rover {\n    Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 kg } }\n  }\n";
+        const std::string shipped = fixture.write("configs/robots/rover.sim", kept);
+        OtherShipment application(*m_application, fixture.path("configs/robots"));
+        Document d(application);
+        QVERIFY(d.open(fixture.main).ok());
+        const Asked asked(d, ShareChoice::ChangeForAll);
+        const auto value = static_cast<std::uint32_t>(kept.find("2 kg")),
+                   line = static_cast<std::uint32_t>(kept.find("    Body")),
+                   end = static_cast<std::uint32_t>(kept.find(" }\n  }"));
+        const FileId file = static_cast<FileId>(std::ranges::find(d.loaded()->paths, shipped) - d.loaded()->paths.begin());
+        Diagnostic found;
+        found.fixes.push_back({"Mass=3",
+                               {{{file, {value, value + 4}}, "3"},
+                                {{file, {line, line}}, "    // fixed\n"},
+                                {{file, {end, end}}, "\n    Sphere nose { Radius=0.1 Mass=1 }"}}});
+        found.fixes.push_back({"outside", {{{file, {0, 0}}, "// x\n"}}});
+        const auto fixes = applicableFixes(*d.loaded(), found);
+        QCOMPARE(fixes.size(), 1u);
+        QCOMPARE(fixes[0]->title, "Mass=3");
+        QCOMPARE(why(d.structure().applyFix(*fixes[0])), "");
+        QCOMPARE(messages(*d.loaded()), "");
+        QVERIFY(asked.questions.empty());
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
+        QVERIFY2(holds(*d.text(fixture.main),
+                       "RobotConfig Rover2 {\n    // fixed\n  Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=3 }\n"
+                       "    Sphere nose { Radius=0.1 Mass=1 } }\n}\n"),
+                 d.text(fixture.main)->c_str());
+        QCOMPARE(d.loaded()->experiment->robots[0].config->name, "Rover2");
+        QCOMPARE(d.history().entries().size(), 1u);
+        d.undo();
+        QCOMPARE(*d.text(fixture.main), kMain);
+        QCOMPARE(bytesOf(shipped), kept);
     }
 
     /// Materials, surfaces and other definitions of shipped imported files can only be changed as text; the message says why.
