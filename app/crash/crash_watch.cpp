@@ -4,7 +4,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstring>
 
+#include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -20,6 +22,7 @@ namespace trundle {
 namespace {
 
 const char *s_program = "", *s_advice = "";
+std::atomic<const char*> s_reportFile{nullptr};
 std::atomic<pid_t> s_process{0};
 std::atomic<long> s_endingThread{0};
 
@@ -71,17 +74,31 @@ void enter() {
     for (;;) pause();
 }
 
-void report(const Found& what) {
-    SignalText out(STDERR_FILENO);
-    MessageBuilder words(out, false);
-    words << s_program << ": ";
+void addCause(MessageBuilder& words, const Found& what) {
     if (what.cause.signal == 0 && !what.isOfModule()) words << "ended from within, by code of a module or as the display is gone";
     else if (what.cause.signal == 0) addExit(words, what.run, what.cause);
     else if (what.run.calls) addCrash(words, what.run, what.cause);
     else
         words << "crashed: " << crashName(what.cause.signal)
               << "; the fault is the program's own, or damage that code of a module did before";
-    words << "; " << s_advice;
+}
+
+void report(const Found& what) {
+    {
+        SignalText out(STDERR_FILENO);
+        MessageBuilder words(out, false);
+        words << s_program << ": ";
+        addCause(words, what);
+        words << "; " << s_advice;
+        out.add("\n");
+    }
+    const char* path = s_reportFile;
+    const int file = path ? open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600) : -1;
+    if (file < 0) return;
+    SignalText out(file);
+    MessageBuilder words(out, false);
+    addCause(words, what);
+    if (*uncaughtException()) words << "; uncaught exception: " << uncaughtException();
     out.add("\n");
 }
 
@@ -119,6 +136,8 @@ void watchCrashes(const char* program, const char* advice) {
         if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) setHandler(signal, &onCrash);
     }
 }
+
+void keepCrashReport(const char* file) { s_reportFile = strdup(file); }
 
 void watchExits() { setExitHook(&onExit); }
 

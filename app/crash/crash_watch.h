@@ -8,6 +8,9 @@ namespace trundle {
 /// live as long as the process. Call once, on the main thread.
 void watchCrashes(const char* program, const char* advice);
 
+/// The sentence is also written to this file, unless it exists. Call at most once.
+void keepCrashReport(const char* file);
+
 inline constexpr int kExitOfModuleFault = 4;
 
 /// Handlers of exit() that are registered later run earlier: call this again when objects were created since.

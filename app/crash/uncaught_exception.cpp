@@ -1,6 +1,7 @@
 #include "crash/uncaught_exception.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 
 #include "crash/signal_text.h"
@@ -10,9 +11,11 @@ namespace {
 
 const char* s_name = "";
 int (*s_messages)() = nullptr;
+char s_text[512] = "";
 
 void onTerminate() {
     const auto addText = [](const char* what) {
+        std::strncpy(s_text, what, sizeof s_text - 1);
         SignalText(s_messages()).addClean(s_name).add(": an uncaught exception: ").addClean(what).add("\n");
     };
     try {
@@ -30,5 +33,7 @@ void reportUncaughtExceptions(const char* program, int (*file)()) {
     s_messages = file;
     std::set_terminate(&onTerminate);
 }
+
+const char* uncaughtException() noexcept { return s_text; }
 
 } // namespace trundle

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@
 #include "editor/shell/main_window.h"
 #include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
+#include "project/journal/state_folder.h"
 #include "render/service.h"
 #include "trundle/options.h"
 #include "trundle/problem.h"
@@ -75,6 +77,15 @@ std::shared_ptr<const std::atomic<bool>> endOnRequest() {
     return requested;
 }
 
+/// Shows the reports of windows that crashed, and has a crash of this one reported in the same folder.
+void reportCrashes(trundle::MainWindow& window) {
+    const std::string folder = trundle::userStateFolder() + "/crashes";
+    window.showCrashReports(QString::fromStdString(folder));
+    std::error_code failed; // then a crash is reported on standard error only
+    std::filesystem::create_directories(folder, failed);
+    trundle::keepCrashReport((folder + "/" + std::to_string(QCoreApplication::applicationPid()) + ".txt").c_str());
+}
+
 /// Ends the process after a timeout. The window has already saved what must be kept; the remaining destructors may wait minutes
 /// for a picture, with no visible reason.
 void endAfterTimeout(int code) {
@@ -120,7 +131,8 @@ int main(int argc, char** argv) {
         window.resize(options.size);
     }
     window.show();
-    ScreenshotRunner screenshots(window, options); // executes the options after the window is shown
+    if (options.screenshot.isEmpty() && !options.quit) reportCrashes(window); // else a script reads standard error
+    ScreenshotRunner screenshots(window, options);                            // executes the options after the window is shown
     QObject::connect(&window.session(), &RunSession::stateChanged, &window, &watchExits);
     watchExits();
     const auto endRequested = endOnRequest();

@@ -69,6 +69,8 @@ public:
     [[nodiscard]] bool isSettled() const;
     /// Restores and saves hidden and locked objects, cameras, overlays and snap steps per experiment.
     void rememberViews();
+    /// Shows and removes the reports of windows that crashed, in `folder`; see keepCrashReport().
+    void showCrashReports(const QString& folder);
     /// Recent files and the size and docks of this window are not saved.
     void disableSettings();
     /// Saves the settings and closes the project. The window must not be used afterwards.

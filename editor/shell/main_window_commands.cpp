@@ -21,6 +21,7 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/radios/radios_panel.h"
 #include "editor/shell/command_palette.h"
+#include "editor/shell/crash_reports.h"
 #include "editor/shell/file_commands.h"
 #include "editor/shell/help_panel.h"
 #include "editor/shell/line_diff.h"
@@ -209,6 +210,8 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
 
 void MainWindow::offerRecovery() {
     if (m_document->isReadOnly()) return; // offered when it becomes editable
+    for (const auto* report : findChildren<QMessageBox*>(QStringLiteral("crashReport")))
+        if (report->isVisible()) return; // offered when it is closed
     reportJournals();
     std::vector<Recovery> found = m_document->recoveries();
     if (found.empty()) return;
@@ -217,6 +220,18 @@ void MainWindow::offerRecovery() {
         *m_document, std::move(found), [this] { return m_files->confirmClose(); }, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
+}
+
+void MainWindow::showCrashReports(const QString& folder) {
+    const QString text = takeCrashReports(folder);
+    if (text.isEmpty()) return;
+    auto* message = new QMessageBox(QMessageBox::Warning, tr("Trundle closed unexpectedly"), text, QMessageBox::Ok, this);
+    message->setObjectName(QStringLiteral("crashReport"));
+    message->setInformativeText(
+        tr("Logs were written up to that moment. Unsaved edits are offered when their file is opened again."));
+    message->setAttribute(Qt::WA_DeleteOnClose);
+    connect(message, &QDialog::finished, this, &MainWindow::offerRecovery, Qt::QueuedConnection);
+    message->open();
 }
 
 /// Reports each message once.

@@ -253,22 +253,7 @@ private Q_SLOTS:
     void reportsCrashInModule() {
         QFETCH(QByteArray, brain);
         QFETCH(QByteArray, said);
-        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/"), home = m_folder.filePath("trusting"),
-                      file = m_folder.filePath("crashes/crashes.sim");
-        QDir().mkpath(home + "/Trundle");
-        QDir().mkpath(m_folder.filePath("crashes"));
-        QVERIFY(writeFile(home + "/Trundle/Trundle.conf", "[General]\ntrustedFolders=" + modules.toUtf8() + "\n"));
-        QVERIFY(writeFile(file, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule \"" +
-                                    modules.toUtf8() +
-                                    "zoo\"\nStatic floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot Zoo brain { " +
-                                    brain + " } }\nPoseLog path { }\n"));
-        qputenv("XDG_CONFIG_HOME", home.toUtf8());
-        const Outcome outcome = callProgram("/bin/sh", {"-c", "ulimit -c 0; exec \"$@\"", "sh", "/usr/bin/env",
-                                                        "ASAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
-                                                        "TSAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
-                                                        QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), "--open", file,
-                                                        "--run-for", "3", "--quit"});
-        qunsetenv("XDG_CONFIG_HOME");
+        const Outcome outcome = callWithZoo(brain, {"--quit"});
         QVERIFY2(outcome.code == 4, shown(outcome));
         QVERIFY2(outcome.err.startsWith("trundle: ") && outcome.err.contains(said), shown(outcome));
         QVERIFY2(outcome.err.endsWith("; unsaved edits are offered at the next start\n"), shown(outcome));
@@ -279,7 +264,66 @@ private Q_SLOTS:
                                                       : rows); // a header, the start, the ticks
     }
 
+    /// For the dialog at the next start; a program that ends by --quit is a script's, which reads standard error.
+    void keepsCrashReport_data() {
+        QTest::addColumn<QByteArray>("action");
+        QTest::addColumn<QByteArray>("said");
+        const QByteArray library = TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so";
+        QTest::newRow("crash") << QByteArray("segv")
+                               << "the controller Zoo of r (" + library +
+                                      ") crashed in update at t = 0.49 s: Segmentation fault\n";
+        QTest::newRow("exception") << QByteArray("throw past noexcept")
+                                   << "the controller Zoo of r (" + library +
+                                          ") crashed in update at t = 0.49 s: Aborted; uncaught exception: no ?[31mbattery??\n";
+        QTest::newRow("exit") << QByteArray("exit")
+                              << "the controller Zoo of r (" + library +
+                                     ") ended the program in update at t = 0.49 s, by exit() or the like\n";
+        QTest::newRow("stack overflow in a thread")
+            << QByteArray("thread overflows")
+            << "crashed in the middle of the run at t = 0.49 s: Segmentation fault, in a thread of the module " + library + "\n";
+    }
+    void keepsCrashReport() {
+        QFETCH(QByteArray, action);
+        QFETCH(QByteArray, said);
+        const QTemporaryDir state;
+        qputenv("XDG_STATE_HOME", state.path().toUtf8());
+        const QByteArray brain = "Action=\"" + action + "\" Phase=update";
+        const Outcome scripted = callWithZoo(brain, {"--quit"});
+        const QDir folder(state.filePath("trundle/crashes"));
+        const QStringList none = folder.entryList(QDir::Files);
+        const Outcome outcome = callWithZoo(brain, {});
+        qunsetenv("XDG_STATE_HOME");
+        QCOMPARE(none, QStringList());
+        QVERIFY2(scripted.code == 4 && outcome.code == 4, shown(outcome));
+        const QStringList reports = folder.entryList(QDir::Files);
+        QCOMPARE(reports.size(), 1);
+        QCOMPARE(contentOf(folder.filePath(reports[0])), said);
+    }
+
 private:
+    /// Runs an experiment in a window whose controller has a fault.
+    Outcome callWithZoo(const QByteArray& brain, const QStringList& options) {
+        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/"), home = m_folder.filePath("trusting"),
+                      file = m_folder.filePath("crashes/crashes.sim");
+        QDir().mkpath(home + "/Trundle");
+        QDir().mkpath(m_folder.filePath("crashes"));
+        bool written = writeFile(home + "/Trundle/Trundle.conf", "[General]\ntrustedFolders=" + modules.toUtf8() + "\n");
+        written = written &&
+                  writeFile(file, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule \"" +
+                                      modules.toUtf8() +
+                                      "zoo\"\nStatic floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot Zoo brain { " +
+                                      brain + " } }\nPoseLog path { }\n");
+        if (!written) return {};
+        qputenv("XDG_CONFIG_HOME", home.toUtf8());
+        const Outcome outcome = callProgram("/bin/sh", QStringList{"-c", "ulimit -c 0; exec \"$@\"", "sh", "/usr/bin/env",
+                                                                   "ASAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
+                                                                   "TSAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
+                                                                   QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), "--open",
+                                                                   file, "--run-for", "3"} +
+                                                           options);
+        qunsetenv("XDG_CONFIG_HOME");
+        return outcome;
+    }
     static Outcome call(const QStringList& arguments) {
         return callProgram(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), arguments);
     }

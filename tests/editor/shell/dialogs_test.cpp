@@ -57,6 +57,7 @@ constexpr Question kQuestions[] = {
     {"shell/group_dialog.cpp", "groupDialog", "Group"},
     {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
     {"shell/main_window_commands.cpp", "journalsNotRead", "OK"},
+    {"shell/main_window_commands.cpp", "crashReport", "OK"},
     {"shell/main_window_commands.cpp", "lockQuestion", "Open Read-Only"},
     {"shell/main_window_commands.cpp", "diskQuestion", "Keep My Version"},
     {"shell/main_window_commands.cpp", "about", "OK"},
@@ -219,7 +220,7 @@ private Q_SLOTS:
             useTheme(changes % 2 ? ThemeKind::Dark : ThemeKind::Light, kSmallestFont + changes % 7);
             QApplication::processEvents();
         };
-        const std::set<QByteArray> ofOtherWindows{"journalsNotRead", "lockQuestion",    "diskQuestion",
+        const std::set<QByteArray> ofOtherWindows{"journalsNotRead", "crashReport",     "lockQuestion", "diskQuestion",
                                                   "recovery",        "discardQuestion", "Not restored"};
         for (const Question& question : kQuestions) {
             if (ofOtherWindows.contains(question.name)) continue;
@@ -397,6 +398,14 @@ private:
             QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral(".trundle/journal")));
             write(".trundle/journal/1.journal", "from yesterday");
             openWindow();
+        };
+        m_openers[QStringLiteral("crashReport")] = [this] {
+            makeOwnFolder();
+            QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("crashes")));
+            write("crashes/7.txt", "the controller Zoo of rover (/opt/robots/modules/libzoo.so) crashed in update at t = 0.49 s: "
+                                   "Segmentation fault\n");
+            openWindow();
+            m_window->showCrashReports(path("crashes"));
         };
         m_openers[QStringLiteral("lockQuestion")] = [this] {
             makeOwnFolder();
