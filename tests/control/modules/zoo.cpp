@@ -284,6 +284,17 @@ template <class T> void describeSettings(trundle::Describe<T>& d) {
     d.field("At", static_cast<double T::*>(&T::at), trundle::number(), "In which turn.");
 }
 
+/// Whether an earlier call of a module has changed the rounding mode, the traps or the denormal mode for this one.
+bool hasForeignFloatingPoint() {
+    constexpr unsigned kSettings = 0xffc0, kDefault = 0x1f80;
+    return (_mm_getcsr() & kSettings) != kDefault;
+}
+
+/// A destructor cannot fail, so it reports.
+void reportForeignFloatingPoint() {
+    if (hasForeignFloatingPoint()) std::fputs("zoo: an earlier call has left its floating-point settings\n", stderr);
+}
+
 struct Zoo : trundle::Controller, Settings {
     int turns = 0;
     trundle::DifferentialDrivePort drive;
@@ -294,6 +305,7 @@ struct Zoo : trundle::Controller, Settings {
         describeSettings(d);
     }
     ~Zoo() override {
+        reportForeignFloatingPoint();
         if (phase == "destructor") act(action);
     }
     void setup(trundle::RobotPorts& robot) override {
@@ -312,8 +324,7 @@ struct Zoo : trundle::Controller, Settings {
         return true;
     }
     void update(trundle::Seconds) override {
-        constexpr unsigned kSettings = 0xffc0, kDefault = 0x1f80; // rounding, traps and denormals
-        if ((_mm_getcsr() & kSettings) != kDefault) fail("an earlier call has left its floating-point settings");
+        if (hasForeignFloatingPoint()) fail("an earlier call has left its floating-point settings");
         if (++turns != at || phase != "update") return;
         if (!ofPorts()) act(action);
     }
@@ -345,7 +356,8 @@ struct ZooDevice : trundle::Device, Settings {
         describeSettings(d);
         d.output("beat", "", "Turns.");
     }
-    ~ZooDevice() override {
+    ~ZooDevice() override { // after the destructors of controllers
+        reportForeignFloatingPoint();
         if (phase == "destructor") ::act(action);
     }
     void setup(trundle::Mount& mount) override {

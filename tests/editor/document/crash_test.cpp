@@ -28,10 +28,33 @@ int numberOf(const std::string& text) {
     return -1;
 }
 
-struct Heard {
+struct Edit {
     int number = 0;
-    qint64 at = 0; ///< ms after the program was ready
+    qint64 at = 0;         ///< ms after the program was ready
+    std::size_t texts = 0; ///< hash of all texts, if printed
 };
+
+/// What the program printed until it was killed.
+struct Heard {
+    std::vector<Edit> edits;
+    int saved = 0;
+    qint64 killedAt = 0; ///< ms after the program was ready
+
+    /// The newest edit that is at least two seconds old.
+    [[nodiscard]] int old() const {
+        int number = 0;
+        for (const Edit& edit : edits)
+            if (edit.at + 2000 <= killedAt) number = edit.number;
+        return number;
+    }
+};
+
+/// As printed by the program.
+std::size_t hashOf(const Document& document) {
+    std::string all;
+    for (const std::string& file : document.files()) all += *document.text(file) + '\0';
+    return std::hash<std::string>()(all);
+}
 
 } // namespace
 
@@ -63,26 +86,58 @@ private Q_SLOTS:
         QVERIFY2(offered >= kills / 4 && removed > 0, qPrintable(QStringLiteral("%1, %2").arg(offered).arg(removed)));
     }
 
+    /// A config changed for all, and a copy of another one made for this experiment: after a kill all texts are those of one moment.
+    void bothChoicesForSharedConfigsSurvive() {
+        const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 100 : 8;
+        std::mt19937 random(7);
+        int offered = 0, copied = 0, changedForAll = 0;
+        for (int i = 0; i < kills; ++i) {
+            killConfigs(static_cast<int>(random() & 0xffff), static_cast<int>(1500 + random() % 3000), offered, copied,
+                        changedForAll);
+            if (QTest::currentTestFailed()) return;
+        }
+        const QString counts = QStringLiteral("%1, %2, %3").arg(offered).arg(copied).arg(changedForAll);
+        QVERIFY2(offered >= kills / 4 && copied > 0 && changedForAll > 0, qPrintable(counts));
+    }
+
 private:
+    void killConfigs(int seed, int afterMs, int& offered, int& copied, int& changedForAll) {
+        const DocumentFixture fixture;
+        const std::string cart = "RobotConfig Cart { Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.06 Mass=2 } } }\n";
+        fixture.write("configs/robots/cart.sim", cart);
+        fixture.write("configs/main.sim", "#import robots/rover.sim\n#import robots/cart.sim\nRobot robot0 { Config=Rover }\n"
+                                          "Robot robot1 { Config=Cart Pos=1,0,0 }\n");
+        Heard heard;
+        editUntilKilled(fixture, {QString::number(seed), u"configs"_qs}, afterMs, heard);
+        if (QTest::currentTestFailed()) return;
+
+        Document document(*m_application);
+        QVERIFY(document.open(fixture.main).ok());
+        const std::vector<Recovery> found = document.recoveries();
+        QVERIFY(found.size() <= 1);
+        offered += !found.empty();
+        if (!found.empty()) QCOMPARE(why(document.recover(found[0])), "");
+        QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
+        int kept = -1;
+        for (const Edit& edit : heard.edits)
+            if (edit.texts == hashOf(document)) kept = edit.number;
+        const int old = heard.old();
+        QVERIFY2(kept >= old, qPrintable(QStringLiteral("edit %1 of two seconds before is lost, %2 is kept").arg(old).arg(kept)));
+        QCOMPARE(why(document.save()), "");
+        QCOMPARE(bytesOf(fixture.path("configs/robots/cart.sim")), cart); // its instance has a copy
+        copied += holds(bytesOf(fixture.main), "RobotConfig Cart2");
+        changedForAll += bytesOf(fixture.robot) != kRover;
+    }
+
     void killPieces(int seed, int afterMs, int& offered, int& removed) {
         const DocumentFixture fixture;
         const std::string text = "StaticConfig Wall { Box b { Size=1,1,1 Pos=0,0,0.5 } }\n"
                                  "Static a { Config=Wall }\nStatic b { Config=Wall Pos=3,0,0 }\n",
                           piece = fixture.path("configs/objects/piece.sim");
         fixture.write("configs/main.sim", text);
-        QProcess program;
-        program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
-                      {QString::fromStdString(fixture.main), QString::number(seed), u"pieces"_qs});
-        QVERIFY(program.waitForStarted());
-        while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
-        QCOMPARE(program.readLine(), QByteArray("ready\n"));
-        QElapsedTimer clock;
-        clock.start();
-        while (clock.elapsed() < afterMs)
-            program.waitForReadyRead(static_cast<int>(std::max<qint64>(1, afterMs - clock.elapsed())));
-        program.kill();
-        QVERIFY(program.waitForFinished());
-        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
+        Heard heard;
+        editUntilKilled(fixture, {QString::number(seed), u"pieces"_qs}, afterMs, heard);
+        if (QTest::currentTestFailed()) return;
 
         Document document(*m_application);
         QVERIFY(document.open(fixture.main).ok());
@@ -103,32 +158,13 @@ private:
     void kill(int seed, int afterMs, int& offered) {
         const DocumentFixture fixture;
         fixture.write("configs/main.sim", "Seed = 0\n// end 0\n");
-        QProcess program;
-        program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
-                      {QString::fromStdString(fixture.main), QString::number(seed & 0xffff)});
-        QVERIFY(program.waitForStarted());
-        while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
-        QCOMPARE(program.readLine(), QByteArray("ready\n"));
-
-        QElapsedTimer clock;
-        clock.start();
-        std::vector<Heard> edits;
-        int saved = 0;
-        while (clock.elapsed() < afterMs) {
-            program.waitForReadyRead(static_cast<int>(std::max<qint64>(1, afterMs - clock.elapsed())));
-            take(program, clock.elapsed(), edits, saved);
-        }
-        const qint64 killedAt = clock.elapsed();
-        program.kill();
-        QVERIFY(program.waitForFinished());
-        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
-        take(program, killedAt, edits, saved);
+        Heard heard;
+        editUntilKilled(fixture, {QString::number(seed & 0xffff)}, afterMs, heard);
+        if (QTest::currentTestFailed()) return;
 
         const int onDisk = numberOf(bytesOf(fixture.main));
-        QVERIFY2(onDisk >= saved, "the file is torn, or a save is lost");
-        int old = 0; // the newest edit that is at least two seconds old
-        for (const Heard& edit : edits)
-            if (edit.at + 2000 <= killedAt) old = edit.number;
+        QVERIFY2(onDisk >= heard.saved, "the file is torn, or a save is lost");
+        const int old = heard.old();
 
         Document document(*m_application);
         QVERIFY(document.open(fixture.main).ok());
@@ -146,11 +182,32 @@ private:
         QVERIFY2(kept >= old, qPrintable(QStringLiteral("edit %1 of two seconds before is lost, %2 is kept").arg(old).arg(kept)));
     }
 
-    static void take(QProcess& program, qint64 now, std::vector<Heard>& edits, int& saved) {
+    static void editUntilKilled(const DocumentFixture& fixture, const QStringList& how, int afterMs, Heard& heard) {
+        QProcess program;
+        program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
+                      QStringList(QString::fromStdString(fixture.main)) + how);
+        QVERIFY(program.waitForStarted());
+        while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
+        QCOMPARE(program.readLine(), QByteArray("ready\n"));
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < afterMs && program.state() == QProcess::Running) {
+            program.waitForReadyRead(static_cast<int>(std::max<qint64>(1, afterMs - clock.elapsed())));
+            take(program, clock.elapsed(), heard);
+        }
+        heard.killedAt = clock.elapsed();
+        program.kill();
+        QVERIFY(program.waitForFinished());
+        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
+        take(program, heard.killedAt, heard);
+    }
+
+    static void take(QProcess& program, qint64 now, Heard& heard) {
         while (program.canReadLine()) {
             const QByteArray line = program.readLine();
-            if (line.startsWith("edit ")) edits.push_back({line.mid(5).trimmed().toInt(), now});
-            if (line.startsWith("saved ")) saved = line.mid(6).trimmed().toInt();
+            const QList<QByteArray> words = line.trimmed().split(' ');
+            if (words[0] == "edit") heard.edits.push_back({words[1].toInt(), now, words.value(2).toULongLong()});
+            if (words[0] == "saved") heard.saved = words[1].toInt();
         }
     }
 

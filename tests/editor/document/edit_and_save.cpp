@@ -3,9 +3,13 @@
 //   edit_and_save FILE SEED
 // With a third argument it groups objects into a piece, undoes and redoes that instead, and saves now and then:
 //   edit_and_save FILE SEED pieces
+// or it changes the configs of robot0, for all, and of robot1, in a copy, and prints a hash of all texts with each edit:
+//   edit_and_save FILE SEED configs
 
 #include <cstdio>
+#include <functional>
 #include <random>
+#include <string_view>
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -13,6 +17,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/group_edit.h"
+#include "editor/document/structure_edits.h"
 #include "project/edits/plan_group.h"
 
 using namespace trundle;
@@ -39,20 +44,56 @@ bool groupOrUndo(Document& document, std::mt19937& random) {
     return document.history().canRedo() ? (document.redo(), true) : group(document);
 }
 
+/// The first question about Cart is answered with a copy, all others with a change for all.
+void answerQuestions(Document& document) {
+    document.structure().setShareQuestionHandler([](const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
+        answer(question.config == u"Cart" ? ShareChoice::MakeCopy : ShareChoice::ChangeForAll);
+    });
+}
+
+bool changeConfigs(Document& document, std::mt19937& random, int number) {
+    const std::string robot = random() % 2 ? "robot0" : "robot1", name = "part" + std::to_string(number);
+    switch (random() % 8) {
+    case 0: return document.save().ok();
+    case 1:
+    case 2: return document.undo(), true;
+    case 3: return document.redo(), true;
+    case 4: return document.setValues(u"Set"_qs, {{robot + ".chassis.hull.Mass", std::to_string(number % 9 + 1)}}).ok();
+    default:
+        return document.structure()
+            .apply(u"Insert"_qs, {robot},
+                   [&](const LoadedProject& loaded, const auto& renamed) {
+                       return planInsert(loaded, renamed(robot), "Body " + name + " { Sphere ball { Radius=0.1 Mass=1 } }");
+                   })
+            .ok();
+    }
+}
+
+std::size_t hashOf(const Document& document) {
+    std::string all;
+    for (const std::string& file : document.files()) all += *document.text(file) + '\0';
+    return std::hash<std::string>()(all);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     if (argc < 3) return 2;
-    const bool pieces = argc > 3;
+    const std::string_view what = argc > 3 ? argv[3] : "";
+    const bool pieces = what == "pieces", configs = what == "configs";
     const std::unique_ptr<Application> trundleApplication = makeApplication();
     Document document(*trundleApplication);
     if (!document.open(argv[1])) return 1;
     std::mt19937 random(static_cast<unsigned>(std::atoi(argv[2])));
     int number = 0;
+    answerQuestions(document);
     QTimer edits;
     QObject::connect(&edits, &QTimer::timeout, &document, [&] {
-        if (pieces) {
+        if (configs) {
+            if (!changeConfigs(document, random, ++number)) std::_Exit(6);
+            std::printf("edit %d %zu\n", number, hashOf(document));
+        } else if (pieces) {
             if (!groupOrUndo(document, random)) std::_Exit(5);
             std::printf("edit %d\n", ++number);
         } else if (random() % 60 == 0 && number > 0) {
@@ -64,11 +105,12 @@ int main(int argc, char** argv) {
             std::printf("edit %d\n", number);
         }
         std::fflush(stdout);
-        edits.start(static_cast<int>(random() % (pieces ? 700 : 40))); // the journal is written after half a second
+        edits.start(static_cast<int>(random() % (pieces || configs ? 700 : 40))); // the journal is written after half a second
     });
     edits.setSingleShot(true);
     edits.start(0);
     std::printf("ready\n");
+    if (configs) std::printf("edit 0 %zu\n", hashOf(document));
     std::fflush(stdout);
     return QCoreApplication::exec();
 }
