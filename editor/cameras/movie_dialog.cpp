@@ -70,10 +70,16 @@ MovieDialog::MovieDialog(Application& application, RenderService& render, MovieD
     m_show = new QPushButton(tr("Show in &Folder"), this);
     m_open->setObjectName(QStringLiteral("movieOpen"));
     m_show->setObjectName(QStringLiteral("movieShowInFolder"));
-    connect(m_open, &QPushButton::clicked, this, [this] { m_opener(QString::fromStdString(m_job.path)); });
-    connect(m_show, &QPushButton::clicked, this,
-            [this] { m_opener(QFileInfo(QString::fromStdString(m_job.path)).absolutePath()); });
-    m_opener = [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); };
+    connect(m_open, &QPushButton::clicked, this, [this] {
+        const QString movie = QString::fromStdString(m_job.path);
+        if (!m_opener(movie)) m_sum->setText(tr("No program for movies is available. The movie is %1").arg(movie));
+    });
+    connect(m_show, &QPushButton::clicked, this, [this] {
+        const QString movie = QString::fromStdString(m_job.path);
+        if (!m_opener(QFileInfo(movie).absolutePath()))
+            m_sum->setText(tr("No file manager is available. The movie is %1").arg(movie));
+    });
+    m_opener = [](const QString& path) { return QDesktopServices::openUrl(QUrl::fromLocalFile(path)); };
     openMovieDialog(false);
     column->addWidget(buttons);
     for (QPushButton* button : findChildren<QPushButton*>())

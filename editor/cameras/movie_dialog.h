@@ -40,8 +40,8 @@ public:
     [[nodiscard]] MovieJob job() const;
     [[nodiscard]] bool isRecording() const { return m_recorder->isRecording(); }
 
-    /// Sets how a file or folder is opened in another program; default: QDesktopServices. For tests.
-    void setOpener(std::function<void(const QString& path)> open) { m_opener = std::move(open); }
+    /// Sets how a file or folder is opened in another program, false if there is none; default: QDesktopServices. For tests.
+    void setOpener(std::function<bool(const QString& path)> open) { m_opener = std::move(open); }
 
 Q_SIGNALS:
     void recorded(const QString& path);
@@ -63,7 +63,7 @@ private:
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> experiment() const;
 
     MovieDialogOptions m_options;
-    std::function<void(const QString& path)> m_opener;
+    std::function<bool(const QString& path)> m_opener;
     MovieRecorder* m_recorder;
     MovieJob m_job; ///< being recorded
     QWidget* m_form = nullptr;

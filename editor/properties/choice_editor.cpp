@@ -88,9 +88,8 @@ void FlagEditor::refresh() {
     m_box->setText(m_row.mixed()                ? tr("mixed")
                    : m_row.first().text.empty() ? tr("not set")
                                                 : QString::fromStdString(m_row.first().text));
-    QPalette p;
-    if (!m_row.given()) p.setColor(QPalette::WindowText, ink(Ink::Faint));
-    m_box->setPalette(p);
+    const QString sheet = QStringLiteral("QCheckBox { color: %1; }").arg(ink(m_row.given() ? Ink::Text : Ink::Faint).name());
+    if (m_box->styleSheet() != sheet) m_box->setStyleSheet(sheet);
 }
 
 } // namespace trundle

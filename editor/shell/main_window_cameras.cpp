@@ -16,7 +16,7 @@ namespace trundle {
 /// A file next to the experiment with its name; in the user's own folder if the project's is not writable.
 QString MainWindow::pictureFile(const QString& ending) const {
     const QFileInfo text(QString::fromStdString(m_document->path()));
-    const bool beside = !m_document->isNew() && QFileInfo(text.path()).isWritable();
+    const bool beside = !m_document->isNew() && !m_document->isSample(m_document->path()) && QFileInfo(text.path()).isWritable();
     return QDir(beside ? text.path() : QDir::homePath()).filePath(text.completeBaseName() + ending);
 }
 

@@ -174,9 +174,17 @@ WelcomePage::WelcomePage(const Actions& actions, const QString& configs, QWidget
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(48, 40, 48, 24);
     layout->setSpacing(48);
-    layout->addWidget(makeStart(actions));
+    layout->addWidget(m_start = makeStart(actions));
     layout->addWidget(makeSamples(configs), 1);
+    fitStart();
     refresh();
+}
+
+void WelcomePage::fitStart() { m_start->setFixedWidth(scaledToFont(260)); }
+
+void WelcomePage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && m_start) fitStart();
 }
 
 QWidget* WelcomePage::makeStart(const Actions& actions) {
@@ -208,7 +216,6 @@ QWidget* WelcomePage::makeStart(const Actions& actions) {
     layout->addLayout(m_recent);
     layout->addStretch(1);
     QScrollArea* scroll = scrolled(column);
-    scroll->setFixedWidth(260);
     return scroll;
 }
 

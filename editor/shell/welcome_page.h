@@ -19,10 +19,15 @@ Q_SIGNALS:
     void openRequested(const QString& path);
     void tryRequested(const QString& path); ///< a robot or an arena
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void fitStart();
     QWidget* makeStart(const Actions& actions);
     QWidget* makeSamples(const QString& configs);
 
+    QWidget* m_start = nullptr; ///< left column; as wide as the font needs
     QVBoxLayout* m_recent = nullptr;
 };
 

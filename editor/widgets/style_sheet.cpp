@@ -78,6 +78,7 @@ static const char* const kSheet =
     "QPushButton { background: @button; border: 1px solid @line; border-radius: 5px; padding: 4px 12px; }"
     "QPushButton:hover { border-color: @accent; }"
     "QPushButton:default { border-color: @accent; }"
+    "QPushButton:focus { border: 2px solid @accent; padding: 3px 11px; outline: none; }"
     "QPushButton:pressed { background: @line; }"
     "QPushButton:disabled { color: @disabled; }"
     "QProgressBar { background: @base; color: @text; border: 1px solid @line; border-radius: 5px; text-align: center; "

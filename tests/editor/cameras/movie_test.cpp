@@ -206,9 +206,15 @@ private Q_SLOTS:
         EVENTUALLY(open->isVisible() && show->isVisible());
         QVERIFY(open->isDefault());
         QStringList opened;
-        dialog->setOpener([&opened](const QString& path) { opened << path; });
+        dialog->setOpener([&opened](const QString& path) {
+            opened << path;
+            return false; // there is no such program
+        });
         open->click();
+        QVERIFY2(sum->text().contains(QStringLiteral("run.mp4")) && sum->text().contains(QStringLiteral("No program")),
+                 qPrintable(sum->text()));
         show->click();
+        QVERIFY2(sum->text().contains(QStringLiteral("No file manager")), qPrintable(sum->text()));
         QCOMPARE(opened, (QStringList{m_window->folder.filePath(QStringLiteral("run.mp4")), m_window->folder.path()}));
         dialog->close();
     }

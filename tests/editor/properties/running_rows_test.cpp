@@ -195,6 +195,29 @@ private Q_SLOTS:
         QCOMPARE(fixture.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
     }
 
+    /// In a panel too low for rows and live values the rows scroll; they do not shrink.
+    void rowsKeepTheirHeightWhenLiveValuesAppear() {
+        RunningFixture fixture;
+        fixture.selection.select("crate.box.hull");
+        fixture.panel.resize(340, 420);
+        const auto heights = [&fixture] {
+            QMap<QString, int> all;
+            for (const QWidget* row : fixture.panel.findChildren<QWidget*>(QRegularExpression(QStringLiteral("^row\\..*"))))
+                if (row->isVisible()) all.insert(row->objectName(), row->height());
+            return all;
+        };
+        QMap<QString, int> before;
+        do {
+            before = heights();
+            for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+        } while (heights() != before);
+        QVERIFY(before.size() > 3);
+        fixture.session.step();
+        EVENTUALLY(fixture.live()->isVisible());
+        for (int i = 0; i < 20; ++i) QCoreApplication::processEvents();
+        QCOMPARE(heights(), before);
+    }
+
     void newValuesMoveNothing() {
         RunningFixture fixture;
         fixture.selection.select("crate");

@@ -4,9 +4,11 @@
 
 #include <QAbstractButton>
 #include <QDialog>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTextBrowser>
@@ -14,6 +16,7 @@
 
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_fixture.h"
+#include "editor/widgets/theme.h"
 #include "eventually.h"
 #include "project/journal/journal.h"
 #include "project/loading/search.h"
@@ -128,6 +131,68 @@ private Q_SLOTS:
         EVENTUALLY(opened.count() == 1);
         QCoreApplication::processEvents();
         QVERIFY(!message());
+    }
+
+    // Before the edits are offered, the user reads what happened.
+    void reportsACrashOnce() {
+        QTemporaryDir folder;
+        const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
+        write(path, kText);
+        {
+            Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
+            QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
+        }
+        const QString crashes = folder.filePath(QStringLiteral("crashes"));
+        QVERIFY(QDir().mkpath(crashes));
+        write(crashes + QStringLiteral("/7.txt"),
+              "the controller Zoo of <b>r</b>\x1b[2J (/x/libzoo.so) crashed in update\nno line\n");
+        QVERIFY(QFile::link(path, crashes + QStringLiteral("/link.txt")));
+        m_window = m_fixture.window();
+        m_window->show();
+        m_window->showCrashReports(crashes);
+        const auto message = [this] { return m_window->findChild<QMessageBox*>(QStringLiteral("crashReport")); };
+        QVERIFY(message());
+        QVERIFY2(message()->text().endsWith(
+                     QStringLiteral(": the controller Zoo of <b>r</b>\uFFFD[2J (/x/libzoo.so) crashed in update")),
+                 qPrintable(message()->text()));
+        QVERIFY2(message()->text().startsWith(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat)),
+                 qPrintable(message()->text()));
+        QVERIFY(m_window->open(path));
+        QCoreApplication::processEvents();
+        QVERIFY(!m_window->findChild<QDialog*>(QStringLiteral("recovery")));
+        message()->button(QMessageBox::Ok)->click();
+        EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
+        EVENTUALLY(!message());
+        m_window->showCrashReports(crashes);
+        QVERIFY(!message());
+        QVERIFY(QFile::exists(path));
+    }
+
+    // The folder of samples belongs to the program.
+    void suggestsNoMovieBesideASample() {
+        m_window = m_fixture.window();
+        m_window->show();
+        QVERIFY(m_window->open(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/arc_motion.sim")));
+        EVENTUALLY(m_window->document().isOpen());
+        m_window->actions().at("sim.record").trigger();
+        auto* file = m_window->findChild<QLineEdit*>(QStringLiteral("movieFile"));
+        QVERIFY(file);
+        QCOMPARE(file->text(), QDir(QDir::homePath()).filePath(QStringLiteral("arc_motion.mp4")));
+    }
+
+    /// The left column has room for its words at any font.
+    void theStartColumnFollowsTheFont() {
+        m_window = m_fixture.window();
+        m_window->show();
+        const auto* line = m_window->findChild<QAbstractButton*>(QStringLiteral("welcome.file.newExperiment"));
+        const QWidget* column = line; // the scroll area
+        while (column && !qobject_cast<const QScrollArea*>(column)) column = column->parentWidget();
+        QVERIFY(column);
+        QCOMPARE(column->width(), 260);
+        applyTheme(*qApp, ThemeKind::Light, {20, 13});
+        EVENTUALLY(column->width() == 400);
+        applyTheme(*qApp, ThemeKind::Light);
+        EVENTUALLY(column->width() == 260);
     }
 
     void restoringKeepsEarlierRestoredEdits() {
