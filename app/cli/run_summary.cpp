@@ -101,7 +101,7 @@ std::string solverRows(const World& world) {
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)
         text += row("solver", counted(world.quickTicks(), "tick") + " solved by the quick solver (" +
-                                  (asked ? "Solver = quick" : "more than 60 contacts hung together") +
+                                  (asked ? "Solver = quick" : "piles of more than 60 contacts, in short steps") +
                                   (world.rescuedTicks() > 0 ? ", or the exact one could not" : "") + ")");
     if (world.rescuedTicks() > 0)
         text += row(text.empty() ? "solver" : "",

@@ -14,7 +14,7 @@ constexpr double kLess = 0.999; // keeps an estimate on the safe side
 constexpr double kStep = 0.8;   // where an estimate was too high
 constexpr int kMostTries = 8;
 constexpr int kFrictionRounds = 2;
-constexpr double kNearLimit = 0.8;
+constexpr double kNearlySlips = 0.8;
 constexpr double kSameLoad = 0.003;
 
 } // namespace
@@ -71,7 +71,7 @@ void Impacts::join(std::span<const OdeContact> contacts, std::span<const OdeGeom
     for (const OdeContact& c : contacts) {
         Cluster& cluster = m_clusters[rootOf(c.actor)];
         cluster.bounces = cluster.bounces || c.bounces;
-        cluster.driven = cluster.driven || geoms[c.first].moves || geoms[c.second].moves;
+        cluster.driven = cluster.driven || c.outside || c.iterated || geoms[c.first].moves || geoms[c.second].moves;
     }
 }
 
@@ -91,7 +91,7 @@ bool Impacts::boundFriction(std::span<OdeContact> contacts, std::span<const dJoi
         if (!rolls || c.bounded || (!m_struckActors[c.actor] && (c.partner == kNoActor || !m_struckActors[c.partner]))) continue;
         const Vec3 normal = vec(c.normal), force = vec(forces[i].f1);
         const double load = std::max(0.0, normal.dot(force)), grip = (force - normal.dot(force) * normal).norm();
-        if (c.loadNow < 0 && grip <= kNearLimit * c.friction * load) continue;
+        if (c.loadNow < 0 && grip <= kNearlySlips * c.friction * load) continue;
         const double next = c.loadNow < 0 ? load : (c.loadNow + load) / 2;
         changed = changed || std::abs(next - c.loadNow) > kSameLoad * load;
         c.loadNow = next;

@@ -31,7 +31,7 @@ private:
                                    std::span<const RawState> before);
     /// Of actors that touch each other.
     struct Cluster {
-        bool bounces = false, driven = false; ///< driven: by a surface velocity, which may add energy
+        bool bounces = false, driven = false; ///< driven: by a surface velocity, which may add energy, or not solved exactly
         double work = 0, size = 0;            ///< W s of all contacts over the tick, and the sum of their amounts
         double full = 0, none = 0;            ///< work with all and with no restitution
         double share = 1;                     ///< of the restitution

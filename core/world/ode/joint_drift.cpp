@@ -93,6 +93,7 @@ template <class RateOf> Vec3 JointDrift::gapOf(const Edge& edge, const OdeJoint&
 void JointDrift::shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h, double gain) {
     if (gain < kLeastGain) return; // nobody stands aside
     for (Edge& edge : m_edges) {
+        if (!dBodyIsEnabled(bodies[edge.to].id)) continue;
         const OdeJoint& joint = joints[edge.joint];
         m_aside[edge.to] = edge.from == kNone ? Vec3::Zero() : m_aside[edge.from];
         edge.closed = pins(joint.type) && !m_touches[bodies[edge.to].actor];
@@ -103,23 +104,26 @@ void JointDrift::shift(std::span<const OdeBody> bodies, std::span<const OdeJoint
         m_aside[edge.to] += (edge.to == joint.child ? 1 : -1) / gain * edge.gap;
     }
     for (const std::uint32_t i : m_jointed)
-        if (!m_aside[i].isZero(0)) move(bodies[i], m_aside[i]);
+        if (!m_aside[i].isZero(0) && dBodyIsEnabled(bodies[i].id)) move(bodies[i], m_aside[i]);
 }
 
 void JointDrift::shiftBack(std::span<const OdeBody> bodies) {
     for (const std::uint32_t i : m_jointed)
-        if (!m_aside[i].isZero(0)) move(bodies[i], -m_aside[i]);
+        if (!m_aside[i].isZero(0) && dBodyIsEnabled(bodies[i].id)) move(bodies[i], -m_aside[i]);
 }
 
-bool JointDrift::asExpected(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h) {
-    const auto isOff = [&](const Edge& edge) {
-        if (!edge.closed) return false;
+void JointDrift::findUnexpected(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h,
+                                std::vector<std::uint32_t>& found) const {
+    found.clear();
+    for (const Edge& edge : m_edges) {
+        if (!edge.closed) continue;
         const Vec3 gap = gapOf(edge, joints[edge.joint], h, [&](std::uint32_t body) { return vec(bodies[body].w); });
-        return (gap - edge.gap).squaredNorm() > kOpen * kOpen;
-    };
-    if (std::none_of(m_edges.begin(), m_edges.end(), isOff)) return true;
-    for (const std::uint32_t i : m_jointed) m_rates[i] = vec(bodies[i].w);
-    return false;
+        if ((gap - edge.gap).squaredNorm() > kOpen * kOpen) found.push_back(edge.to);
+    }
+}
+
+void JointDrift::expect(std::span<const OdeBody> bodies, std::span<const std::uint32_t> which) {
+    for (const std::uint32_t i : which) m_rates[i] = vec(bodies[i].w);
 }
 
 } // namespace trundle

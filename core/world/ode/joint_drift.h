@@ -19,11 +19,14 @@ public:
     [[nodiscard]] std::span<Vec3> expectRates(std::span<const OdeBody> bodies);
     /// What touches something in this tick.
     void start(std::span<const OdeBody> bodies, std::span<const OdeContact> contacts);
-    /// Before and after the solver; `gain`: share of a gap that the solver closes in a tick.
+    /// Before and after the solver, of what is enabled; `gain`: share of a gap that the solver closes in a tick.
     void shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h, double gain);
     void shiftBack(std::span<const OdeBody> bodies);
-    /// After the solver: false if bodies turn otherwise than expected by more than joints should open. Expects then what they did.
-    [[nodiscard]] bool asExpected(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h);
+    /// After the solver: of each joint that was opened too far, since bodies turned otherwise than expected, one body.
+    void findUnexpected(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h,
+                        std::vector<std::uint32_t>& found) const;
+    /// The rates that these bodies have now.
+    void expect(std::span<const OdeBody> bodies, std::span<const std::uint32_t> which);
 
 private:
     struct Edge {

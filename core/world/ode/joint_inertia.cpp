@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxBodies = 24; // farther ones are left out, which makes the result smaller
 constexpr double kFixed = 1e6;         // inertia of the world, in those of the body fixed to it
 
-Mat3 cross(const Vec3& v) {
+Mat3 crossing(const Vec3& v) {
     Mat3 m;
     m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
     return m;
@@ -70,7 +70,7 @@ JointInertias::Mat6 JointInertias::inertiaOf(std::uint32_t index) const {
     const OdeBody& body = m_bodies[index];
     dMass mass;
     dBodyGetMass(body.id, &mass);
-    const Mat3 rotation = matrix(body.r), c = cross(vec(body.p) - m_origin);
+    const Mat3 rotation = matrix(body.r), c = crossing(vec(body.p) - m_origin);
     Mat3 own;
     own << mass.I[0], mass.I[1], mass.I[2], mass.I[4], mass.I[5], mass.I[6], mass.I[8], mass.I[9], mass.I[10];
     Mat6 out;

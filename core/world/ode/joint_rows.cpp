@@ -119,7 +119,7 @@ void JointRows::update(double h, std::span<const OdeContact> contacts, std::span
 
 void JointRows::updateInertia(std::uint32_t index) {
     OdeJoint& joint = m_joints[index];
-    if (joint.inertia[0] == 0 || (m_ticks + index) % kInertiaTicks == 0) m_inertias.update(joint, index);
+    if (joint.inertia[0] == 0 || (m_ticks + joint.order) % kInertiaTicks == 0) m_inertias.update(joint, index);
 }
 
 void JointRows::findTouches(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms) {

@@ -185,6 +185,7 @@ void OdeEngine::finishBodies() {
     m_pinned.start(m_bodies, m_joints, m_settings.gravity);
     m_rotation.start(m_bodies, m_joints, m_pinned);
     m_drift.setUp(m_bodies, m_joints);
+    m_plan.setUp(m_bodies, m_joints);
     m_bodiesDone = true;
 }
 

@@ -22,47 +22,27 @@ constexpr double kSettled = 0.7; // share of the load before: with more change t
 
 } // namespace
 
-std::uint32_t OdeEngine::clusterOf(std::uint32_t actor) {
-    while (m_parentOf[actor] != actor) {
-        m_parentOf[actor] = m_parentOf[m_parentOf[actor]];
-        actor = m_parentOf[actor];
-    }
-    return actor;
-}
-
-/// Contacts in the largest set of actors that touch each other, those with the ground included; which the monitor hears of.
-std::size_t OdeEngine::largestCluster() {
-    m_parentOf.resize(m_actors.size());
-    m_clusterSize.assign(m_actors.size(), 0);
-    for (std::uint32_t i = 0; i < m_actors.size(); ++i) m_parentOf[i] = i;
-    for (const Contact& c : m_contacts) {
-        if (c.partner == kNoActor) continue;
-        const std::uint32_t a = clusterOf(c.actor), b = clusterOf(c.partner);
-        m_parentOf[std::max(a, b)] = std::min(a, b);
-    }
-    for (const Contact& c : m_contacts) ++m_clusterSize[clusterOf(c.actor)];
-    const auto largest = std::max_element(m_clusterSize.begin(), m_clusterSize.end());
-    if (largest == m_clusterSize.end()) return 0;
-    const Actor& actor = m_actors[static_cast<std::size_t>(largest - m_clusterSize.begin())];
-    if (m_settings.calls) m_settings.calls->recordCluster(*largest, actor.bodies.begin);
-    return *largest;
-}
-
 void OdeEngine::makeContactJoints(double h) {
+    const bool quick = m_settings.solver == SolverChoice::Quick;
     const auto young = static_cast<std::uint32_t>(kYoung + kImpact / h);
-    dContact contact;
-    std::memset(&contact, 0, sizeof contact);
-    m_contactFeedbacks.resize(m_contacts.size()); // the solver fills every one; they must stay where they are until it has
+    m_contactRows.assign(m_contacts.size(), nullptr);
     for (std::size_t i = 0; i < m_contacts.size(); ++i) {
         Contact& c = m_contacts[i];
         const bool settled = c.load > kSettled * c.earlier && kSettled * c.load < c.earlier;
-        c.bounded = !m_quick && c.expected > 0 && (c.bounded || (c.ticks >= kYoung && (settled || c.ticks > young)));
-        fillSurface(c, h, contact);
-        const dJointID joint = dJointCreateContact(m_world, m_contactGroup, &contact);
-        const std::uint32_t other = m_geoms[c.second].body;
-        dJointAttach(joint, m_bodies[m_geoms[c.first].body].id, other == kNone ? nullptr : m_bodies[other].id);
-        dJointSetFeedback(joint, &m_contactFeedbacks[i]);
+        c.bounded = !quick && !c.iterated && c.expected > 0 && (c.bounded || (c.ticks >= kYoung && (settled || c.ticks > young)));
+        if (!c.outside && !c.iterated) m_contactRows[i] = makeContactJoint(c, h, m_contactGroup, &m_contactFeedbacks[i]);
     }
+}
+
+dJointID OdeEngine::makeContactJoint(const Contact& c, double h, dJointGroupID group, dJointFeedback* feedback) {
+    dContact contact;
+    contact.geom = {};
+    fillSurface(c, h, contact);
+    const dJointID joint = dJointCreateContact(m_world, group, &contact);
+    const std::uint32_t other = m_geoms[c.second].body;
+    dJointAttach(joint, m_bodies[m_geoms[c.first].body].id, other == kNone ? nullptr : m_bodies[other].id);
+    dJointSetFeedback(joint, feedback);
+    return joint;
 }
 
 Vec3 OdeEngine::pointVelocity(const Geom& geom, const Vec3& point) const {
@@ -191,18 +171,20 @@ void OdeEngine::fillFriction(const Contact& c, FrictionLaw law, const Vec3& spee
     }
 }
 
+/// How the place of a contact moves: with the first body, or with its centre if it rolls there.
+Vec3 OdeEngine::carriedBy(const Contact& c) const {
+    const Geom& g = m_geoms[c.first];
+    const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||
+                       ((g.shape == GeomShape::Cylinder || g.shape == GeomShape::Capsule) &&
+                        std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kRolling);
+    return rolls ? vec(m_bodies[g.body].v) : pointVelocity(g, vec(c.position));
+}
+
 /// Remembers what the contacts carried.
 void OdeEngine::keepContacts(double h) {
     m_memory.clear();
-    for (std::size_t i = 0; i < m_contacts.size(); ++i) {
-        const Contact& c = m_contacts[i];
-        const Geom& g = m_geoms[c.first];
-        const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||
-                           ((g.shape == GeomShape::Cylinder || g.shape == GeomShape::Capsule) &&
-                            std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kRolling);
-        const Vec3 moved = h * (rolls ? vec(m_bodies[g.body].v) : pointVelocity(g, vec(c.position)));
-        m_memory.keep(c, vec(m_contactFeedbacks[i].f1), moved);
-    }
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
+        m_memory.keep(m_contacts[i], vec(m_contactFeedbacks[i].f1), h * carriedBy(m_contacts[i]));
 }
 
 } // namespace trundle

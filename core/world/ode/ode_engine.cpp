@@ -3,18 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/rng.h"
-
 namespace trundle {
-
-namespace {
-
-/// Each interrupted step loses the memory that ODE had taken for it (some 10 kB to 1 MB); a world that needs more of them is left to
-/// the quick solver.
-constexpr std::uint32_t kMaxInterruptedSteps = 300;
-constexpr int kMaxRepeats = 3;
-
-} // namespace
 
 Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings) {
     try {
@@ -26,7 +15,7 @@ Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings) {
 
 OdeEngine::OdeEngine(const EngineSettings& settings) : m_settings(settings) {
     m_world = dWorldCreate();
-    makeThreading();
+    m_solver.start(m_world);
     m_contactGroup = dJointGroupCreate(0);
     dWorldSetGravity(m_world, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());
     dWorldSetCFM(m_world, kWorldCfm); // before any joint: joints copy these at birth
@@ -39,12 +28,6 @@ OdeEngine::OdeEngine(const EngineSettings& settings) : m_settings(settings) {
     dGeomRaySetClosestHit(m_ray, 1);
 }
 
-void OdeEngine::makeThreading() {
-    m_threading = dThreadingAllocateSelfThreadedImplementation();
-    if (m_threading)
-        dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
-}
-
 OdeEngine::~OdeEngine() {
     try {
         for (Geom& g : m_geoms) {
@@ -55,9 +38,6 @@ OdeEngine::~OdeEngine() {
         m_geoms.clear();
         dJointGroupDestroy(m_contactGroup);
         dWorldDestroy(m_world);
-        if (!m_threading) return;
-        if (m_interrupted) abandon(m_threading); // its list of jobs was left half done, and its destructor would abort over that
-        else dThreadingFreeImplementation(m_threading);
     } catch (const OdeFault&) { // after a fault some of it may not come apart: better lost than dead
     }
 }
@@ -102,12 +82,11 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         findStepContacts();
         m_rows.update(h, m_contacts, m_geoms, m_settings.errorReduction);
         move(h);
-        ++m_tick;
         m_fault = findFault();
         if (!m_fault) m_sweep.run(h);
         if (!m_fault) publish(h);
     } catch (const OdeFault&) {
-        m_interrupted = true;
+        m_solver.abandonWorld();
         m_fault = interruptedFault();
     }
     m_solverWarnings += odeMessages() - before;
@@ -137,6 +116,7 @@ void OdeEngine::applyTorque(const JointTorque& write) {
 
 void OdeEngine::applyMotion(const ActorMotion& write) {
     m_memory.forget(write.actor);
+    m_heaps.forget(m_actors[write.actor].bodies);
     m_placed.push_back(write.actor);
     for (std::uint32_t i = m_actors[write.actor].bodies.begin; i < m_actors[write.actor].bodies.end; ++i) {
         Body& b = m_bodies[i];
@@ -152,60 +132,6 @@ void OdeEngine::applyMotion(const ActorMotion& write) {
         m_joints[i].rate = m_joints[i].lastRate = 0;
 }
 
-/// One exact step. False where the solver met a singular row: it reports it and leaves nonsense behind, or fails an assertion in the
-/// middle of its work.
-bool OdeEngine::tryExactStep(double h) {
-    const std::uint64_t before = odeMessages();
-    try {
-        dWorldStep(m_world, h);
-    } catch (const OdeFault&) {
-        ++m_interruptedSteps;
-        abandon(m_threading); // its list of jobs is half done
-        makeThreading();
-        return false;
-    }
-    return odeMessages() == before;
-}
-
-/// In a rare tick the exact solver cannot do its work. The tick is then taken again from the same state with a little more give in
-/// every row. False where no give helped: the state is as before the tick.
-bool OdeEngine::stepWithGive(double h, bool& rescued) {
-    bool solved = false;
-    for (const double give : {kWorldCfm, 1e2 * kWorldCfm, 1e4 * kWorldCfm}) {
-        dWorldSetCFM(m_world, give);
-        m_drift.shift(m_bodies, m_joints, h, m_settings.errorReduction);
-        solved = tryExactStep(h);
-        m_drift.shiftBack(m_bodies);
-        if (solved) break;
-        restoreState();
-        rescued = true;
-    }
-    dWorldSetCFM(m_world, kWorldCfm);
-    return solved;
-}
-
-/// Where bodies turn otherwise than their joints were prepared for, the tick is taken again.
-bool OdeEngine::stepExactly(double h) {
-    if (m_interruptedSteps >= kMaxInterruptedSteps) return false;
-    saveState();
-    bool rescued = false, solved = stepWithGive(h, rescued);
-    for (int again = 0; again < kMaxRepeats && solved && !m_drift.asExpected(m_bodies, m_joints, h); ++again) {
-        restoreState();
-        solved = stepWithGive(h, rescued);
-    }
-    m_rescuedTicks += rescued;
-    return solved;
-}
-
-void OdeEngine::stepQuickly(double h) {
-    ++m_quickTicks;
-    dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) &
-                                            0xffffffffu)); // ODE's stream belongs to the process
-    m_drift.shift(m_bodies, m_joints, h, m_settings.errorReduction);
-    dWorldQuickStep(m_world, h);
-    m_drift.shiftBack(m_bodies);
-}
-
 /// The solver between what it does not know of: that inertia turns with its body, and joints with theirs.
 void OdeEngine::move(double h) {
     m_impacts.find(m_contacts, m_bodies, m_geoms, m_settings.surfaces);
@@ -217,25 +143,45 @@ void OdeEngine::move(double h) {
     m_rotation.after(m_bodies, h);
 }
 
+SolverScene OdeEngine::solverScene() {
+    return {m_settings,
+            m_bodies,
+            m_joints,
+            m_geoms,
+            m_contacts,
+            m_contactFeedbacks,
+            m_contactRows,
+            m_drift,
+            [this](const Contact& contact, double h, dJointGroupID group, dJointFeedback* feedback) {
+                (void)makeContactJoint(contact, h, group, feedback);
+            },
+            [this](const Contact& c) {
+                return Vec3(pointVelocity(m_geoms[c.first], vec(c.position)) - pointVelocity(m_geoms[c.second], vec(c.position)));
+            },
+            [this](const Contact& c) { return carriedBy(c); }};
+}
+
 void OdeEngine::solve(double h) {
-    m_quick = m_settings.solver == SolverChoice::Quick;
-    if (m_settings.calls)
-        m_settings.calls->recordCluster(static_cast<std::uint32_t>(m_contacts.size()), 0xffffffffu); // all of them
-    if (!m_quick && m_contacts.size() > kExactClusterMax) {
-        const std::size_t largest = largestCluster();
-        if (m_settings.solver == SolverChoice::Auto) m_quick = largest > kExactClusterMax;
-        else if (largest > kExactClusterMax) m_largestExactCluster = std::max(m_largestExactCluster, largest);
+    m_plan.make(m_settings.solver, -m_settings.gravity.normalized(), m_contacts, m_geoms);
+    if (m_settings.calls) { // hears of all contacts where none joins bodies
+        const bool large = m_plan.largest() > kExactClusterMax;
+        m_settings.calls->recordCluster(large ? m_plan.largest() : static_cast<std::uint32_t>(m_contacts.size()),
+                                        large ? m_plan.largestName() : 0xffffffffu);
     }
+    if (m_plan.largest() > kExactClusterMax)
+        m_largestExactCluster = std::max<std::size_t>(m_largestExactCluster, m_plan.largest());
     m_memory.recall(m_contacts);
+    m_contactFeedbacks.resize(m_contacts.size()); // the solver fills every one; they must stay where they are until it has
+    if (m_plan.hasOutside()) m_heaps.apply(h, m_contacts, m_bodies, m_geoms, m_plan.clusters(), m_contactFeedbacks);
+    else m_heaps.skip();
     makeContactJoints(h);
-    m_quick = m_quick || !stepExactly(h);
-    while (!m_quick && m_impacts.needRepeat(m_contacts, m_contactFeedbacks, m_bodies, m_geoms, m_saved)) {
-        restoreState();
+    m_solver.step(h, m_plan);
+    while (m_settings.solver != SolverChoice::Quick &&
+           m_impacts.needRepeat(m_contacts, m_contactFeedbacks, m_bodies, m_geoms, m_solver.before())) {
         dJointGroupEmpty(m_contactGroup);
         makeContactJoints(h);
-        m_quick = !stepExactly(h);
+        m_solver.stepAgain(h, m_plan);
     }
-    if (m_quick) stepQuickly(h);
     dJointGroupEmpty(m_contactGroup);
     keepContacts(h);
 }

@@ -10,8 +10,10 @@
 #include "world/broad_phase.h"
 #include "world/engine.h"
 #include "world/ode/body_rotation.h"
+#include "world/ode/cluster_solver.h"
 #include "world/ode/contact_memory.h"
 #include "world/ode/friction_rows.h"
+#include "world/ode/heap_forces.h"
 #include "world/ode/hull_on_mesh.h"
 #include "world/ode/impacts.h"
 #include "world/ode/joint_drift.h"
@@ -50,8 +52,8 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
     [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
                                             ActorHandle without) const override;
-    [[nodiscard]] std::uint64_t quickTicks() const override { return m_quickTicks; }
-    [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_rescuedTicks; }
+    [[nodiscard]] std::uint64_t quickTicks() const override { return m_solver.quickTicks(); }
+    [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_solver.rescuedTicks(); }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_largestExactCluster; }
     [[nodiscard]] std::uint64_t solverWarnings() const override { return m_solverWarnings; }
     [[nodiscard]] std::uint64_t sweptBodies() const override { return m_sweep.count(); }
@@ -87,13 +89,7 @@ private:
     void applyMotion(const ActorMotion& write);
     void move(double h);
     void solve(double h);
-    void makeThreading();
-    [[nodiscard]] bool tryExactStep(double h);
-    [[nodiscard]] bool stepWithGive(double h, bool& rescued);
-    [[nodiscard]] bool stepExactly(double h);
-    void stepQuickly(double h);
-    void saveState();
-    void restoreState();
+    [[nodiscard]] SolverScene solverScene();
 
     // contacts (ode_collide.cpp)
     [[nodiscard]] SweepScene sweepScene();
@@ -119,9 +115,9 @@ private:
     [[nodiscard]] Mat3 axesOf(const Geom& geom) const;
 
     // contact joints (ode_contact_joints.cpp)
-    [[nodiscard]] std::size_t largestCluster();
-    std::uint32_t clusterOf(std::uint32_t actor);
     void makeContactJoints(double h);
+    [[nodiscard]] dJointID makeContactJoint(const Contact& contact, double h, dJointGroupID group, dJointFeedback* feedback);
+    [[nodiscard]] Vec3 carriedBy(const Contact& contact) const;
     void fillSurface(const Contact& contact, double h, dContact& out) const;
     void fillSpring(const Contact& contact, double h, dContact& out) const;
     [[nodiscard]] double mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const;
@@ -147,12 +143,10 @@ private:
     dWorldID m_world = nullptr;
     dJointGroupID m_contactGroup = nullptr;
     dGeomID m_ray = nullptr;
-    dThreadingImplementationID m_threading = nullptr; ///< of its own: ODE's default one is shared by all worlds
 
     std::vector<Actor> m_actors;
     std::vector<Body> m_bodies;
     std::vector<BodyState> m_states;
-    std::vector<RawState> m_saved; ///< before the step, should it have to be taken again
     std::vector<Geom> m_geoms;
     std::vector<Vec3> m_centres;             ///< of geoms, world
     std::vector<Box3> m_boxes, m_actorBoxes; ///< of geoms, of actors
@@ -173,21 +167,21 @@ private:
     std::vector<IndexPair> m_pairs;
     std::vector<Contact> m_contacts;
     std::vector<dJointFeedback> m_contactFeedbacks; ///< by contact
+    std::vector<dJointID> m_contactRows;            ///< by contact
     ContactMemory m_memory;
     Impacts m_impacts;
     BodyRotation m_rotation;
     PinnedBodies m_pinned;
     JointDrift m_drift;
     OdeSweep m_sweep{sweepScene()};
-    std::vector<std::uint32_t> m_parentOf, m_clusterSize;
+    SolverPlan m_plan;
+    HeapForces m_heaps{m_settings};
+    ClusterSolver m_solver{solverScene()};
     mutable std::vector<std::uint32_t> m_geomContactBegin, m_geomContacts;
     mutable bool m_geomContactsReady = false;
 
-    std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0, m_solverWarnings = 0;
+    std::uint64_t m_solverWarnings = 0;
     std::size_t m_largestExactCluster = 0;
-    bool m_quick = false;
-    bool m_interrupted = false;           ///< a fault was thrown out of the middle of ODE, and the world is dead
-    std::uint32_t m_interruptedSteps = 0; ///< exact steps that ended so and were taken again
     std::optional<EngineFault> m_fault;
 };
 

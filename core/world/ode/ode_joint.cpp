@@ -25,6 +25,7 @@ void OdeEngine::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32
     const std::uint32_t first = m_actors[actor].bodies.begin;
     Joint joint;
     joint.type = spec.type;
+    joint.order = static_cast<std::uint32_t>(m_joints.size()) - m_actors[actor].joints.begin;
     joint.child = first + static_cast<std::uint32_t>(spec.child);
     joint.parent = spec.parent == kWorldBody ? kNone : first + static_cast<std::uint32_t>(spec.parent);
     joint.stiffness = spec.stiffness;

@@ -32,36 +32,6 @@ std::string text(const char* format, double value) {
 
 } // namespace
 
-void OdeEngine::saveState() {
-    m_saved.resize(m_bodies.size());
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        const Body& b = m_bodies[i];
-        RawState& s = m_saved[i];
-        std::memcpy(s.p, b.p, sizeof s.p);
-        std::memcpy(s.r, b.r, sizeof s.r);
-        std::memcpy(s.q, b.q, sizeof s.q);
-        std::memcpy(s.v, b.v, sizeof s.v);
-        std::memcpy(s.w, b.w, sizeof s.w);
-        std::memcpy(s.force, dBodyGetForce(b.id), sizeof s.force);
-        std::memcpy(s.torque, dBodyGetTorque(b.id), sizeof s.torque);
-    }
-}
-
-/// Writes through ODE's const pointers, because its setters change the last bits.
-void OdeEngine::restoreState() {
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        const Body& b = m_bodies[i];
-        const RawState& s = m_saved[i];
-        std::memcpy(const_cast<dReal*>(b.p), s.p, sizeof s.p);
-        std::memcpy(const_cast<dReal*>(b.r), s.r, sizeof s.r);
-        std::memcpy(const_cast<dReal*>(b.q), s.q, sizeof s.q);
-        std::memcpy(const_cast<dReal*>(b.v), s.v, sizeof s.v);
-        std::memcpy(const_cast<dReal*>(b.w), s.w, sizeof s.w);
-        dBodySetForce(b.id, s.force[0], s.force[1], s.force[2]);
-        dBodySetTorque(b.id, s.torque[0], s.torque[1], s.torque[2]);
-    }
-}
-
 void OdeEngine::publishBody(std::uint32_t index) {
     const Body& b = m_bodies[index];
     BodyState& s = m_states[index];
@@ -91,7 +61,6 @@ std::optional<EngineFault> OdeEngine::findFault() const {
             return EngineFault{id, text("it turns at %.3g rad/s", vec(b.w).norm()) + text(", more than %g rad/s", kFastestTurn)};
         return EngineFault{id, text("it is farther than %g m from the origin", kFarthest)};
     }
-    const double slack = m_quick ? 5 : 1; // the quick solver closes joint gaps over several steps
     for (const Joint& joint : m_joints) {
         if (joint.type == JointType::Slider || joint.type == JointType::Fixed) continue;
         Vec3 gap = m_rows.anchorGap(joint);
@@ -99,7 +68,7 @@ std::optional<EngineFault> OdeEngine::findFault() const {
             const Vec3 axis = turn(m_bodies[joint.parent].r, joint.slideAxis);
             gap -= gap.dot(axis) * axis;
         }
-        const double open = gap.norm();
+        const double open = gap.norm(), slack = m_solver.isQuick(joint.child) ? 5 : 1; // it closes joint gaps over several steps
         if (open > slack * joint.gapLimit)
             return EngineFault{{joint.child}, text("its joint is torn open by %.3g mm", 1e3 * open)};
     }

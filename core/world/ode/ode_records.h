@@ -81,6 +81,7 @@ struct OdeActor {
 struct OdeJoint {
     JointType type = JointType::Hinge;
     bool motorChanged = false, driven = false;
+    std::uint32_t order = 0;                 ///< in its actor
     std::uint32_t child = 0, parent = kNone; ///< bodies; kNone: the world
     std::uint32_t feedback = kNone;
     Vec3 childAnchor = Vec3::Zero(), parentAnchor = Vec3::Zero(); ///< in the axes of each, from its centre of mass
@@ -133,6 +134,8 @@ struct OdeContact {
     bool bounces = false;
     double friction = 0; ///< of a blow and what goes with it: the smaller of both surfaces'
     double loadNow = -1; ///< N in the last solution of this tick, which bounds friction in the next one; negative: none
+    bool outside = false;  ///< pushes by HeapForces, not by rows of the solver
+    bool iterated = false; ///< of a cluster that is iterated
     // Of the contact of the last tick that this one continues (ContactMemory):
     std::uint32_t ticks = 0;      ///< that it has lasted
     bool heir = false;            ///< has only what others left

@@ -5,6 +5,7 @@
 #include "world/ode/ode_engine.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trundle {
 
@@ -23,14 +24,10 @@ void OdeEngine::findStepContacts() {
         return;
     }
     std::vector<double> lowered(m_actors.size(), 0);
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    const auto heightOf = [&](std::uint32_t actor) { return -down.dot(vec(m_bodies[m_actors[actor].bodies.begin].p)); };
     for (const std::uint32_t actor : m_placed) {
-        low = std::min(low, heightOf(actor));
-        high = std::max(high, heightOf(actor));
+        const double height = -down.dot(vec(m_bodies[m_actors[actor].bodies.begin].p));
+        lowered[actor] = kReach * (1.5 + height / (2 * (1 + std::abs(height)))); // whoever else there is
     }
-    for (const std::uint32_t actor : m_placed)
-        lowered[actor] = kReach * (1 + (high > low ? (heightOf(actor) - low) / (high - low) : 0));
     std::vector<Vec3> places(m_bodies.size());
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         places[i] = vec(m_bodies[i].p);

@@ -1,0 +1,194 @@
+// Many robots in one heap and large piles: no solver of a whole cluster could afford them.
+#include <QtTest>
+
+#include <algorithm>
+
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+constexpr double kNoLoad = 20.0 / 12, kSoft = 50 * 2 / (30 * 30 * 0.02); // rad/s per V, rad/s per N m: of the motors
+
+std::string nameOf(const char* kind, int i) { return kind + std::to_string(i); }
+
+void drive(World& world, const std::string& robot, double volts) {
+    for (const char* motor : {"/leftMotor", "/rightMotor"}) command(world, robot + motor, kNoLoad * volts, kSoft, 3.6);
+}
+
+/// The shipped SimpleRobot.
+std::shared_ptr<RobotConfigSpec> simple() {
+    auto config = std::make_shared<RobotConfigSpec>(*r0());
+    BodySpec& chassis = config->bodies[0];
+    chassis.mass = massOfBox(2.1, {0.3, 0.2, 0.1}, {0, 0, 0.09});
+    chassis.geoms = {box("hull", {0.3, 0.2, 0.1}, at(0, 0, 0.09), 3), sphere("slider", 0.02, at(-0.12, 0, 0.02), 2),
+                     box("bumper", {0.02, 0.3, 0.04}, at(0.16, 0, 0.07), 3)};
+    for (int i = 1; i < 3; ++i) {
+        config->bodies[std::size_t(i)].pose.position.x() = 0.06;
+        config->bodies[std::size_t(i)].geoms[0].length = 0.03;
+        config->bodies[std::size_t(i)].mass = massOfCylinder(0.15, 0.05, 0.03, rotationFromHpr(degrees(0, 0, 90)));
+        config->joints[std::size_t(i - 1)].anchor.x() = 0.06;
+    }
+    return config;
+}
+
+struct Worst {
+    double pitch = 0, depth = 0, rise = 0; ///< degrees, m, m
+};
+
+void look(World& world, int robots, Worst& worst) {
+    for (int i = 0; i < robots; ++i) {
+        const Pose pose = world.robotPose(static_cast<std::size_t>(i));
+        worst.pitch = std::max(worst.pitch, std::acos(std::min(1.0, (pose.rotation * Vec3::UnitZ()).z())) * 180 / kPi);
+        worst.rise = std::max(worst.rise, std::abs(pose.position.z()));
+    }
+    for (const WorldContact& c : world.contacts()) { worst.depth = std::max(worst.depth, c.depth); }
+}
+
+} // namespace
+
+class HeapsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// All drive into a corner: nobody climbs, nobody stands in another.
+    void corner_data() {
+        QTest::addColumn<int>("robots");
+        QTest::addColumn<double>("tick");
+        QTest::newRow("5") << 5 << 0.01;
+        QTest::newRow("12") << 12 << 0.01;
+        QTest::newRow("50") << 50 << 0.01;
+        QTest::newRow("50, 5 ms") << 50 << 0.005;
+        QTest::newRow("50, 30 ms") << 50 << 0.03;
+        QTest::newRow("200") << 200 << 0.01;
+    }
+    void corner() {
+        QFETCH(int, robots);
+        QFETCH(double, tick);
+        Scene scene = r0Scene(tick);
+        scene.scenery({plane("floor", {}, 1), box("west", {0.1, 40, 1}, at(-0.05, 0, 0.5), 3),
+                       box("south", {40, 0.1, 1}, at(0, -0.05, 0.5), 3)});
+        const int side = static_cast<int>(std::ceil(std::sqrt(robots)));
+        for (int i = 0; i < robots; ++i) {
+            const double x = 0.4 + 0.45 * (i % side), y = 0.4 + 0.45 * (i / side);
+            scene.robot(nameOf("r", i), at(x, y, 0, Vec3(std::atan2(-y, -x), 0, 0)), simple());
+        }
+        auto world = scene.build();
+        Worst worst;
+        for (int i = 0; i < std::lround(10 / tick); ++i) {
+            for (int r = 0; r < robots; ++r) drive(*world, nameOf("r", r), 4.8);
+            const Status status = world->tick();
+            QVERIFY2(status.ok(), status.ok() ? "" : status.error().message.c_str());
+            look(*world, robots, worst);
+        }
+        qInfo("%d robots: pitch %.2f degrees, depth %.1f mm, rise %.1f mm", robots, worst.pitch, 1e3 * worst.depth,
+              1e3 * worst.rise);
+        if (tick > 0.02 || robots > 100) return; // only that no joint tears
+        QVERIFY(worst.pitch < 2); // 1 is wanted: few get above it, and for a moment
+        QVERIFY(worst.depth < 0.015); // bumpers catch tyres from behind
+    }
+
+    /// As many from the left as from the right: nobody gets anywhere.
+    void stall_data() {
+        QTest::addColumn<int>("each");
+        for (const int each : {1, 2, 3, 8}) QTest::newRow(std::to_string(each).c_str()) << each;
+    }
+    void stall() {
+        QFETCH(int, each);
+        Scene scene = r0Scene();
+        scene.scenery({plane("floor", {}, 1)});
+        for (int i = 0; i < 2 * each; ++i) {
+            const double x = (i % 2 ? 1 : -1) * (0.25 + 0.32 * (i / 2));
+            scene.robot(nameOf("r", i), at(x, 0, 0, degrees(i % 2 ? 180 : 0, 0, 0)), simple());
+        }
+        auto world = scene.build();
+        std::vector<double> settled;
+        double most = 0;
+        for (int i = 0; i < 1000; ++i) {
+            for (int r = 0; r < 2 * each; ++r) drive(*world, nameOf("r", r), 1);
+            QVERIFY(world->tick().ok());
+            if (i == 500)
+                for (int r = 0; r < 2 * each; ++r) settled.push_back(world->robotPose(std::size_t(r)).position.x());
+            for (int r = 0; i > 500 && r < 2 * each; ++r)
+                most = std::max(most, std::abs(world->robotPose(std::size_t(r)).position.x() - settled[std::size_t(r)]));
+        }
+        qInfo("%d against %d: at %.4f, at most %.3f mm in 5 s", each, each, settled[0], 1e3 * most);
+        QVERIFY(most < 0.005);
+    }
+
+    /// A train is pushed as far as the exact solver of all pushes it.
+    void train_data() {
+        QTest::addColumn<int>("pushed");
+        QTest::addColumn<bool>("braked");
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.005, 0.01, 0.03})
+            for (const int pushed : {3, 5, 8}) {
+                if (tick < 0.02) // one blow at 30 ms costs the exact solver itself 10 % and more
+                    QTest::addRow("%d that roll, %g ms", pushed, 1e3 * tick) << pushed << false << tick;
+                QTest::addRow("%d braked, %g ms", pushed, 1e3 * tick) << pushed << true << tick;
+            }
+    }
+    void train() {
+        QFETCH(int, pushed);
+        QFETCH(bool, braked);
+        QFETCH(double, tick);
+        double ends[2];
+        for (const bool exact : {false, true}) {
+            Scene scene = r0Scene(tick);
+            scene.spec->settings.solver = exact ? SolverChoice::Exact : SolverChoice::Auto;
+            scene.scenery({plane("floor", {}, 1)});
+            for (int i = 0; i <= pushed; ++i) scene.robot(nameOf("r", i), at(0.33 * i, 0, 0), simple());
+            auto world = scene.build();
+            for (int i = 0; i < std::lround((braked ? 10 : 4) / tick); ++i) {
+                drive(*world, "r0", braked ? 1 : 3);
+                for (int r = 1; r <= pushed && braked; ++r) drive(*world, nameOf("r", r), 0);
+                QVERIFY(world->tick().ok());
+            }
+            ends[exact] = world->robotPose(std::size_t(pushed)).position.x() - 0.33 * pushed;
+        }
+        qInfo("the last of %d: %.4f m, exactly %.4f m", pushed, ends[0], ends[1]);
+        QVERIFY(std::abs(ends[0] - ends[1]) < 0.01 * std::abs(ends[1]) + 0.001);
+    }
+
+    /// Boxes in a row before a robot.
+    void boxes() {
+        double ends[2];
+        for (const bool exact : {false, true}) {
+            Scene scene = r0Scene();
+            scene.spec->settings.solver = exact ? SolverChoice::Exact : SolverChoice::Auto;
+            scene.scenery({plane("floor", {}, 1)}).robot("r", at(0, 0, 0), simple());
+            for (int i = 0; i < 9; ++i)
+                scene.loose(nameOf("b", i), at(0.3 + 0.15 * i, 0, 0.05), massOfBox(0.2, {0.1, 0.1, 0.1}),
+                            {box("b", {0.1, 0.1, 0.1}, {}, 3)});
+            auto world = scene.build();
+            for (int i = 0; i < 600; ++i) {
+                drive(*world, "r", 3);
+                QVERIFY(world->tick().ok());
+            }
+            ends[exact] = position(*world, "b8/body").x();
+        }
+        qInfo("the last of 9 boxes: %.4f m, exactly %.4f m", ends[0], ends[1]);
+        QVERIFY(std::abs(ends[0] - ends[1]) < 0.01 * (ends[1] - 1.5) + 0.001);
+    }
+
+    /// Ten boxes on each other in a pile that no exact solver takes.
+    void stackStands() {
+        Scene scene = r0Scene();
+        scene.scenery({plane("floor", {}, 1)});
+        for (int s = 0; s < 2; ++s)
+            for (int i = 0; i < 10; ++i)
+                scene.loose("s" + std::to_string(s) + nameOf("b", i), at(0.003 * (i % 3), 0.15 * s, 0.05 + 0.1 * i),
+                            massOfBox(0.5, {0.1, 0.1, 0.1}), {box("b", {0.1, 0.1, 0.1})});
+        scene.loose("plank", at(0, 0.075, 1.01), massOfBox(0.5, {0.1, 0.3, 0.02}), {box("b", {0.1, 0.3, 0.02})});
+        auto world = scene.build();
+        QVERIFY(run(*world, 60));
+        const Vec3 plank = position(*world, "plank/body");
+        qInfo("the plank at %.4f %.4f %.4f, %d ticks iterated", plank.x(), plank.y(), plank.z(), int(world->quickTicks()));
+        QVERIFY(world->quickTicks() > 500); // in the others the plank has lost touch with one stack
+        QVERIFY((plank - Vec3(0, 0.075, 1.01)).norm() < 0.03);
+    }
+};
+
+QTEST_APPLESS_MAIN(HeapsTest)
+#include "heaps_test.moc"
