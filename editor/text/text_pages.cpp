@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include <QApplication>
 #include <QMenu>
@@ -28,8 +29,10 @@ TextPages::TextPages(Document& document, QWidget* parent) : QTabWidget(parent), 
     setElideMode(Qt::ElideNone); // where there is little room, arrows scroll the tabs
 }
 
-TextPages::~TextPages() {
-    if (m_watching) qApp->removeEventFilter(this);
+TextPages::~TextPages() { abandon(); }
+
+void TextPages::abandon() {
+    if (std::exchange(m_watching, false)) qApp->removeEventFilter(this);
     blockSignals(true);
     for (FilePage* page : pages()) page->abandon();
 }

@@ -23,6 +23,7 @@ public:
     /// `document` must outlive this object.
     explicit TextPages(Document& document, QWidget* parent = nullptr);
     ~TextPages() override;
+    void abandon(); ///< drops pending text and emits nothing more; before what listens to the pages is destroyed
 
     [[nodiscard]] FilePage* page() const; ///< the current page; nullptr if nothing is open
     [[nodiscard]] FilePage* pageOf(const std::string& file) const;

@@ -63,6 +63,8 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     onOpened();
 }
 
+TextPanel::~TextPanel() { m_pages->abandon(); } // closing a window loses its focus, which passes typed text on
+
 void TextPanel::makeLayout() {
     m_nothing->setAlignment(Qt::AlignCenter);
     m_nothing->setForegroundRole(QPalette::PlaceholderText);

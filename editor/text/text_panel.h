@@ -35,6 +35,7 @@ class TextPanel final : public QWidget {
     Q_OBJECT
 public:
     TextPanel(Document& document, Selection& selection, Actions& actions, QWidget* parent = nullptr);
+    ~TextPanel() override;
 
     /// Search folders for texts, images and modules in addition to the project's; for completion.
     void setFolders(FileFolders folders) { m_folders = std::move(folders); }

@@ -58,12 +58,12 @@ void LargeTextTest::showsLargeTextsOnRequest() {
 
 /// The document, the loaded project and the disk state share the bytes; the editor converts none of them to a QString.
 void LargeTextTest::aLargeTextIsNotCopied() {
+    int notifications = 0; // outlives the window
     TextFixture window;
     const std::string file = window.write("main.sim", largeText("// what was written here once\n"));
     window.open(file);
     QCOMPARE(static_cast<const void*>(window.document.text(file)->data()),
              static_cast<const void*>(window.document.loaded()->trees[0]->source().bytes().data()));
-    int notifications = 0;
     connect(&window.edit(), &QsciScintillaBase::SCN_MODIFIED, this, [&] { ++notifications; });
     QTest::mouseClick(window.page().findChild<QPushButton*>(QStringLiteral("openAsText")), Qt::LeftButton);
     QVERIFY(window.page().isTextShown());
