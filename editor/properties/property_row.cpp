@@ -39,7 +39,8 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     : QWidget(parent), m_row(row), m_label(new ScrubLabel(this)), m_editor(makeEditor(kind, this)), m_mark(new OriginMark(this)),
       m_now(new QLabel(this)), m_note(new QLabel(this)), m_override(new QLabel(this)) {
     setObjectName(QStringLiteral("row.") + QString::fromStdString(row.id));
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // in a low panel the rows scroll instead of shrinking
+    setSizePolicy(QSizePolicy::Preferred,
+                  QSizePolicy::Minimum); // in a low panel the rows scroll instead of shrinking; notes wrap
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(10, 1, 2, 1);
     grid->setHorizontalSpacing(6);
