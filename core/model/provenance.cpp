@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/dotted_path.h"
 #include "model/params.h"
 #include "model/set_targets.h"
 
@@ -9,19 +10,9 @@ namespace trundle {
 
 namespace {
 
-std::vector<std::string> wordsOf(std::string_view path) {
-    std::vector<std::string> words;
-    for (;;) {
-        const std::size_t dot = path.find('.');
-        words.emplace_back(path.substr(0, dot));
-        if (dot == std::string_view::npos) return words;
-        path.remove_prefix(dot + 1);
-    }
-}
-
 std::string joined(std::span<const std::string> words) {
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ".") + word;
+    for (const std::string& word : words) text = pathInside(text, word);
     return text;
 }
 
@@ -74,7 +65,9 @@ const Part* configOf(const Outline& outline, const Part& instance) {
 }
 
 std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view path) {
-    const std::vector<std::string> words = wordsOf(path);
+    const DottedPath dotted(path);
+    const std::vector<std::string>& words = dotted.words();
+    if (words.empty()) return std::nullopt;
     if (words.size() == 1) {
         const Kind* settings = outline.registry().find("settings");
         const Property* property = settings ? settings->find(words[0]) : nullptr;

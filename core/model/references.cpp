@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "model/dotted_path.h"
 #include "model/resolve_context.h"
 #include "schema/value_words.h"
 
@@ -73,11 +74,10 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
         return false;
     }
     const bool geoms = wantsGeom(registry, choices);
-    const std::size_t dot = name.find('.');
-    const Part* part = config.find(name.substr(0, dot));
-    if (part && dot != std::string::npos) {
+    const Part* part = config.find(firstWord(name));
+    if (part && firstWord(name) != name) {
         if (!part->kind) return false;
-        part = part->find(name.substr(dot + 1));
+        part = part->find(withoutFirstWord(name));
     }
     std::vector<std::string> kinds = choices;
     std::erase(kinds, "world");

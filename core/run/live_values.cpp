@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/dotted_path.h"
 #include "run/signal_columns.h"
 
 namespace trundle {
@@ -17,9 +18,8 @@ template <class Range> auto* named(Range& range, std::string_view name) {
 
 /// Removes the first word, up to a dot, and returns it.
 std::string_view takeWord(std::string_view& path) {
-    const std::size_t dot = std::min(path.find('.'), path.size());
-    const std::string_view word = path.substr(0, dot);
-    path.remove_prefix(std::min(dot + 1, path.size()));
+    const std::string_view word = firstWord(path);
+    path = withoutFirstWord(path);
     return word;
 }
 

@@ -52,7 +52,13 @@ CamerasPanel::CamerasPanel(Document& document, RunSession& session, RenderServic
         m_feed->setMode(mode.isValid() ? std::optional(CameraMode(mode.toInt())) : std::nullopt);
     });
     connect(&document, &Document::opened, m_list, &CameraList::reset);
-    connect(&document, &Document::changed, this, &CamerasPanel::follow);
+    connect(&document, &Document::changed, this, [this](const ChangeSet& changes) {
+        const auto& listed = m_feed->state().experiment;
+        m_sameCameras = listed && changes.before() && changes.before()->experiment == listed && !changes.changesObjects() &&
+                        !changes.changesProblems(); // an invalid camera is not listed
+        follow();
+        m_sameCameras = false;
+    });
     connect(&session, &RunSession::experimentChanged, this, &CamerasPanel::follow);
     connect(&session, &RunSession::stateChanged, this, &CamerasPanel::follow);
     connect(&session, &RunSession::advanced, this, &CamerasPanel::follow);
@@ -132,7 +138,8 @@ void CamerasPanel::follow() {
     if (another) { // shows nothing until the tiles are those of the new cameras
         m_names.clear();
         m_feed->show(now);
-        listCameras();
+        if (m_sameCameras) showChosen(); // of other sizes, perhaps
+        else listCameras();
     }
     if (runs) {
         const LiveSnapshot& snapshot = *m_session.results().snapshot;

@@ -68,6 +68,7 @@ private:
     CameraList* m_list = nullptr;
     QScrollArea* m_scroll = nullptr;
     CameraTiles* m_wall = nullptr;
+    bool m_sameCameras = false; ///< during an edit that changes neither the cameras nor their names
     CameraFeed* m_feed = nullptr;
     QComboBox* m_mode = nullptr;
     QToolButton* m_save = nullptr;

@@ -2,8 +2,6 @@
 
 #include <filesystem>
 
-#include <QTimer>
-
 #include "editor/document/document_state.h"
 #include "project/journal/state_folder.h"
 #include "project/loading/search.h"
@@ -13,9 +11,8 @@ namespace trundle {
 namespace fs = std::filesystem;
 
 Document::Document(Application& application, QObject* parent)
-    : QObject(parent), m_application(application), m_state(std::make_unique<State>()) {
-    m_state->structure = std::make_unique<StructureEdits>(*this);
-    m_state->pool.setMaxThreadCount(4); // one slow file does not block the next
+    : QObject(parent), m_application(application), m_state(std::make_unique<DocumentState>(application)) {
+    connect(&m_state->reader, &ProjectReader::aboutToOpen, this, &Document::aboutToOpen);
     connect(&m_state->watch, &DiskWatch::touched, this, &Document::checkExternalChanges);
     connect(&m_state->journal, &JournalWriter::failed, this, [this](const QString& reason) {
         Q_EMIT notice(tr("Unsaved edits cannot be recovered after a crash: %1").arg(reason));
@@ -45,31 +42,18 @@ Status Document::open(const std::string& path) {
 
 void Document::openLater(const std::string& path) {
     const std::string absolute = canonicalPath(path);
-    m_opening = absolute;
     OpenOptions options = m_options;
     options.shownFromProject = true;
-    m_state->pool.start([this, absolute, options, opening = ++m_state->openings] {
-        auto loaded = m_application.open(absolute, options);
-        const auto deliver = [this, absolute, opening, loaded = std::move(loaded)] {
-            if (opening != m_state->openings) return;
-            if (!loaded) {
-                m_opening.clear();
-                Q_EMIT openFailed(QString::fromStdString(absolute), QString::fromStdString(loaded.error().message));
-                return;
-            }
-            Q_EMIT aboutToOpen();
-            const auto begin = [this, absolute, opening, loaded] {
-                if (opening == m_state->openings) start(absolute, {}, loaded.value());
-            };
-            QTimer::singleShot(1, this, begin); // not 0: a posted event would run before mouse and key events
-        };
-        QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+    m_state->reader.open(absolute, options, [this, absolute](const ProjectReader::Loaded& loaded) {
+        if (loaded) start(absolute, {}, loaded.value());
+        else Q_EMIT openFailed(QString::fromStdString(absolute), QString::fromStdString(loaded.error().message));
     });
 }
 
+bool Document::isOpening() const { return m_state->reader.isOpening(); }
+
 void Document::cancelOpening() {
-    ++m_state->openings;
-    m_opening.clear();
+    m_state->reader.cancel();
     Q_EMIT openingCancelled();
     checkExternalChanges(); // postponed while opening
 }
@@ -93,21 +77,16 @@ void Document::readNamed() {
     if (std::exchange(m_state->readsNamed, true)) return;
     OpenOptions options = optionsNow();
     options.meshesLater = false;
-    m_state->pool.start([this, path = m_state->opened, options = std::move(options), opening = m_state->openings] {
-        (void)m_application.open(path, options); // for its side effect: it fills the mesh cache
-        const auto deliver = [this, opening] {
-            m_state->readsNamed = false;
-            if (isOpen() && (opening == m_state->openings || m_loaded->pending)) readAgain();
-        };
-        QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+    m_state->reader.fillCaches(m_state->opened, std::move(options), [this](bool isCurrent) {
+        m_state->readsNamed = false;
+        if (isOpen() && (isCurrent || m_loaded->pending)) readAgain();
     });
 }
 
 void Document::close() { start({}, {}, nullptr); }
 
 void Document::start(const std::string& path, const std::string& name, std::shared_ptr<const LoadedProject> loaded) {
-    ++m_state->openings;
-    m_opening.clear();
+    m_state->reader.cancel();
     m_state->journal.stop();
     m_state->opened = path;
     m_state->name = name;
@@ -116,12 +95,13 @@ void Document::start(const std::string& path, const std::string& name, std::shar
     m_lastValid = nullptr;
     m_loaded = nullptr;
     ++m_revision;
+    m_changes = ChangeSet(nullptr, loaded);
     if (loaded) adopt(std::move(loaded));
     m_state->reportedModified.clear();
     if (isOpen()) m_state->journal.start(journalFolder(), {m_state->opened, m_state->name});
     lock();
     Q_EMIT opened();
-    Q_EMIT changed();
+    notifyChanged();
     Q_EMIT historyChanged();
     Q_EMIT modifiedChanged();
 }
@@ -148,10 +128,13 @@ void Document::setOptions(const OpenOptions& options) {
 void Document::readAgain() {
     if (!isOpen()) return;
     if (const Status read = put({}); !read) return;
-    Q_EMIT changed();
+    notifyChanged();
 }
 
-StructureEdits& Document::structure() const { return *m_state->structure; }
+void Document::notifyChanged() {
+    const ChangeSet changes = m_changes; // a copy: a slot may edit
+    Q_EMIT changed(changes);
+}
 
 Result<std::shared_ptr<const LoadedProject>> Document::loadedWith(const FileTexts& texts) const {
     OpenOptions options = optionsNow();

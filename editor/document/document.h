@@ -15,21 +15,19 @@
 #include "base/result.h"
 #include "base/text_edit.h"
 #include "editor/document/history.h"
+#include "project/edits/change_set.h"
 #include "project/edits/plans.h"
+#include "project/edits/value_edits.h"
 #include "project/journal/journal.h"
 #include "project/loading/project.h"
 #include "project/saving/companions.h"
 
 namespace trundle {
 
+struct DocumentState;
 struct SaveEnvironment;
 struct SavePlan;
 class StructureEdits;
-
-/// A value to set: the dotted path of the property ("robot0.leftMotor.Resistance", "Tick") and its new text ("3", "12 cm").
-struct ValueEdit {
-    std::string path, text;
-};
 
 class Document final : public QObject {
     Q_OBJECT
@@ -43,7 +41,7 @@ public:
     /// Like open(), but reads in a worker thread; opened() or openFailed() follows. Edits are refused until then. A later
     /// open, new or close replaces this request.
     void openLater(const std::string& path);
-    [[nodiscard]] bool isOpening() const { return !m_opening.empty(); }
+    [[nodiscard]] bool isOpening() const;
     void cancelOpening(); ///< the current project stays open
     /// Opens a new, unsaved text, shown as `name`. It counts as modified once it differs from `text`.
     [[nodiscard]] Status openNew(const std::string& name, const std::string& text);
@@ -77,8 +75,11 @@ public:
     [[nodiscard]] bool isSample(const std::string& file) const;
 
     // --- edits: each adds one entry to the history, or extends the last one if that has the same merge key ---
-    /// Changes texts. Fails, emits refused() and changes nothing if the edits do not apply or change an imported sample file.
-    Status edit(const QString& name, const FileEdits& edits, const std::string& mergeKey = {});
+    /// Returns why the changes are rejected; empty if they are accepted.
+    using Validator = std::function<std::string(const ChangeSet& changes)>;
+    /// Changes texts. Fails, emits refused() and changes nothing if the edits do not apply, change an imported sample file, or are
+    /// rejected.
+    Status edit(const QString& name, const FileEdits& edits, const std::string& mergeKey = {}, const Validator& validate = {});
     /// Replaces the whole text of a file, or of several files as one entry, including files added by addText().
     Status replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey = {});
     Status replaceTexts(const QString& name, const FileTexts& texts, const std::vector<std::string>& selects = {});
@@ -87,7 +88,7 @@ public:
     /// Sets values at the paths that StructureEdits::pathsForValues() returns; refused as a whole if one is invalid.
     Status setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey = {});
     /// Edits that insert, remove, move or rename blocks; also decides in which block a value is written.
-    [[nodiscard]] StructureEdits& structure() const;
+    [[nodiscard]] StructureEdits& structure();
     /// Loads the project with these texts in place of the current ones. The document does not change.
     [[nodiscard]] Result<std::shared_ptr<const LoadedProject>> loadedWith(const FileTexts& texts) const;
     void endMerge(); ///< ends a drag: the next edit gets its own entry whatever its merge key
@@ -126,8 +127,8 @@ public:
     /// Another window has the project open: edits are refused until editAnyway().
     [[nodiscard]] bool isReadOnly() const;
     void editAnyway();
-    /// Tries again to lock a project that another window had open. Called before each edit and by checkExternalChanges().
-    void requestProject();
+    /// Fails with the reason if nothing can be edited now. Tries again to lock a project that another window had open.
+    [[nodiscard]] Status checkEditable();
     /// Journals of the open project, or of new texts if nothing is open, with edits that are not on disk; newest first.
     [[nodiscard]] std::vector<Recovery> recoveries() const;
     /// Whether recover() would close the project that is open now.
@@ -143,7 +144,9 @@ Q_SIGNALS:
     void openingCancelled();
     void opened(); ///< another project, or none; changed() follows
     void openFailed(const QString& path, const QString& reason);
-    void changed(); ///< loaded() returns another object
+    /// loaded() returns another object. If a slot edits, all slots get the later changes first and these after them: then
+    /// changes.after() is not loaded() any more.
+    void changed(const ChangeSet& changes);
     void historyChanged();
     void modifiedChanged();
     void selectionRequested(const std::vector<std::string>& paths); ///< an edit created or renamed these
@@ -153,25 +156,20 @@ Q_SIGNALS:
     void readOnlyChanged(const QString& holder); ///< describes the window that has the project; empty: editable
 
 private:
-    struct State;
-
     [[nodiscard]] OpenOptions optionsNow() const;
     void start(const std::string& path, const std::string& name, std::shared_ptr<const LoadedProject> loaded);
     void adopt(std::shared_ptr<const LoadedProject> loaded);
     void readNamed();
     [[nodiscard]] bool isNamedStale() const;
-    /// Returns why the loaded texts are rejected; empty if they are accepted.
-    using Validator = std::function<std::string(const LoadedProject& loaded)>;
     /// Replaces texts and reloads. On failure nothing changes.
     [[nodiscard]] Status put(const FileTexts& texts, const Validator& validate = {});
     /// Like put(), and adds an entry to the history.
     [[nodiscard]] Status enter(const QString& name, FileTexts after, const std::string& mergeKey, const Validator& validate = {});
     [[nodiscard]] Result<FileTexts> textsAfter(const FileEdits& edits) const;
-    [[nodiscard]] Status enterSets(const QString& name, const std::vector<std::string>& sets, const std::string& mergeKey);
-    [[nodiscard]] Status checkEditable();
     [[nodiscard]] Status mayChange(const FileEdits& edits) const; ///< fails if one edit changes an imported sample file
     Status reportFailure(Status status);                          ///< emits refused() if the status is a failure
     void notifyEdited();
+    void notifyChanged();
     void notifyModified();
 
     [[nodiscard]] std::vector<std::string> modifiedSamples() const;
@@ -183,6 +181,7 @@ private:
     void applyExternalChange(const std::string& path, std::shared_ptr<const std::string> bytes);
     void notifyMoved(const SavePlan& save);
     void lock();
+    void requestProject(); ///< tries again to lock a project that another window had open
     [[nodiscard]] std::string readOnlyMessage() const;
     [[nodiscard]] Status openFor(const Recovery& recovery);
     void updateWatchedFiles();
@@ -190,11 +189,11 @@ private:
 
     Application& m_application;
     OpenOptions m_options;
-    std::unique_ptr<State> m_state;
+    std::unique_ptr<DocumentState> m_state;
     std::shared_ptr<const LoadedProject> m_loaded, m_lastValid;
+    ChangeSet m_changes; // of the last load
     History m_history;
     std::uint64_t m_revision = 0;
-    std::string m_opening; // path that a worker thread reads
 };
 
 } // namespace trundle

@@ -9,44 +9,10 @@
 #include "project/edits/edit_target.h"
 #include "project/loading/loader.h"
 #include "project/loading/search.h"
-#include "project/loading/set_path.h"
 
 namespace trundle {
 
 namespace {
-
-/// The ranges that the edits' new texts have after all edits are applied.
-std::vector<SourceRange> placesAfter(FileId file, std::vector<TextEdit> edits) {
-    std::ranges::stable_sort(edits, {}, [](const TextEdit& edit) { return edit.range.range.begin; });
-    std::vector<SourceRange> places;
-    std::int64_t shift = 0;
-    for (const TextEdit& edit : edits) {
-        const auto begin = static_cast<std::uint32_t>(edit.range.range.begin + shift);
-        const auto size = static_cast<std::uint32_t>(edit.text.size());
-        places.push_back({file, {begin, begin + size}});
-        shift += std::int64_t(size) - edit.range.range.size();
-    }
-    return places;
-}
-
-/// Why values are invalid at these ranges: an error inside one of them, or an error elsewhere that they cause. "" if they are
-/// valid.
-std::string reasonAgainst(const LoadedProject& loaded, const std::vector<SourceRange>& places) {
-    const auto inPlace = [&](const SourceRange& range) {
-        return std::ranges::any_of(places, [&](const SourceRange& place) {
-            return place.file == range.file && place.range.begin <= range.range.begin && range.range.end <= place.range.end;
-        });
-    };
-    std::string reason;
-    for (const Diagnostic& d : loaded.diagnostics.all()) {
-        if (d.severity != Severity::Error) continue;
-        if (loaded.pending && d.code == Code::MeshUnreadable) continue; // not read yet; an error is reported after reading
-        if (inPlace(d.range)) return d.message;
-        const bool comesOfIt = std::ranges::any_of(d.notes, [&](const auto& note) { return inPlace(note.second); });
-        if (comesOfIt && reason.empty()) reason = d.message;
-    }
-    return reason;
-}
 
 /// Fails if a file that does not exist cannot be created in the project's folders.
 Status checkCreatable(const std::string& path, const std::string& folder) {
@@ -86,11 +52,17 @@ Status Document::put(const FileTexts& texts, const Validator& validate) {
     for (const auto& [file, text] : texts) before.emplace(file, m_state->files.text(file));
     m_state->files.setTexts(texts);
     Result<std::shared_ptr<const LoadedProject>> loaded = m_application.open(m_state->opened, optionsNow());
-    std::string reason = loaded && validate ? validate(*loaded.value()) : std::string();
-    if (!loaded || !reason.empty()) {
+    if (!loaded) {
         m_state->files.setTexts(before);
-        return loaded ? Error{Code::OutOfRange, std::move(reason)} : loaded.error();
+        return loaded.error();
     }
+    // Without new texts, what they refer to has changed: modules, meshes or folders.
+    ChangeSet changes = texts.empty() ? ChangeSet::ofEverything(m_loaded, loaded.value()) : ChangeSet(m_loaded, loaded.value());
+    if (std::string reason = validate ? validate(changes) : std::string(); !reason.empty()) {
+        m_state->files.setTexts(before);
+        return Error{Code::OutOfRange, std::move(reason)};
+    }
+    m_changes = std::move(changes);
     if (!texts.empty()) ++m_revision;
     adopt(std::move(loaded).value());
     return {};
@@ -113,7 +85,7 @@ Status Document::enter(const QString& name, FileTexts after, const std::string& 
 }
 
 void Document::notifyEdited() {
-    Q_EMIT changed();
+    notifyChanged();
     Q_EMIT historyChanged();
     notifyModified();
 }
@@ -131,11 +103,11 @@ Result<FileTexts> Document::textsAfter(const FileEdits& edits) const {
     return after;
 }
 
-Status Document::edit(const QString& name, const FileEdits& edits, const std::string& mergeKey) {
+Status Document::edit(const QString& name, const FileEdits& edits, const std::string& mergeKey, const Validator& validate) {
     if (Status may = checkEditable(); !may) return reportFailure(may);
     if (Status may = mayChange(edits); !may) return reportFailure(may);
     Result<FileTexts> after = textsAfter(edits);
-    return reportFailure(after ? enter(name, std::move(after).value(), mergeKey) : Status(after.error()));
+    return reportFailure(after ? enter(name, std::move(after).value(), mergeKey, validate) : Status(after.error()));
 }
 
 Status Document::replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey) {
@@ -179,37 +151,12 @@ Status Document::apply(const QString& name, const Result<EditPlan>& plan, const 
 }
 
 Status Document::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
-    if (Status may = checkEditable(); !may) return reportFailure(may);
-    std::vector<std::string> asked;
-    for (const ValueEdit& value : values) asked.push_back(value.path);
-    // All steps of a drag use the copy made under its merge key.
-    const bool copies = mergeKey.empty() &&
-                        std::ranges::any_of(asked, [&](const std::string& path) { return structure().targetOf(path).isShipped; });
-    const std::string key = copies ? "copy " + std::to_string(m_revision) : mergeKey;
-    const Result<std::vector<std::string>> paths = structure().pathsForValues(asked, key);
-    if (!paths) return reportFailure(paths.error());
-    std::vector<std::string> sets;
-    for (std::size_t i = 0; i < values.size(); ++i) sets.push_back(paths.value()[i] + "=" + values[i].text);
-    const Status done = reportFailure(enterSets(name, sets, key));
-    if (key == mergeKey) return done;
-    if (!done) discardMerge(key);
-    endMerge();
-    if (done) Q_EMIT selectionRequested({paths.value()[0].substr(0, paths.value()[0].rfind('.'))});
-    return done;
+    return structure().setValues(name, values, mergeKey);
 }
 
-Status Document::enterSets(const QString& name, const std::vector<std::string>& sets, const std::string& mergeKey) {
-    const Result<FileEdits> edits = editsForSets(*m_loaded, sets);
-    if (!edits) return edits.error();
-    if (Status may = mayChange(edits.value()); !may) return may;
-    Result<FileTexts> after = textsAfter(edits.value());
-    if (!after) return after.error();
-    std::vector<SourceRange> places;
-    for (const auto& [file, changes] : edits.value())
-        for (const SourceRange& place : placesAfter(file, changes)) places.push_back(place);
-    // Loads once, with the values applied: a drag does this on every step.
-    return enter(name, std::move(after).value(), mergeKey,
-                 [&](const LoadedProject& tried) { return reasonAgainst(tried, places); });
+StructureEdits& Document::structure() {
+    if (!m_state->structure) m_state->structure = std::make_shared<StructureEdits>(*this);
+    return *m_state->structure;
 }
 
 void Document::endMerge() { m_history.endMerge(); }

@@ -13,6 +13,7 @@
 #include "editor/widgets/strings.h"
 #include "lang/text_splice.h"
 #include "lang/tree_edit.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 
@@ -20,7 +21,14 @@ namespace {
 
 std::string keyOf(const LoadedProject& loaded, const Part& config) { return loaded.paths[config.file] + "#" + config.name; }
 
-bool startsWithPath(const std::string& path, const std::string& start) { return path == start || path.starts_with(start + "."); }
+/// Why the values that an edit set are invalid; empty if they are valid.
+std::string reasonAgainst(const ChangeSet& changes) {
+    for (const Diagnostic* error : changes.valueErrors()) {
+        const bool isUnread = changes.after()->pending && error->code == Code::MeshUnreadable; // reported once it is read
+        if (!isUnread) return error->message;
+    }
+    return {};
+}
 
 } // namespace
 
@@ -98,7 +106,7 @@ Status StructureEdits::renameEverywhere(const QString& name, const std::string& 
         place->above.push_back(place->part);
         declared = pathOf(loaded, place->above);
     }
-    ProjectRename rename(m_document, declared, declared.substr(declared.rfind('.') + 1));
+    ProjectRename rename(m_document, declared, std::string(lastWord(declared)));
     const std::vector<ProjectRename::Use> uses = rename.usesOutside();
     if (uses.empty()) return m_document.apply(name, planRename(loaded, path, to));
     if (Status done = rename.apply(name, to, true); !done) return done;
@@ -198,7 +206,7 @@ Status StructureEdits::copy(PendingEdit& work, const Part& config) {
     const Result<EditPlan> plan = planCopyConfig(loaded, config, instances, work.changed);
     if (!plan) return plan.error();
     const std::string from = pathOfConfig(config), to = plan.value().selects.front();
-    const QString copyName = toQString(to.substr(to.rfind('.') + 1));
+    const QString copyName = toQString(std::string(lastWord(to)));
     const QString file = shown(loaded.paths[instances.empty() ? FileId{0} : instances.front()->file]);
     const QString made = instances.empty() ? QObject::tr("%1 is a copy of it in %2").arg(copyName, file)
                          : instances.size() == 1
@@ -266,6 +274,28 @@ Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
     return done;
 }
 
+Status StructureEdits::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
+    if (const Status may = m_document.checkEditable(); !may) return m_document.apply(name, may.error());
+    std::vector<std::string> asked;
+    for (const ValueEdit& value : values) asked.push_back(value.path.text());
+    // All steps of a drag use the copy made under its merge key.
+    const bool copies =
+        mergeKey.empty() && std::ranges::any_of(asked, [&](const std::string& path) { return targetOf(path).isShipped; });
+    const std::string key = copies ? "copy " + std::to_string(m_document.revision()) : mergeKey;
+    const Result<std::vector<std::string>> paths = pathsForValues(asked, key);
+    if (!paths) return m_document.apply(name, paths.error());
+    std::vector<ValueEdit> targets;
+    for (std::size_t i = 0; i < values.size(); ++i) targets.push_back({paths.value()[i], values[i].value});
+    const Result<FileEdits> edits = editsForValues(*m_document.loaded(), targets);
+    // Loads once, with the values applied: a drag does this on every step.
+    const Status done = edits ? m_document.edit(name, edits.value(), key, reasonAgainst) : m_document.apply(name, edits.error());
+    if (key == mergeKey) return done;
+    if (!done) m_document.discardMerge(key);
+    m_document.endMerge();
+    if (done) Q_EMIT m_document.selectionRequested({std::string(withoutLastWord(paths.value()[0]))});
+    return done;
+}
+
 EditTarget StructureEdits::targetOf(const std::string& propertyPath) {
     return targetOfValue(*m_document.loaded(), propertyPath, m_users);
 }
@@ -280,7 +310,7 @@ Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vecto
             const EditTarget target = targetOf(path);
             const std::string config = target.isShipped ? pathOfConfig(*target.config) : std::string();
             if (target.isShipped && !m_copies.contains(config)) {
-                Result<std::string> copy = copyConfig(path.substr(0, path.rfind('.')), mergeKey);
+                Result<std::string> copy = copyConfig(std::string(withoutLastWord(path)), mergeKey);
                 if (!copy) return copy.error();
                 m_copies.emplace(config, std::move(copy).value());
             }
@@ -309,7 +339,7 @@ Result<std::string> StructureEdits::copyConfig(const std::string& path, const st
         return done.error();
     }
     EditPlan none;
-    const QString configName = toQString(from.substr(from.rfind('.') + 1));
+    const QString configName = toQString(std::string(lastWord(from)));
     work.name = isOwn ? QObject::tr("Expand imports of %1").arg(configName) : QObject::tr("Copy %1").arg(configName);
     work.mergeKey = mergeKey;
     if (mergeKey.empty()) none.selects = {work.copies.at(from)};

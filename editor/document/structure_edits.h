@@ -12,6 +12,7 @@
 #include <QString>
 
 #include "project/edits/edit_target.h"
+#include "project/edits/value_edits.h"
 
 namespace trundle {
 
@@ -54,6 +55,8 @@ public:
     /// Applies a fix of a diagnostic of the document's current texts. A config installed with Trundle gets a copy for the opened file,
     /// in which the fix is made.
     Status applyFix(const Fix& fix);
+    /// Sets values, each where it is to be written; refused as a whole if one is invalid. Configs installed with Trundle are copied.
+    Status setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey);
     /// Where a value of this path would be written; see project/edits/edit_target.h.
     [[nodiscard]] EditTarget targetOf(const std::string& propertyPath);
     /// The paths where these values are set: decided once for all steps of a drag, which have the same merge key. Configs

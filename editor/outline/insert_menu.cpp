@@ -10,6 +10,7 @@
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/object_edits.h"
 #include "editor/widgets/theme.h"
+#include "model/dotted_path.h"
 #include "project/edits/insert_positions.h"
 
 namespace trundle {
@@ -85,7 +86,7 @@ void InsertMenu::fill(QMenu& menu) {
 }
 
 void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& entries) {
-    const std::string name = place.substr(place.rfind('.') + 1);
+    const std::string name(lastWord(place));
     QAction* title = menu.addAction(place.empty() ? tr("In the experiment") : tr("In %1").arg(QString::fromStdString(name)));
     title->setEnabled(false);
     title->setObjectName(QStringLiteral("insertPlace.") + QString::fromStdString(place));

@@ -16,6 +16,7 @@
 #include "editor/outline/object_marks.h"
 #include "editor/widgets/strings.h"
 #include "lang/characters.h"
+#include "model/dotted_path.h"
 #include "project/edits/duplicate_offset.h"
 #include "project/edits/insert_positions.h"
 #include "project/edits/plan_dependents.h"
@@ -24,7 +25,7 @@ namespace trundle {
 namespace {
 
 /// The last component of a path: "hull" of "robot0.chassis.hull".
-std::string lastName(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+std::string lastName(const std::string& path) { return std::string(lastWord(path)); }
 
 /// How the history names objects: "robot0", "3 objects".
 QString named(const std::vector<std::string>& paths) {

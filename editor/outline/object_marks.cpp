@@ -1,5 +1,7 @@
 #include "editor/outline/object_marks.h"
 
+#include "model/dotted_path.h"
+
 namespace trundle {
 namespace {
 
@@ -13,7 +15,7 @@ bool renamed(ObjectMarks::Paths& marks, const std::string& from, const std::stri
     ObjectMarks::Paths kept;
     bool changed = false;
     for (const std::string& path : marks) {
-        const bool goes = path == from || path.starts_with(from + '.');
+        const bool goes = startsWithPath(path, from);
         kept.insert(goes ? to + path.substr(from.size()) : path);
         changed |= goes;
     }

@@ -9,6 +9,7 @@
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_node.h"
 #include "editor/widgets/strings.h"
+#include "model/dotted_path.h"
 #include "project/edits/insert_positions.h"
 #include "project/objects/object_location.h"
 
@@ -84,23 +85,22 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
     if (!m_rows) return {};
     if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
     if (!placeOf(*m_rows->loaded(), path)) return {};
-    const std::size_t dot = path.rfind('.');
-    if (dot != std::string::npos) {
-        const QModelIndex above = indexOf(path.substr(0, dot));
+    const std::string first(firstWord(path)), inside(withoutFirstWord(path));
+    if (!inside.empty()) {
+        const QModelIndex above = indexOf(std::string(withoutLastWord(path)));
         if (above.isValid() && canFetchMore(above)) fetchMore(above);
         if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
     }
-    const std::size_t word = path.find('.');
-    const Part* layout = layoutOfMember(*m_rows->loaded()->outline, path.substr(0, word));
-    if (layout && layout->name != path.substr(0, word)) {
-        if (const QModelIndex member = indexOfMember(layout->name, path.substr(0, word)); member.isValid())
-            return word == std::string::npos ? member : indexOf(path); // indexOfMember() has now made the rows below it
-        return indexOf(layout->name + (word == std::string::npos ? std::string() : path.substr(word)));
+    const Part* layout = layoutOfMember(*m_rows->loaded()->outline, first);
+    if (layout && layout->name != first) {
+        if (const QModelIndex member = indexOfMember(layout->name, first); member.isValid())
+            return inside.empty() ? member : indexOf(path); // indexOfMember() has now made the rows below it
+        return indexOf(inside.empty() ? layout->name : pathInside(layout->name, inside));
     }
     // Top-level objects are in a group or file whose rows may not exist yet.
     for (const auto& top : m_root->children) {
         const QModelIndex group = indexOf(*top);
-        if (dot != std::string::npos && path.find('.', word + 1) != std::string::npos) break;
+        if (!withoutFirstWord(inside).empty()) break;
         if (!canFetchMore(group)) continue;
         fetchMore(group);
         if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);

@@ -5,11 +5,13 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <QAbstractItemModel>
 
 #include "editor/outline/outline_rows.h"
+#include "project/edits/change_set.h"
 
 namespace trundle {
 
@@ -27,8 +29,8 @@ public:
     OutlineModel(ObjectEdits& edits, ObjectMarks& marks, QObject* parent = nullptr);
     ~OutlineModel() override;
 
-    /// The project after an edit; nullptr: nothing is open.
-    void setLoaded(std::shared_ptr<const LoadedProject> loaded);
+    /// The project after an edit. Only the rows of what has changed are computed again.
+    void follow(const ChangeSet& changes);
     // Both reset the model.
     void setMode(OutlineMode mode);
     void setFilter(const std::string& filter);
@@ -42,8 +44,11 @@ public:
     [[nodiscard]] QModelIndex indexOf(const std::string& path);
     /// Why the row's object cannot have this name; empty if it can.
     [[nodiscard]] QString nameProblem(const QModelIndex& index, const QString& name) const;
-    /// Number of rows created so far.
-    [[nodiscard]] std::size_t made() const { return m_made; }
+    struct Work {
+        std::size_t made = 0;     ///< rows that exist
+        std::size_t computed = 0; ///< rows whose contents were computed so far
+    };
+    [[nodiscard]] Work work() const { return m_work; }
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     QModelIndex parent(const QModelIndex& index) const override;
@@ -78,6 +83,7 @@ private:
     [[nodiscard]] QVariant markOf(const OutlineRow& row, bool hidden) const;
     void reset();
     void update(OutlineNode& node);
+    void relink(OutlineNode& node, const std::unordered_set<const Part*>& changed);
     void dropGone(OutlineNode& node, const std::vector<OutlineRow>& rows);
     void addAt(OutlineNode& node, std::vector<OutlineRow>& rows, std::size_t at);
     void take(OutlineNode& node, OutlineRow row);
@@ -94,7 +100,7 @@ private:
     std::string m_filter;
     std::unique_ptr<OutlineNode> m_root;
     std::unordered_map<std::string, const OutlineNode*> m_byPath;
-    std::size_t m_made = 0;
+    mutable Work m_work;
 };
 
 } // namespace trundle

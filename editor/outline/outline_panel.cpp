@@ -48,7 +48,7 @@ OutlinePanel::OutlinePanel(Document& document, Selection& selection, ObjectMarks
     setObjectName(QStringLiteral("outlinePanel"));
     build();
     connectAll();
-    showDocument();
+    showDocument(ChangeSet(nullptr, m_document.loaded()));
 }
 
 OutlinePanel::~OutlinePanel() {
@@ -96,7 +96,7 @@ void OutlinePanel::connectAll() {
         m_tree->forgetFolds();
         m_marks.clear();
         m_filter->clear();
-        m_model->setLoaded(nullptr);
+        m_model->follow({});
     });
     connect(&m_document, &Document::changed, this, &OutlinePanel::showDocument);
     connect(&m_selection, &Selection::changed, this, &OutlinePanel::showSelection);
@@ -122,11 +122,12 @@ void OutlinePanel::showValuesOf(const RunSession& session) {
     connect(&session.values(), &RunValues::changed, m_tree, &OutlineView::renewTip);
 }
 
-void OutlinePanel::showDocument() {
+void OutlinePanel::showDocument(const ChangeSet& changes) {
+    if (changes.after() != m_document.loaded()) return; // a later edit was reported first
     {
         const QScopedValueRollback guard(m_showing, true);
         const bool anew = m_model->rowCount() == 0;
-        m_model->setLoaded(m_document.loaded());
+        m_model->follow(changes);
         if (anew) m_tree->unfold();
     }
     showSelection();

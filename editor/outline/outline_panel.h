@@ -16,6 +16,7 @@ class QToolButton;
 
 namespace trundle {
 
+class ChangeSet;
 class Document;
 class InsertMenu;
 class ObjectEdits;
@@ -55,7 +56,7 @@ Q_SIGNALS:
 private:
     void build();
     void connectAll();
-    void showDocument();
+    void showDocument(const ChangeSet& changes);
     void showSelection();
     void takeSelection();
     void setFilter(const QString& text);

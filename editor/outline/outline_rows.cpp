@@ -63,6 +63,52 @@ std::string countOf(const LoadedProject& loaded, const Part& layout) {
 
 std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
+using Members = std::unordered_map<const Part*, std::pair<std::size_t, std::size_t>>;
+
+/// The robots of one Grid or Scatter are contiguous in the experiment.
+Members membersOf(const LoadedProject& loaded) {
+    Members members;
+    std::unordered_map<std::uint64_t, const Part*> layouts; // by file and start of their block
+    const auto placeOf = [](const SourceRange& r) { return (std::uint64_t(r.file) << 32) | r.range.begin; };
+    for (const auto& part : loaded.outline->parts)
+        if (part->is(Role::Layout) && part->usable) layouts.emplace(placeOf(part->range), part.get());
+    if (layouts.empty()) return members;
+    const std::vector<RobotSpec>& robots = loaded.experiment->robots;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        const auto layout = layouts.find(placeOf(robots[i].range));
+        if (layout == layouts.end()) continue;
+        const auto [range, isNew] = members.try_emplace(layout->second, i, i);
+        range->second.second = i + 1;
+    }
+    return members;
+}
+
+/// Adds the blocks inside that are from another file than the block around them.
+void gather(const std::vector<Part>& parts, FileId around, std::unordered_map<FileId, std::vector<const Part*>>& blocks) {
+    for (const Part& part : parts) {
+        if (part.file != around) blocks[part.file].push_back(&part);
+        gather(part.parts, part.file, blocks);
+    }
+}
+
+void nameRow(OutlineRow& row, const Part& part, const OutlineRow& above, const Outline& outline) {
+    const std::string& type = part.block->type.text;
+    row.name = part.name.empty() ? type : part.name;
+    row.detail = part.name.empty() ? "" : type;
+    row.key = row.name + (part.name.empty() ? "{}" : "");
+    if (part.name.empty() || !part.usable) return;
+    if (above.type == OutlineRow::Type::Object && above.selectable) {
+        row.path = above.path + "." + part.name;
+        row.selectable = true;
+    } else if (above.type != OutlineRow::Type::Object && part.kind && outline.spaceOf(*part.kind)) {
+        const bool world = part.is(Role::Instance) || part.is(Role::Layout) || part.is(Role::Log) || part.is(Role::Look) ||
+                           part.is(Role::Medium);
+        row.path = (world ? std::string() : part.kind->name + ".") + part.name;
+        row.key = row.path;
+        row.selectable = true;
+    }
+}
+
 } // namespace
 
 OutlineRows::OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMode mode, const std::string& filter)
@@ -70,38 +116,15 @@ OutlineRows::OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMod
     for (const auto& part : m_loaded->outline->parts) {
         m_groups[std::size_t(groupOf(*part))].push_back(part.get());
         m_blocks[part->file].push_back(part.get());
-        gather(part->parts, part->file);
+        gather(part->parts, part->file, m_blocks);
     }
-    findMembers();
+    m_members = membersOf(*m_loaded);
     for (const MaterialSpec& material : m_loaded->experiment->materials) m_materials.emplace(material.name, &material);
 }
 
 OutlineGroup OutlineRows::groupOf(const Part& part) const {
     const OutlineGroup group = plainGroupOf(part);
     return group == OutlineGroup::Robots && isPassive(part, configOf(*m_loaded, part)) ? OutlineGroup::Objects : group;
-}
-
-/// The robots of one Grid or Scatter are contiguous in the experiment.
-void OutlineRows::findMembers() {
-    std::unordered_map<std::uint64_t, const Part*> layouts; // by file and start of their block
-    const auto placeOf = [](const SourceRange& r) { return (std::uint64_t(r.file) << 32) | r.range.begin; };
-    for (const auto& part : m_loaded->outline->parts)
-        if (part->is(Role::Layout) && part->usable) layouts.emplace(placeOf(part->range), part.get());
-    if (layouts.empty()) return;
-    const std::vector<RobotSpec>& robots = m_loaded->experiment->robots;
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-        const auto layout = layouts.find(placeOf(robots[i].range));
-        if (layout == layouts.end()) continue;
-        const auto [range, isNew] = m_members.try_emplace(layout->second, i, i);
-        range->second.second = i + 1;
-    }
-}
-
-void OutlineRows::gather(const std::vector<Part>& parts, FileId around) {
-    for (const Part& part : parts) {
-        if (part.file != around) m_blocks[part.file].push_back(&part);
-        gather(part.parts, part.file);
-    }
 }
 
 std::vector<OutlineRow> OutlineRows::top() const {
@@ -141,6 +164,50 @@ std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
     for (OutlineRow& r : rows)
         for (int n = 2; !keys.insert(r.key).second; ++n) r.key += "#" + std::to_string(n);
     return rows;
+}
+
+void OutlineRows::relink(OutlineRow& row, const OutlineRow& above, std::size_t index) const {
+    const auto& modules = m_loaded->experiment->modules;
+    const auto link = [&](const Part& part) {
+        row.part = &part;
+        row.range = part.range;
+        if (row.config) row.config = configOf(*m_loaded, part);
+    };
+    switch (above.type) {
+    case OutlineRow::Type::Experiment:
+    case OutlineRow::Type::Module: break;
+    case OutlineRow::Type::Group:
+        if (row.type == OutlineRow::Type::Module) row.range = modules[index].range;
+        else link(*m_groups[std::size_t(above.group)][index]);
+        break;
+    case OutlineRow::Type::File: {
+        const auto isHere = [&](const ModuleSpec& module) { return module.range.file == above.file; };
+        const auto before = std::size_t(std::ranges::count_if(modules, isHere)); // rows of modules come first
+        if (index >= before) link(*m_blocks.at(above.file)[index - before]);
+        else {
+            auto module = std::ranges::find_if(modules, isHere);
+            while (index-- > 0) module = std::find_if(module + 1, modules.end(), isHere);
+            row.range = module->range;
+        }
+        break;
+    }
+    case OutlineRow::Type::Members: row.part = above.part, row.config = above.config, row.range = above.range; break;
+    case OutlineRow::Type::Object:
+        if (row.type == OutlineRow::Type::Members) {
+            row.part = above.part, row.config = above.config, row.range = above.range;
+            break;
+        }
+        if (m_members.contains(above.part) && !above.member && !above.reached) --index; // the row of its members
+        const std::size_t reached = above.config ? above.config->parts.size() : 0;
+        link(index < reached ? above.config->parts[index] : above.part->parts[index - reached]);
+    }
+}
+
+OutlineRow OutlineRows::renewed(const OutlineRow& row, const OutlineRow& above) const {
+    OutlineRow now = partRow(*row.part, above);
+    now.key = row.key;
+    if (above.type == OutlineRow::Type::Object) now.reached = row.reached, now.markable = row.markable;
+    return now;
 }
 
 void OutlineRows::addParts(Rows& rows, const Part& part, const OutlineRow& above, bool reached) const {
@@ -276,7 +343,7 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
     row.part = &part;
     row.range = part.range;
     row.problems = m_problems.of(part);
-    name(row, part, above);
+    nameRow(row, part, above, *m_loaded->outline);
     const bool instance = isPlaced(part);
     row.hasRows = !part.parts.empty();
     row.markable = instance && part.usable;
@@ -299,24 +366,6 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
     if (part.is(Role::Material))
         if (const auto it = m_materials.find(part.name); it != m_materials.end()) row.colour = it->second->colour;
     return row;
-}
-
-void OutlineRows::name(OutlineRow& row, const Part& part, const OutlineRow& above) const {
-    const std::string& type = part.block->type.text;
-    row.name = part.name.empty() ? type : part.name;
-    row.detail = part.name.empty() ? "" : type;
-    row.key = row.name + (part.name.empty() ? "{}" : "");
-    if (part.name.empty() || !part.usable) return;
-    if (above.type == OutlineRow::Type::Object && above.selectable) {
-        row.path = above.path + "." + part.name;
-        row.selectable = true;
-    } else if (above.type != OutlineRow::Type::Object && part.kind && m_loaded->outline->spaceOf(*part.kind)) {
-        const bool world = part.is(Role::Instance) || part.is(Role::Layout) || part.is(Role::Log) || part.is(Role::Look) ||
-                           part.is(Role::Medium);
-        row.path = (world ? std::string() : part.kind->name + ".") + part.name;
-        row.key = row.path;
-        row.selectable = true;
-    }
 }
 
 void OutlineRows::keep(Rows& rows, OutlineRow row, const OutlineRow& above) const {

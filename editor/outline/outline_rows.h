@@ -66,6 +66,11 @@ public:
 
     [[nodiscard]] std::vector<OutlineRow> top() const;
     [[nodiscard]] std::vector<OutlineRow> below(const OutlineRow& row) const;
+    /// Makes a row of an earlier load, the one at `index` below `above`, point into this load. Only after an edit that kept all
+    /// objects, and without a filter: then every row has the index that it had.
+    void relink(OutlineRow& row, const OutlineRow& above, std::size_t index) const;
+    /// The row of the same block with its present contents, after relink().
+    [[nodiscard]] OutlineRow renewed(const OutlineRow& row, const OutlineRow& above) const;
     [[nodiscard]] const std::shared_ptr<const LoadedProject>& loaded() const { return m_loaded; }
     [[nodiscard]] OutlineMode mode() const { return m_mode; }
     [[nodiscard]] bool filtered() const { return !m_words.empty(); }
@@ -76,16 +81,13 @@ private:
     [[nodiscard]] OutlineRow groupRow(OutlineGroup group) const;
     [[nodiscard]] OutlineRow fileRow(FileId file) const;
     [[nodiscard]] OutlineRow partRow(const Part& part, const OutlineRow& above) const;
-    void name(OutlineRow& row, const Part& part, const OutlineRow& above) const;
     void addModules(Rows& rows, const OutlineRow& above) const;
     void addParts(Rows& rows, const Part& part, const OutlineRow& above, bool reached) const;
     void addMembers(Rows& rows, const OutlineRow& above, std::size_t first, std::size_t last) const;
     [[nodiscard]] OutlineRow membersRow(const OutlineRow& above, std::size_t first, std::size_t last, bool all) const;
     [[nodiscard]] OutlineRow memberRow(const OutlineRow& above, std::size_t robot) const;
-    void findMembers();
     [[nodiscard]] OutlineGroup groupOf(const Part& part) const;
     [[nodiscard]] Rows fileBlocks(const OutlineRow& above) const;
-    void gather(const std::vector<Part>& parts, FileId around);
     void keep(Rows& rows, OutlineRow row, const OutlineRow& above) const;
     [[nodiscard]] bool says(std::string_view name, std::string_view detail, std::string_view kind) const;
     [[nodiscard]] bool leads(const OutlineRow& row) const;

@@ -29,14 +29,16 @@ using Keys = std::unordered_set<std::string_view>;
 
 std::vector<OutlineRow> OutlineModel::rowsBelow(const OutlineNode& node) const {
     if (!m_rows) return {};
-    return node.parent ? m_rows->below(node.row) : m_rows->top();
+    std::vector<OutlineRow> rows = node.parent ? m_rows->below(node.row) : m_rows->top();
+    m_work.computed += rows.size();
+    return rows;
 }
 
 void OutlineModel::reset() {
     beginResetModel();
     m_root = std::make_unique<OutlineNode>();
     m_byPath.clear();
-    m_made = 0;
+    m_work.made = 0;
     m_root->fetched = true;
     std::vector<OutlineRow> rows = rowsBelow(*m_root);
     for (OutlineRow& row : rows) {
@@ -47,12 +49,29 @@ void OutlineModel::reset() {
     endResetModel();
 }
 
-void OutlineModel::setLoaded(std::shared_ptr<const LoadedProject> loaded) {
-    const bool anew = !loaded || !m_rows;
+void OutlineModel::follow(const ChangeSet& changes) {
+    const bool anew = !changes.after() || !m_rows;
     const auto before = std::exchange(m_rows, nullptr); // rows point into it until each is updated
-    if (loaded) m_rows = std::make_unique<OutlineRows>(std::move(loaded), m_mode, m_filter);
-    if (anew) reset();
-    else update(*m_root);
+    if (changes.after()) m_rows = std::make_unique<OutlineRows>(changes.after(), m_mode, m_filter);
+    if (anew) return reset();
+    const bool isKnown = before->loaded() == changes.before() && !before->filtered();
+    if (!isKnown || changes.changesObjects() || changes.changesProblems()) return update(*m_root);
+    std::unordered_set<const Part*> changed;
+    for (const PartChange& part : changes.parts()) changed.insert(part.now);
+    relink(*m_root, changed);
+}
+
+/// After an edit that kept all objects and problems: all rows get their new blocks, and those of changed blocks new contents.
+void OutlineModel::relink(OutlineNode& node, const std::unordered_set<const Part*>& changed) {
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+        OutlineNode& child = *node.children[i];
+        if (node.parent) m_rows->relink(child.row, node.row, i);
+        if (child.row.type == OutlineRow::Type::Object && !child.row.member && changed.contains(child.row.part)) {
+            take(child, m_rows->renewed(child.row, node.row));
+            ++m_work.computed;
+        }
+        relink(child, changed);
+    }
 }
 
 void OutlineModel::setMode(OutlineMode mode) {
@@ -84,12 +103,12 @@ void OutlineModel::fetchMore(const QModelIndex& parent) {
 }
 
 void OutlineModel::indexNode(const OutlineNode& node) {
-    ++m_made;
+    ++m_work.made;
     if (node.row.selectable) m_byPath.try_emplace(node.row.path, &node);
 }
 
 void OutlineModel::unindexNode(const OutlineNode& node) {
-    --m_made;
+    --m_work.made;
     if (const auto it = m_byPath.find(node.row.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
     for (const auto& child : node.children) unindexNode(*child);
 }

@@ -38,19 +38,19 @@ QString problemPlace(const LoadedProject& loaded, const SourceRange& place) {
     return QStringLiteral("%1:%2:%3").arg(name, QString::number(at.line), QString::number(at.column));
 }
 
-void ProblemsModel::setLoaded(std::shared_ptr<const LoadedProject> loaded) {
+void ProblemsModel::setLoaded(std::shared_ptr<const LoadedProject> loaded, bool isSame) {
     // Most edits do not change the list; avoiding a reset then keeps the scroll position and the expanded rows.
     const std::shared_ptr<const LoadedProject> kept = std::exchange(m_loaded, std::move(loaded));
     const std::vector<Entry> before = m_entries;
     std::vector<Diagnostic> modelBefore;
     if (m_modelTexts != m_loaded) modelBefore.swap(m_modelProblems); // `before` has pointers into it
-    rebuildAfter(before);
+    rebuildAfter(before, isSame && modelBefore.empty());
 }
 
 /// Rebuilds the list, with a model reset only if its content differs. The diagnostics that `before` points to must still exist.
-void ProblemsModel::rebuildAfter(const std::vector<Entry>& before) {
+void ProblemsModel::rebuildAfter(const std::vector<Entry>& before, bool isSame) {
     rebuild();
-    if (looksAs(before)) {
+    if (isSame || looksAs(before)) {
         if (!m_entries.empty()) Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(m_entries.size()) - 1, ColumnCount - 1));
     } else {
         std::vector<Entry> now = std::exchange(m_entries, before);

@@ -18,8 +18,8 @@ public:
     using QAbstractItemModel::QAbstractItemModel;
     enum Column { Message, CodeColumn, Place, ColumnCount };
 
-    /// Sets the project with the current diagnostics. Null: none.
-    void setLoaded(std::shared_ptr<const LoadedProject> loaded);
+    /// Sets the project with the current diagnostics. Null: none. `isSame`: they differ from those before at most in their places.
+    void setLoaded(std::shared_ptr<const LoadedProject> loaded, bool isSame = false);
     /// Sets the diagnostics of a run and the project it was built from.
     void setRun(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> texts);
     /// Sets the diagnostics of the model check and the project that it checked. They are shown until the next call or until the
@@ -58,7 +58,7 @@ private:
     };
     [[nodiscard]] const std::shared_ptr<const LoadedProject>& textsOf(const Entry& entry) const;
     void rebuild();
-    void rebuildAfter(const std::vector<Entry>& before);
+    void rebuildAfter(const std::vector<Entry>& before, bool isSame = false);
     [[nodiscard]] bool looksAs(const std::vector<Entry>& before) const;
     [[nodiscard]] bool wanted(const Diagnostic& diagnostic) const;
     [[nodiscard]] const Entry* entryAt(const QModelIndex& index) const;

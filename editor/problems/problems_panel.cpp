@@ -85,7 +85,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
                 showCounts();
                 Q_EMIT modelChecked(loaded, found);
             });
-    follow();
+    follow(ChangeSet(nullptr, document.loaded()));
 }
 
 void ProblemsPanel::makeBar() {
@@ -128,10 +128,13 @@ void ProblemsPanel::makeBar() {
 int ProblemsPanel::errors() const { return m_model->errors(); }
 int ProblemsPanel::warnings() const { return m_model->warnings(); }
 
-void ProblemsPanel::follow() {
+void ProblemsPanel::follow(const ChangeSet& changes) {
+    if (changes.after() != m_document.loaded()) return; // a later edit was reported first
     const int row =
         m_view->currentIndex().parent().isValid() ? m_view->currentIndex().parent().row() : m_view->currentIndex().row();
-    m_model->setLoaded(m_document.loaded());
+    const bool isSame = changes.before() == m_shown && !changes.changesProblems() && !changes.changesObjects();
+    m_model->setLoaded(m_document.loaded(), isSame);
+    m_shown = m_document.loaded();
     m_checker->request(m_document.loaded());
     showCounts();
     if (row >= 0 && !m_view->currentIndex().isValid() && m_model->rowCount() > 0) // select the row that follows the fixed one

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "base/diagnostic.h"
-#include "project/loading/project.h"
+#include "project/edits/change_set.h"
 
 class QLabel;
 class QLineEdit;
@@ -48,7 +48,7 @@ protected:
 
 private:
     void makeBar();
-    void follow();
+    void follow(const ChangeSet& changes);
     void applyFilter();
     void showCounts();
     void fitColumns();
@@ -66,7 +66,7 @@ private:
     QToolButton *m_errors, *m_warnings, *m_order, *m_fix;
     QLineEdit* m_words;
     std::vector<Diagnostic> m_run;
-    std::shared_ptr<const LoadedProject> m_runTexts;
+    std::shared_ptr<const LoadedProject> m_runTexts, m_shown;
     bool m_fitting = false, m_ownColumns = false; // the user has set the widths
 };
 

@@ -41,7 +41,7 @@ ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new Choic
         const std::string word = m_box->itemText(index).toStdString();
         commit([word](const FieldValue& v) {
             const bool quoted = v.given() && v.text.starts_with('"');
-            return quoted ? wordOrQuoted(word, true) : word;
+            return quoted ? wordOrQuoted(word, true) : ParsedValue(word);
         });
     });
 }

@@ -42,8 +42,8 @@ FileEditor::FileEditor(QWidget* parent) : RowEditor(parent), m_field(new ValueFi
     connect(m_button, &QToolButton::clicked, this, &FileEditor::choose);
     connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
     connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
-        const std::string text = typed.isEmpty() ? std::string() : typedText(m_row, typed);
-        commit(m_field, [text](const FieldValue&) { return text; });
+        const ParsedValue value = typed.isEmpty() ? ParsedValue() : typedValue(m_row, typed);
+        commit(m_field, [value](const FieldValue&) { return value; });
     });
 }
 

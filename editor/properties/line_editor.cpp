@@ -18,8 +18,8 @@ bool isWords(const Property* p) {
 bool isNumber(const Row& row) {
     if (row.property()) return isNumeric(*row.property());
     const FieldValue& v = row.first();
-    const Result<std::vector<Element>> read = readElements(v.formula ? v.shown : v.text);
-    return read && read.value().front().kind == Element::Kind::Number;
+    const ParsedValue value(v.formula ? v.shown : v.text);
+    return value.status() && value.value().elements.front().kind == Element::Kind::Number;
 }
 
 bool isQuoted(const FieldValue& v) { return v.given() && v.text.starts_with('"'); }
@@ -48,7 +48,7 @@ QString lineText(const Row& row) {
     return plain.find_first_of("\r\n\t") == std::string::npos ? QString::fromStdString(plain) : flat(v.text);
 }
 
-std::string typedText(const Row& row, const QString& typed) {
+ParsedValue typedValue(const Row& row, const QString& typed) {
     const std::string text = typed.toStdString();
     if (!isWords(row.property())) return withArithmetic(tidied(text), isNumber(row));
     if (row.property()->maxCount > 1) return listOfWords(tidied(text));
@@ -78,8 +78,8 @@ LineEditor::LineEditor(QWidget* parent) : RowEditor(parent), m_field(new ValueFi
     setFocusProxy(m_field);
     connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
     connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
-        const std::string text = typed.isEmpty() ? std::string() : typedText(m_row, typed);
-        commit(m_field, [text](const FieldValue&) { return text; });
+        const ParsedValue value = typed.isEmpty() ? ParsedValue() : typedValue(m_row, typed);
+        commit(m_field, [value](const FieldValue&) { return value; });
     });
     connect(m_field, &ValueField::stepped, this, [this](int steps) {
         if (!canScrub()) return;

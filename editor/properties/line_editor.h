@@ -5,7 +5,7 @@ namespace trundle {
 
 /// Converts between a value and the line of text in which it is edited. Texts and names are shown without their quotes.
 [[nodiscard]] QString lineText(const Row& row);
-[[nodiscard]] std::string typedText(const Row& row, const QString& typed);
+[[nodiscard]] ParsedValue typedValue(const Row& row, const QString& typed);
 /// Sets text, colour, unit and state of a field that contains the whole value.
 void showLine(ValueField& field, const Row& row);
 

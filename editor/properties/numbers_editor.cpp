@@ -137,7 +137,8 @@ void NumbersEditor::showField(std::size_t i) {
 }
 
 void NumbersEditor::enter(std::size_t i, const QString& typed) {
-    const std::string text = withArithmetic(tidied(typed.toStdString()), true);
+    const ParsedValue value = withArithmetic(tidied(typed.toStdString()), true);
+    const std::string& text = value.text();
     ValueField* field = m_fields[i];
     if (text.empty()) {
         const bool last = i + 1 >= m_row.first().elements.size();
@@ -146,17 +147,17 @@ void NumbersEditor::enter(std::size_t i, const QString& typed) {
         commit(field, [i](const FieldValue& v) { return v.before(i); });
         return;
     }
-    const Result<std::vector<Element>> read = readElements(text);
-    if (!read) return field->setError(QString::fromStdString(read.error().message));
-    if (read.value().size() != 1 && m_fields.size() > 1)
-        return field->setError(
-            tr("%1 numbers here, one belongs into each field; a decimal point is written as .").arg(read.value().size()));
+    if (!value.status()) return field->setError(QString::fromStdString(value.status().error().message));
+    const std::size_t count = value.value().elements.size();
+    if (count != 1 && m_fields.size() > 1)
+        return field->setError(tr("%1 numbers here, one belongs into each field; a decimal point is written as .").arg(count));
     const bool one = m_fields.size() == 1;
     const Property& p = *m_row.property();
     const std::string others = restOf(p, text);
     const std::size_t least = p.minCount;
-    commit(field, [i, text, one, others, least](const FieldValue& v) {
-        if (one) return text;
+    commit(field, [i, value, one, others, least](const FieldValue& v) -> ParsedValue {
+        if (one) return value;
+        const std::string& text = value.text();
         if (!v.elements.empty()) return v.with(i, text);
         std::vector<std::string> all(std::max(least, i + 1), others);
         all[i] = text;

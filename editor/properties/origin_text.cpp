@@ -29,7 +29,7 @@ QString overrideWords(const FieldValue& value) {
                                : QObject::tr("override here; %1 has %2").arg(config, inherited);
 }
 
-QString targetWords(const ObjectValues& object, const Document& document) {
+QString targetWords(const ObjectValues& object, Document& document) {
     const Part *config = object.config(), *instance = object.instance();
     if (!config || !object.kind()) return {};
     const QString name = QString::fromStdString(config->name);

@@ -12,7 +12,7 @@ class Document;
 /// For an override: "override here; SimpleRobot has 2 ohm".
 [[nodiscard]] QString overrideWords(const FieldValue& value);
 /// Where a change of the object's value is written; empty if that is its own block and no other object uses it.
-[[nodiscard]] QString targetWords(const ObjectValues& object, const Document& document);
+[[nodiscard]] QString targetWords(const ObjectValues& object, Document& document);
 /// "the default", "set here", "set in the config", or overrideWords().
 [[nodiscard]] QString originWords(const FieldValue& value);
 

@@ -3,15 +3,14 @@
 #include <QStringList>
 
 #include "lang/tree_edit.h"
+#include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {
 
 const SourceParam* declarationOf(const LoadedProject& loaded, const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    const std::string name = path.substr(dot == std::string::npos ? 0 : dot + 1);
-    const std::string owner = dot == std::string::npos ? std::string() : path.substr(0, dot);
+    const std::string name(lastWord(path)), owner(withoutLastWord(path));
     if (owner.empty() || owner == "Param") {
         for (const SourceParam& param : loaded.outline->params)
             if (param.name->text == name) return &param;

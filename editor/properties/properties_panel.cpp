@@ -21,6 +21,7 @@
 #include "editor/properties/rows.h"
 #include "editor/properties/section.h"
 #include "editor/running/session.h"
+#include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -102,11 +103,30 @@ void PropertiesPanel::dropRows() {
 
 /// If the shown object is missing, the refresh is deferred to the event loop: after a rename the selection changes to the new
 /// path before that, so the rows stay. The rows of a newly opened experiment are deferred too, after the other panels' updates.
-void PropertiesPanel::followDocument() {
+void PropertiesPanel::followDocument(const ChangeSet& changes) {
     if (!isVisible() || !m_document.isOpen()) return refresh();
+    if (changes.after() != m_document.loaded()) return; // a later edit was reported first
+    if (isUnaffected(changes)) {
+        m_shown = changes.after();
+        return;
+    }
     const bool gone = m_body && !isInUse() && m_selection.paths() == m_paths && objectsAt(m_document.loaded(), m_paths).empty();
     if (gone || !m_body) m_gone.start();
     else refresh();
+}
+
+/// Whether the rows are still right after an edit: it was elsewhere, and has not moved the text of the shown objects.
+bool PropertiesPanel::isUnaffected(const ChangeSet& changes) const {
+    if (!m_body || changes.before() != m_shown || !changes.isLocal() || changes.changesProblems()) return false;
+    return m_selection.paths() == m_paths && !m_paths.empty() && std::ranges::all_of(m_paths, [&](const std::string& path) {
+               const auto place = placeOf(*changes.before(), path);
+               if (!place || !place->part) return false;
+               const Part* top = place->instance ? place->instance : place->above.empty() ? place->part : place->above.front();
+               const Part* config = place->instance ? configOf(*changes.before(), *place->instance) : nullptr;
+               return std::ranges::none_of(std::initializer_list<const Part*>{top, config}, [&](const Part* shown) {
+                   return shown && (changes.nowAt(shown->range) != shown->range || changes.isEdited(*shown));
+               });
+           });
 }
 
 /// Whether a row has the focus or contains a refused text.
@@ -130,6 +150,7 @@ void PropertiesPanel::refresh() {
         m_current.clear();
         if (isInUse()) dropRows(); // a text typed for one object must not apply to another
     }
+    m_shown = m_document.loaded();
     Objects objects = objectsAt(m_document.loaded(), m_paths);
     if (objects.empty()) objects = objectsAt(m_document.loaded(), {}); // removed by undo: as if nothing is selected
     std::vector<std::string> kinds;
@@ -188,7 +209,7 @@ QString PropertiesPanel::liveHint() const {
     const auto place = placeOf(*m_document.loaded(), path);
     if (!place || !place->part) return {};
     if (place->part->is(Role::Layout) && !place->member) return tr("Click one of its members in the 3D view to see its values.");
-    if (place->instance && !m_session->edits().isOfRun(path.substr(0, path.find('.'))))
+    if (place->instance && !m_session->edits().isOfRun(std::string(firstWord(path))))
         return tr("Not in this run: new or renamed since it started.");
     return {};
 }
@@ -292,7 +313,8 @@ void PropertiesPanel::showHelp() {
 void PropertiesPanel::showFailure(const std::string& id, const Status& status) {
     m_current = id;
     const QString reason = status ? QString() : QString::fromStdString(status.error().message);
-    if (const PropertyRow* shown = rowOf(id)) m_strip->display(shown->row(), reason, m_session && m_session->state() != RunState::Start);
+    if (const PropertyRow* shown = rowOf(id))
+        m_strip->display(shown->row(), reason, m_session && m_session->state() != RunState::Start);
 }
 
 void PropertiesPanel::openMenu(PropertyRow* row, const QPoint& place, QMenu* under) {

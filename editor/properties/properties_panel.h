@@ -21,6 +21,7 @@ class QVBoxLayout;
 
 namespace trundle {
 
+class ChangeSet;
 class Document;
 class HelpStrip;
 class LiveTable;
@@ -59,7 +60,8 @@ private:
         bool operator==(const Shape&) const = default;
     };
     void refresh();
-    void followDocument();
+    void followDocument(const ChangeSet& changes);
+    [[nodiscard]] bool isUnaffected(const ChangeSet& changes) const;
     [[nodiscard]] bool isInUse() const;
     void showNothing(const QString& why);
     void dropRows();
@@ -90,12 +92,13 @@ private:
     QLabel* m_nothing;
     std::vector<Shape> m_shapes;
     std::vector<PropertyRow*> m_rows;
-    std::vector<std::string> m_paths; ///< selected objects that are shown
-    std::vector<std::string> m_kinds; ///< kinds of these objects
-    QTimer m_gone;                    ///< deferred refresh, see followDocument()
-    std::set<std::string> m_asText;   ///< ids of rows edited as text
-    std::set<QString> m_closed;       ///< collapsed sections
-    std::string m_current;            ///< id of the row whose help is shown
+    std::vector<std::string> m_paths;             ///< selected objects that are shown
+    std::vector<std::string> m_kinds;             ///< kinds of these objects
+    QTimer m_gone;                                ///< deferred refresh, see followDocument()
+    std::set<std::string> m_asText;               ///< ids of rows edited as text
+    std::set<QString> m_closed;                   ///< collapsed sections
+    std::string m_current;                        ///< id of the row whose help is shown
+    std::shared_ptr<const LoadedProject> m_shown; ///< that the rows are right for
     bool m_stale = false;
 };
 

@@ -55,8 +55,8 @@ ReferenceEditor::ReferenceEditor(QWidget* parent)
     connect(m_menu, &QMenu::aboutToShow, this, &ReferenceEditor::fillMenu);
     connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
     connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
-        const std::string text = typed.isEmpty() ? std::string() : typedText(m_row, typed);
-        commit(m_field, [text](const FieldValue&) { return text; });
+        const ParsedValue value = typed.isEmpty() ? ParsedValue() : typedValue(m_row, typed);
+        commit(m_field, [value](const FieldValue&) { return value; });
     });
 }
 
@@ -104,11 +104,11 @@ void ReferenceEditor::pick(const QString& name) {
     const bool list = m_row.property()->maxCount > 1;
     const std::string word = name.toStdString();
     m_field->setModified(false);
-    commit(m_field, [list, word, name](const FieldValue& v) {
-        const std::string text = wordOrQuoted(word, v.given() && v.text.starts_with('"'));
-        if (!list || v.formula || v.text.empty()) return text;
+    commit(m_field, [list, word, name](const FieldValue& v) -> ParsedValue {
+        const ParsedValue picked = wordOrQuoted(word, v.given() && v.text.starts_with('"'));
+        if (!list || v.formula || v.text.empty()) return picked;
         const auto at = origin(v).indexOf(name);
-        if (at < 0) return v.with(v.elements.size(), text);
+        if (at < 0) return v.with(v.elements.size(), picked.text());
         std::vector<std::string> rest;
         for (std::size_t i = 0; i < v.elements.size(); ++i)
             if (i != static_cast<std::size_t>(at)) rest.push_back(v.element(i));

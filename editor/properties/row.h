@@ -8,12 +8,13 @@
 
 #include <QString>
 
+#include "lang/parsed_value.h"
 #include "project/objects/object_values.h"
 
 namespace trundle {
 
-/// Returns the new text of a value given the current one; called for each selected object. Empty: the value is removed.
-using Change = std::function<std::string(const FieldValue&)>;
+/// Returns the new value given the current one; called for each selected object. Empty: the value is removed.
+using Change = std::function<ParsedValue(const FieldValue&)>;
 /// Sets a value in all selected objects as one undo step, or fails with the reason and changes nothing.
 using Setter = std::function<Status(const Change& change, const std::string& mergeKey)>;
 

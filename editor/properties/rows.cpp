@@ -14,6 +14,7 @@
 #include "editor/properties/sections.h"
 #include "editor/running/session.h"
 #include "editor/widgets/strings.h"
+#include "model/dotted_path.h"
 #include "project/edits/plans.h"
 #include "project/objects/name_references.h"
 #include "project/objects/value_text.h"
@@ -52,7 +53,7 @@ public:
 
 private:
     void add(std::string id, const QString& section, FieldValue value, const Kind* kind) {
-        const std::string name = value.property ? value.property->name : value.path.substr(value.path.rfind('.') + 1);
+        const std::string name = value.property ? value.property->name : std::string(lastWord(value.path));
         m_listed.push_back({std::move(id), toQString(name), section, std::move(value), kind, m_object.config()});
     }
 
@@ -71,7 +72,7 @@ private:
         const QString section =
             more ? QObject::tr("%1: the first %2, the others are in the text").arg(title, QString::number(kMaxOfSection)) : title;
         for (FieldValue& v : params) {
-            const std::string id = "param." + v.path.substr(v.path.rfind('.') + 1);
+            const std::string id = pathInside("param", lastWord(v.path));
             add(id, section, std::move(v), nullptr);
         }
     }
@@ -112,7 +113,7 @@ bool alike(const ListedRow& a, const ListedRow& b) {
 
 /// The heading of a row whose objects have different ones, for example since they have different configs.
 QString commonSection(const ListedRow& row) {
-    const std::string group = row.id.substr(0, row.id.find('.'));
+    const std::string group = std::string(firstWord(row.id));
     if (group == "param") return QObject::tr("Params");
     if (group == "config") return QObject::tr("Config");
     if (group == "controller") return QObject::tr("Controller");
@@ -123,20 +124,20 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
     std::vector<ValueEdit> edits;
     std::vector<std::string> resets;
     for (const FieldValue& v : values) {
-        std::string wanted = change(v);
+        ParsedValue wanted = change(v);
         if (wanted.empty()) {
             if (v.given()) resets.push_back(v.path);
             continue;
         }
         if (v.isLong) return Error{Code::EditRefused, "the value is too long to be replaced here; edit it in the text"};
-        if (v.given() && wanted == v.text) continue;
-        if (const auto read = readElements(wanted); !read) return read.error();
+        if (v.given() && wanted.text() == v.text) continue;
+        if (!wanted.status()) return wanted.status();
         edits.push_back({v.path, std::move(wanted)});
     }
-    const QString what = values.size() == 1 ? shortName(values[0].path)
-                                            : QObject::tr("%1 of %2 objects")
-                                                  .arg(toQString(values[0].path.substr(values[0].path.rfind('.') + 1)),
-                                                       QString::number(values.size()));
+    const QString what = values.size() == 1
+                             ? shortName(values[0].path)
+                             : QObject::tr("%1 of %2 objects")
+                                   .arg(toQString(std::string(lastWord(values[0].path))), QString::number(values.size()));
     if (!resets.empty()) {
         if (const Result<EditPlan> plan = planReset(*document.loaded(), resets); !plan) return plan.error(); // shown in the row
         const bool copies =
@@ -150,7 +151,7 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
         return document.edit(QObject::tr("Reset %1").arg(what), planReset(*document.loaded(), resets).value().edits, mergeKey);
     }
     if (edits.empty()) return {};
-    const QString value = values.size() == 1 ? toQString(edits[0].text).simplified() : QString();
+    const QString value = values.size() == 1 ? toQString(edits[0].value.text()).simplified() : QString();
     constexpr int kLongest = 24;
     const QString name = value.isEmpty() || value.size() > kLongest ? QObject::tr("Set %1").arg(what)
                                                                     : QObject::tr("Set %1 to %2").arg(what, value);
@@ -209,7 +210,7 @@ QString shortName(const std::string& path) {
 }
 
 Status pushOverride(Document& document, const std::string& propertyPath) {
-    const std::string object = propertyPath.substr(0, propertyPath.rfind('.'));
+    const std::string object = std::string(withoutLastWord(propertyPath));
     return document.structure().apply(QObject::tr("Push %1 into the config").arg(shortName(propertyPath)), {object},
                                       [propertyPath](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
                                           return planPushOverride(loaded, renamed(propertyPath));

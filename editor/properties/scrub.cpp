@@ -27,9 +27,10 @@ int decimalsOf(double number) {
 } // namespace
 
 std::optional<Scrub> Scrub::of(const std::string& element, const Property* property) {
-    const Result<std::vector<Element>> read = readElements(element);
-    if (!read || read.value().size() != 1 || read.value()[0].kind != Element::Kind::Number) return std::nullopt;
-    const Element& e = read.value()[0];
+    const ParsedValue value(element);
+    const std::vector<Element>& elements = value.value().elements;
+    if (elements.size() != 1 || elements[0].kind != Element::Kind::Number) return std::nullopt;
+    const Element& e = elements[0];
     Scrub scrub;
     scrub.m_number = e.number;
     scrub.m_low = -HUGE_VAL;

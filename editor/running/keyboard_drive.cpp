@@ -8,6 +8,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/widgets/actions.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 namespace {
@@ -67,9 +68,9 @@ void KeyboardDrive::steer() {
     const std::string selected = m_selection.current();
     const auto experiment = m_session.results().experiment;
     const bool onlyOne = experiment && experiment->robots.size() == 1; // the only robot is driven whatever is selected
-    const std::string robot = onlyOne ? experiment->robots.front().name : selected.substr(0, selected.find('.'));
+    const std::string robot = onlyOne ? experiment->robots.front().name : std::string(firstWord(selected));
     if (!m_session.robots().drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
-                         scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
+                                  scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
         m_down.clear();
 }
 

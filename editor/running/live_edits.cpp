@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <span>
 
+#include "model/dotted_path.h"
 #include "model/outline.h"
 #include "model/provenance.h"
 
@@ -41,7 +42,7 @@ Texts textsOf(const Outline& outline) {
 
 /// Whether the path leads to a View or into one. The 3D views show Views of the current text; only a FrameLog uses one in the run.
 bool isShownView(const Outline& outline, const std::string& path) {
-    const std::string name = path.substr(0, path.find('.'));
+    const std::string name(firstWord(path));
     const Part* view = outline.world.find(name);
     if (!view || view->block->type.text != "View") return false;
     return std::ranges::none_of(outline.parts, [&](const auto& part) {
@@ -52,7 +53,7 @@ bool isShownView(const Outline& outline, const std::string& path) {
 
 bool isLive(const Outline& outline, const std::string& path) {
     if (isShownView(outline, path)) return true;
-    if (path.starts_with("Material.") || path.starts_with("Surface.")) return path.find('.', path.find('.') + 1) != path.npos;
+    if (path.starts_with("Material.") || path.starts_with("Surface.")) return !withoutFirstWord(withoutFirstWord(path)).empty();
     const auto from = provenanceOf(outline, path);
     return from && from->property && from->property->live;
 }
@@ -62,23 +63,39 @@ bool isBelowLast(const std::vector<std::string>& paths, const std::string& path)
     return !paths.empty() && path.starts_with(paths.back() + ".");
 }
 
-std::vector<std::string> waitingPaths(const LoadedProject& built, const LoadedProject& now) {
-    const Texts before = textsOf(*built.outline), after = textsOf(*now.outline);
-    std::vector<std::string> paths;
-    const auto differ = [&](const std::string& path) {
-        if (!isBelowLast(paths, path) && !isLive(*now.outline, path) && !isLive(*built.outline, path)) paths.push_back(path);
-    };
-    auto a = before.begin(), b = after.begin();
-    while (a != before.end() || b != after.end()) {
-        if (b == after.end() || (a != before.end() && a->first < b->first)) differ((a++)->first);
-        else if (a == before.end() || b->first < a->first) differ((b++)->first);
-        else {
-            if (a->second != b->second) differ(a->first);
-            ++a;
-            ++b;
-        }
+/// The text of a setting or of a Param of the top level; nothing if it is not set.
+std::optional<std::string_view> settingIn(const Outline& outline, const std::string& key) {
+    if (const SourceAssignment* a = outline.settings.find(key)) return outline.texts().slice(a->valueRange());
+    for (const SourceParam& p : outline.params)
+        if (p.name->text == key) return outline.texts().slice(p.valueFile, p.value->range);
+    return std::nullopt;
+}
+
+/// The block of a path as declared: "RobotConfig.Rover.chassis"; null if there is none.
+const Part* declaredAt(const Outline& outline, const std::string& path) {
+    const DottedPath dotted(path);
+    std::span<const std::string> words = dotted.words();
+    const Part* part = outline.world.find(words[0]);
+    std::size_t used = 1;
+    if (!part && words.size() > 1) {
+        const Kind* kind = outline.registry().find(words[0]);
+        const NameSpace* space = kind ? outline.spaceOf(*kind) : nullptr;
+        part = space ? space->find(words[1]) : nullptr;
+        used = 2;
     }
-    return paths;
+    for (; part && used < words.size(); ++used) part = part->find(words[used]);
+    return part;
+}
+
+/// The text of a property or Param of a block; nothing if it is not set.
+std::optional<std::string_view> textIn(const Outline& outline, const Part* part, const std::string& key, bool isParam) {
+    if (!part) return std::nullopt;
+    if (isParam) {
+        const SourceParam* param = part->param(key);
+        return param ? std::optional(outline.texts().slice(param->valueFile, param->value->range)) : std::nullopt;
+    }
+    const SourceAssignment* a = part->assignments.find(key);
+    return a ? std::optional(outline.texts().slice(a->valueRange())) : std::nullopt;
 }
 
 // ---- live properties: commands for the running world ----
@@ -91,25 +108,56 @@ struct LiveValue {
 
 class LiveComparison {
 public:
-    LiveComparison(const ExperimentSpec& running, const LoadedProject& now, LiveEdits& out)
-        : m_running(running), m_now(*now.experiment), m_registry(*now.registry), m_out(out) {}
+    /// `changed`: paths of the blocks to look at; none: all.
+    LiveComparison(const ExperimentSpec& running, const LoadedProject& now, const std::optional<std::set<std::string>>& changed,
+                   LiveEdits& out)
+        : m_running(running), m_now(*now.experiment), m_registry(*now.registry), m_out(out), m_isWhole(!changed) {
+        if (changed)
+            for (const std::string& path : *changed) addTop(path);
+    }
 
     void go() {
         surfaces();
         materials();
-        for (const RobotSpec& robot : m_now.robots) m_robots.emplace(robot.name, &robot);
-        for (std::size_t i = 0; i < m_running.robots.size(); ++i) robot(i);
+        for (std::size_t i = 0; i < m_running.robots.size(); ++i)
+            if (isMeant(m_running.robots[i])) robot(i);
         if (m_changed) m_out.experiment = m_changed;
     }
 
+    [[nodiscard]] std::size_t compared() const { return m_compared; }
+
 private:
+    /// "Surface.rubber" of "Surface.rubber", "RobotConfig.Rover" of "RobotConfig.Rover.motor", "robot0" of "robot0.brain".
+    void addTop(const std::string& path) {
+        const Kind* kind = m_registry.find(firstWord(path));
+        const bool isByKind = kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Config);
+        m_tops.insert(isByKind ? pathInside(firstWord(path), firstWord(withoutFirstWord(path))) : std::string(firstWord(path)));
+    }
+
+    /// Whether a block of this path is to be looked at.
+    bool isMeant(const std::string& path) {
+        const bool isMeant = m_isWhole || m_tops.contains(path);
+        m_compared += isMeant;
+        return isMeant;
+    }
+
+    /// A robot is changed by its own block, by that of its Grid or Scatter, and by its config.
+    bool isMeant(const RobotSpec& robot) {
+        const bool isMeant = m_isWhole || m_tops.contains(robot.name) ||
+                             m_tops.contains(robot.name.substr(0, robot.name.rfind('_'))) ||
+                             (robot.config && m_tops.contains("RobotConfig." + robot.config->name));
+        m_compared += isMeant;
+        return isMeant;
+    }
+
     ExperimentSpec& changed() {
         if (!m_changed) m_changed = std::make_shared<ExperimentSpec>(m_running);
         return *m_changed;
     }
 
     void surfaces() {
-        for (std::size_t i = 0; i < m_running.surfaces.size(); ++i)
+        for (std::size_t i = 0; i < m_running.surfaces.size(); ++i) {
+            if (!isMeant("Surface." + m_running.surfaces[i].name)) continue;
             for (const SurfaceSpec& s : m_now.surfaces) {
                 const SurfaceSpec& r = m_running.surfaces[i];
                 if (s.name != r.name) continue;
@@ -121,10 +169,12 @@ private:
                 changed().surfaces[i] = s;
                 break;
             }
+        }
     }
 
     void materials() {
-        for (std::size_t i = 0; i < m_running.materials.size(); ++i)
+        for (std::size_t i = 0; i < m_running.materials.size(); ++i) {
+            if (!isMeant("Material." + m_running.materials[i].name)) continue;
             for (const MaterialSpec& m : m_now.materials) {
                 const MaterialSpec& r = m_running.materials[i];
                 if (m.name != r.name) continue;
@@ -134,6 +184,7 @@ private:
                 if (!same) changed().materials[i] = m;
                 break;
             }
+        }
     }
 
     std::vector<LiveValue> differences(const ComponentSpec& running, const ComponentSpec& now) const {
@@ -156,6 +207,8 @@ private:
     }
 
     void robot(std::size_t index) {
+        if (m_robots.empty())
+            for (const RobotSpec& robot : m_now.robots) m_robots.emplace(robot.name, &robot);
         const RobotSpec& running = m_running.robots[index];
         const auto found = m_robots.find(running.name);
         if (found == m_robots.end()) return;
@@ -206,6 +259,9 @@ private:
     const ExperimentSpec& m_now;
     const Registry& m_registry;
     LiveEdits& m_out;
+    const bool m_isWhole;
+    std::set<std::string> m_tops;
+    std::size_t m_compared = 0;
     std::shared_ptr<ExperimentSpec> m_changed;
     std::map<std::string, const RobotSpec*> m_robots;
     std::map<std::pair<const RobotConfigSpec*, const RobotConfigSpec*>, ConfigChange> m_configs;
@@ -213,11 +269,69 @@ private:
 
 } // namespace
 
-LiveEdits liveEdits(const LoadedProject& built, const ExperimentSpec& running, const LoadedProject& now) {
+void RunComparison::begin(std::shared_ptr<const LoadedProject> built) {
+    m_built = m_now = std::move(built);
+    m_differing.clear();
+    m_unsent.emplace();
+}
+
+LiveEdits RunComparison::follow(const ChangeSet& changes, const ExperimentSpec& running) {
     LiveEdits edits;
-    if (!now.diagnostics.hasErrors()) LiveComparison(running, now, edits).go(); // a text with errors changes nothing in the run
-    edits.waiting = waitingPaths(built, now);
+    if (changes.after() != m_now) {
+        findDifferences(changes);
+        if (changes.before() != m_now || !changes.isLocal()) m_unsent.reset();
+        else if (m_unsent)
+            for (const PartChange& part : changes.parts()) m_unsent->insert(part.after);
+        m_now = changes.after();
+    }
+    if (!m_now->diagnostics.hasErrors()) {
+        LiveComparison comparison(running, *m_now, m_unsent, edits);
+        comparison.go();
+        m_compared += comparison.compared();
+        m_unsent.emplace();
+    }
+    edits.waiting = waiting();
     return edits;
+}
+
+void RunComparison::findDifferences(const ChangeSet& changes) {
+    const Outline &built = *m_built->outline, &now = *changes.after()->outline;
+    const bool isKnown = changes.before() == m_now && !changes.changesStructure() &&
+                         std::ranges::all_of(changes.parts(), [&](const PartChange& part) {
+                             return part.now->usable && part.now->kind && declaredAt(now, part.after) == part.now;
+                         });
+    if (!isKnown) {
+        m_differing.clear();
+        const Texts before = textsOf(built), after = textsOf(now);
+        m_compared += before.size() + after.size();
+        for (const auto& [path, text] : before)
+            if (const auto same = after.find(path); same == after.end() || same->second != text) m_differing.insert(path);
+        for (const auto& [path, text] : after)
+            if (!before.contains(path)) m_differing.insert(path);
+        return;
+    }
+    const auto compare = [this](const std::string& path, std::optional<std::string_view> was,
+                                std::optional<std::string_view> is) {
+        ++m_compared;
+        if (was != is) m_differing.insert(path);
+        else m_differing.erase(path);
+    };
+    for (const std::string& key : changes.settings()) compare(key, settingIn(built, key), settingIn(now, key));
+    for (const std::string& name : changes.params()) compare(name, settingIn(built, name), settingIn(now, name));
+    for (const PartChange& part : changes.parts()) {
+        const Part* was = declaredAt(built, part.after);
+        for (const bool isParam : {false, true})
+            for (const std::string& key : isParam ? part.params : part.properties)
+                compare(pathInside(part.after, key), textIn(built, was, key, isParam), textIn(now, part.now, key, isParam));
+    }
+}
+
+std::vector<std::string> RunComparison::waiting() const {
+    std::vector<std::string> paths;
+    for (const std::string& path : m_differing)
+        if (!isBelowLast(paths, path) && !isLive(*m_now->outline, path) && !isLive(*m_built->outline, path))
+            paths.push_back(path);
+    return paths;
 }
 
 } // namespace trundle

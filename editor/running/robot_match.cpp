@@ -22,18 +22,20 @@ void RobotMatch::begin(std::shared_ptr<const LoadedProject> built) {
     m_built = m_seen = std::move(built);
 }
 
-void RobotMatch::follow(std::shared_ptr<const LoadedProject> now) {
+void RobotMatch::follow(const ChangeSet& changes) {
+    const std::shared_ptr<const LoadedProject>& now = changes.after();
     if (!m_built || now == m_seen) return;
+    const auto before = std::exchange(m_seen, now);
+    if (before == changes.before() && !changes.changesStructure() && m_gone.empty()) return;
     for (const RobotSpec& robot : m_built->experiment->robots) {
         const Part* is = partOf(*now, robot.name);
         const auto gone = m_gone.find(robot.name);
         if (gone != m_gone.end()) {
             if (is && textOf(*now, *is) == gone->second) m_gone.erase(gone);
-        } else if (const Part* was = is ? nullptr : partOf(*m_seen, robot.name)) {
-            m_gone.emplace(robot.name, textOf(*m_seen, *was));
+        } else if (const Part* was = is ? nullptr : partOf(*before, robot.name)) {
+            m_gone.emplace(robot.name, textOf(*before, *was));
         }
     }
-    m_seen = std::move(now);
 }
 
 } // namespace trundle

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "project/loading/project.h"
+#include "project/edits/change_set.h"
 
 namespace trundle {
 
@@ -13,7 +13,7 @@ class RobotMatch {
 public:
     void begin(std::shared_ptr<const LoadedProject> built);
     /// Call it with every change of the document.
-    void follow(std::shared_ptr<const LoadedProject> now);
+    void follow(const ChangeSet& changes);
     /// False for a robot that was removed and has not been restored unchanged, for example by undo.
     [[nodiscard]] bool has(const std::string& robot) const { return !m_gone.contains(robot); }
 

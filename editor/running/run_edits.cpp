@@ -4,7 +4,22 @@
 
 #include <QStringList>
 
+#include "model/dotted_path.h"
+
 namespace trundle {
+
+void RunEdits::begin(std::shared_ptr<const LoadedProject> built) {
+    m_built = std::move(built);
+    m_sameRobots.begin(m_built);
+    m_comparison.begin(m_built);
+}
+
+LiveEdits RunEdits::follow(const ChangeSet& changes, const std::shared_ptr<const LoadedProject>& source,
+                           const ExperimentSpec& running) {
+    m_sameRobots.follow(changes);
+    // A preview of configs is built from a text of its own.
+    return m_comparison.follow(source == changes.after() ? changes : ChangeSet::ofEverything(m_built, source), running);
+}
 
 void RunEdits::setWaiting(std::vector<std::string> paths) {
     if (paths == m_waiting) return;
@@ -27,9 +42,7 @@ QString RunEdits::waitingText() const {
 }
 
 bool RunEdits::waitsForReset(const std::string& path) const {
-    return std::ranges::any_of(m_waiting, [&](const std::string& waiting) {
-        return path == waiting || (path.size() > waiting.size() && path.starts_with(waiting) && path[waiting.size()] == '.');
-    });
+    return std::ranges::any_of(m_waiting, [&](const std::string& waiting) { return startsWithPath(path, waiting); });
 }
 
 } // namespace trundle

@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include "editor/running/live_edits.h"
 #include "editor/running/robot_match.h"
 
 namespace trundle {
@@ -16,9 +17,10 @@ public:
     using QObject::QObject;
 
     /// A run of this project begins; null: none.
-    void begin(std::shared_ptr<const LoadedProject> built) { m_sameRobots.begin(std::move(built)); }
-    /// The document was edited.
-    void follow(std::shared_ptr<const LoadedProject> document) { m_sameRobots.follow(std::move(document)); }
+    void begin(std::shared_ptr<const LoadedProject> built);
+    /// The document was edited. `source`: what a run would be built from now. `running`: the experiment of the run.
+    [[nodiscard]] LiveEdits follow(const ChangeSet& changes, const std::shared_ptr<const LoadedProject>& source,
+                                   const ExperimentSpec& running);
     void setWaiting(std::vector<std::string> paths);
     /// No edit waits any more. True if some did; changed() is left to the caller.
     [[nodiscard]] bool clear();
@@ -37,7 +39,9 @@ Q_SIGNALS:
 
 private:
     std::vector<std::string> m_waiting;
+    std::shared_ptr<const LoadedProject> m_built;
     RobotMatch m_sameRobots;
+    RunComparison m_comparison;
 };
 
 } // namespace trundle

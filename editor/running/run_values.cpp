@@ -2,6 +2,7 @@
 
 #include "editor/running/run_edits.h"
 #include "editor/widgets/theme.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 namespace {
@@ -26,7 +27,7 @@ void RunValues::begin() {
 const std::vector<LiveValue>& RunValues::of(const std::string& path) const {
     static const std::vector<LiveValue> kNone;
     if (!m_objects || !m_results.snapshot) return kNone;
-    const bool here = path.empty() || m_edits.isOfRun(path.substr(0, path.find('.')));
+    const bool here = path.empty() || m_edits.isOfRun(std::string(firstWord(path)));
     return here ? m_objects->read(path, *m_results.snapshot) : kNone;
 }
 

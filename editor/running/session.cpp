@@ -290,11 +290,10 @@ void RunSession::reportWaitingEdits() {
 
 // ---- document changes during a run ----
 
-void RunSession::followDocument() {
+void RunSession::followDocument(const ChangeSet& changes) {
     if (state() == RunState::Start) m_messages->clearProblems(); // those of a run that could not be built
-    if (!m_active.built || !m_active.live || !m_document.loaded()) return;
-    m_edits->follow(m_document.loaded());
-    LiveEdits edits = liveEdits(*m_active.built, *m_active.experiment, *m_source->project());
+    if (!m_active.built || !m_active.live || !m_document.loaded() || changes.after() != m_document.loaded()) return;
+    LiveEdits edits = m_edits->follow(changes, m_source->project(), *m_active.experiment);
     for (auto& command : edits.commands) m_active.live->command(std::move(command));
     if (edits.experiment) {
         m_active.experiment = std::move(edits.experiment);

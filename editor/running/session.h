@@ -76,7 +76,7 @@ private:
     void resume(RunState state);
     void endRun();
     void setState(RunState state);
-    void followDocument();
+    void followDocument(const ChangeSet& changes);
     void reportLogs(), reportWaitingEdits();
     void addConsoleLine(int severity, const QString& text);
 

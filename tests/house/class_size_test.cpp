@@ -24,7 +24,7 @@ const QMap<QString, ClassSize>& exceptions() {
         {"core/scene/Scene", {400, 0}},
         {"core/world/BuiltWorld", {500, 0}},
         {"core/world/OdeEngine", {1100, 0}},
-        {"editor/document/Document", {700, 65}},
+        {"editor/document/Document", {600, 65}},
         {"editor/outline/OutlineModel", {350, 30}},
         {"editor/shell/MainWindow", {600, 0}},
         {"editor/text/CodeEdit", {370, 36}},

@@ -53,9 +53,9 @@ private Q_SLOTS:
     void words() {
         QFETCH(QString, typed);
         QFETCH(QString, written);
-        const std::string text = wordOrQuoted(typed.toStdString(), false);
+        const std::string text = wordOrQuoted(typed.toStdString(), false).text();
         QCOMPARE(QString::fromStdString(text), written);
-        QVERIFY(readElements(text).ok());
+        QVERIFY(ParsedValue(text).status().ok());
         const bool raw = typed.startsWith(QLatin1Char('$')) || typed.startsWith(QLatin1Char('"'));
         if (!raw || typed.size() < 2) QCOMPARE(QString::fromStdString(plainText(text)), typed);
     }
@@ -63,14 +63,14 @@ private Q_SLOTS:
     void notOneValue() {
         for (const char* text : {"", " ", "3 }", "3 } x {", "a = 3", "3 // c", "1,", ",1", "\"open", "$(1+", "3 4", "Box b { }",
                                  "3\nTick = 4", "{", "/*"})
-            QVERIFY2(!readElements(text).ok(), text);
+            QVERIFY2(!ParsedValue(text).status().ok(), text);
         for (const char* text : {"3", "12 cm", "1, 2 ,3", "$a", "$(a + 1)", "\"a b\"", "true", "x/y.png,z", "-1e-3 m/s"})
-            QVERIFY2(readElements(text).ok(), text);
+            QVERIFY2(ParsedValue(text).status().ok(), text);
     }
 
     void arithmeticGetsItsBrackets() {
         const auto with = [](const char* text, bool onlyNumbers) {
-            return QString::fromStdString(withArithmetic(text, onlyNumbers));
+            return QString::fromStdString(withArithmetic(text, onlyNumbers).text());
         };
         QCOMPARE(with("0.25/2", true), QStringLiteral("$(0.25/2)"));
         QCOMPARE(with("0.1+0.2", false), QStringLiteral("$(0.1+0.2)"));

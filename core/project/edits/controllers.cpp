@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/dotted_path.h"
 #include "project/edits/module_lines.h"
 #include "schema/value_words.h"
 
@@ -77,7 +78,7 @@ std::vector<ControlledRobot> controlledRobots(const LoadedProject& loaded) {
 std::vector<std::string> robotsAmong(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     std::vector<std::string> robots;
     for (const std::string& path : paths) {
-        const Part* part = instanceAt(loaded, path.substr(0, path.find('.')));
+        const Part* part = instanceAt(loaded, std::string(firstWord(path)));
         if (part && std::ranges::find(robots, part->name) == robots.end()) robots.push_back(part->name);
     }
     return robots;

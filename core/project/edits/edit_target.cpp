@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/dotted_path.h"
 #include "project/edits/plan_targets.h"
 #include "project/loading/search.h"
 
@@ -82,10 +83,9 @@ EditTarget targetOfStructure(const LoadedProject& loaded, const Part& config, co
 EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propertyPath, ConfigUsers& users) {
     EditTarget target;
     target.path = propertyPath;
-    const std::size_t dot = propertyPath.rfind('.');
-    if (dot == std::string::npos) return target;
-    const std::string key = propertyPath.substr(dot + 1);
-    const std::optional<ObjectLocation> place = placeOf(loaded, propertyPath.substr(0, dot));
+    const std::string key(lastWord(propertyPath));
+    if (key == propertyPath) return target;
+    const std::optional<ObjectLocation> place = placeOf(loaded, withoutLastWord(propertyPath));
     if (!place || !place->part || place->member) return target;
     target.file = place->part->file;
     const Part* top = place->above.empty() ? place->part : place->above.front();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/dotted_path.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -25,9 +26,7 @@ const Kind* kindAt(const LoadedProject& loaded, const std::string& path) {
 }
 
 std::string parentOf(const LoadedProject& loaded, const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    if (dot == std::string::npos) return {};
-    std::string above = path.substr(0, dot);
+    std::string above(withoutLastWord(path));
     const Kind* kind = loaded.registry->find(above); // "Material" in "Material.red" is not an object
     const bool space = kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Pattern ||
                                 kind->role == Role::Config);

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "model/dotted_path.h"
 #include "project/edits/pasted_blocks.h"
 #include "project/objects/name_references.h"
 #include "project/objects/object_location.h"
@@ -48,7 +49,7 @@ bool PastedBlocks::leadsSomewhere(const LoadedProject& loaded, const Entry& entr
         local = local || !space;
     }
     if (!local) return false;
-    const std::string first = word.substr(0, word.find('.'));
+    const std::string first(firstWord(word));
     if (seen.pastedConfig) return blockNamed(*seen.pastedConfig, first);
     if (!seen.config || named(loaded, entry, property, first)) return true;
     const Part* part = seen.config->find(first);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -35,8 +36,6 @@ const Part* counterpart(const Siblings& before, const Siblings& after, const Par
     return other->block->type.text == part.block->type.text && !named(before, other->name) ? other : nullptr;
 }
 
-std::string firstName(const std::string& path) { return path.substr(0, path.find('.')); }
-
 } // namespace
 
 std::optional<std::string> pathAfterEdit(const LoadedProject& before, const LoadedProject& after, const std::string& path) {
@@ -49,24 +48,23 @@ std::optional<std::string> pathAfterEdit(const LoadedProject& before, const Load
     const Part* topNow = counterpart(spaceOf(*before.outline, *top), spaceOf(*after.outline, *top), *top);
     if (!topNow) return std::nullopt;
     // "robot0" or "RobotConfig.Rover", then the names of the inner blocks.
-    const bool hasSpace = !place->instance && firstName(path) != top->name;
-    std::string now = (hasSpace ? firstName(path) + "." : std::string()) + topNow->name;
-    std::string rest = path.substr(path.find(top->name, hasSpace ? firstName(path).size() : 0) + top->name.size());
+    const bool hasSpace = !place->instance && firstWord(path) != top->name;
+    std::string now = hasSpace ? pathInside(firstWord(path), topNow->name) : topNow->name;
+    std::string_view rest = withoutFirstWord(hasSpace ? withoutFirstWord(path) : path);
     const Part* from = isReached ? configOf(before, *top) : top;
     const Part* to = isReached ? configOf(after, *topNow) : topNow;
     while (!rest.empty()) {
-        rest.erase(0, 1); // the dot
-        const std::string name = firstName(rest);
-        rest.erase(0, name.size());
+        const std::string name(firstWord(rest));
         const Siblings all = from ? innerOf(*from) : Siblings{};
         const Part* part = named(all, name);
         if (!part || !to) { // for example the controller, which is in the instance
-            now += "." + name + rest;
+            now = pathInside(now, rest);
             return placeOf(after, now) ? std::optional(now) : std::nullopt;
         }
         const Part* partNow = counterpart(all, innerOf(*to), *part);
         if (!partNow) return std::nullopt;
-        now += "." + partNow->name;
+        now = pathInside(now, partNow->name);
+        rest = withoutFirstWord(rest);
         from = part;
         to = partNow;
     }

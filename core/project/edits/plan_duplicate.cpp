@@ -1,5 +1,6 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
+#include "model/dotted_path.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/moved_block.h"
 #include "project/edits/pasted_blocks.h"
@@ -82,8 +83,7 @@ Result<EditPlan> planDuplicate(const LoadedProject& loaded, const std::vector<st
         }
         const Part& part = *c.place.part;
         sheet.add(behind(*loaded.trees[part.file], part.range.range, block.text()));
-        const std::size_t dot = c.path.rfind('.');
-        selects.push_back(dot == std::string::npos ? copy.name : c.path.substr(0, dot + 1) + copy.name);
+        selects.push_back(pathInside(withoutLastWord(c.path), copy.name));
     }
     return sheet.plan(std::move(selects));
 }

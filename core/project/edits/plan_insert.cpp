@@ -4,6 +4,7 @@
 #include <set>
 
 #include "lang/characters.h"
+#include "model/dotted_path.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/pasted_blocks.h"
 #include "project/edits/plan_targets.h"
@@ -24,7 +25,7 @@ struct Target {
 std::vector<Target> nearTo(const LoadedProject& loaded, const ObjectLocation& place, std::string path) {
     std::vector<Target> all{{place.part, path}};
     for (auto it = place.above.rbegin(); it != place.above.rend(); ++it) {
-        path = path.substr(0, path.rfind('.'));
+        path = withoutLastWord(path);
         all.push_back({*it, path});
     }
     if (!place.instance) return all;

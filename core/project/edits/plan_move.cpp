@@ -3,6 +3,7 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
+#include "model/dotted_path.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/moved_block.h"
 #include "project/edits/plan_targets.h"
@@ -42,7 +43,7 @@ const Part* topOf(const Part* holder, const ObjectLocation& place) { return plac
 ObjectLocation outer(ObjectLocation place) {
     place.part = holderOf(place);
     if (!place.above.empty()) place.above.pop_back();
-    place.within = place.within.substr(0, place.within.find('.') == std::string::npos ? 0 : place.within.rfind('.'));
+    place.within = withoutLastWord(place.within);
     return place;
 }
 

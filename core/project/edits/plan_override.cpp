@@ -2,6 +2,7 @@
 
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
+#include "model/dotted_path.h"
 #include "model/provenance.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/plan_targets.h"
@@ -28,15 +29,14 @@ struct OverrideTarget {
 };
 
 std::optional<OverrideTarget> targetOf(const LoadedProject& loaded, const std::string& path) {
-    const std::size_t dot = path.rfind('.');
     OverrideTarget t;
-    t.key = path.substr(dot == std::string::npos ? 0 : dot + 1);
-    if (dot == std::string::npos) {
+    t.key = lastWord(path);
+    if (t.key == path) {
         const Kind* settings = loaded.registry->find("settings");
         t.property = settings ? settings->find(t.key) : nullptr;
         return t.property ? std::optional(t) : std::nullopt;
     }
-    const std::optional<ObjectLocation> place = placeOf(loaded, path.substr(0, dot));
+    const std::optional<ObjectLocation> place = placeOf(loaded, withoutLastWord(path));
     if (!place || !place->part) return std::nullopt;
     t.place = *place;
     t.property = place->part->kind ? place->part->kind->find(t.key) : nullptr;

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "model/dotted_path.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/plans.h"
 #include "project/objects/name_scope.h"
@@ -43,8 +44,7 @@ public:
             if (!part.block->name && parent) keepNames(parent->parts, part.block->type.text, m_references, {same}, m_sheet);
         const Status done = change([&](const NameReference& m) { return m.target == part.block; });
         if (!done.ok()) return done.error();
-        const std::size_t dot = path.rfind('.');
-        return m_sheet.plan({dot == std::string::npos ? m_name : path.substr(0, dot + 1) + m_name});
+        return m_sheet.plan({pathInside(withoutLastWord(path), m_name)});
     }
 
     Result<EditPlan> param(const ParamItem& param, FileId file, const std::string& path) {
@@ -88,14 +88,13 @@ struct FoundParam {
 /// level.
 FoundParam findParam(const LoadedProject& loaded, std::string_view path) {
     if (path.starts_with("Param.")) path.remove_prefix(6);
-    const std::size_t dot = path.rfind('.');
-    const std::string name(path.substr(dot == std::string_view::npos ? 0 : dot + 1));
-    if (dot == std::string_view::npos) {
+    const std::string name(lastWord(path));
+    if (name == path) {
         for (const SourceParam& p : loaded.outline->params)
             if (p.name->text == name) return {&p, nullptr};
         return {};
     }
-    const std::optional<ObjectLocation> place = placeOf(loaded, path.substr(0, dot));
+    const std::optional<ObjectLocation> place = placeOf(loaded, withoutLastWord(path));
     if (!place || !place->part) return {};
     if (const SourceParam* own = place->part->param(name)) return {own, place->part};
     const Part* config = place->part == place->instance ? configOf(loaded, *place->part) : nullptr;

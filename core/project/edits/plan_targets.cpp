@@ -1,5 +1,6 @@
 #include "project/edits/plan_targets.h"
 
+#include "model/dotted_path.h"
 #include "schema/allowed_parents.h"
 #include "schema/value_words.h"
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "lang/tree_edit.h"
-#include "project/loading/loader.h"
-#include "project/loading/members.h"
 
 namespace trundle {
 
@@ -21,10 +19,10 @@ void addEdit(std::vector<TextEdit>& edits, TextEdit edit) {
     edits.push_back(std::move(edit));
 }
 
-/// `valueOf` returns the text of a new value.
-template <class ValueOf>
-std::map<FileId, std::vector<TextEdit>> editsFor(const LoadedProject& loaded, const std::vector<SetTarget>& sets,
-                                                 ValueOf valueOf) {
+} // namespace
+
+std::map<FileId, std::vector<TextEdit>> editsForTargets(const LoadedProject& loaded, const std::vector<SetTarget>& sets,
+                                                        const std::function<std::string_view(const SourceRange& value)>& textOf) {
     const TextSet& texts = loaded.outline->texts();
     std::vector<SetTarget> targets;
     for (const SetTarget& set : sets) { // a later set of the same path replaces an earlier one
@@ -35,7 +33,7 @@ std::map<FileId, std::vector<TextEdit>> editsFor(const LoadedProject& loaded, co
     }
     std::map<FileId, std::vector<TextEdit>> edits;
     for (const SetTarget& t : targets) {
-        const std::string text(valueOf(t.value));
+        const std::string text(textOf(t.value));
         if (t.before.known()) {
             if (texts.slice(t.before) != text) addEdit(edits[t.before.file], {t.before, text});
             continue;
@@ -47,30 +45,8 @@ std::map<FileId, std::vector<TextEdit>> editsFor(const LoadedProject& loaded, co
     return edits;
 }
 
-} // namespace
-
 std::map<FileId, std::vector<TextEdit>> editsForSets(const LoadedProject& loaded) {
-    return editsFor(loaded, loaded.sets, [&](const SourceRange& value) { return loaded.outline->texts().slice(value); });
-}
-
-Result<std::map<FileId, std::vector<TextEdit>>> editsForSets(const LoadedProject& loaded, const std::vector<std::string>& sets) {
-    const auto first = static_cast<FileId>(loaded.trees.size()); // after the FileIds in use
-    std::vector<std::shared_ptr<const Tree>> trees;
-    std::vector<SetText> texts;
-    Diagnostics diagnostics;
-    for (const std::string& set : sets) {
-        const auto file = static_cast<FileId>(first + trees.size());
-        trees.push_back(parse(std::make_shared<const SourceText>("--set", set), file));
-        diagnostics.append(trees.back()->diagnostics());
-        texts.push_back({file, assignmentOf(*trees.back(), diagnostics)});
-    }
-    const AppliedSets applied = targetsOfSets(*loaded.outline, texts, diagnostics);
-    for (const MemberPath& member : applied.members)
-        reportReplaceBySingles(member, *loaded.outline, *loaded.experiment, diagnostics);
-    for (const Diagnostic& d : diagnostics.all())
-        if (d.severity == Severity::Error) return Error{d.code, d.message};
-    return editsFor(loaded, applied.targets,
-                    [&](const SourceRange& value) { return trees[value.file - first]->source().slice(value.range); });
+    return editsForTargets(loaded, loaded.sets, [&](const SourceRange& value) { return loaded.outline->texts().slice(value); });
 }
 
 bool setsFailed(const LoadedProject& loaded) {

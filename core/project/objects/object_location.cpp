@@ -1,22 +1,11 @@
 #include "project/objects/object_location.h"
 
+#include "model/dotted_path.h"
 #include "model/provenance.h"
 
 namespace trundle {
 
 namespace {
-
-/// The words between the dots; empty if one of them is missing.
-std::vector<std::string> wordsOf(std::string_view path) {
-    std::vector<std::string> words;
-    for (;;) {
-        const std::size_t dot = path.find('.');
-        if (path.substr(0, dot).empty()) return {};
-        words.emplace_back(path.substr(0, dot));
-        if (dot == std::string_view::npos) return words;
-        path.remove_prefix(dot + 1);
-    }
-}
 
 bool isMember(const LoadedProject& loaded, std::string_view name) {
     const std::vector<RobotSpec>& robots = loaded.experiment->robots;
@@ -74,15 +63,16 @@ const Part* configOf(const LoadedProject& loaded, const Part& instance) { return
 std::optional<ObjectLocation> placeOf(const LoadedProject& loaded, std::string_view path) {
     ObjectLocation place;
     if (path.empty()) return place;
-    const std::vector<std::string> words = wordsOf(path);
-    if (words.empty()) return std::nullopt;
+    const DottedPath dotted(path);
+    if (!dotted.isComplete()) return std::nullopt;
+    const std::vector<std::string>& words = dotted.words();
     const std::size_t used = findTop(loaded, words, place);
     if (!place.part) return std::nullopt;
     const std::span<const std::string> rest = std::span(words).subspan(used);
     const Part& top = *place.part;
     if (!isPlaced(top)) return descend(place, top, rest) ? std::optional(place) : std::nullopt;
     place.instance = &top;
-    for (const std::string& word : rest) place.within += (place.within.empty() ? "" : ".") + word;
+    for (const std::string& word : rest) place.within = pathInside(place.within, word);
     if (descend(place, top, rest)) return place;
     const Part* config = configOf(loaded, top);
     if (!config || !descend(place, *config, rest)) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/dotted_path.h"
 #include "model/set_targets.h"
 #include "project/objects/object_location.h"
 #include "project/objects/value_text.h"
@@ -9,16 +10,6 @@
 
 namespace trundle {
 namespace {
-
-std::vector<std::string> wordsOf(std::string_view path) {
-    std::vector<std::string> words;
-    while (!path.empty()) {
-        const std::size_t dot = std::min(path.find('.'), path.size());
-        words.emplace_back(path.substr(0, dot));
-        path.remove_prefix(std::min(dot + 1, path.size()));
-    }
-    return words;
-}
 
 bool isFormula(const Element& e) { return e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression; }
 
@@ -46,7 +37,7 @@ ObjectValues::ObjectValues(std::shared_ptr<const LoadedProject> loaded, std::str
     : m_loaded(std::move(loaded)), m_path(path), m_shownPath(std::move(path)), m_evaluator(m_loaded->outline->texts(), m_silent) {
     m_globals = m_scope = inside(nullptr, m_loaded->outline->params);
     if (m_path.empty()) m_kind = m_loaded->registry->find("settings");
-    else walk(wordsOf(m_path));
+    else walk(DottedPath(m_path).words());
 }
 
 ParamScope* ObjectValues::inside(ParamScope* outer, const std::vector<SourceParam>& params) {
@@ -88,7 +79,7 @@ void ObjectValues::enterInstance(const std::vector<std::string>& words, std::siz
     if (!m_config) return;
     m_inConfig = true;
     m_scope = m_configScope;
-    for (std::size_t i = used; i < words.size(); ++i) m_within += (m_within.empty() ? "" : ".") + words[i];
+    for (std::size_t i = used; i < words.size(); ++i) m_within = pathInside(m_within, words[i]);
     descend(m_config, words, used);
 }
 
@@ -102,9 +93,7 @@ void ObjectValues::descend(const Part* from, const std::vector<std::string>& wor
     m_kind = from->kind;
 }
 
-std::string ObjectValues::below(std::string_view name) const {
-    return m_path.empty() ? std::string(name) : m_path + "." + std::string(name);
-}
+std::string ObjectValues::below(std::string_view name) const { return pathInside(m_path, name); }
 
 const std::string& ObjectValues::separator() {
     if (!m_separator.empty()) return m_separator;

@@ -10,7 +10,6 @@
 namespace trundle {
 namespace {
 
-constexpr std::string_view kKey = "v = ";
 constexpr std::string_view kMinus = "\xE2\x88\x92"; ///< U+2212
 
 std::string escaped(const std::string& text) {
@@ -49,26 +48,6 @@ std::string brief(double limit) {
 
 } // namespace
 
-Result<std::vector<Element>> readElements(const std::string& text) {
-    const auto source = std::make_shared<const SourceText>("value", std::string(kKey) + text + "\n");
-    const auto tree = parse(source, 0);
-    for (const Diagnostic& d : tree->diagnostics())
-        if (d.severity == Severity::Error) return Error{d.code, d.message};
-    const auto* a = tree->items().size() == 1 ? tree->items()[0].as<AssignmentItem>() : nullptr;
-    const TextRange whole{static_cast<std::uint32_t>(kKey.size()), static_cast<std::uint32_t>(kKey.size() + text.size())};
-    if (!a || a->path.size() != 1 || a->value.elements.empty()) return Error{Code::MissingValue, "a value is missing"};
-    if (a->value.range != whole) return Error{Code::UnexpectedText, "this is more than one value"};
-    std::vector<Element> elements = a->value.elements;
-    for (Element& e : elements) {
-        e.range.begin -= whole.begin;
-        e.range.end -= whole.begin;
-        if (e.unit.empty()) continue;
-        e.unitRange.begin -= whole.begin;
-        e.unitRange.end -= whole.begin;
-    }
-    return elements;
-}
-
 std::string tidied(std::string text) {
     for (std::size_t at = text.find(kMinus); at != std::string::npos; at = text.find(kMinus))
         text.replace(at, kMinus.size(), "-");
@@ -77,30 +56,32 @@ std::string tidied(std::string text) {
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-std::string withArithmetic(const std::string& text, bool onlyNumbers) {
-    const Result<std::vector<Element>> read = readElements(text);
-    const bool isWord = read && read.value().size() == 1 && read.value()[0].kind == Element::Kind::Word;
-    const std::string formula = "$(" + text + ")";
-    const bool arithmetic = !read || (onlyNumbers && isWord && text.find_first_of("+-*/") != std::string::npos);
-    return arithmetic && readElements(formula) ? formula : text;
+ParsedValue withArithmetic(const std::string& text, bool onlyNumbers) {
+    const ParsedValue typed(text);
+    const std::vector<Element>& elements = typed.value().elements;
+    const bool isWord = elements.size() == 1 && elements[0].kind == Element::Kind::Word;
+    const bool isArithmetic = !typed.status() || (onlyNumbers && isWord && text.find_first_of("+-*/") != std::string::npos);
+    if (!isArithmetic) return typed;
+    const ParsedValue formula("$(" + text + ")");
+    return formula.status() ? formula : typed;
 }
 
-std::string wordOrQuoted(const std::string& text, bool quoted) {
+ParsedValue wordOrQuoted(const std::string& text, bool quoted) {
+    const ParsedValue typed(text);
     const bool asTyped = text.starts_with("$") || (text.size() > 1 && text.starts_with("\"") && text.ends_with("\""));
-    if (asTyped && readElements(text)) return text;
-    const Result<std::vector<Element>> read = readElements(text);
-    const bool word =
-        read && read.value().size() == 1 && read.value()[0].kind == Element::Kind::Word && read.value()[0].text == text;
-    return word && !quoted ? text : escaped(text);
+    if (asTyped && typed.status()) return typed;
+    const std::vector<Element>& elements = typed.value().elements;
+    const bool isWord = elements.size() == 1 && elements[0].kind == Element::Kind::Word && elements[0].text == text;
+    return isWord && !quoted ? typed : ParsedValue(escaped(text));
 }
 
-std::string listOfWords(const std::string& text) {
-    if (readElements(text)) return text;
+ParsedValue listOfWords(const std::string& text) {
+    if (const ParsedValue typed(text); typed.status()) return typed;
     std::string out, element;
     bool quoted = false;
     const auto finish = [&] {
         const std::string word = tidied(element);
-        out += (out.empty() ? "" : ",") + (word.empty() ? word : wordOrQuoted(word, false));
+        out += (out.empty() ? "" : ",") + (word.empty() ? word : wordOrQuoted(word, false).text());
         element.clear();
     };
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -113,9 +94,9 @@ std::string listOfWords(const std::string& text) {
 }
 
 std::string plainText(std::string_view element) {
-    const Result<std::vector<Element>> read = readElements(std::string(element));
-    const bool one = read && read.value().size() == 1;
-    return one && read.value()[0].kind == Element::Kind::String ? read.value()[0].text : std::string(element);
+    const ParsedValue value(element);
+    const std::vector<Element>& elements = value.value().elements;
+    return elements.size() == 1 && elements[0].kind == Element::Kind::String ? elements[0].text : std::string(element);
 }
 
 std::string plainNumber(double value) {
@@ -140,7 +121,7 @@ std::vector<std::string> elementsOf(const Property& property, const PropertyValu
     std::vector<std::string> elements;
     for (const double n : value.numbers)
         elements.push_back(property.type == PropertyType::Boolean ? (n != 0 ? "true" : "false") : numberOf(property, n));
-    for (const std::string& t : value.texts) elements.push_back(wordOrQuoted(t, false));
+    for (const std::string& t : value.texts) elements.push_back(wordOrQuoted(t, false).text());
     return elements;
 }
 

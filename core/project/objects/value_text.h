@@ -5,24 +5,22 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
+#include "lang/parsed_value.h"
 #include "lang/tree.h"
 #include "schema/kind.h"
 
 namespace trundle {
 
-/// The elements of a text that must be exactly one value; ranges start at its first byte. Fails with the reason.
-[[nodiscard]] Result<std::vector<Element>> readElements(const std::string& text);
 /// Without leading and trailing blanks, and with U+2212 (pasted from papers) replaced by a minus.
 [[nodiscard]] std::string tidied(std::string text);
 /// Encloses arithmetic as the language requires, "$(0.25/2)" for "0.25/2"; other texts are unchanged.
 /// With onlyNumbers, "wheelRadius/2" is arithmetic too; otherwise it may be a path.
-[[nodiscard]] std::string withArithmetic(const std::string& text, bool onlyNumbers);
+[[nodiscard]] ParsedValue withArithmetic(const std::string& text, bool onlyNumbers);
 /// A text, file or name as an element: unquoted if the language allows it, else in quotes. `$...` and quoted texts are
 /// unchanged.
-[[nodiscard]] std::string wordOrQuoted(const std::string& text, bool quoted);
+[[nodiscard]] ParsedValue wordOrQuoted(const std::string& text, bool quoted);
 /// The same for each element of a list.
-[[nodiscard]] std::string listOfWords(const std::string& text);
+[[nodiscard]] ParsedValue listOfWords(const std::string& text);
 /// The text of an element without its quotes.
 [[nodiscard]] std::string plainText(std::string_view element);
 

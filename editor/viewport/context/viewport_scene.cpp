@@ -4,13 +4,14 @@
 
 #include "editor/document/document.h"
 #include "editor/running/session.h"
+#include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 #include "scene/queries/ghosts.h"
 
 namespace trundle {
 namespace {
 
-bool isMemberOf(const std::string& name, const std::string& layout) {
+bool isMemberOf(std::string_view name, std::string_view layout) {
     return name.size() > layout.size() + 1 && name.starts_with(layout) && name[layout.size()] == '_' &&
            std::all_of(name.begin() + std::ptrdiff_t(layout.size()) + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -22,11 +23,22 @@ bool hasBrokenSyntax(const LoadedProject& loaded) {
                        [](const Diagnostic& d) { return d.severity == Severity::Error && static_cast<int>(d.code) < 200; });
 }
 
+/// Whether an edit changed only what no image shows.
+bool isDrawnAlike(const ChangeSet& changes) {
+    return changes.isLocal() && !changes.changesProblems() && std::ranges::all_of(changes.parts(), [](const PartChange& part) {
+               return part.now->is(Role::Surface) || part.now->is(Role::Log) || part.now->is(Role::Controller);
+           });
+}
+
 } // namespace
 
 ViewportScene::ViewportScene(Document& document, RunSession& session, RenderService* render, QObject* parent)
     : QObject(parent), m_document(document), m_session(session), m_render(render) {
-    connect(&m_document, &Document::changed, this, &ViewportScene::updateScene);
+    connect(&m_document, &Document::changed, this, [this](const ChangeSet& changes) {
+        m_drawnAlike = m_experiment && changes.before() && changes.before()->experiment == m_experiment && isDrawnAlike(changes);
+        updateScene();
+        m_drawnAlike = false;
+    });
     connect(&m_session, &RunSession::experimentChanged, this, &ViewportScene::updateScene);
     connect(&m_session, &RunSession::stateChanged, this, &ViewportScene::updateScene);
     connect(&m_session, &RunSession::advanced, this, &ViewportScene::updatePoses);
@@ -59,7 +71,7 @@ void ViewportScene::updateScene() {
     m_cameras = trundle::camerasOf(*experiment);
     const std::shared_ptr<const BodyPoses> now = runs ? m_session.results().poses : nullptr;
     m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
-    if (m_render) {
+    if (m_render && !(m_drawnAlike && m_scene != SceneId::None)) {
         const SceneId before = m_scene;
         m_scene = m_render->addScene(experiment, runs ? nullptr : ghosts());
         if (before != SceneId::None) m_render->removeScene(before);
@@ -90,15 +102,13 @@ std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
     if (const auto object = find(path)) return {*object};
     std::vector<ObjectRef> objects;
     const auto add = [&](const std::string& instance, std::string_view rest) {
-        if (const auto object = find(instance + std::string(rest))) objects.push_back(*object);
+        if (const auto object = find(rest.empty() ? instance : pathInside(instance, rest))) objects.push_back(*object);
     };
-    const std::size_t dot = std::min(path.find('.'), path.size());
-    const std::string first = path.substr(0, dot);
+    const std::string_view first = firstWord(path), inside = withoutFirstWord(path);
     const bool isRobotConfig = first == "RobotConfig", isStaticConfig = first == "StaticConfig";
     if (isRobotConfig || isStaticConfig) {
-        if (dot == path.size()) return objects;
-        const std::size_t end = std::min(path.find('.', dot + 1), path.size());
-        const std::string config = path.substr(dot + 1, end - dot - 1), rest = path.substr(end);
+        if (inside.empty()) return objects;
+        const std::string_view config = firstWord(inside), rest = withoutFirstWord(inside);
         const ExperimentSpec& e = m_objects->experiment();
         if (isRobotConfig) {
             for (const RobotSpec& robot : e.robots)
@@ -110,7 +120,7 @@ std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
         return objects;
     }
     for (const RobotSpec& robot : m_objects->experiment().robots)
-        if (isMemberOf(robot.name, first)) add(robot.name, path.substr(dot));
+        if (isMemberOf(robot.name, first)) add(robot.name, inside);
     return objects;
 }
 
@@ -129,19 +139,14 @@ std::vector<const CameraModel*> ViewportScene::camerasOf(const std::string& path
 bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, std::size_t body,
                              const std::string& component) const {
     // Splits "seeker.eye" or "RobotConfig.Seeker.eye" into the robot or config and the component.
-    const auto upTo = [&path](std::size_t from) { return std::min(path.find('.', from), path.size()); };
-    const std::size_t first = upTo(0), second = upTo(std::min(first + 1, path.size()));
-    const std::string name = path.substr(0, first);
-    const bool byConfig = name == "RobotConfig";
-    const std::size_t end = byConfig ? second : first;
-    const std::string which = end < path.size() ? path.substr(end + 1) : std::string();
+    const bool byConfig = firstWord(path) == "RobotConfig";
+    const std::string_view local = byConfig ? withoutFirstWord(path) : path;
+    const std::string_view name = firstWord(local), which = withoutFirstWord(local);
     const auto object = find(robot);
     const RobotSpec* spec = object ? m_objects->robotOf(*object) : nullptr;
     if (!spec || !spec->config) return false;
-    if (byConfig ? first == path.size() || spec->config->name != path.substr(first + 1, second - first - 1)
-                 : robot != name && !isMemberOf(robot, name))
-        return false;
-    if (which.empty() || component == robot + "/" + which) return true;
+    if (byConfig ? spec->config->name != name : robot != name && !isMemberOf(robot, name)) return false;
+    if (which.empty() || component == robot + "/" + std::string(which)) return true;
     const std::size_t own = body - m_objects->firstPose(object->instance);
     return own < spec->config->bodies.size() && spec->config->bodies[own].name == which;
 }
@@ -149,10 +154,8 @@ bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, 
 bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {
     if (marks.empty()) return false;
     const std::string path = m_objects->pathOf(object);
-    return std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) {
-        if (path.starts_with(mark) && (path.size() == mark.size() || path[mark.size()] == '.')) return true;
-        return isMemberOf(path.substr(0, path.find('.')), mark);
-    });
+    return std::any_of(marks.begin(), marks.end(),
+                       [&](const std::string& mark) { return startsWithPath(path, mark) || isMemberOf(firstWord(path), mark); });
 }
 
 bool ViewportScene::isLocked(const ObjectRef& object) const {

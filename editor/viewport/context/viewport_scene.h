@@ -96,6 +96,7 @@ private:
     std::vector<Pose> m_draggedBodies; // relative to its origin
     std::optional<Pose> m_draggedPose;
     mutable std::optional<Bounds> m_bounds; // computed on demand
+    bool m_drawnAlike = false;              // during an edit: the images do not change
     bool m_running = false;
     std::vector<std::string> m_hidden, m_locked, m_hiddenInScene;
 };

@@ -10,6 +10,7 @@
 #include "editor/viewport/context/view_context.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "lang/number_text.h"
+#include "model/dotted_path.h"
 #include "model/provenance.h"
 #include "project/objects/object_location.h"
 #include "project/objects/part_values.h"
@@ -22,9 +23,7 @@ constexpr double kLeastLength = 1e-3; // m, minimum size that a drag can reach
 
 QString tr(const char* text) { return QCoreApplication::translate("TransformSelection", text); }
 
-bool isInside(const std::string& path, const std::string& other) {
-    return path.size() > other.size() && path.starts_with(other) && path[other.size()] == '.';
-}
+bool isInside(const std::string& path, const std::string& other) { return path != other && startsWithPath(path, other); }
 
 std::array<double, 3> arrayOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -119,7 +118,7 @@ std::string TransformSelection::textOf(const std::string& property) const {
     if (!from || !from->value.known()) return {};
     // A value written in the config is not edited through an instance; the instance gets a new value with plain numbers.
     const bool inConfig = property.starts_with("RobotConfig.") || property.starts_with("StaticConfig.");
-    const SourceRange own = blockOf(loaded, property.substr(0, property.find('.')));
+    const SourceRange own = blockOf(loaded, firstWord(property));
     const bool inPlace = inConfig || (own.known() && own.file == from->value.file && own.range.begin <= from->value.range.begin &&
                                       from->value.range.end <= own.range.end);
     return inPlace ? std::string(loaded.sources.slice(from->value)) : std::string();
@@ -157,7 +156,7 @@ std::vector<ValueEdit> TransformSelection::editsOf(Item& item, const Pose& local
 }
 
 Status TransformSelection::apply(const std::vector<ValueEdit>& edits, const QString& name, const std::string& mergeKey) {
-    const auto same = [](const ValueEdit& a, const ValueEdit& b) { return a.path == b.path && a.text == b.text; };
+    const auto same = [](const ValueEdit& a, const ValueEdit& b) { return a.path == b.path && a.value == b.value; };
     if (edits.empty() || std::equal(edits.begin(), edits.end(), m_last.begin(), m_last.end(), same)) return {};
     Status done = m_context.document.setValues(name, edits, mergeKey);
     if (done) m_last = edits;

@@ -10,6 +10,7 @@
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/widgets/theme.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 namespace {
@@ -162,7 +163,7 @@ std::optional<QPointF> spotOf(const ToolView& view, const std::string& path) {
     const ViewportScene& world = view.context().world;
     if (path.empty()) return std::nullopt;
     std::vector<ObjectRef> objects = world.objectsOf(path);
-    if (objects.empty()) objects = world.objectsOf(path.substr(0, path.find('.')));
+    if (objects.empty()) objects = world.objectsOf(std::string(firstWord(path)));
     if (objects.size() != 1 || world.isHidden(objects.front())) return std::nullopt;
     const Bounds bounds = world.objects()->boundsOf(objects.front(), view.shownPoses());
     const Vec3 point = bounds.empty() ? world.objects()->poseOf(objects.front(), view.shownPoses()).position : bounds.centre();

@@ -15,6 +15,7 @@
 #include "lang/edit_style.h"
 #include "lang/number_text.h"
 #include "lang/tree_edit.h"
+#include "model/dotted_path.h"
 #include "project/edits/moved_block.h"
 #include "project/objects/object_location.h"
 #include "project/objects/part_values.h"
@@ -169,8 +170,7 @@ Result<EditPlan> planCopies(const LoadedProject& loaded, const std::vector<std::
     EditPlan all;
     const int total = copy.count[0] * copy.count[1] * copy.count[2];
     for (const std::string& original : originals) {
-        const std::string path = renamed(original),
-                          parent = path.substr(0, path.find('.') == std::string::npos ? 0 : path.rfind('.'));
+        const std::string path = renamed(original), parent = std::string(withoutLastWord(path));
         const std::string text = textOf(loaded, {path});
         const auto place = placeOf(loaded, path);
         const Vec3 at = place ? poseAt(loaded, *place).position : Vec3::Zero();

@@ -8,6 +8,7 @@
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/widgets/theme.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kDragThreshold = 4; // pixels; drag threshold
 
 QString kindOf(const ViewportScene& world, const std::string& path) {
-    if (path.find('.') != std::string::npos) return {}; // paths of parts and configs already name them
+    if (firstWord(path) != path) return {}; // paths of parts and configs already name them
     const auto object = world.find(path);
     if (const RobotSpec* robot = object ? world.objects()->robotOf(*object) : nullptr;
         robot && robot->config && object->kind == ObjectKind::Robot)

@@ -144,11 +144,12 @@ void ViewportPanel::connectPinned() {
     connect(&m_session.values(), &RunValues::changed, this, repaint);
     // Delayed: another slot of opened() may still save the pins of the previous experiment.
     connect(&m_document, &Document::opened, this, [this] { m_pinsOfOther = true; });
-    connect(&m_document, &Document::changed, this, [this] { // objects may have been renamed
+    connect(&m_document, &Document::changed, this, [this](const ChangeSet& changes) { // objects may have been renamed
         if (std::exchange(m_pinsOfOther, false)) m_pinned->setPins({}), m_pinsIn = nullptr;
         const auto now = m_document.isOpen() && !m_document.loaded()->diagnostics.hasErrors() ? m_document.loaded() : nullptr;
         if (!now) return; // a block whose text is being typed may be back soon
         const auto before = std::exchange(m_pinsIn, now);
+        if (before && before == changes.before() && now == changes.after() && !changes.changesObjects()) return;
         m_pinned->follow([&](const std::string& path) { return pathAfterEdit(before ? *before : *now, *now, path); });
     });
 }

@@ -103,7 +103,7 @@ QJsonObject measureFilter(const QString& file, int rounds) {
         for (int row = 0; row < model.rowCount(parent); ++row) unfold(model.index(row, 0, parent));
     };
     unfold({});
-    const auto nodes = qint64(model.made());
+    const auto nodes = qint64(model.work().made);
     QLineEdit& filter = *w.window->findChild<QLineEdit*>(QStringLiteral("outlineFilter"));
     filter.setFocus();
     w.wait(100);

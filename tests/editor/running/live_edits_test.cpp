@@ -45,7 +45,7 @@ std::string commandText(const decltype(Command::what)& what) {
 class LiveEditsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void edits_data() {
+    void textsOfEdits_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QStringList>("commands");
         QTest::addColumn<QStringList>("waiting");
@@ -83,7 +83,7 @@ private Q_SLOTS:
         row("an error in the value", edited("Resistance=2", "Resistance=-5"), "");
         row("a syntax error", edited("Friction=0.9", "Friction=0.5") + "Tick = \n", "", "Tick");
     }
-    void edits() {
+    void textsOfEdits() {
         QFETCH(QString, text);
         QFETCH(QStringList, commands);
         QFETCH(QStringList, waiting);
@@ -91,7 +91,7 @@ private Q_SLOTS:
         const auto built = fixture.open(kText);
         QVERIFY2(!built->diagnostics.hasErrors(), sample::messages(*built).c_str());
         const auto now = fixture.open(text.toStdString());
-        const LiveEdits result = liveEdits(*built, *built->experiment, *now);
+        const LiveEdits result = edits(built, *built->experiment, now);
         QStringList sent, waits;
         for (const auto& what : result.commands) sent << QString::fromStdString(commandText(what));
         for (const std::string& path : result.waiting) waits << QString::fromStdString(path);
@@ -100,7 +100,7 @@ private Q_SLOTS:
         if (!sent.isEmpty()) QVERIFY(result.experiment);
         if (now->diagnostics.hasErrors()) QVERIFY(!result.experiment);
         // What was sent is not sent again.
-        if (result.experiment) QVERIFY(liveEdits(*built, *result.experiment, *now).commands.empty());
+        if (result.experiment) QVERIFY(edits(built, *result.experiment, now).commands.empty());
     }
 
     /// Each value of a material is shown at once.
@@ -110,10 +110,86 @@ private Q_SLOTS:
              {"ColorRGB=1,0,0.5", "Shininess=0.5 ColorRGB=1,0,0", "Opacity=0.5 ColorRGB=1,0,0", "TextureScale=2 ColorRGB=1,0,0",
               "TextureMap=box ColorRGB=1,0,0", "Emission=0,0,1 ColorRGB=1,0,0"}) {
             const auto built = fixture.open(kText), now = fixture.open(edited("ColorRGB=1,0,0", change));
-            const LiveEdits result = liveEdits(*built, *built->experiment, *now);
+            const LiveEdits result = edits(built, *built->experiment, now);
             QVERIFY2(result.experiment && result.commands.empty() && result.waiting.empty(), change.c_str());
-            QVERIFY(!liveEdits(*built, *result.experiment, *now).experiment);
+            QVERIFY(!edits(built, *result.experiment, now).experiment);
         }
+    }
+
+    /// Edit after edit, only what changed is looked at, with the same result as if all texts were compared.
+    void followsEditAfterEdit() {
+        PlanFixture fixture;
+        const auto built = fixture.open(kText);
+        RunComparison edits;
+        edits.begin(built);
+        std::shared_ptr<const LoadedProject> before = built;
+        std::shared_ptr<const ExperimentSpec> running = built->experiment;
+        std::string text = kText;
+        const std::vector<std::pair<std::string, std::string>> steps{
+            {"Friction=0.9", "Friction=0.5"},  {"MaxVoltage=12", "MaxVoltage=13"},  {"Pos=3,0,0", "Pos=4,0,0"},
+            {"Resistance=2", "Resistance=-5"}, {"Resistance=3", "Resistance=5"}, // an error: nothing is sent
+            {"Resistance=-5", "Resistance=2"}, {"MaxVoltage=13", "MaxVoltage=12"},  {"Robot robot1 {", "Robot rover {"},
+            {"Pos=4,0,0", "Pos=3,0,0"},        {"Robot rover {", "Robot robot1 {"}, {"1,0,0 }", "0,1,0 }"},
+            {"Friction=0.5", "Friction=0.9"}};
+        for (const auto& [from, to] : steps) {
+            text.replace(text.find(from), from.size(), to);
+            const auto now = fixture.open(text);
+            const LiveEdits found = edits.follow(ChangeSet(before, now), *running), all = this->edits(built, *running, now);
+            QCOMPARE(found.waiting, all.waiting);
+            QCOMPARE(found.commands.size(), all.commands.size());
+            for (std::size_t i = 0; i < found.commands.size(); ++i)
+                QCOMPARE(commandText(found.commands[i]), commandText(all.commands[i]));
+            QCOMPARE(found.experiment != nullptr, all.experiment != nullptr);
+            if (found.experiment) running = found.experiment;
+            before = now;
+        }
+        QVERIFY(edits.follow(ChangeSet(before, before), *running).waiting.empty()); // all is as it was
+    }
+
+    /// One value of 2,000 blocks: one command, and no look at the others.
+    void oneValueOfMany() {
+        PlanFixture fixture;
+        std::string text = kText;
+        for (int i = 0; i < 2000; ++i)
+            text += "Surface s" + std::to_string(i) + " { Friction=0.5 }\nRobot r" + std::to_string(i) + " { Config=Cart Pos=0," +
+                    std::to_string(i) + ",0 motor.Resistance=4 }\n";
+        const auto built = fixture.open(text);
+        QVERIFY2(!built->diagnostics.hasErrors(), sample::messages(*built).c_str());
+        RunComparison edits;
+        edits.begin(built);
+        std::string faster = text;
+        faster.replace(faster.rfind("Resistance=4"), 12, "Resistance=6");
+        const auto now = fixture.open(faster);
+        const ChangeSet changes(built, now);
+        const LiveEdits found = edits.follow(changes, *built->experiment);
+        QCOMPARE(found.commands.size(), 1u);
+        QCOMPARE(commandText(found.commands[0]), std::string("r1999/motor.Resistance=6"));
+        QVERIFY(found.waiting.empty());
+        QVERIFY2(edits.compared() <= 4, std::to_string(edits.compared()).c_str());
+        // All of it, for comparison.
+        RunComparison all;
+        all.begin(built);
+        QCOMPARE(all.follow(ChangeSet::ofEverything(built, now), *built->experiment).commands.size(), 1u);
+        QVERIFY(all.compared() > 10000);
+        QElapsedTimer clock;
+        clock.start();
+        (void)ChangeSet(built, now);
+        const auto compared = clock.nsecsElapsed();
+        edits.begin(built);
+        (void)edits.follow(changes, *built->experiment);
+        const auto followed = clock.nsecsElapsed();
+        all.begin(built);
+        (void)all.follow(ChangeSet::ofEverything(built, now), *built->experiment);
+        qInfo("comparison %.2f ms, commands %.2f ms, commands from all texts %.2f ms", double(compared) / 1e6,
+              double(followed - compared) / 1e6, double(clock.nsecsElapsed() - followed) / 1e6);
+    }
+
+private:
+    static LiveEdits edits(const std::shared_ptr<const LoadedProject>& built, const ExperimentSpec& running,
+                           const std::shared_ptr<const LoadedProject>& now) {
+        RunComparison edits;
+        edits.begin(built);
+        return edits.follow(ChangeSet::ofEverything(built, now), running);
     }
 };
 

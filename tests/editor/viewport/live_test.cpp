@@ -126,6 +126,18 @@ private Q_SLOTS:
         }
     }
 
+    /// What no image shows keeps the scene; anything else needs a new one.
+    void frictionNeedsNoNewScene() {
+        QVERIFY(m_window->open(kRoom + "Surface ice { Friction=0.5 }\n"));
+        const ViewportScene& world = m_window->panel->world();
+        const SceneId scene = world.scene();
+        QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"Surface.ice.Friction", "0.25"}}).ok());
+        QVERIFY(world.scene() == scene);
+        QVERIFY(std::ranges::any_of(world.objects()->experiment().surfaces, [](const auto& s) { return s.friction == 0.25; }));
+        QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"robot1.Pos", "0,1,0"}}).ok());
+        QVERIFY(world.scene() != scene);
+    }
+
     void pinnedLabelsAreDraggedAndClosed() {
         PinnedValues& pinned = m_window->panel->pinned();
         pinned.set({"robot0", "robot0.leftMotor"}, true);
@@ -211,7 +223,8 @@ private Q_SLOTS:
         m_window->release(hull + QPointF(150, 0), Qt::LeftButton, Qt::ControlModifier);
         QVERIFY(m_window->selection.empty());
         // A press without a drag is a click.
-        m_window->click(m_window->at(m_window->session.robots().pose("robot0")->position + Vec3(0, 0, 0.13)), Qt::ControlModifier);
+        m_window->click(m_window->at(m_window->session.robots().pose("robot0")->position + Vec3(0, 0, 0.13)),
+                        Qt::ControlModifier);
         QCOMPARE(m_window->selection.paths(), std::vector<std::string>{"robot0"});
         QCOMPARE(m_window->text(), kRoom);
     }
