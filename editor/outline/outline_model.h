@@ -83,7 +83,7 @@ private:
     [[nodiscard]] QVariant markOf(const OutlineRow& row, bool hidden) const;
     void reset();
     void update(OutlineNode& node);
-    void relink(OutlineNode& node, const std::unordered_set<const Part*>& changed);
+    [[nodiscard]] bool relink(OutlineNode& node, const std::unordered_set<const Part*>& changed);
     void dropGone(OutlineNode& node, const std::vector<OutlineRow>& rows);
     void addAt(OutlineNode& node, std::vector<OutlineRow>& rows, std::size_t at);
     void take(OutlineNode& node, OutlineRow row);

@@ -166,41 +166,50 @@ std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
     return rows;
 }
 
-void OutlineRows::relink(OutlineRow& row, const OutlineRow& above, std::size_t index) const {
+bool OutlineRows::relink(OutlineRow& row, const OutlineRow& above, std::size_t index) const {
     const auto& modules = m_loaded->experiment->modules;
-    const auto link = [&](const Part& part) {
-        row.part = &part;
-        row.range = part.range;
-        if (row.config) row.config = configOf(*m_loaded, part);
+    const auto linkTo = [&](const Part* part) {
+        if (!part || row.name != (part->name.empty() ? part->block->type.text : part->name)) return false;
+        row.part = part;
+        row.range = part->range;
+        if (row.config) row.config = configOf(*m_loaded, *part);
+        return true;
+    };
+    const auto link = [&](const std::vector<const Part*>& parts, std::size_t at) {
+        return linkTo(at < parts.size() ? parts[at] : nullptr);
     };
     switch (above.type) {
     case OutlineRow::Type::Experiment:
-    case OutlineRow::Type::Module: break;
+    case OutlineRow::Type::Module: return true;
     case OutlineRow::Type::Group:
-        if (row.type == OutlineRow::Type::Module) row.range = modules[index].range;
-        else link(*m_groups[std::size_t(above.group)][index]);
-        break;
+        if (row.type != OutlineRow::Type::Module) return link(m_groups[std::size_t(above.group)], index);
+        if (index >= modules.size()) return false;
+        row.range = modules[index].range;
+        return true;
     case OutlineRow::Type::File: {
         const auto isHere = [&](const ModuleSpec& module) { return module.range.file == above.file; };
         const auto before = std::size_t(std::ranges::count_if(modules, isHere)); // rows of modules come first
-        if (index >= before) link(*m_blocks.at(above.file)[index - before]);
-        else {
-            auto module = std::ranges::find_if(modules, isHere);
-            while (index-- > 0) module = std::find_if(module + 1, modules.end(), isHere);
-            row.range = module->range;
+        if (index >= before) {
+            const auto blocks = m_blocks.find(above.file);
+            return blocks != m_blocks.end() && link(blocks->second, index - before);
         }
-        break;
+        auto module = std::ranges::find_if(modules, isHere);
+        while (index-- > 0) module = std::find_if(module + 1, modules.end(), isHere);
+        row.range = module->range;
+        return true;
     }
-    case OutlineRow::Type::Members: row.part = above.part, row.config = above.config, row.range = above.range; break;
     case OutlineRow::Type::Object:
-        if (row.type == OutlineRow::Type::Members) {
-            row.part = above.part, row.config = above.config, row.range = above.range;
-            break;
+        if (row.type != OutlineRow::Type::Members) {
+            if (m_members.contains(above.part) && !above.member && !above.reached) --index; // the row of its members
+            const std::size_t reached = above.config ? above.config->parts.size() : 0;
+            const std::vector<Part>& parts = index < reached ? above.config->parts : above.part->parts;
+            const std::size_t at = index < reached ? index : index - reached;
+            return linkTo(at < parts.size() ? &parts[at] : nullptr);
         }
-        if (m_members.contains(above.part) && !above.member && !above.reached) --index; // the row of its members
-        const std::size_t reached = above.config ? above.config->parts.size() : 0;
-        link(index < reached ? above.config->parts[index] : above.part->parts[index - reached]);
+        [[fallthrough]];
+    case OutlineRow::Type::Members: row.part = above.part, row.config = above.config, row.range = above.range; return true;
     }
+    return false;
 }
 
 OutlineRow OutlineRows::renewed(const OutlineRow& row, const OutlineRow& above) const {

@@ -67,8 +67,8 @@ public:
     [[nodiscard]] std::vector<OutlineRow> top() const;
     [[nodiscard]] std::vector<OutlineRow> below(const OutlineRow& row) const;
     /// Makes a row of an earlier load, the one at `index` below `above`, point into this load. Only after an edit that kept all
-    /// objects, and without a filter: then every row has the index that it had.
-    void relink(OutlineRow& row, const OutlineRow& above, std::size_t index) const;
+    /// objects, and without a filter: then every row has the index that it had. False: another object is there.
+    [[nodiscard]] bool relink(OutlineRow& row, const OutlineRow& above, std::size_t index) const;
     /// The row of the same block with its present contents, after relink().
     [[nodiscard]] OutlineRow renewed(const OutlineRow& row, const OutlineRow& above) const;
     [[nodiscard]] const std::shared_ptr<const LoadedProject>& loaded() const { return m_loaded; }

@@ -58,20 +58,21 @@ void OutlineModel::follow(const ChangeSet& changes) {
     if (!isKnown || changes.changesObjects() || changes.changesProblems()) return update(*m_root);
     std::unordered_set<const Part*> changed;
     for (const PartChange& part : changes.parts()) changed.insert(part.now);
-    relink(*m_root, changed);
+    if (!relink(*m_root, changed)) update(*m_root);
 }
 
 /// After an edit that kept all objects and problems: all rows get their new blocks, and those of changed blocks new contents.
-void OutlineModel::relink(OutlineNode& node, const std::unordered_set<const Part*>& changed) {
+bool OutlineModel::relink(OutlineNode& node, const std::unordered_set<const Part*>& changed) {
     for (std::size_t i = 0; i < node.children.size(); ++i) {
         OutlineNode& child = *node.children[i];
-        if (node.parent) m_rows->relink(child.row, node.row, i);
+        if (node.parent && !m_rows->relink(child.row, node.row, i)) return false;
         if (child.row.type == OutlineRow::Type::Object && !child.row.member && changed.contains(child.row.part)) {
             take(child, m_rows->renewed(child.row, node.row));
             ++m_work.computed;
         }
-        relink(child, changed);
+        if (!relink(child, changed)) return false;
     }
+    return true;
 }
 
 void OutlineModel::setMode(OutlineMode mode) {

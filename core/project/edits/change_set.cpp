@@ -136,7 +136,7 @@ private:
                           &is,
                           differences(was.assignments, is.assignments),
                           differences(was.params, is.params)};
-        if (before != after) m_out.m_structure = true;
+        if (before != after || was.file != is.file) m_out.m_structure = true;
         if (before != after || !change.properties.empty() || !change.params.empty()) m_out.m_parts.push_back(std::move(change));
         Siblings inner, innerNow;
         for (const Part& part : was.parts) inner.push_back(&part);

@@ -79,7 +79,7 @@ private:
                                              {"robot7.Pos", "0,0,0"}};
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
-        (void)m_document.setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path);
+        (void)m_document.setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path.text());
     }
 
     /// Through an instance, in the config, or in a copy of the config that an earlier edit made.
