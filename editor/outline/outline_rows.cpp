@@ -187,24 +187,21 @@ bool OutlineRows::relink(OutlineRow& row, const OutlineRow& above, std::size_t i
         row.range = modules[index].range;
         return true;
     case OutlineRow::Type::File: {
-        const auto isHere = [&](const ModuleSpec& module) { return module.range.file == above.file; };
-        const auto before = std::size_t(std::ranges::count_if(modules, isHere)); // rows of modules come first
-        if (index >= before) {
-            const auto blocks = m_blocks.find(above.file);
-            return blocks != m_blocks.end() && link(blocks->second, index - before);
+        for (const ModuleSpec& module : modules) { // their rows come first
+            if (module.range.file != above.file) continue;
+            if (index-- > 0) continue;
+            row.range = module.range;
+            return true;
         }
-        auto module = std::ranges::find_if(modules, isHere);
-        while (index-- > 0) module = std::find_if(module + 1, modules.end(), isHere);
-        row.range = module->range;
-        return true;
+        return m_blocks.contains(above.file) && link(m_blocks.at(above.file), index);
     }
     case OutlineRow::Type::Object:
         if (row.type != OutlineRow::Type::Members) {
             if (m_members.contains(above.part) && !above.member && !above.reached) --index; // the row of its members
             const std::size_t reached = above.config ? above.config->parts.size() : 0;
             const std::vector<Part>& parts = index < reached ? above.config->parts : above.part->parts;
-            const std::size_t at = index < reached ? index : index - reached;
-            return linkTo(at < parts.size() ? &parts[at] : nullptr);
+            if (index >= reached) index -= reached;
+            return linkTo(index < parts.size() ? &parts[index] : nullptr);
         }
         [[fallthrough]];
     case OutlineRow::Type::Members: row.part = above.part, row.config = above.config, row.range = above.range; return true;

@@ -52,19 +52,19 @@ public:
     /// A signal published by the device or controller: 0 until it is set.
     Describe& output(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                      std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
-        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_OUTPUT});
+        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_OUTPUT, {}});
         return *this;
     }
     /// A signal available only in simulation (ground truth), for logs and plots; controllers read it only through groundTruth
     /// ports.
     Describe& truth(std::string name, std::string unit, std::string help, std::uint32_t count = 1) {
-        m_signals.push_back({std::move(name), std::move(unit), std::move(help), TRUNDLE_REAL_SIGNAL, count, TRUNDLE_TRUTH});
+        m_signals.push_back({std::move(name), std::move(unit), std::move(help), TRUNDLE_REAL_SIGNAL, count, TRUNDLE_TRUTH, {}});
         return *this;
     }
     /// A signal written by controllers and other devices.
     Describe& command(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                       std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
-        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_COMMAND});
+        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_COMMAND, {}});
         return *this;
     }
 
