@@ -40,7 +40,7 @@ public:
     [[nodiscard]] MovieJob job() const;
     [[nodiscard]] bool isRecording() const { return m_recorder->isRecording(); }
 
-    /// Sets how a file or folder is opened in another program, false if there is none; default: QDesktopServices. For tests.
+    /// Sets how a file or folder is opened in another program, false if no program opens it; default: QDesktopServices. For tests.
     void setOpener(std::function<bool(const QString& path)> open) { m_opener = std::move(open); }
 
 Q_SIGNALS:

@@ -34,7 +34,7 @@ struct RunResults {
     [[nodiscard]] bool canResume() const { return end && end->canContinue; }
     /// "finished by robot_0/brain at t = 83.5 s: reached"; empty if no controller ended the run.
     [[nodiscard]] QString finishText() const;
-    /// The robot of the running experiment; null if there is none of that name.
+    /// The robot of the running experiment; null if no robot has that name.
     [[nodiscard]] const RobotSpec* robot(const std::string& name) const;
 };
 

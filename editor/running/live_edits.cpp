@@ -71,7 +71,7 @@ std::optional<std::string_view> settingIn(const Outline& outline, const std::str
     return std::nullopt;
 }
 
-/// The block of a path as declared: "RobotConfig.Rover.chassis"; null if there is none.
+/// The block of a path as declared: "RobotConfig.Rover.chassis"; null if no block has it.
 const Part* declaredAt(const Outline& outline, const std::string& path) {
     const DottedPath dotted(path);
     std::span<const std::string> words = dotted.words();

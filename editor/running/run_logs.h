@@ -14,7 +14,7 @@ public:
     explicit RunLogs(Document& document, QObject* parent = nullptr);
     ~RunLogs() override;
 
-    /// The folder of a run that begins now; empty if there is none. `hasLogs`: the experiment writes logs.
+    /// The folder of a run that begins now; empty if it writes none. `hasLogs`: the experiment writes logs.
     [[nodiscard]] LogLocation begin(bool hasLogs);
     /// A run has written logs, perhaps only those that a controller opened.
     void written();

@@ -29,7 +29,7 @@ public:
 
     void watch(FilePage& page); ///< for hover, links and the context menu
 
-    /// The kind of the block whose keyword is at the caret, else of the enclosing block; nullptr if there is none.
+    /// The kind of the block whose keyword is at the caret, else of the enclosing block; nullptr outside of blocks.
     [[nodiscard]] const Kind* kindAtCaret();
     /// "#import", "#loadModule" or "Param" if the caret is in one; else empty.
     [[nodiscard]] QString constructAtCaret();

@@ -53,7 +53,7 @@ public:
     /// Includes the width of the hidden find bar, so that showing it does not resize the panel.
     [[nodiscard]] QSize minimumSizeHint() const override;
 
-    /// The kind of the block whose keyword is at the caret, else of the enclosing block; nullptr if there is none.
+    /// The kind of the block whose keyword is at the caret, else of the enclosing block; nullptr outside of blocks.
     [[nodiscard]] const Kind* kindAtCaret();
     /// "#import", "#loadModule" or "Param" if the caret is in one; else empty.
     [[nodiscard]] QString constructAtCaret();

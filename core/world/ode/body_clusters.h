@@ -1,5 +1,5 @@
 #pragma once
-// Which bodies hang together in a tick, by joints and contacts. What does not move joins nobody. A cluster is named by its body of
+// The clusters of a tick: bodies connected by joints and contacts. What does not move connects none. A cluster is named by its body of
 // lowest index.
 
 #include <cstdint>

@@ -51,7 +51,7 @@ void HeapForces::apply(double h, std::span<const OdeContact> contacts, std::span
     ++m_tick;
 }
 
-/// At the height where they touch, as far as that lifts nobody: how a push is spread over the height of a contact is not known here.
+/// At the height where they touch, as far as that lifts no body: how a push is spread over the height of a contact is not known here.
 void HeapForces::push(double h, std::span<const OdeContact> contacts, std::span<const OdeBody> bodies,
                       std::span<const OdeGeom> geoms, std::span<dJointFeedback> feedbacks) {
     const auto forceOf = [h](const Push& p) {

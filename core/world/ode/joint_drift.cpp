@@ -91,7 +91,7 @@ template <class RateOf> Vec3 JointDrift::gapOf(const Edge& edge, const OdeJoint&
 }
 
 void JointDrift::shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h, double gain) {
-    if (gain < kLeastGain) return; // nobody stands aside
+    if (gain < kLeastGain) return; // no other body gives way
     for (Edge& edge : m_edges) {
         if (!dBodyIsEnabled(bodies[edge.to].id)) continue;
         const OdeJoint& joint = joints[edge.joint];

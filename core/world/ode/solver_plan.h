@@ -1,5 +1,5 @@
 #pragma once
-// Which solver takes what, tick by tick: each cluster by itself, so that what touches nobody is solved the same whatever happens
+// Which solver takes what, tick by tick: each cluster by itself, so that a body without contacts is solved the same whatever happens
 // elsewhere. Small clusters are exact. In a large one the robots, and what stands on the floor beside them, push each other through
 // HeapForces; what then still hangs together is exact if it is small, else iterated in short steps.
 
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> iterated() const { return m_iterated; }
     [[nodiscard]] bool isIterated(std::uint32_t body) const;
     [[nodiscard]] bool hasOutside() const { return m_hasOutside; }
-    /// Contacts in the largest cluster of this tick that is solved exactly, and its name; 0 where nobody touches another.
+    /// Contacts in the largest cluster of this tick that is solved exactly, and its name; 0 without contacts between bodies.
     [[nodiscard]] std::uint32_t largest() const { return m_largest; }
     [[nodiscard]] std::uint32_t largestName() const { return m_largestName; }
 
