@@ -101,6 +101,16 @@ private Q_SLOTS:
     }
 
 private:
+    /// Opens the experiment after the kill and restores its journal, if one is offered.
+    static void restore(Document& document, const DocumentFixture& fixture, bool& isOffered) {
+        QVERIFY(document.open(fixture.main).ok());
+        const std::vector<Recovery> found = document.recoveries();
+        QVERIFY(found.size() <= 1);
+        isOffered = !found.empty();
+        if (isOffered) QCOMPARE(why(document.recover(found[0])), "");
+        QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
+    }
+
     void killConfigs(int seed, int afterMs, int& offered, int& copied, int& changedForAll) {
         const DocumentFixture fixture;
         const std::string cart = "RobotConfig Cart { Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.06 Mass=2 } } }\n";
@@ -112,12 +122,10 @@ private:
         if (QTest::currentTestFailed()) return;
 
         Document document(*m_application);
-        QVERIFY(document.open(fixture.main).ok());
-        const std::vector<Recovery> found = document.recoveries();
-        QVERIFY(found.size() <= 1);
-        offered += !found.empty();
-        if (!found.empty()) QCOMPARE(why(document.recover(found[0])), "");
-        QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
+        bool isOffered = false;
+        restore(document, fixture, isOffered);
+        if (QTest::currentTestFailed()) return;
+        offered += isOffered;
         int kept = -1;
         for (const Edit& edit : heard.edits)
             if (edit.texts == hashOf(document)) kept = edit.number;
@@ -139,19 +147,17 @@ private:
         editUntilKilled(fixture, {QString::number(seed), u"pieces"_qs}, afterMs, heard);
         if (QTest::currentTestFailed()) return;
 
-        Document document(*m_application);
-        QVERIFY(document.open(fixture.main).ok());
-        const std::vector<Recovery> found = document.recoveries();
-        QVERIFY(found.size() <= 1);
-        offered += !found.empty();
         const bool wasThere = std::filesystem::exists(piece);
-        if (!found.empty()) QCOMPARE(why(document.recover(found[0])), "");
-        QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
+        Document document(*m_application);
+        bool isOffered = false;
+        restore(document, fixture, isOffered);
+        if (QTest::currentTestFailed()) return;
+        offered += isOffered;
         QCOMPARE(why(document.save()), "");
         const bool isGrouped = bytesOf(fixture.main) != text;
         QVERIFY(!isGrouped || holds(bytesOf(piece), "StaticConfig Piece"));
         QVERIFY(!std::filesystem::exists(piece) || holds(bytesOf(piece), "StaticConfig Piece")); // never an empty file
-        if (!found.empty()) QCOMPARE(std::filesystem::exists(piece), isGrouped);
+        if (isOffered) QCOMPARE(std::filesystem::exists(piece), isGrouped);
         removed += wasThere && !std::filesystem::exists(piece);
     }
 
