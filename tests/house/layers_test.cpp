@@ -167,6 +167,31 @@ private Q_SLOTS:
         }
     }
 
+    // "Where it happens": each row names a file and functions that are defined in it.
+    void findsTheFunctionsOfTheReadme() {
+        const QString readme = sourceFiles({"core/README.md"}, {}).first().text;
+        const QString section = readme.section("## Where it happens", 1).section("\n## ", 0, 0);
+        static const QRegularExpression inBackticks("`([^`]+)`");
+        QStringList missing;
+        QMap<QString, QString> text;
+        for (const SourceFile& file : sourceFiles({"core", "editor"}, {".cpp"})) text[file.path] = file.text;
+        int rows = 0;
+        for (const QString& row : section.split('\n')) {
+            if (!row.startsWith("| ") || row.section('|', 2, 2).count('`') != 2) continue;
+            ++rows;
+            const QString path = row.section('`', 1, 1);
+            const QString source = text.value(path);
+            for (auto match = inBackticks.globalMatch(row.section('|', 3, 3)); match.hasNext();) {
+                const QString name = match.next().captured(1);
+                const QRegularExpression definition("^\\S.*\\b" + name.section("::", -1) + "\\([^;]*\\{$",
+                                                    QRegularExpression::MultilineOption);
+                if (!definition.match(source).hasMatch()) missing << path + ": " + name;
+            }
+        }
+        QVERIFY(rows >= 10);
+        QVERIFY2(missing.isEmpty(), qPrintable("core/README.md, Where it happens: no " + missing.join(", no ")));
+    }
+
 private:
     IncludeRules m_rules;
 };
