@@ -75,7 +75,8 @@ std::shared_ptr<const Registry> builtInKinds() {
 
 class TrundleApplication final : public Application {
 public:
-    TrundleApplication() : m_locations(findLocations()), m_builtIn(builtInKinds()), m_assets(m_locations.meshReader) {}
+    explicit TrundleApplication(Locations locations)
+        : m_locations(std::move(locations)), m_builtIn(builtInKinds()), m_assets(m_locations.meshReader) {}
 
     std::shared_ptr<const Registry> builtIn() const override { return m_builtIn; }
     const Locations& locations() const override { return m_locations; }
@@ -153,6 +154,8 @@ std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& load
 
 } // namespace
 
-std::unique_ptr<Application> makeApplication() { return std::make_unique<TrundleApplication>(); }
+std::unique_ptr<Application> makeApplication(Locations locations) {
+    return std::make_unique<TrundleApplication>(std::move(locations));
+}
 
 } // namespace trundle

@@ -32,6 +32,6 @@ public:
                                                              Diagnostics& diagnostics) = 0;
 };
 
-[[nodiscard]] std::unique_ptr<Application> makeApplication();
+[[nodiscard]] std::unique_ptr<Application> makeApplication(Locations locations = findLocations());
 
 } // namespace trundle

@@ -5,7 +5,7 @@
 // an image of the differences are saved in golden/ in the build folder.
 //
 // The images do not depend on the machine: the program's own fonts are the only ones, the 3D view is drawn in software, the files
-// are in a folder of the test, and the run is paused at an exact simulated time. The only measured number, the milliseconds
+// are in a folder of the test, so are the samples (a copy of tests/data/golden/configs), and the run is paused at an exact simulated time. The only measured number, the milliseconds
 // per tick in the status line, is replaced by a constant.
 
 #include <QApplication>
@@ -16,6 +16,7 @@
 #include <QProcess>
 #include <QSettings>
 #include <QtTest>
+#include <filesystem>
 
 #include "app/application.h"
 #include "editor/shell/main_window.h"
@@ -92,7 +93,9 @@ class GoldenTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        m_fixture = makeApplication();
+        Locations places = findLocations();
+        places.configs = copiedSamples();
+        m_fixture = makeApplication(places);
         m_render = RenderService::startInBackground();
     }
     void init() {
@@ -131,7 +134,7 @@ private Q_SLOTS:
         if (moment == QLatin1String("welcome"))
             QSettings().setValue(QStringLiteral("recentFiles"),
                                  QStringList{path(QStringLiteral("rover.sim")), path(QStringLiteral("broken.sim"))});
-        m_window = std::make_unique<MainWindow>(*m_fixture, m_render.get(), findLocations());
+        m_window = std::make_unique<MainWindow>(*m_fixture, m_render.get(), m_fixture->locations());
         m_window->setAnimated(false);
         m_window->resize(kWindow);
         m_window->show();
@@ -202,6 +205,13 @@ private:
         return m_window->grab().toImage().convertToFormat(QImage::Format_RGB888);
     }
 
+    /// The samples that the images show. A change of those in configs/ changes no image.
+    static std::string copiedSamples() {
+        const std::string to = (kHome + QStringLiteral("/configs")).toStdString();
+        std::filesystem::remove_all(to);
+        std::filesystem::copy((kKept + QStringLiteral("configs")).toStdString(), to, std::filesystem::copy_options::recursive);
+        return to;
+    }
     static QString path(const QString& file) { return kHome + QStringLiteral("/project/") + file; }
     static void write(const QString& file, const QByteArray& text) {
         QVERIFY(QDir().mkpath(kHome + QStringLiteral("/project")));
