@@ -47,6 +47,7 @@ ExitCode describeModule(const DescribeArguments& arguments) {
     const Status written = writeKindsJson(arguments.module, output, calls);
     guard.restoreProcess();
     if (!written) printProblem(written.error().message);
+    if (!written && arguments.json) writeOut(usageJson("describe", written.error().message));
     return written ? kExitDone : kExitText;
 }
 

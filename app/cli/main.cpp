@@ -13,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <trundle/abi.h>
 
-#include "base/clean_text.h"
 #include "base/spelling.h"
 #include "cli/messages.h"
 #include "cli/standard_streams.h"
@@ -46,11 +45,12 @@ std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** 
            " (`trundle-cli --help` lists all)";
 }
 
-int refuse(int argc, char** argv, const std::string& why) {
+/// `known`: the command exists.
+int refuse(int argc, char** argv, const std::string& why, bool known) {
     const std::string command = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
     trundle::printProblem(why);
     std::fprintf(stderr, "`trundle-cli %s--help` says how it is used.\n",
-                 trundle::cleanLine(command.empty() ? "" : command + " ").c_str());
+                 known && !command.empty() ? (command + " ").c_str() : "");
     if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(command, why));
     return trundle::kExitUsage;
 }
@@ -75,14 +75,14 @@ int run(int argc, char** argv) {
     trundle::addEdit(app, applicationOf, chosen);
     trundle::addRender(app, applicationOf, chosen);
     trundle::addDescribe(app, applicationOf, chosen);
-    if (const auto problem = unknownCommand(app, argc, argv)) return refuse(argc, argv, *problem);
+    if (const auto problem = unknownCommand(app, argc, argv)) return refuse(argc, argv, *problem, false);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
         std::ostringstream text;
         (void)app.exit(help, text, text);
         return trundle::writeOut(text.str()) ? trundle::kExitDone : trundle::kExitText;
-    } catch (const CLI::ParseError& problem) { return refuse(argc, argv, problem.what()); }
+    } catch (const CLI::ParseError& problem) { return refuse(argc, argv, problem.what(), true); }
     return chosen ? chosen() : trundle::kExitUsage;
 }
 

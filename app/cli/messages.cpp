@@ -10,6 +10,7 @@
 
 #include "base/clean_text.h"
 #include "cli/numbers.h"
+#include "cli/run_guard.h"
 #include "cli/standard_streams.h"
 #include "lang/diagnostic_text.h"
 
@@ -62,6 +63,7 @@ std::string countText(const std::vector<Diagnostic>& diagnostics) {
 }
 
 bool writeOut(const std::string& bytes) {
+    if (isForkedCopy()) endForkedCopy(); // the original writes them
     std::string_view rest = bytes;
     while (!rest.empty()) {
         const ssize_t done = ::write(resultsFile(), rest.data(), rest.size());

@@ -267,6 +267,14 @@ ExitCode RunCommand::runLoaded() {
     const LoopOutcome outcome = runTicksOfPlan();
     m_report.wallS = outcome.wallS;
     m_report.interrupted = outcome.interrupted;
+    if (const std::string signal = unusualRequest(); !signal.empty())
+        warn({Severity::Warning,
+              Code::Interrupted,
+              "the signal " + signal + " ended the run; code of a module, a limit of the shell or another program sent it",
+              {},
+              {},
+              {},
+              {}});
     keepResults();
     const bool filmed = endMovie() && (m_movie || m_arguments.movie.path.empty());
     (void)m_runner->finish(); // a failure is stored in failure()
@@ -334,7 +342,7 @@ constexpr const char* kRunExamples = R"(Examples:
 Results go to standard output; progress, messages and what controllers print go to standard error.
 Exit codes: 0 done (at the end of the duration, or finished by a controller), 1 errors in the text or a module that does not
 load, 2 wrong usage or unreadable FILE, 3 the simulation blew up, 4 a controller failed, or code of a module crashed, ended the
-program or did not return, 130 interrupted (Ctrl+C, SIGTERM, SIGHUP: logs and summary are complete; a step of the solver that
+program or did not return, 130 interrupted (Ctrl+C, SIGTERM, SIGHUP or the like: logs and summary are complete; a step of the solver that
 takes more than 3 s is cut off).
 Logs are written out each second and when a module crashes. After a crash --json still prints its object, with "crashed".
 What modules print to standard output goes to standard error.)";

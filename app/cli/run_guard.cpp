@@ -3,11 +3,13 @@
 // Method: signal handlers only record requests, a watch thread decides. The first thread that ends the program does so alone.
 #include "cli/run_guard.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <clocale>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <optional>
 #include <thread>
@@ -34,13 +36,15 @@ namespace trundle {
 namespace {
 
 constexpr int kRequests[] = {SIGINT, SIGTERM, SIGHUP};
+/// These and the real-time signals would end the program: of a timer, a batch system, a limit of processor time.
+constexpr int kOtherRequests[] = {SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU, SIGIO, SIGPWR, SIGSTKFLT};
 constexpr std::uint32_t kCallTimeoutS = 3;  // s, for one call after a request to end
 constexpr std::uint32_t kTickTimeoutS = 10; // s, for all calls of a tick
 constexpr long kLookEveryNs = 100'000'000;
 
 std::atomic<bool> s_guarded{false}, s_ticking{false}, s_waiting{true};
-std::atomic<int> s_requests{0};
-std::atomic<long> s_endingThread{0}; // id of the thread that ends the program; 0: none
+std::atomic<int> s_requests{0}, s_firstRequest{0}; // count, and the first signal
+std::atomic<long> s_endingThread{0};               // id of the thread that ends the program; 0: none
 std::atomic<pid_t> s_process{0};
 long s_runsThread = 0;
 EarlyEndFacts s_facts;
@@ -125,8 +129,10 @@ void onExit() {
     endEarly(end);
 }
 
-void onRequest(int) {
+void onRequest(int signal) {
     const int before = errno;
+    int none = 0;
+    s_firstRequest.compare_exchange_strong(none, signal);
     if (s_requests.fetch_add(1) >= 2) endProcess(kExitInterrupted); // two earlier requests had no effect
     sem_post(&s_wake);
     errno = before;
@@ -134,7 +140,24 @@ void onRequest(int) {
 
 void onBrokenPipe(int) {} // makes writes fail with EPIPE; unlike SIG_IGN, a handler is not inherited by child processes
 
+/// Replaces no handler of a module, such as that of its own timer.
+void watchOther(int signal) {
+    struct sigaction now = {};
+    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) setHandler(signal, onRequest, SA_RESTART);
+}
+
+void unwatchOther(int signal) {
+    struct sigaction now = {};
+    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == onRequest) setHandler(signal, SIG_DFL, 0);
+}
+
+void forOthers(void (*change)(int)) {
+    for (const int signal : kOtherRequests) change(signal);
+    for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) change(signal);
+}
+
 void watchSignals() {
+    forOthers(watchOther);
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, onRequest, SA_RESTART);
     setHandler(SIGPIPE, onBrokenPipe, SA_RESTART);
@@ -147,6 +170,7 @@ void watchSignals() {
 }
 
 void unwatchSignals() {
+    forOthers(unwatchOther);
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, SIG_DFL, 0);
     for (const int signal : kCrashSignals) {
@@ -268,6 +292,13 @@ void RunGuard::restoreProcess() {
 }
 
 bool interrupted() { return s_requests != 0; }
+
+std::string unusualRequest() {
+    const int signal = s_firstRequest;
+    if (signal == 0 || std::ranges::find(kRequests, signal) != std::end(kRequests)) return {};
+    const char* name = sigabbrev_np(signal);
+    return name ? std::string("SIG") + name : std::to_string(signal);
+}
 
 bool isForkedCopy() { return s_process != 0 && getpid() != s_process; }
 

@@ -2,12 +2,14 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdarg>
 #include <memory>
 #include <new>
 
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <pthread.h>
+#include <sched.h>
 #include <sys/mman.h>
 
 extern "C" const char __executable_start, etext; // the program's own code, from the linker
@@ -119,6 +121,21 @@ void* runStandardThread(void* data) {
     return reinterpret_cast<void*>(static_cast<std::intptr_t>(start.routine(start.argument)));
 }
 
+using Clone = int (*)(int (*)(void*), void*, int, void*, ...);
+
+struct BareStart {
+    int (*routine)(void*);
+    void* argument;
+};
+
+/// A thread of clone() may share the thread-local variables of the thread that started it, so none are written here.
+int runBareThread(void* data) {
+    const BareStart start = *static_cast<BareStart*>(data);
+    delete static_cast<BareStart*>(data);
+    const SignalStack stack;
+    return start.routine(start.argument);
+}
+
 std::uintptr_t addressOf(void* code) { return reinterpret_cast<std::uintptr_t>(code); }
 
 } // namespace
@@ -149,5 +166,28 @@ int thrd_create(pthread_t* thread, int (*routine)(void*), void* argument) {
     if (error != 0) return error == ENOMEM ? kNoMemory : kError;
     (void)start.release();
     return kSuccess;
+}
+
+int clone(int (*routine)(void*), void* stack, int flags, void* argument, ...) noexcept {
+    static const auto s_real = reinterpret_cast<trundle::Clone>(dlsym(RTLD_NEXT, "clone"));
+    pid_t *parentId = nullptr, *childId = nullptr;
+    void* storage = nullptr;
+    va_list more; // as far as the flags announce them
+    va_start(more, argument);
+    const bool hasChildId = (flags & (CLONE_CHILD_SETTID | CLONE_CHILD_CLEARTID)) != 0;
+    const bool hasStorage = hasChildId || (flags & CLONE_SETTLS) != 0;
+    if (hasStorage || (flags & (CLONE_PARENT_SETTID | CLONE_PIDFD)) != 0) parentId = va_arg(more, pid_t*);
+    if (hasStorage) storage = va_arg(more, void*);
+    if (hasChildId) childId = va_arg(more, pid_t*);
+    va_end(more);
+    if (!routine || (flags & CLONE_THREAD) == 0) return s_real(routine, stack, flags, argument, parentId, storage, childId);
+    auto start = std::unique_ptr<trundle::BareStart>(new (std::nothrow) trundle::BareStart{routine, argument});
+    if (!start) {
+        errno = ENOMEM;
+        return -1;
+    }
+    const int thread = s_real(&trundle::runBareThread, stack, flags, start.get(), parentId, storage, childId);
+    if (thread > 0) (void)start.release(); // the thread's
+    return thread;
 }
 }

@@ -1,6 +1,7 @@
 #pragma once
-// Threads that code of modules starts. The programs define pthread_create() and thrd_create(): the dynamic loader resolves calls in
-// modules and libraries to these definitions, so each thread has an alternate signal stack and knows the code that started it.
+// Threads that code of modules starts. The programs define pthread_create(), thrd_create() and clone(): the dynamic loader resolves
+// calls in modules and libraries to these definitions, so each thread has an alternate signal stack and, except one of clone(), knows
+// the code that started it.
 
 #include <array>
 #include <cstdint>

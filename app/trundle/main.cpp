@@ -77,10 +77,11 @@ std::shared_ptr<const std::atomic<bool>> endOnRequest() {
     return requested;
 }
 
-/// Shows the reports of windows that crashed, and has a crash of this one reported in the same folder.
-void reportCrashes(trundle::MainWindow& window) {
+/// Has a crash of this window reported in a folder of the user, and shows the reports of earlier ones. `shows` is false for a
+/// picture, which must not contain them.
+void reportCrashes(trundle::MainWindow& window, bool shows) {
     const std::string folder = trundle::userStateFolder() + "/crashes";
-    window.showCrashReports(QString::fromStdString(folder));
+    if (shows) window.showCrashReports(QString::fromStdString(folder));
     std::error_code failed; // then a crash is reported on standard error only
     std::filesystem::create_directories(folder, failed);
     trundle::keepCrashReport((folder + "/" + std::to_string(QCoreApplication::applicationPid()) + ".txt").c_str());
@@ -131,8 +132,8 @@ int main(int argc, char** argv) {
         window.resize(options.size);
     }
     window.show();
-    if (options.screenshot.isEmpty() && !options.quit) reportCrashes(window); // else a script reads standard error
-    ScreenshotRunner screenshots(window, options);                            // executes the options after the window is shown
+    if (!options.quit) reportCrashes(window, options.screenshot.isEmpty()); // with --quit a script reads standard error
+    ScreenshotRunner screenshots(window, options);                          // executes the options after the window is shown
     QObject::connect(&window.session(), &RunSession::stateChanged, &window, &watchExits);
     watchExits();
     const auto endRequested = endOnRequest();

@@ -137,9 +137,9 @@ void BadModulesTest::reportsEveryModuleFault_data() {
         row(exit, action(exit), {}, 4,
             brain + "(" + TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so) ended the program in update", "bad", kRowsCut);
     const QByteArray thread = "a thread of the module " TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so";
-    for (const char* name :
-         {"thread crashes", "thread throws", "thread aborts", "thread jumps", "thread of a thread crashes", "thread overflows",
-          "thread overflows in the C library", "standard thread overflows", "library code crashes in a thread"})
+    for (const char* name : {"thread crashes", "thread throws", "thread aborts", "thread jumps", "thread of a thread crashes",
+                             "thread overflows", "thread overflows in the C library", "standard thread overflows",
+                             "library code crashes in a thread", "bare thread crashes", "bare thread overflows"})
         row(name, action(name), {}, 4, ", in " + thread + "\n", "?", kRowsCut);
     for (const char* name : {"thread exits", "thread _exits", "thread quick_exits"})
         row(name, action(name), {}, 4,
@@ -195,7 +195,12 @@ void BadModulesTest::reportsEveryModuleFault_data() {
     harmless("print long");
     harmless("log badly", "cannot be called");
     row("write outputs", action("write outputs"), {}, 0, {}, "", kRowsWhole);
+    harmless("bare thread ends");
+    const QByteArray copy = "a copy of the program that code of a module made by fork() was ended";
+    row("fork in a destructor", action("fork", "destructor"), {}, 0, copy, "", kRowsWhole);
     row("terminate itself", action("terminate itself"), {}, 130, {}, "", kRowsCut + 1);
+    row("user signal", action("user signal"), {}, 130, "the signal SIGUSR1 ended the run", "", kRowsCut + 1);
+    row("real-time signal", action("real-time signal"), {}, 130, "ended the run", "", kRowsCut + 1);
     // Without its descriptors the program cannot report; a file that has taken their numbers is not written to.
     for (const char* name : {"close all", "replace all"}) row(name, action(name), {}, 1, "E503", "", 0);
 }

@@ -17,6 +17,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -124,6 +125,16 @@ void inThread(const char* name) {
     std::thread([name] { act(name); }).join();
 }
 
+/// A thread without the thread library: it shares the thread-local variables of its creator. Waits for its end.
+void inBareThread(int (*routine)(void*)) {
+    constexpr int kFlags = CLONE_VM | CLONE_FS | CLONE_FILES | CLONE_SIGHAND | CLONE_THREAD | CLONE_SYSVSEM;
+    constexpr std::size_t kStack = 256 * 1024;
+    char* const stack = static_cast<char*>(mmap(nullptr, kStack, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    static volatile pid_t s_thread = 1; // the kernel clears it when the thread ends
+    clone(routine, stack + kStack, kFlags | CLONE_CHILD_CLEARTID, nullptr, nullptr, nullptr, const_cast<pid_t*>(&s_thread));
+    while (s_thread != 0) usleep(1000);
+}
+
 const std::map<std::string, Action>& actions() {
     // Never destroyed: an action on unload runs after the destructors of function statics.
     static const auto& all = *new std::map<std::string, Action>{
@@ -178,6 +189,15 @@ const std::map<std::string, Action>& actions() {
                             const_cast<char*>(nowhere()));
              pthread_join(thread, nullptr);
          }},
+        {"bare thread ends", [] { inBareThread([](void*) { return 0; }); }},
+        {"bare thread crashes",
+         [] {
+             inBareThread([](void*) -> int {
+                 act("segv");
+                 return 0;
+             });
+         }},
+        {"bare thread overflows", [] { inBareThread([](void*) { return deeper(1); }); }},
         {"thread of a thread crashes", [] { std::thread([] { inThread("segv"); }).join(); }},
         {"format deeper", [] { g_zero = formatDeeper(1); }},
         {"close standard",
@@ -253,6 +273,8 @@ const std::map<std::string, Action>& actions() {
              (void)!write(ends[1], "x", 1);
          }},
         {"terminate itself", [] { kill(getpid(), SIGTERM); }},
+        {"user signal", [] { kill(getpid(), SIGUSR1); }},
+        {"real-time signal", [] { kill(getpid(), SIGRTMIN + 3); }},
     };
     return all;
 }
