@@ -18,7 +18,10 @@ bool isSteady(const Vec3& rate, const Vec3& momentum, double h) {
 
 } // namespace
 
-void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, const PinnedBodies& pinned) {
+void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const Mat3> inertias, std::span<const OdeJoint> joints,
+                         const PinnedBodies& pinned) {
+    m_inertias.clear();
+    for (const Mat3& inertia : inertias) m_inertias.emplace_back(inertia);
     std::vector<bool> held(bodies.size(), false), swivels(bodies.size(), true);
     const auto hold = [&](std::uint32_t body, JointType by) {
         held[body] = true;

@@ -16,10 +16,9 @@ namespace trundle {
 
 class BodyRotation {
 public:
-    /// Of the next body, without the rotors that its motors add.
-    void add(const Mat3& inertia) { m_inertias.emplace_back(inertia); }
-    /// Once all bodies and joints are there.
-    void start(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, const PinnedBodies& pinned);
+    /// Once all bodies and joints are there. `inertias`: by body, without the rotors that its motors add.
+    void start(std::span<const OdeBody> bodies, std::span<const Mat3> inertias, std::span<const OdeJoint> joints,
+               const PinnedBodies& pinned);
     /// Adds to the torques of a tick. `touching`: by body, has a contact.
     void before(std::span<const OdeBody> bodies, const std::vector<bool>& touching, double h);
     /// Once the solver has moved the bodies.

@@ -20,27 +20,10 @@ constexpr int kShortSteps = 8; // measured: a stack of ten boxes stands with 4
 
 } // namespace
 
-void ClusterSolver::start(dWorldID world) {
-    m_world = world;
-    m_group = dJointGroupCreate(0);
-    makeThreading();
-}
-
-ClusterSolver::~ClusterSolver() {
-    try {
-        if (m_group) dJointGroupDestroy(m_group);
-        if (!m_threading) return;
-        if (m_abandoned) abandon(m_threading); // its list of jobs was left half done, and its destructor would abort over that
-        else dThreadingFreeImplementation(m_threading);
-    } catch (const OdeFault&) { // as in ~OdeEngine
-    }
-}
-
-void ClusterSolver::makeThreading() {
-    m_threading = dThreadingAllocateSelfThreadedImplementation();
-    if (m_threading)
-        dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
-}
+ClusterSolver::ClusterSolver(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts,
+                             const ContactRows& rows, JointDrift& drift)
+    : m_settings(settings), m_world(world), m_objects(objects), m_contacts(contacts), m_rows(rows), m_drift(drift),
+      m_group(dJointGroupCreate(0)) {}
 
 void ClusterSolver::step(double h, SolverPlan& plan) {
     m_countedQuick = m_countedRescue = false;
@@ -49,7 +32,7 @@ void ClusterSolver::step(double h, SolverPlan& plan) {
 }
 
 void ClusterSolver::stepAgain(double h, SolverPlan& plan) {
-    for (std::uint32_t i = 0; i < m_scene.bodies.size(); ++i) restore(i);
+    for (std::uint32_t i = 0; i < m_objects.bodies.size(); ++i) restore(i);
     --m_tick; // the same random numbers
     run(h, plan);
     ++m_tick;
@@ -58,8 +41,8 @@ void ClusterSolver::stepAgain(double h, SolverPlan& plan) {
 void ClusterSolver::run(double h, SolverPlan& plan) {
     m_rescued = false;
     m_quick.clear();
-    m_stumbles.resize(m_scene.bodies.size(), 0);
-    m_allQuick = m_scene.settings.solver == SolverChoice::Quick;
+    m_stumbles.resize(m_objects.bodies.size(), 0);
+    m_allQuick = m_settings.solver == SolverChoice::Quick;
     if (m_allQuick) stepAllQuickly(h);
     else stepExactly(h, plan);
     if ((m_allQuick || !m_quick.empty()) && !std::exchange(m_countedQuick, true)) ++m_quickTicks;
@@ -72,30 +55,29 @@ bool ClusterSolver::isQuick(std::uint32_t body) const {
 
 /// The same for all that is solved by itself in a tick: who else there is must not matter. ODE's stream belongs to the process.
 void ClusterSolver::seed() const {
-    dRandSetSeed(static_cast<unsigned long>(randomBits(m_scene.settings.seed, 0, m_tick, 0) & 0xffffffffu));
+    dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) & 0xffffffffu));
 }
 
 void ClusterSolver::stepAllQuickly(double h) {
     seed();
-    m_scene.drift.shift(m_scene.bodies, m_scene.joints, h, m_scene.settings.errorReduction);
-    dWorldQuickStep(m_world, h);
-    m_scene.drift.shiftBack(m_scene.bodies);
+    m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
+    dWorldQuickStep(m_world.id(), h);
+    m_drift.shiftBack(m_objects.bodies);
 }
 
 /// One exact step of all that is enabled. False where the solver met a singular row: it reports it and leaves nonsense behind, or fails
 /// an assertion in the middle of its work.
 bool ClusterSolver::tryExactly(double h) {
     const std::uint64_t before = odeMessages();
-    m_scene.drift.shift(m_scene.bodies, m_scene.joints, h, m_scene.settings.errorReduction);
+    m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
     bool whole = true;
     try {
-        dWorldStep(m_world, h);
+        dWorldStep(m_world.id(), h);
     } catch (const OdeFault&) {
-        abandon(m_threading); // its list of jobs is half done
-        makeThreading();
+        m_world.replaceThreading();
         whole = false;
     }
-    m_scene.drift.shiftBack(m_scene.bodies);
+    m_drift.shiftBack(m_objects.bodies);
     return whole && odeMessages() == before;
 }
 
@@ -103,10 +85,10 @@ void ClusterSolver::stepExactly(double h, SolverPlan& plan) {
     save();
     BodyClusters& clusters = plan.clusters();
     for (const std::uint32_t name : plan.iterated())
-        for (const std::uint32_t body : clusters.bodies(name)) dBodyDisable(m_scene.bodies[body].id);
+        for (const std::uint32_t body : clusters.bodies(name)) dBodyDisable(m_objects.bodies[body].id);
     m_anyDisabled = !plan.iterated().empty();
     if (!tryExactly(h)) {
-        plan.findClusters(m_scene.contacts, m_scene.geoms);
+        plan.findClusters(m_contacts.all, m_objects.geoms);
         std::vector<std::uint32_t> names;
         std::ranges::set_difference(clusters.all(), plan.iterated(), std::back_inserter(names));
         disableAll();
@@ -147,7 +129,7 @@ void ClusterSolver::rescue(double h, BodyClusters& clusters, std::uint32_t name)
     bool solved = false;
     for (const double give : {1e2 * kWorldCfm, 1e4 * kWorldCfm}) {
         if (m_stumbles[name] >= kMaxStumbles) break;
-        dWorldSetCFM(m_world, give);
+        dWorldSetCFM(m_world.id(), give);
         enableOnly(clusters, std::span(&name, 1));
         solved = tryExactly(h);
         disableAll();
@@ -155,16 +137,16 @@ void ClusterSolver::rescue(double h, BodyClusters& clusters, std::uint32_t name)
         ++m_stumbles[name];
         for (const std::uint32_t body : bodies) restore(body);
     }
-    dWorldSetCFM(m_world, kWorldCfm);
+    dWorldSetCFM(m_world.id(), kWorldCfm);
     if (!solved) iterate(h, bodies);
 }
 
 /// Where bodies turn otherwise than their joints were prepared for, their clusters are taken again.
 void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
     for (int again = 0; again < kMaxRepeats; ++again) {
-        m_scene.drift.findUnexpected(m_scene.bodies, m_scene.joints, h, m_bent);
+        m_drift.findUnexpected(m_objects.bodies, m_objects.joints, h, m_bent);
         if (m_bent.empty()) return;
-        plan.findClusters(m_scene.contacts, m_scene.geoms);
+        plan.findClusters(m_contacts.all, m_objects.geoms);
         BodyClusters& clusters = plan.clusters();
         for (std::uint32_t& body : m_bent) body = clusters.of(body); // names from here on
         std::ranges::sort(m_bent);
@@ -173,7 +155,7 @@ void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
         if (m_bent.empty()) return;
         disableAll();
         for (const std::uint32_t name : m_bent) {
-            m_scene.drift.expect(m_scene.bodies, clusters.bodies(name));
+            m_drift.expect(m_objects.bodies, clusters.bodies(name));
             for (const std::uint32_t body : clusters.bodies(name)) restore(body);
         }
         enableOnly(clusters, m_bent);
@@ -191,46 +173,46 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
     const double part = h / kShortSteps;
     const auto isIn = [&](std::uint32_t body) { return std::ranges::binary_search(bodies, body); };
     std::vector<std::size_t> contacts;
-    for (std::size_t i = 0; i < m_scene.contacts.size(); ++i)
-        if (!m_scene.contacts[i].outside && isIn(m_scene.geoms[m_scene.contacts[i].first].body)) contacts.push_back(i);
-    for (const OdeJoint& joint : m_scene.joints) // its spring is for the whole tick
+    for (std::size_t i = 0; i < m_contacts.all.size(); ++i)
+        if (!m_contacts.all[i].outside && isIn(m_objects.geoms[m_contacts.all[i].first].body)) contacts.push_back(i);
+    for (const OdeJoint& joint : m_objects.joints) // its spring is for the whole tick
         if (joint.type == JointType::Suspension && isIn(joint.child))
             dJointSetHinge2Param(joint.id, dParamSuspensionERP,
                                  dJointGetHinge2Param(joint.id, dParamSuspensionERP) / kShortSteps);
     std::vector<OdeContact> moved; // they change from step to step, for the next tick they start as found
     std::vector<dJointFeedback> felt(contacts.size());
     for (const std::size_t i : contacts) {
-        m_scene.feedbacks[i] = {};
-        m_scene.contacts[i].bounded = false;
-        if (m_scene.contactRows[i]) dJointDisable(m_scene.contactRows[i]);
-        moved.push_back(m_scene.contacts[i]);
+        m_contacts.feedbacks[i] = {};
+        m_contacts.all[i].bounded = false;
+        if (m_contacts.rows[i]) dJointDisable(m_contacts.rows[i]);
+        moved.push_back(m_contacts.all[i]);
     }
     m_quick.insert(m_quick.end(), bodies.begin(), bodies.end());
-    for (const std::uint32_t body : bodies) dBodyEnable(m_scene.bodies[body].id);
+    for (const std::uint32_t body : bodies) dBodyEnable(m_objects.bodies[body].id);
     seed();
     for (int k = 0; k < kShortSteps; ++k) {
-        for (std::size_t i = 0; i < contacts.size(); ++i) m_scene.addContact(moved[i], part, m_group, &felt[i]);
+        for (std::size_t i = 0; i < contacts.size(); ++i) m_rows.add(moved[i], part, m_group.get(), &felt[i]);
         for (const std::uint32_t body : bodies) {
             const RawState& s = m_saved[body];
-            dBodySetForce(m_scene.bodies[body].id, s.force[0], s.force[1], s.force[2]);
-            dBodySetTorque(m_scene.bodies[body].id, s.torque[0], s.torque[1], s.torque[2]);
+            dBodySetForce(m_objects.bodies[body].id, s.force[0], s.force[1], s.force[2]);
+            dBodySetTorque(m_objects.bodies[body].id, s.torque[0], s.torque[1], s.torque[2]);
         }
-        dWorldQuickStep(m_world, part);
-        dJointGroupEmpty(m_group);
+        dWorldQuickStep(m_world.id(), part);
+        dJointGroupEmpty(m_group.get());
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             OdeContact& c = moved[i];
-            for (int axis = 0; axis < 3; ++axis) m_scene.feedbacks[contacts[i]].f1[axis] += felt[i].f1[axis] / kShortSteps;
-            c.depth -= part * vec(c.normal).dot(m_scene.speedOf(c));
-            Vec3::Map(c.position) += part * m_scene.carriedBy(c);
+            for (int axis = 0; axis < 3; ++axis) m_contacts.feedbacks[contacts[i]].f1[axis] += felt[i].f1[axis] / kShortSteps;
+            c.depth -= part * vec(c.normal).dot(m_objects.contactSpeed(c));
+            Vec3::Map(c.position) += part * m_objects.carriedBy(c);
         }
     }
-    for (const std::uint32_t body : bodies) dBodyDisable(m_scene.bodies[body].id);
+    for (const std::uint32_t body : bodies) dBodyDisable(m_objects.bodies[body].id);
 }
 
 void ClusterSolver::save() {
-    m_saved.resize(m_scene.bodies.size());
+    m_saved.resize(m_objects.bodies.size());
     for (std::size_t i = 0; i < m_saved.size(); ++i) {
-        const OdeBody& b = m_scene.bodies[i];
+        const OdeBody& b = m_objects.bodies[i];
         RawState& s = m_saved[i];
         std::memcpy(s.p, b.p, sizeof s.p);
         std::memcpy(s.r, b.r, sizeof s.r);
@@ -244,7 +226,7 @@ void ClusterSolver::save() {
 
 /// Writes through ODE's const pointers, because its setters change the last bits.
 void ClusterSolver::restore(std::uint32_t body) const {
-    const OdeBody& b = m_scene.bodies[body];
+    const OdeBody& b = m_objects.bodies[body];
     const RawState& s = m_saved[body];
     std::memcpy(const_cast<dReal*>(b.p), s.p, sizeof s.p);
     std::memcpy(const_cast<dReal*>(b.r), s.r, sizeof s.r);
@@ -257,17 +239,17 @@ void ClusterSolver::restore(std::uint32_t body) const {
 
 void ClusterSolver::enableOnly(BodyClusters& clusters, std::span<const std::uint32_t> names) {
     for (const std::uint32_t name : names)
-        for (const std::uint32_t body : clusters.bodies(name)) dBodyEnable(m_scene.bodies[body].id);
+        for (const std::uint32_t body : clusters.bodies(name)) dBodyEnable(m_objects.bodies[body].id);
 }
 
 void ClusterSolver::disableAll() {
     m_anyDisabled = true;
-    for (const OdeBody& body : m_scene.bodies) dBodyDisable(body.id);
+    for (const OdeBody& body : m_objects.bodies) dBodyDisable(body.id);
 }
 
 void ClusterSolver::enableAll() {
     m_anyDisabled = false;
-    for (const OdeBody& body : m_scene.bodies) dBodyEnable(body.id);
+    for (const OdeBody& body : m_objects.bodies) dBodyEnable(body.id);
 }
 
 } // namespace trundle

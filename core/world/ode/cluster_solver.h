@@ -3,41 +3,21 @@
 // other there. Where ODE stumbles over one cluster, that cluster is found and taken again by itself; large piles are iterated in short
 // steps. Method: bodies that shall not move are disabled.
 
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "world/ode/contact_rows.h"
 #include "world/ode/joint_drift.h"
 #include "world/ode/solver_plan.h"
 
 namespace trundle {
 
-/// What the solver needs of the engine.
-struct SolverScene {
-    const EngineSettings& settings;
-    const std::vector<OdeBody>& bodies;
-    const std::vector<OdeJoint>& joints;
-    const std::vector<OdeGeom>& geoms;
-    std::vector<OdeContact>& contacts;
-    std::vector<dJointFeedback>& feedbacks;   ///< by contact
-    const std::vector<dJointID>& contactRows; ///< by contact; null: none
-    JointDrift& drift;
-    /// Adds the rows of a contact for a step of `h` seconds; their force goes to the feedback.
-    std::function<void(const OdeContact&, double h, dJointGroupID group, dJointFeedback* feedback)> addContact;
-    std::function<Vec3(const OdeContact&)> speedOf;   ///< of the first body on the second, where they touch
-    std::function<Vec3(const OdeContact&)> carriedBy; ///< how the place of the contact moves: m/s
-};
-
 class ClusterSolver {
 public:
-    explicit ClusterSolver(SolverScene scene) : m_scene(std::move(scene)) {}
-    ~ClusterSolver();
-    ClusterSolver(const ClusterSolver&) = delete;
-    ClusterSolver& operator=(const ClusterSolver&) = delete;
+    /// All of these outlive this.
+    ClusterSolver(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts,
+                  const ContactRows& rows, JointDrift& drift);
 
-    void start(dWorldID world);
-    /// A fault was thrown out of the middle of ODE, and the world is dead.
-    void abandonWorld() { m_abandoned = true; }
     /// One tick. Contact rows of all but the iterated clusters are there.
     void step(double h, SolverPlan& plan);
     /// The same tick once more, with contact rows as they are now.
@@ -49,7 +29,6 @@ public:
     [[nodiscard]] std::uint64_t rescuedTicks() const { return m_rescuedTicks; } ///< with anything rescued
 
 private:
-    void makeThreading();
     void run(double h, SolverPlan& plan);
     [[nodiscard]] bool tryExactly(double h);
     void stepAllQuickly(double h);
@@ -65,14 +44,17 @@ private:
     void disableAll();
     void enableAll();
 
-    SolverScene m_scene;
-    dWorldID m_world = nullptr;
-    dJointGroupID m_group = nullptr;                  ///< contacts of a short step
-    dThreadingImplementationID m_threading = nullptr; ///< of its own: ODE's default one is shared by all worlds
-    std::vector<RawState> m_saved;                    ///< before the step, should it have to be taken again
-    std::vector<std::uint32_t> m_bent, m_stumbles;    ///< m_stumbles: by body, of clusters that it named
-    std::vector<std::uint32_t> m_quick;               ///< bodies iterated in this step, sorted
-    bool m_abandoned = false, m_rescued = false, m_allQuick = false, m_anyDisabled = false;
+    const EngineSettings& m_settings;
+    OdeWorld& m_world;
+    const OdeObjects& m_objects;
+    TickContacts& m_contacts;
+    const ContactRows& m_rows;
+    JointDrift& m_drift;
+    OwnedJointGroup m_group;                       ///< contacts of a short step
+    std::vector<RawState> m_saved;                 ///< before the step, should it have to be taken again
+    std::vector<std::uint32_t> m_bent, m_stumbles; ///< m_stumbles: by body, of clusters that it named
+    std::vector<std::uint32_t> m_quick;            ///< bodies iterated in this step, sorted
+    bool m_rescued = false, m_allQuick = false, m_anyDisabled = false;
     bool m_countedQuick = false, m_countedRescue = false; ///< in this tick
     std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0;
 };

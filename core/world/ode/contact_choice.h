@@ -10,7 +10,8 @@
 namespace trundle {
 
 inline constexpr int kMaxFound = 32;
-inline constexpr double kSideHit = 0.7; ///< cosine: what is turned farther away lies on another side
+inline constexpr int kMaxDirections = 3; ///< in which a pair has contacts
+inline constexpr double kSideHit = 0.7;  ///< cosine: what is turned farther away lies on another side
 using PointGroup = std::array<int, kMaxFound>;
 using UsedPoints = std::array<bool, kMaxFound>;
 

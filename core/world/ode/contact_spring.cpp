@@ -1,6 +1,6 @@
 // The spring of a contact. The ground's own is stiff and damped, and pushes what is deep inside out slowly; a surface with Softness is a
 // spring in series with it, which loses as little as a joint's spring.
-#include "world/ode/ode_engine.h"
+#include "world/ode/contact_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,9 @@ constexpr double kLossPower = 6;
 } // namespace
 
 /// Speed along `way` per impulse along it at a point of a geom, without joints and other contacts: 1/kg.
-double OdeEngine::mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const {
+double ContactRows::mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const {
     if (m_geoms[geom].body == kNone) return 0;
-    const Body& b = m_bodies[m_geoms[geom].body];
+    const OdeBody& b = m_bodies[m_geoms[geom].body];
     dMass mass;
     dBodyGetMass(b.id, &mass);
     Mat3 inertia;
@@ -28,11 +28,12 @@ double OdeEngine::mobility(std::uint32_t geom, const Vec3& point, const Vec3& wa
     return 1 / mass.mass + arm.dot(inertia.inverse() * arm);
 }
 
-void OdeEngine::fillSpring(const Contact& c, double h, dContact& out) const {
+void ContactRows::fillSpring(const OdeContact& c, double h, dContact& out) const {
     // The stiffer of the two actors, so that the heavier is carried; then both surfaces' give on top.
-    const Actor& a1 = m_actors[c.actor];
-    const Actor& a2 = c.partner == kNoActor || m_actors[c.partner].stiffness < a1.stiffness ? a1 : m_actors[c.partner];
-    const Geom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
+    const OdeActor& a1 = m_objects.actors[c.actor];
+    const OdeActor& a2 =
+        c.partner == kNoActor || m_objects.actors[c.partner].stiffness < a1.stiffness ? a1 : m_objects.actors[c.partner];
+    const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
     const double softness = m_settings.surfaces[g1.surface].softness + m_settings.surfaces[g2.surface].softness;
     const double kp = softness > 0 ? 1 / (1 / a2.stiffness + softness) : a2.stiffness;
     SpringRow row{h * kp + a2.damping, 0};
@@ -53,7 +54,9 @@ void OdeEngine::fillSpring(const Contact& c, double h, dContact& out) const {
     const Vec3 point = vec(c.position);
     s.mode |= dContactMotionN;
     s.motionN = -c.gap / h;
-    if (swings) s.motionN -= row.carry / row.give * vec(c.normal).dot(pointVelocity(g1, point) - pointVelocity(g2, point));
+    if (swings)
+        s.motionN -=
+            row.carry / row.give * vec(c.normal).dot(m_objects.pointVelocity(g1, point) - m_objects.pointVelocity(g2, point));
 }
 
 } // namespace trundle

@@ -107,20 +107,6 @@ struct JointFrame {
     Vec3 anchor, axis, axis2;
 };
 
-// Writes that wait for the next step.
-struct JointTorque {
-    std::uint32_t joint;
-    double torque;
-};
-struct BodyForce {
-    std::uint32_t body;
-    Vec3 force, point;
-};
-struct ActorMotion {
-    std::uint32_t actor;
-    Pose motion;
-};
-
 /// A touch of this tick. Its force is in the feedback of the same index.
 struct OdeContact {
     std::uint32_t first = 0, second = 0; ///< geoms; `first` is of the moving actor of lower index
@@ -132,8 +118,8 @@ struct OdeContact {
     double speed = 0;                             ///< m/s along the normal before the tick; negative: they approach
     double restitution = 0, restitutionShare = 1; ///< the share that leaves the energy as it was
     bool bounces = false;
-    double friction = 0; ///< of a blow and what goes with it: the smaller of both surfaces'
-    double loadNow = -1; ///< N in the last solution of this tick, which bounds friction in the next one; negative: none
+    double friction = 0;   ///< of a blow and what goes with it: the smaller of both surfaces'
+    double loadNow = -1;   ///< N in the last solution of this tick, which bounds friction in the next one; negative: none
     bool outside = false;  ///< pushes by HeapForces, not by rows of the solver
     bool iterated = false; ///< of a cluster that is iterated
     // Of the contact of the last tick that this one continues (ContactMemory):
@@ -143,6 +129,13 @@ struct OdeContact {
     double load = 0, earlier = 0; ///< N along the normal in the last tick and in the previous one
     double expected = 0;          ///< N, the load smoothed
     double grip[3] = {};          ///< N across the normal on the first body
+};
+
+/// The contacts of a tick, sorted by (actor, partner, geom), with what ODE has for each.
+struct TickContacts {
+    std::vector<OdeContact> all;
+    std::vector<dJointFeedback> feedbacks; ///< by contact: its force
+    std::vector<dJointID> rows;            ///< by contact; null: none of the whole tick
 };
 
 } // namespace trundle

@@ -5,41 +5,24 @@
 // than the body is thick, then halving.
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "world/ode/ode_records.h"
+#include "world/ode/body_rotation.h"
+#include "world/ode/contact_search.h"
 
 namespace trundle {
 
-/// What a sweep needs of the engine.
-struct SweepScene {
-    const std::vector<OdeActor>& actors;
-    const std::vector<OdeBody>& bodies;
-    const std::vector<BodyState>& states;
-    const std::vector<OdeGeom>& geoms;
-    const std::vector<GroundPlane>& planes;
-    const std::vector<std::uint32_t>& statics;
-    const std::vector<Vec3>& centres;
-    const std::vector<Box3>&boxes, &actorBoxes;
-    const Vec3& gravity;
-    const std::vector<SurfaceSpec>& surfaces;
-    StaticGrid& grid;
-    std::vector<OdeContact>& contacts;
-    std::function<void(const OdeBody&)> place; ///< finds centres and boxes of its geoms
-    std::function<void(std::uint32_t, const GroundPlane&)> meetPlane;
-    std::function<void(std::uint32_t, std::uint32_t)> meet; ///< two geoms: adds to the contacts
-    std::function<Mat3(const OdeGeom&)> axesOf;
-    std::function<void(std::uint32_t, double)> rewind; ///< a body, to where it was so long after the tick began
-};
-
 class OdeSweep {
 public:
-    explicit OdeSweep(SweepScene scene) : m_scene(std::move(scene)) {}
-    /// Once the bodies have moved, before they are published: the states published last are where they come from.
-    void run(double h);
+    /// All of these outlive this.
+    OdeSweep(const EngineSettings& settings, const OdeObjects& objects, const BodyRotation& rotation, ContactSearch& search,
+             GeomCollider& collider)
+        : m_settings(settings), m_objects(objects), m_rotation(rotation), m_search(search), m_collider(collider) {}
+    /// Once the bodies have moved, before they are published: the states published last are where they come from. `contacts`: of the
+    /// tick.
+    void run(double h, std::span<const OdeContact> contacts);
     /// Bodies times ticks that were swept.
     [[nodiscard]] std::uint64_t count() const { return m_count; }
     /// Geoms of different actors that passed through each other, once for two actors.
@@ -68,9 +51,13 @@ private:
     [[nodiscard]] double freeShare(std::uint32_t geom, const Path& path, bool jointed);
     [[nodiscard]] bool touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead);
     void findPassages(std::uint32_t geom, double h);
-    void stopAt(std::uint32_t actor, double t, double h);
+    void stopAt(std::uint32_t actor, double t, double h, std::span<const OdeContact> contacts);
 
-    SweepScene m_scene;
+    const EngineSettings& m_settings;
+    const OdeObjects& m_objects;
+    const BodyRotation& m_rotation;
+    ContactSearch& m_search;
+    GeomCollider& m_collider;
     std::uint64_t m_count = 0;
     double m_thinnestBox = 1e300; ///< m, of the scenery
     bool m_bounces = false;       ///< what stops the actor at hand

@@ -2,7 +2,7 @@
 // rounding error; without a contact it would fall through one tick and slip while it is caught. So these actors are lowered by a few
 // micrometres along gravity for the search, and each contact gets its true depth back; a gap may close, but no faster than in this
 // tick. Actors higher up are lowered more, so that those of a stack touch each other.
-#include "world/ode/ode_engine.h"
+#include "world/ode/contact_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,30 +15,30 @@ constexpr double kReach = 1e-5; // m
 
 } // namespace
 
-void OdeEngine::findStepContacts() {
+void ContactSearch::findForStep(std::vector<OdeContact>& contacts) {
+    while (m_known < m_objects.actors.size()) markPlaced(m_known++);
     const Vec3 down = m_settings.gravity.normalized();
     if (m_placed.empty() || down.squaredNorm() == 0) {
-        updateBoxes();
-        collide();
+        find(contacts);
         m_placed.clear();
         return;
     }
-    std::vector<double> lowered(m_actors.size(), 0);
+    std::vector<double> lowered(m_objects.actors.size(), 0);
     for (const std::uint32_t actor : m_placed) {
-        const double height = -down.dot(vec(m_bodies[m_actors[actor].bodies.begin].p));
+        const double height = -down.dot(vec(m_objects.bodies[m_objects.actors[actor].bodies.begin].p));
         lowered[actor] = kReach * (1.5 + height / (2 * (1 + std::abs(height)))); // whoever else there is
     }
-    std::vector<Vec3> places(m_bodies.size());
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        places[i] = vec(m_bodies[i].p);
-        const Vec3 to = places[i] + lowered[m_bodies[i].actor] * down;
-        if (lowered[m_bodies[i].actor] > 0) dBodySetPosition(m_bodies[i].id, to.x(), to.y(), to.z());
+    std::vector<Vec3> places(m_objects.bodies.size());
+    for (std::uint32_t i = 0; i < m_objects.bodies.size(); ++i) {
+        places[i] = vec(m_objects.bodies[i].p);
+        const Vec3 to = places[i] + lowered[m_objects.bodies[i].actor] * down;
+        if (lowered[m_objects.bodies[i].actor] > 0) dBodySetPosition(m_objects.bodies[i].id, to.x(), to.y(), to.z());
     }
-    updateBoxes();
-    collide();
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i)
-        if (lowered[m_bodies[i].actor] > 0) dBodySetPosition(m_bodies[i].id, places[i].x(), places[i].y(), places[i].z());
-    for (Contact& c : m_contacts) {
+    find(contacts);
+    for (std::uint32_t i = 0; i < m_objects.bodies.size(); ++i)
+        if (lowered[m_objects.bodies[i].actor] > 0)
+            dBodySetPosition(m_objects.bodies[i].id, places[i].x(), places[i].y(), places[i].z());
+    for (OdeContact& c : contacts) {
         const double closer = (lowered[c.actor] - (c.partner == kNoActor ? 0 : lowered[c.partner])) * -vec(c.normal).dot(down);
         const double depth = c.depth - closer;
         Vec3::Map(c.position) -= (lowered[c.actor] > 0 || c.partner == kNoActor ? lowered[c.actor] : lowered[c.partner]) * down;

@@ -1,5 +1,4 @@
-// From contacts to rows: clusters, surfaces combined, springs whose behaviour does not depend on the tick.
-#include "world/ode/ode_engine.h"
+#include "world/ode/contact_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,6 @@ namespace trundle {
 namespace {
 
 constexpr double kSlipSpeed = 1e-7; // m/s: below it friction's axes are ODE's own choice
-constexpr double kRolling = 0.7;    // cosine between an axis and the floor's normal
 constexpr std::uint32_t kYoung = 2; // ticks
 constexpr double kQuiet = 0.4;      // share of the limit
 constexpr double kLevel = 0.8;      // square of the cosine between normal and gravity
@@ -22,19 +20,25 @@ constexpr double kSettled = 0.7; // share of the load before: with more change t
 
 } // namespace
 
-void OdeEngine::makeContactJoints(double h) {
+ContactRows::ContactRows(const EngineSettings& settings, const OdeWorld& world, const OdeObjects& objects)
+    : m_settings(settings), m_objects(objects), m_geoms(objects.geoms), m_bodies(objects.bodies), m_world(world.id()),
+      m_group(dJointGroupCreate(0)) {}
+
+void ContactRows::make(TickContacts& contacts, double h) {
     const bool quick = m_settings.solver == SolverChoice::Quick;
     const auto young = static_cast<std::uint32_t>(kYoung + kImpact / h);
-    m_contactRows.assign(m_contacts.size(), nullptr);
-    for (std::size_t i = 0; i < m_contacts.size(); ++i) {
-        Contact& c = m_contacts[i];
+    contacts.rows.assign(contacts.all.size(), nullptr);
+    for (std::size_t i = 0; i < contacts.all.size(); ++i) {
+        OdeContact& c = contacts.all[i];
         const bool settled = c.load > kSettled * c.earlier && kSettled * c.load < c.earlier;
         c.bounded = !quick && !c.iterated && c.expected > 0 && (c.bounded || (c.ticks >= kYoung && (settled || c.ticks > young)));
-        if (!c.outside && !c.iterated) m_contactRows[i] = makeContactJoint(c, h, m_contactGroup, &m_contactFeedbacks[i]);
+        if (!c.outside && !c.iterated) contacts.rows[i] = add(c, h, m_group.get(), &contacts.feedbacks[i]);
     }
 }
 
-dJointID OdeEngine::makeContactJoint(const Contact& c, double h, dJointGroupID group, dJointFeedback* feedback) {
+void ContactRows::clear() { dJointGroupEmpty(m_group.get()); }
+
+dJointID ContactRows::add(const OdeContact& c, double h, dJointGroupID group, dJointFeedback* feedback) const {
     dContact contact;
     contact.geom = {};
     fillSurface(c, h, contact);
@@ -45,14 +49,8 @@ dJointID OdeEngine::makeContactJoint(const Contact& c, double h, dJointGroupID g
     return joint;
 }
 
-Vec3 OdeEngine::pointVelocity(const Geom& geom, const Vec3& point) const {
-    if (geom.body == kNone) return Vec3::Zero();
-    const Body& b = m_bodies[geom.body];
-    return vec(b.v) + vec(b.w).cross(point - vec(b.p));
-}
-
-void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
-    const Geom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
+void ContactRows::fillSurface(const OdeContact& c, double h, dContact& out) const {
+    const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
     dSurfaceParameters& s = out.surface;
     std::memset(&s, 0, sizeof s);
     for (int k = 0; k < 3; ++k) {
@@ -70,19 +68,19 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
     }
     if (!(law.along > 0) && !(law.across > 0)) return;
     const Vec3 point = vec(c.position);
-    fillFriction(c, law, pointVelocity(g1, point) - pointVelocity(g2, point), h, out);
+    fillFriction(c, law, m_objects.pointVelocity(g1, point) - m_objects.pointVelocity(g2, point), h, out);
 }
 
 /// Where a geom's friction points, and what it is along that and across: the way a wheel rolls, else the geom's x axis (y where x
 /// stands upright).
-FrictionLaw OdeEngine::ownFriction(std::uint32_t index, const Vec3& outward) const {
-    const Geom& g = m_geoms[index];
+FrictionLaw ContactRows::ownFriction(std::uint32_t index, const Vec3& outward) const {
+    const OdeGeom& g = m_geoms[index];
     const SurfaceSpec& s = m_settings.surfaces[g.surface];
     FrictionLaw law{outward, Vec3::Zero(), s.friction, s.friction2.value_or(s.friction)};
     if (!s.friction2) return law;
     if (g.wheel) law.direction = turn(m_bodies[g.body].r, g.axle).cross(outward);
     if (law.direction.squaredNorm() < 0.1) {
-        const Mat3 axes = axesOf(g);
+        const Mat3 axes = m_objects.axesOf(g);
         const Vec3 axis = std::abs(axes.col(0).dot(outward)) < 0.9 ? axes.col(0) : axes.col(1);
         law.direction = axis - axis.dot(outward) * outward;
     }
@@ -93,7 +91,7 @@ FrictionLaw OdeEngine::ownFriction(std::uint32_t index, const Vec3& outward) con
 }
 
 /// Of the two the smaller, in the direction of the one that has any.
-FrictionLaw OdeEngine::frictionLaw(const Contact& c) const {
+FrictionLaw ContactRows::frictionLaw(const OdeContact& c) const {
     const Vec3 normal = vec(c.normal);
     const SurfaceSpec &s1 = m_settings.surfaces[m_geoms[c.first].surface], &s2 = m_settings.surfaces[m_geoms[c.second].surface];
     const double least = std::min(s1.friction, s2.friction);
@@ -109,7 +107,7 @@ FrictionLaw OdeEngine::frictionLaw(const Contact& c) const {
 }
 
 /// The axis of friction where nothing slips: the way a wheel rolls, what gravity is about to start, any.
-Vec3 OdeEngine::restAxis(const Contact& c, const Vec3& normal, const Vec3& slip, double h) const {
+Vec3 ContactRows::restAxis(const OdeContact& c, const Vec3& normal, const Vec3& slip, double h) const {
     Vec3 rest = vec(c.slide);
     if (rest.squaredNorm() == 0 && c.ticks == 0) {
         rest = slip;
@@ -122,7 +120,7 @@ Vec3 OdeEngine::restAxis(const Contact& c, const Vec3& normal, const Vec3& slip,
 }
 
 /// Far from its limit on level ground: ODE's own bound is good enough there, and cheaper.
-bool OdeEngine::restsQuietly(const Contact& c, const FrictionLaw& law) const {
+bool ContactRows::restsQuietly(const OdeContact& c, const FrictionLaw& law) const {
     const double limit = kQuiet * law.along * c.expected, up = law.normal.dot(m_settings.gravity);
     return law.along == law.across && Vec3::Map(c.grip).squaredNorm() < limit * limit &&
            up * up > kLevel * m_settings.gravity.squaredNorm();
@@ -130,12 +128,12 @@ bool OdeEngine::restsQuietly(const Contact& c, const FrictionLaw& law) const {
 
 /// The cone's two rows. They are bounded by the load that the contact carried in the last tick: ODE's own bound (dContactApprox1)
 /// takes the load as it would be without any friction, and so is only for contacts too young to have one, or still in their impact.
-void OdeEngine::fillFriction(const Contact& c, FrictionLaw law, const Vec3& speed, double h, dContact& out) const {
-    const Geom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
+void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3& speed, double h, dContact& out) const {
+    const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
     const Vec3& normal = law.normal;
     Vec3 belt = Vec3::Zero(); // of the second surface, as the first sees it
-    if (g1.moves) belt -= axesOf(g1) * g1.surfaceVelocity;
-    if (g2.moves) belt += axesOf(g2) * g2.surfaceVelocity;
+    if (g1.moves) belt -= m_objects.axesOf(g1) * g1.surfaceVelocity;
+    if (g2.moves) belt += m_objects.axesOf(g2) * g2.surfaceVelocity;
     Vec3 slip = speed - belt;
     slip -= slip.dot(normal) * normal;
     const Vec3 rest = restAxis(c, normal, slip, h);
@@ -169,22 +167,6 @@ void OdeEngine::fillFriction(const Contact& c, FrictionLaw law, const Vec3& spee
         s.rho = s.rho2 = rolling * load;
         s.rhoN = 0;
     }
-}
-
-/// How the place of a contact moves: with the first body, or with its centre if it rolls there.
-Vec3 OdeEngine::carriedBy(const Contact& c) const {
-    const Geom& g = m_geoms[c.first];
-    const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||
-                       ((g.shape == GeomShape::Cylinder || g.shape == GeomShape::Capsule) &&
-                        std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kRolling);
-    return rolls ? vec(m_bodies[g.body].v) : pointVelocity(g, vec(c.position));
-}
-
-/// Remembers what the contacts carried.
-void OdeEngine::keepContacts(double h) {
-    m_memory.clear();
-    for (std::size_t i = 0; i < m_contacts.size(); ++i)
-        m_memory.keep(m_contacts[i], vec(m_contactFeedbacks[i].f1), h * carriedBy(m_contacts[i]));
 }
 
 } // namespace trundle

@@ -1,6 +1,4 @@
-// Ray casts: candidates are the actors and statics whose box is hit, then their geoms exactly. With a few thousand boxes at most,
-// a linear search is fast enough.
-#include "world/ode/ode_engine.h"
+#include "world/ode/ray_caster.h"
 
 #include <cmath>
 
@@ -29,25 +27,29 @@ bool meets(const Box3& box, const Vec3& origin, const Vec3& direction, double ra
 
 } // namespace
 
-std::optional<RayHit> OdeEngine::rayOnGeom(std::uint32_t index, const Vec3& origin, const Vec3& direction, double range) const {
-    const Geom& g = m_geoms[index];
+RayCaster::RayCaster(const OdeObjects& objects) : m_objects(objects), m_ray(dCreateRay(nullptr, 1)) {
+    dGeomRaySetClosestHit(m_ray.get(), 1);
+}
+
+std::optional<RayHit> RayCaster::rayOnGeom(std::uint32_t index, const Vec3& origin, const Vec3& direction, double range) const {
+    const OdeGeom& g = m_objects.geoms[index];
     if (g.shape == GeomShape::Heightfield && g.data) {
-        const HeightRay ray{g.axes.transpose() * (origin - m_centres[index]), g.axes.transpose() * direction, range};
+        const HeightRay ray{g.axes.transpose() * (origin - m_objects.centres[index]), g.axes.transpose() * direction, range};
         const auto hit = rayOnHeights(ray, *g.data->heightMap, 2 * g.half.x(), 2 * g.half.z(), g.radius);
         if (!hit) return {};
         return RayHit{hit->distance, g.axes * hit->normal, {index}};
     }
-    dGeomRaySetLength(m_ray, range);
-    dGeomRaySet(m_ray, origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+    dGeomRaySetLength(m_ray.get(), range);
+    dGeomRaySet(m_ray.get(), origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     dContactGeom found;
-    if (dCollide(m_ray, g.id, 1, &found, sizeof found) == 0 || !(found.depth <= range)) return {};
+    if (dCollide(m_ray.get(), g.id, 1, &found, sizeof found) == 0 || !(found.depth <= range)) return {};
     Vec3 normal = vec(found.normal);
     if (normal.dot(direction) > 0) normal = -normal;
     return RayHit{found.depth, normal, {index}};
 }
 
-std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, double range, ActorHandle without) const {
-    if (m_fault || !origin.allFinite() || !direction.allFinite() || !(range > 0) || !std::isfinite(range)) return {};
+std::optional<RayHit> RayCaster::cast(const Vec3& origin, const Vec3& direction, double range, ActorHandle without) const {
+    if (!origin.allFinite() || !direction.allFinite() || !(range > 0) || !std::isfinite(range)) return {};
     const double length = direction.norm();
     if (!(length > 1e-12)) return {};
     const Vec3 along = direction / length;
@@ -59,13 +61,13 @@ std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, 
     const auto far = [&] { return best ? best->distance : range; };
     try {
         prepareThread();
-        for (const GroundPlane& plane : m_planes) look(plane.geom);
-        for (const std::uint32_t geom : m_statics)
-            if (meets(m_boxes[geom], origin, along, far())) look(geom);
-        for (std::uint32_t a = 0; a < m_actors.size(); ++a) {
-            if (a == without.index || !meets(m_actorBoxes[a], origin, along, far())) continue;
-            for (std::uint32_t i = m_actors[a].geoms.begin; i < m_actors[a].geoms.end; ++i)
-                if (meets(m_boxes[i], origin, along, far())) look(i);
+        for (const GroundPlane& plane : m_objects.planes) look(plane.geom);
+        for (const std::uint32_t geom : m_objects.statics)
+            if (meets(m_objects.boxes[geom], origin, along, far())) look(geom);
+        for (std::uint32_t a = 0; a < m_objects.actors.size(); ++a) {
+            if (a == without.index || !meets(m_objects.actorBoxes[a], origin, along, far())) continue;
+            for (std::uint32_t i = m_objects.actors[a].geoms.begin; i < m_objects.actors[a].geoms.end; ++i)
+                if (meets(m_objects.boxes[i], origin, along, far())) look(i);
         }
     } catch (const OdeFault&) { return {}; }
     return best;

@@ -1,6 +1,4 @@
-// Joints of the ODE engine. Method: the child is ODE's first body wherever ODE allows it, so that ODE's angles and rates are
-// those of the child relative to the parent. What acts along the free axes is in joint_rows.h.
-#include "world/ode/ode_engine.h"
+#include "world/ode/joint_builder.h"
 
 #include <array>
 #include <cmath>
@@ -21,11 +19,11 @@ bool isCoaxial(GeomShape shape, const Vec3& centre, const Vec3& cylinderAxis, do
 
 } // namespace
 
-void OdeEngine::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32_t actor) {
-    const std::uint32_t first = m_actors[actor].bodies.begin;
-    Joint joint;
+void JointBuilder::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32_t actor) {
+    const std::uint32_t first = m_objects.actors[actor].bodies.begin;
+    OdeJoint joint;
     joint.type = spec.type;
-    joint.order = static_cast<std::uint32_t>(m_joints.size()) - m_actors[actor].joints.begin;
+    joint.order = static_cast<std::uint32_t>(m_objects.joints.size()) - m_objects.actors[actor].joints.begin;
     joint.child = first + static_cast<std::uint32_t>(spec.child);
     joint.parent = spec.parent == kWorldBody ? kNone : first + static_cast<std::uint32_t>(spec.parent);
     joint.stiffness = spec.stiffness;
@@ -36,13 +34,13 @@ void OdeEngine::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32
     carryFrame(joint, frame, main);
     makeJoint(joint, spec, frame);
     if (spec.type == JointType::Hinge || spec.type == JointType::Suspension) findWheels(joint, frame.anchor, main);
-    m_joints.push_back(joint);
-    m_rows.add(static_cast<std::uint32_t>(m_joints.size() - 1), spec, main, frame.axis2);
+    m_objects.joints.push_back(joint);
+    m_rows.add(static_cast<std::uint32_t>(m_objects.joints.size() - 1), spec, main, frame.axis2);
 }
 
 /// Stores the joint frame relative to child and parent.
-void OdeEngine::carryFrame(Joint& joint, const JointFrame& frame, const Vec3& main) const {
-    const Body& child = m_bodies[joint.child];
+void JointBuilder::carryFrame(OdeJoint& joint, const JointFrame& frame, const Vec3& main) const {
+    const OdeBody& child = m_bodies[joint.child];
     joint.childAnchor = turnBack(child.r, frame.anchor - vec(child.p));
     joint.childAxis = turnBack(child.r, main);
     joint.parentAnchor = frame.anchor;
@@ -51,7 +49,7 @@ void OdeEngine::carryFrame(Joint& joint, const JointFrame& frame, const Vec3& ma
     joint.secondAxis = turnBack(child.r, frame.axis2);
     joint.start = quat(child.q);
     if (joint.parent != kNone) {
-        const Body& parent = m_bodies[joint.parent];
+        const OdeBody& parent = m_bodies[joint.parent];
         joint.parentAnchor = turnBack(parent.r, frame.anchor - vec(parent.p));
         joint.parentAxis = turnBack(parent.r, main);
         joint.slideAxis = turnBack(parent.r, frame.axis);
@@ -60,7 +58,7 @@ void OdeEngine::carryFrame(Joint& joint, const JointFrame& frame, const Vec3& ma
     joint.gapLimit = std::max(2 * kLeastGapLimit, 0.1 * joint.childAnchor.norm());
 }
 
-void OdeEngine::makeJoint(Joint& joint, const JointSpec& spec, const JointFrame& frame) {
+void JointBuilder::makeJoint(OdeJoint& joint, const JointSpec& spec, const JointFrame& frame) {
     const auto& [anchor, axis, axis2] = frame;
     switch (spec.type) {
     case JointType::Hinge: makeHinge(joint, anchor, axis); break;
@@ -79,42 +77,24 @@ void OdeEngine::makeJoint(Joint& joint, const JointSpec& spec, const JointFrame&
 }
 
 /// Attaches the child as first body, then the parent or the world.
-dJointID OdeEngine::attached(dJointID id, const Joint& joint) const {
+dJointID JointBuilder::attached(dJointID id, const OdeJoint& joint) const {
     dJointAttach(id, m_bodies[joint.child].id, joint.parent == kNone ? nullptr : m_bodies[joint.parent].id);
     return id;
 }
 
-/// Adds J a a^T to the inertia tensor about the child's centre of mass, where a is the joint axis in the child's axes: about the
-/// axis the rotor contributes its whole inertia, across it none.
-Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
-    const Joint& joint = m_joints[id.index];
-    if (joint.type == JointType::Slider || !(inertia >= 0) || !std::isfinite(inertia))
-        return Error{Code::BadJoint, "takes no axial inertia"};
-    try {
-        prepareThread();
-        dMass mass;
-        dBodyGetMass(m_bodies[joint.child].id, &mass);
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column)
-                mass.I[4 * row + column] += inertia * joint.childAxis[row] * joint.childAxis[column];
-        dBodySetMass(m_bodies[joint.child].id, &mass);
-    } catch (const OdeFault&) { return Error{Code::BadJoint, "takes no such axial inertia"}; }
-    return {};
-}
-
-void OdeEngine::makeHinge(Joint& joint, const Vec3& anchor, const Vec3& axis) {
+void JointBuilder::makeHinge(OdeJoint& joint, const Vec3& anchor, const Vec3& axis) {
     joint.id = attached(dJointCreateHinge(m_world, nullptr), joint);
     dJointSetHingeAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(joint.id, axis.x(), axis.y(), axis.z());
 }
 
-void OdeEngine::makeSlider(Joint& joint, const Vec3& axis) {
+void JointBuilder::makeSlider(OdeJoint& joint, const Vec3& axis) {
     joint.id = attached(dJointCreateSlider(m_world, nullptr), joint);
     dJointSetSliderAxis(joint.id, axis.x(), axis.y(), axis.z());
 }
 
 /// Axis is fixed to the parent; Axis2 to the child, which is ODE's first body.
-void OdeEngine::makeUniversal(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
+void JointBuilder::makeUniversal(OdeJoint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
     joint.id = attached(dJointCreateUniversal(m_world, nullptr), joint);
     dJointSetUniversalAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
     dJointSetUniversalAxis1(joint.id, axis2.x(), axis2.y(), axis2.z());
@@ -122,7 +102,7 @@ void OdeEngine::makeUniversal(Joint& joint, const Vec3& anchor, const Vec3& axis
 }
 
 /// ODE's hinge-2 with its steering locked: the wheel rotates about axis2 and slides along axis.
-void OdeEngine::makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
+void JointBuilder::makeSuspension(OdeJoint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
     joint.id = dJointCreateHinge2(m_world, nullptr);
     dJointAttach(joint.id, m_bodies[joint.parent].id, m_bodies[joint.child].id);
     dJointSetHinge2Anchor(joint.id, anchor.x(), anchor.y(), anchor.z());
@@ -134,11 +114,11 @@ void OdeEngine::makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axi
 }
 
 /// Marks the geoms of the child that are wheels on the axle.
-void OdeEngine::findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle) {
-    const Body& body = m_bodies[joint.child];
+void JointBuilder::findWheels(OdeJoint& joint, const Vec3& anchor, const Vec3& axle) {
+    const OdeBody& body = m_bodies[joint.child];
     bool any = false;
     for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
-        Geom& g = m_geoms[i];
+        OdeGeom& g = m_objects.geoms[i];
         const Vec3 centre = vec(body.p) + turn(body.r, g.offset), along = turn(body.r, g.axes.col(2));
         if ((g.shape != GeomShape::Sphere && g.shape != GeomShape::Cylinder) ||
             !isCoaxial(g.shape, centre, along, g.radius, anchor, axle))
@@ -154,6 +134,23 @@ void OdeEngine::findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle) {
     }
     // Finite rotation keeps the hinge's angle equal to the integral of its rate.
     if (any) dBodySetFiniteRotationMode(body.id, 1);
+}
+
+/// Adds J a a^T to the inertia tensor about the child's centre of mass, where a is the joint axis in the child's axes: about the
+/// axis the rotor contributes its whole inertia, across it none.
+Status addAxialInertia(const OdeJoint& joint, const OdeBody& child, double inertia) {
+    if (joint.type == JointType::Slider || !(inertia >= 0) || !std::isfinite(inertia))
+        return Error{Code::BadJoint, "takes no axial inertia"};
+    try {
+        prepareThread();
+        dMass mass;
+        dBodyGetMass(child.id, &mass);
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column)
+                mass.I[4 * row + column] += inertia * joint.childAxis[row] * joint.childAxis[column];
+        dBodySetMass(child.id, &mass);
+    } catch (const OdeFault&) { return Error{Code::BadJoint, "takes no such axial inertia"}; }
+    return {};
 }
 
 } // namespace trundle

@@ -1,5 +1,4 @@
-// Bodies, geoms and statics of the ODE engine. ODE places a body's origin at its centre of mass, the specs at their own frame.
-#include "world/ode/ode_engine.h"
+#include "world/ode/actor_builder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +16,7 @@ Vec3 reach(const Mat3& axes, const Vec3& half) { return axes.cwiseAbs() * half; 
 
 } // namespace
 
-Result<ActorHandles> OdeEngine::addActor(const ActorDef& def) {
+Result<ActorHandles> ActorBuilder::addActor(const ActorDef& def) {
     ActorHandles handles;
     std::string failure;
     try {
@@ -28,46 +27,49 @@ Result<ActorHandles> OdeEngine::addActor(const ActorDef& def) {
     return handles;
 }
 
-void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure) {
-    const auto index = static_cast<std::uint32_t>(m_actors.size());
+void ActorBuilder::buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure) {
+    const auto index = static_cast<std::uint32_t>(m_objects.actors.size());
     handles.actor = {index};
-    m_actors.emplace_back();
-    m_placed.push_back(index);
-    Actor& actor = m_actors.back();
-    actor.bodies.begin = static_cast<std::uint32_t>(m_bodies.size());
-    actor.geoms.begin = static_cast<std::uint32_t>(m_geoms.size());
-    actor.joints.begin = static_cast<std::uint32_t>(m_joints.size());
+    m_objects.actors.emplace_back();
+    OdeActor& actor = m_objects.actors.back();
+    actor.bodies.begin = static_cast<std::uint32_t>(m_objects.bodies.size());
+    actor.geoms.begin = static_cast<std::uint32_t>(m_objects.geoms.size());
+    actor.joints.begin = static_cast<std::uint32_t>(m_objects.joints.size());
     for (const BodyDef& body : def.bodies) addBody(body, index, handles, failure);
-    actor.bodies.end = static_cast<std::uint32_t>(m_bodies.size());
-    actor.geoms.end = static_cast<std::uint32_t>(m_geoms.size());
+    actor.bodies.end = static_cast<std::uint32_t>(m_objects.bodies.size());
+    actor.geoms.end = static_cast<std::uint32_t>(m_objects.geoms.size());
     if (def.joints)
         for (const JointSpec& joint : *def.joints) {
-            handles.joints.push_back({static_cast<std::uint32_t>(m_joints.size())});
-            addJoint(joint, def, index);
+            handles.joints.push_back({static_cast<std::uint32_t>(m_objects.joints.size())});
+            m_joints.addJoint(joint, def, index);
         }
-    actor.joints.end = static_cast<std::uint32_t>(m_joints.size());
+    actor.joints.end = static_cast<std::uint32_t>(m_objects.joints.size());
     actor.jointed = actor.joints.end > actor.joints.begin;
     if (def.selfCollision) findSelfPairs(actor);
 
-    const bool ball = actor.geoms.end - actor.geoms.begin == 1 && m_geoms[actor.geoms.begin].shape == GeomShape::Sphere;
+    setStiffness(actor);
+    m_objects.actorBoxes.emplace_back();
+    for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) m_objects.publish(i);
+}
+
+/// Of its contacts: so that it sags by no more than kMaxSag under its weight.
+void ActorBuilder::setStiffness(OdeActor& actor) const {
+    const bool ball = actor.geoms.end - actor.geoms.begin == 1 && m_objects.geoms[actor.geoms.begin].shape == GeomShape::Sphere;
     const double gravity = std::max(9.81, m_settings.gravity.norm());
     actor.stiffness = std::max(kContactStiffness, actor.mass * gravity / ((ball ? 1 : kFewestSupports) * kMaxSag));
     for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i)
-        if (m_joints[i].type == JointType::Suspension) {
+        if (m_objects.joints[i].type == JointType::Suspension) {
             actor.stiffness *= kSuspendedStiffness;
             break;
         }
     actor.damping = kContactDamping * actor.stiffness / kContactStiffness;
-    m_actorBoxes.emplace_back();
-    m_bodiesDone = false;
-    for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) publishBody(i);
 }
 
-void OdeEngine::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& handles, std::string& failure) {
+void ActorBuilder::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& handles, std::string& failure) {
     const BodySpec& spec = *def.spec;
-    const auto index = static_cast<std::uint32_t>(m_bodies.size());
+    const auto index = static_cast<std::uint32_t>(m_objects.bodies.size());
     handles.bodies.push_back({index});
-    Body body;
+    OdeBody body;
     body.id = dBodyCreate(m_world);
     body.actor = actor;
     body.centre = spec.mass.centre;
@@ -88,20 +90,20 @@ void OdeEngine::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& h
     body.q = dBodyGetQuaternion(body.id);
     body.v = dBodyGetLinearVel(body.id);
     body.w = dBodyGetAngularVel(body.id);
-    body.geoms.begin = static_cast<std::uint32_t>(m_geoms.size());
-    m_bodies.push_back(body);
-    m_rotation.add(spec.mass.inertia);
-    m_states.emplace_back();
-    m_actors[actor].mass += spec.mass.mass;
+    body.geoms.begin = static_cast<std::uint32_t>(m_objects.geoms.size());
+    m_objects.bodies.push_back(body);
+    m_objects.inertias.push_back(spec.mass.inertia);
+    m_objects.states.emplace_back();
+    m_objects.actors[actor].mass += spec.mass.mass;
     auto& geoms = handles.geoms.emplace_back();
     for (const GeomSpec& geom : spec.geoms) {
         const bool made = geom.collide && addGeom(geom, index, failure);
-        geoms.push_back(made ? GeomHandle{static_cast<std::uint32_t>(m_geoms.size() - 1)} : GeomHandle{});
+        geoms.push_back(made ? GeomHandle{static_cast<std::uint32_t>(m_objects.geoms.size() - 1)} : GeomHandle{});
     }
-    m_bodies[index].geoms.end = static_cast<std::uint32_t>(m_geoms.size());
+    m_objects.bodies[index].geoms.end = static_cast<std::uint32_t>(m_objects.geoms.size());
 }
 
-bool OdeEngine::addGeom(const GeomSpec& spec, std::uint32_t body, std::string& failure) {
+bool ActorBuilder::addGeom(const GeomSpec& spec, std::uint32_t body, std::string& failure) {
     Result<OdeShape> made = makeShape(spec);
     if (!made) {
         failure = made.error().message;
@@ -109,46 +111,46 @@ bool OdeEngine::addGeom(const GeomSpec& spec, std::uint32_t body, std::string& f
     }
     const OdeShape& shape = made.value();
     const Pose pose = spec.pose * shape.centre;
-    Geom geom;
+    OdeGeom geom;
     geom.shape = spec.shape == GeomShape::Mesh && spec.collideAsHull ? GeomShape::Convex : spec.shape;
-    geom.actor = m_bodies[body].actor;
+    geom.actor = m_objects.bodies[body].actor;
     geom.body = body;
     geom.surface = spec.surface;
     geom.id = shape.id;
     geom.data = shape.data;
-    geom.offset = pose.position - m_bodies[body].centre;
+    geom.offset = pose.position - m_objects.bodies[body].centre;
     geom.axes = pose.rotation.toRotationMatrix();
     geom.turned = !pose.rotation.isApprox(Quat::Identity(), 0);
     geom.half = shape.half;
     geom.radius = spec.radius;
     geom.bound = shape.bound;
-    m_bodies[body].thin = std::min(m_bodies[body].thin, geom.half.minCoeff());
-    m_bodies[body].reach = std::max(m_bodies[body].reach, geom.offset.norm() + geom.bound);
-    dGeomSetBody(geom.id, m_bodies[body].id);
+    m_objects.bodies[body].thin = std::min(m_objects.bodies[body].thin, geom.half.minCoeff());
+    m_objects.bodies[body].reach = std::max(m_objects.bodies[body].reach, geom.offset.norm() + geom.bound);
+    dGeomSetBody(geom.id, m_objects.bodies[body].id);
     dReal q[4];
     toOde(pose.rotation, q);
     dGeomSetOffsetPosition(geom.id, geom.offset.x(), geom.offset.y(), geom.offset.z());
     dGeomSetOffsetQuaternion(geom.id, q);
-    m_geoms.push_back(std::move(geom));
-    m_centres.emplace_back();
-    m_boxes.emplace_back();
+    m_objects.geoms.push_back(std::move(geom));
+    m_objects.centres.emplace_back();
+    m_objects.boxes.emplace_back();
     return true;
 }
 
-Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
+Result<GeomHandle> ActorBuilder::addStatic(const GeomSpec& spec, const Pose& at) {
     try {
         prepareThread();
-        Geom geom;
+        OdeGeom geom;
         geom.shape = spec.shape == GeomShape::Mesh && spec.collideAsHull ? GeomShape::Convex : spec.shape;
         geom.surface = spec.surface;
         geom.radius = spec.shape == GeomShape::Heightfield ? spec.size.z() : spec.radius;
-        const auto index = static_cast<std::uint32_t>(m_geoms.size());
+        const auto index = static_cast<std::uint32_t>(m_objects.geoms.size());
         Pose pose = at;
         if (spec.shape == GeomShape::Plane) {
             const Vec3 normal = (at.rotation * Vec3::UnitZ()).normalized();
             const double distance = normal.dot(at.position);
             geom.id = dCreatePlane(nullptr, normal.x(), normal.y(), normal.z(), distance);
-            m_planes.push_back({index, normal, distance});
+            m_objects.planes.push_back({index, normal, distance});
         } else {
             Result<OdeShape> made = makeShape(spec);
             if (!made) return made.error();
@@ -161,43 +163,26 @@ Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
             toOde(pose.rotation, q);
             dGeomSetPosition(geom.id, pose.position.x(), pose.position.y(), pose.position.z());
             dGeomSetQuaternion(geom.id, q);
-            m_statics.push_back(index);
+            m_objects.statics.push_back(index);
         }
         geom.axes = pose.rotation.toRotationMatrix();
-        m_sweep.addScenery(geom);
         const Vec3 half = reach(geom.axes, geom.half), lo = pose.position - half, hi = pose.position + half;
-        m_geoms.push_back(std::move(geom));
-        m_centres.push_back(pose.position);
-        m_boxes.push_back({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}});
-        m_staticsDone = false;
+        m_objects.geoms.push_back(std::move(geom));
+        m_objects.centres.push_back(pose.position);
+        m_objects.boxes.push_back({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}});
         return GeomHandle{index};
     } catch (const OdeFault&) { return Error{Code::BadGeometry, spec.name + ": " + kRefused}; }
 }
 
-void OdeEngine::finishStatics() {
-    std::vector<Box3> boxes;
-    for (const std::uint32_t geom : m_statics) boxes.push_back(m_boxes[geom]);
-    m_grid.build(std::move(boxes));
-    m_staticsDone = true;
-}
-
-void OdeEngine::finishBodies() {
-    m_pinned.start(m_bodies, m_joints, m_settings.gravity);
-    m_rotation.start(m_bodies, m_joints, m_pinned);
-    m_drift.setUp(m_bodies, m_joints);
-    m_plan.setUp(m_bodies, m_joints);
-    m_bodiesDone = true;
-}
-
 /// Finds all pairs of geoms whose bodies differ and are not directly joined.
-void OdeEngine::findSelfPairs(Actor& actor) {
+void ActorBuilder::findSelfPairs(OdeActor& actor) const {
     for (std::uint32_t a = actor.geoms.begin; a < actor.geoms.end; ++a)
         for (std::uint32_t b = a + 1; b < actor.geoms.end; ++b) {
-            const std::uint32_t x = m_geoms[a].body, y = m_geoms[b].body;
+            const std::uint32_t x = m_objects.geoms[a].body, y = m_objects.geoms[b].body;
             bool joined = x == y;
             for (std::uint32_t j = actor.joints.begin; j < actor.joints.end && !joined; ++j)
-                joined =
-                    (m_joints[j].child == x && m_joints[j].parent == y) || (m_joints[j].child == y && m_joints[j].parent == x);
+                joined = (m_objects.joints[j].child == x && m_objects.joints[j].parent == y) ||
+                         (m_objects.joints[j].child == y && m_objects.joints[j].parent == x);
             if (!joined) actor.selfPairs.emplace_back(a, b);
         }
 }

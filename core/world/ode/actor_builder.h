@@ -1,0 +1,32 @@
+#pragma once
+// Makes bodies, geoms and statics of their specs. ODE places a body's origin at its centre of mass, the specs at their own frame.
+
+#include <string>
+
+#include "world/ode/joint_builder.h"
+
+namespace trundle {
+
+class ActorBuilder {
+public:
+    /// All of these outlive this.
+    ActorBuilder(const EngineSettings& settings, const OdeWorld& world, OdeObjects& objects, JointRows& rows)
+        : m_settings(settings), m_world(world.id()), m_objects(objects), m_joints(world, objects, rows) {}
+
+    [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor);
+    [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose);
+
+private:
+    void buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure);
+    void addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& handles, std::string& failure);
+    [[nodiscard]] bool addGeom(const GeomSpec& spec, std::uint32_t body, std::string& failure);
+    void setStiffness(OdeActor& actor) const;
+    void findSelfPairs(OdeActor& actor) const;
+
+    const EngineSettings& m_settings;
+    dWorldID m_world;
+    OdeObjects& m_objects;
+    JointBuilder m_joints;
+};
+
+} // namespace trundle

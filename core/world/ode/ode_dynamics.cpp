@@ -1,0 +1,70 @@
+#include "world/ode/ode_dynamics.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+OdeDynamics::OdeDynamics(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts)
+    : m_settings(settings), m_objects(objects), m_contacts(contacts), m_rows(settings, world, objects), m_heaps(settings),
+      m_solver(settings, world, objects, contacts, m_rows, m_drift) {}
+
+void OdeDynamics::prepare() {
+    if (m_prepared == m_objects.bodies.size()) return;
+    m_pinned.start(m_objects.bodies, m_objects.joints, m_settings.gravity);
+    m_rotation.start(m_objects.bodies, m_objects.inertias, m_objects.joints, m_pinned);
+    m_drift.setUp(m_objects.bodies, m_objects.joints);
+    m_plan.setUp(m_objects.bodies, m_objects.joints);
+    m_prepared = m_objects.bodies.size();
+}
+
+void OdeDynamics::forget(std::uint32_t actor) {
+    m_memory.forget(actor);
+    m_heaps.forget(m_objects.actors[actor].bodies);
+}
+
+void OdeDynamics::step(double h) {
+    m_impacts.find(m_contacts.all, m_objects.bodies, m_objects.geoms, m_settings.surfaces);
+    m_pinned.before(m_objects.bodies, m_objects.joints, h, m_drift.expectRates(m_objects.bodies));
+    m_rotation.before(m_objects.bodies, m_impacts.touching(), h);
+    m_drift.start(m_objects.bodies, m_contacts.all);
+    solve(h);
+    m_pinned.after(m_objects.bodies);
+    m_rotation.after(m_objects.bodies, h);
+}
+
+void OdeDynamics::solve(double h) {
+    m_plan.make(m_settings.solver, -m_settings.gravity.normalized(), m_contacts.all, m_objects.geoms);
+    recordLargest();
+    m_memory.recall(m_contacts.all);
+    m_contacts.feedbacks.resize(m_contacts.all.size()); // the solver fills every one; they must stay where they are until it has
+    if (m_plan.hasOutside())
+        m_heaps.apply(h, m_contacts.all, m_objects.bodies, m_objects.geoms, m_plan.clusters(), m_contacts.feedbacks);
+    else m_heaps.skip();
+    m_rows.make(m_contacts, h);
+    m_solver.step(h, m_plan);
+    while (m_settings.solver != SolverChoice::Quick &&
+           m_impacts.needRepeat(m_contacts.all, m_contacts.feedbacks, m_objects.bodies, m_objects.geoms, m_solver.before())) {
+        m_rows.clear();
+        m_rows.make(m_contacts, h);
+        m_solver.stepAgain(h, m_plan);
+    }
+    m_rows.clear();
+    keepContacts(h);
+}
+
+void OdeDynamics::recordLargest() {
+    const bool large = m_plan.largest() > kExactClusterMax;
+    if (m_settings.calls) // informed of all contacts where none joins bodies
+        m_settings.calls->recordCluster(large ? m_plan.largest() : static_cast<std::uint32_t>(m_contacts.all.size()),
+                                        large ? m_plan.largestName() : kNone);
+    if (large) m_largestExactCluster = std::max<std::size_t>(m_largestExactCluster, m_plan.largest());
+}
+
+/// Remembers what the contacts carried.
+void OdeDynamics::keepContacts(double h) {
+    m_memory.clear();
+    for (std::size_t i = 0; i < m_contacts.all.size(); ++i)
+        m_memory.keep(m_contacts.all[i], vec(m_contacts.feedbacks[i].f1), h * m_objects.carriedBy(m_contacts.all[i]));
+}
+
+} // namespace trundle

@@ -1,0 +1,48 @@
+#include "world/ode/pending_writes.h"
+
+namespace trundle {
+
+std::vector<std::uint32_t> PendingWrites::apply(OdeObjects& objects) {
+    std::vector<std::uint32_t> moved;
+    for (const ActorMotion& motion : m_motions) {
+        move(objects, motion);
+        moved.push_back(motion.actor);
+    }
+    for (const JointTorque& torque : m_torques) addTorque(objects, torque);
+    for (const BodyForce& f : m_forces)
+        dBodyAddForceAtPos(objects.bodies[f.body].id, f.force.x(), f.force.y(), f.force.z(), f.point.x(), f.point.y(),
+                           f.point.z());
+    m_motions.clear();
+    m_torques.clear();
+    m_forces.clear();
+    return moved;
+}
+
+void PendingWrites::addTorque(const OdeObjects& objects, const JointTorque& write) {
+    const OdeJoint& j = objects.joints[write.joint];
+    if (j.type == JointType::Slider) {
+        dJointAddSliderForce(j.id, write.torque);
+        return;
+    }
+    const OdeBody& child = objects.bodies[j.child];
+    const Vec3 torque = write.torque * turn(child.r, j.childAxis);
+    dBodyAddTorque(child.id, torque.x(), torque.y(), torque.z());
+    if (j.parent != kNone) dBodyAddTorque(objects.bodies[j.parent].id, -torque.x(), -torque.y(), -torque.z());
+}
+
+void PendingWrites::move(OdeObjects& objects, const ActorMotion& write) {
+    const OdeActor& actor = objects.actors[write.actor];
+    for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) {
+        const OdeBody& b = objects.bodies[i];
+        const Vec3 position = write.motion * vec(b.p);
+        dReal q[4];
+        toOde((write.motion.rotation * quat(b.q)).normalized(), q);
+        dBodySetPosition(b.id, position.x(), position.y(), position.z());
+        dBodySetQuaternion(b.id, q);
+        dBodySetLinearVel(b.id, 0, 0, 0);
+        dBodySetAngularVel(b.id, 0, 0, 0);
+    }
+    for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i) objects.joints[i].rate = objects.joints[i].lastRate = 0;
+}
+
+} // namespace trundle
