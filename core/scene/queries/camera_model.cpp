@@ -44,20 +44,30 @@ CameraModel cameraFrom(const ComponentSpec& spec) {
     return camera;
 }
 
+/// The distance from the centre at which the image starts to fold back, that is the first root of the slope 1 + 3 k1 r² + 5 k2 r⁴;
+/// at most kWidestHalfTangent.
+double firstFold(double k1, double k2) {
+    const double half = -1.5 * k1, root = half * half - 5 * k2;
+    if (root < 0 || half + std::sqrt(root) <= 0) return kWidestHalfTangent;
+    return std::min(kWidestHalfTangent, std::sqrt(1 / (half + std::sqrt(root))));
+}
+
 /// Inverts the radial distortion: returns the undistorted distance from the centre for the distorted distance `shown`, or a
-/// negative value where no ray reaches `shown`. Newton's method starting at the centre; where a barrel distortion folds back,
-/// only the inner part is used.
-double withoutDistortion(double shown, double k1, double k2) {
-    double r = shown;
-    for (int round = 0; round < 50; ++round) {
+/// negative value where no ray before `fold` reaches `shown`. Newton's method with bisection as its safeguard.
+double withoutDistortion(double shown, double fold, double k1, double k2) {
+    const auto bent = [&](double r) { return r * (1 + k1 * r * r + k2 * r * r * r * r); };
+    if (bent(fold) < shown) return -1;
+    double low = 0, high = fold, r = std::min(shown, fold);
+    for (int round = 0; round < 100; ++round) {
         const double r2 = r * r, slope = 1 + 3 * k1 * r2 + 5 * k2 * r2 * r2;
-        if (!(slope > 1e-3) || !(r < kWidestHalfTangent)) return -1;
-        const double step = (r * (1 + k1 * r2 + k2 * r2 * r2) - shown) / slope;
-        r -= step;
-        if (std::abs(step) < 1e-12) break;
+        (bent(r) < shown ? low : high) = r;
+        double next = r - (bent(r) - shown) / slope;
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        const double step = std::abs(next - r);
+        r = next;
+        if (step < 1e-12) break;
     }
-    const double r2 = r * r;
-    return r >= 0 && std::abs(r * (1 + k1 * r2 + k2 * r2 * r2) - shown) < 1e-6 ? r : -1;
+    return r;
 }
 
 } // namespace
@@ -101,11 +111,12 @@ std::optional<LensMap> lensMapOf(const CameraModel& camera) {
     map.sources.resize(std::size_t(camera.width) * camera.height);
     std::vector<std::array<double, 2>> rays(map.sources.size(), {0, 0}); // ray tangents: right, down
     std::vector<bool> seen(map.sources.size(), false);
+    const double fold = firstFold(camera.k1, camera.k2);
     double widest = 1e-3, highest = 1e-3;
     for (std::uint32_t y = 0; y < camera.height; ++y) {
         for (std::uint32_t x = 0; x < camera.width; ++x) {
             const double right = (x + 0.5 - 0.5 * camera.width) / focal, down = (y + 0.5 - 0.5 * camera.height) / focal;
-            const double shown = std::hypot(right, down), real = withoutDistortion(shown, camera.k1, camera.k2);
+            const double shown = std::hypot(right, down), real = withoutDistortion(shown, fold, camera.k1, camera.k2);
             if (real < 0) continue;
             const std::size_t i = std::size_t(y) * camera.width + x;
             const double stretch = shown > 0 ? real / shown : 1;
