@@ -61,6 +61,17 @@ inline double skidRate(const std::vector<Eigen::Vector2d>& points, double speed)
     return low;
 }
 
+/// Mean turn rate about z over some seconds, in rad/s; empty where the run fails.
+inline std::optional<double> turnRate(World& world, const char* body, double seconds) {
+    const int n = static_cast<int>(std::lround(seconds / world.experiment().settings.tick));
+    double turned = 0;
+    for (int i = 0; i < n; ++i) {
+        if (!world.tick()) return std::nullopt;
+        turned += spin(world, body).z();
+    }
+    return turned / n;
+}
+
 inline Measure skidSteers(Vehicle v, double speed) {
     return [=](const Conditions& c) -> Figures {
         Vehicle copy = v;
@@ -76,13 +87,9 @@ inline Measure skidSteers(Vehicle v, double speed) {
             points.push_back({at.x() - copy.centre.x(), at.y()});
         }
         if (!run(*world, 1.5)) return {};
-        double turned = 0;
-        const int n = static_cast<int>(std::lround(1.5 / c.tick));
-        for (int i = 0; i < n; ++i) {
-            if (!world->tick()) return {};
-            turned += spin(*world, "v/chassis").z();
-        }
-        return {turned / n, skidRate(points, speed)};
+        const std::optional<double> rate = turnRate(*world, "v/chassis", 1.5);
+        if (!rate) return {};
+        return {*rate, skidRate(points, speed)};
     };
 }
 

@@ -86,16 +86,12 @@ Measure tracksTurn(double mass, double length, double gauge, double width, doubl
         setBelt(*world, "tracked/leftBelt", {speed, 0, 0});
         setBelt(*world, "tracked/rightBelt", {-speed, 0, 0});
         if (!run(*world, 1.5)) return {};
-        double turned = 0;
-        const int n = static_cast<int>(std::lround(1.5 / c.tick));
-        for (int i = 0; i < n; ++i) {
-            if (!world->tick()) return {};
-            turned += spin(*world, "tracked/chassis").z();
-        }
+        const std::optional<double> rate = turnRate(*world, "tracked/chassis", 1.5);
+        if (!rate) return {};
         std::vector<Eigen::Vector2d> points;
         for (const double y : {gauge / 2, -gauge / 2})
             for (const Eigen::Vector2d& p : corners(length / 2, width / 2)) points.push_back({p.x(), p.y() + y});
-        return {turned / n, skidRate(points, speed)};
+        return {*rate, skidRate(points, speed)};
     };
 }
 
