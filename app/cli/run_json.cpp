@@ -35,7 +35,7 @@ Json posesJson(const World& world) {
     Json robots = Json::object();
     const std::vector<RobotSpec>& specs = world.experiment().robots;
     for (std::size_t i = 0; i < specs.size(); ++i) {
-        const Pose pose = world.robotPose(i);
+        const Pose pose = world.reportedPose(i);
         robots[specs[i].name] = {{"pos", triple(pose.position)},
                                  {"hpr", triple(hprFromRotation(pose.rotation).unaryExpr(&readableDegrees))},
                                  {"signals", Json::object()}};

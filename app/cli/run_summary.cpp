@@ -76,7 +76,7 @@ std::string robotRows(const RunReport& report, const World& world) {
     const bool hasObjects = std::ranges::any_of(robots, [](const RobotSpec& robot) { return isPassive(robot); });
     std::string text = hasObjects && robots.size() <= kMaxListed ? row("world", worldText(world.experiment())) : "";
     for (std::size_t i = 0; i < robots.size() && robots.size() <= kMaxListed; ++i) {
-        text += row(robots[i].name, poseText(world.robotPose(i)));
+        text += row(robots[i].name, poseText(world.reportedPose(i)));
         for (const DriveTotals& drive : report.drives)
             if (drive.robot == i) text += driveRows(drive);
     }

@@ -19,7 +19,7 @@ public:
     void header(std::string& csv) const override {
         CsvWriter out(csv);
         for (const char* name : {"time [s]", "first", "second", "x [m]", "y [m]", "z [m]", "normal x", "normal y", "normal z",
-                                 "depth [m]", "force [N]"})
+                                 "depth [m]", "force [N]", "friction x [N]", "friction y [N]", "friction z [N]"})
             out.cell(name);
         out.endRow();
     }
@@ -31,7 +31,9 @@ public:
             out.cell(time).cell(contact.first).cell(contact.second);
             for (int i = 0; i < 3; ++i) out.cell(contact.position[i]);
             for (int i = 0; i < 3; ++i) out.cell(contact.normal[i]);
-            out.cell(contact.depth).cell(contact.force).endRow();
+            out.cell(contact.depth).cell(contact.force);
+            for (int i = 0; i < 3; ++i) out.cell(contact.friction[i]);
+            out.endRow();
         }
     }
 
@@ -46,7 +48,8 @@ private:
 } // namespace
 
 void ContactLogSettings::describe(Describe<ContactLogSettings>& d) {
-    d.help("What touches what: place, normal towards the first, depth and force of each contact of the last tick.");
+    d.help("What touches what: place, normal towards the first, depth, force along it and friction on the first of each contact "
+           "of the last tick.");
     d.field("Robot", &ContactLogSettings::robots, text(),
             "Contacts of these robots only: names, a Grid's name, or a pattern such as \"robot*\".");
     describeLogSettings(d);

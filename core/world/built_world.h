@@ -49,9 +49,10 @@ struct DeviceCall {
 struct BuiltRobot {
     const RobotSpec* spec = nullptr;
     ActorHandles handles;
-    Pose frameInFirst;         ///< pose of the config frame in the first body's frame
-    bool frameIsFirst = false; ///< frameInFirst is the identity
-    std::uint32_t image = 0;   ///< first slot of its signals
+    Pose frameInFirst;          ///< pose of the config frame in the first body's frame
+    bool frameIsFirst = false;  ///< frameInFirst is the identity
+    std::optional<Vec3> centre; ///< of a passive object: centre of mass of its first body in the config frame
+    std::uint32_t image = 0;    ///< first slot of its signals
     std::uint32_t firstDevice = 0, deviceCount = 0;
 };
 
@@ -96,6 +97,7 @@ public:
     [[nodiscard]] SweepReport sweeps() const override;
     [[nodiscard]] std::uint64_t stateHash() const override;
     [[nodiscard]] Pose robotPose(std::size_t robot) const override;
+    [[nodiscard]] Pose reportedPose(std::size_t robot) const override;
     [[nodiscard]] RobotEnergy robotEnergy(std::size_t robot) const override;
     [[nodiscard]] const std::vector<WorldContact>& contacts() const override;
     [[nodiscard]] Medium* medium() const override { return m_medium.get(); }
@@ -125,7 +127,6 @@ private:
     void setupDevices(Diagnostics& diagnostics);
     void orderDevices(Diagnostics& diagnostics);
     [[nodiscard]] Device* deviceNamed(const BuiltRobot& robot, std::string_view name);
-
     void print(const Device& device, int severity, const char* text);
 
     // world_radio.cpp
@@ -147,8 +148,8 @@ private:
     [[nodiscard]] Status stopAt(const EngineFault& fault);
     [[nodiscard]] Status stop(Code code, Fault fault);
     [[nodiscard]] Status stopped() const;
-
     [[nodiscard]] Pose framePose(const BuiltRobot& robot) const;
+    [[nodiscard]] Pose centredPose(const BuiltRobot& robot) const; ///< see World::reportedPose
 
     std::shared_ptr<const ExperimentSpec> m_experiment;
     std::shared_ptr<CallMonitor> m_calls; ///< declared before the devices, whose destructor calls it monitors
@@ -172,8 +173,7 @@ private:
 
     TrundleServices m_services{};
     Device* m_current = nullptr; ///< the device whose act or sense is running
-    bool m_inAct = false;
-    bool m_deviceNoted = false; ///< some device has reported a failure
+    bool m_inAct = false, m_deviceNoted = false; ///< noted: some device has reported a failure
     DeviceText m_deviceText;
     std::vector<SetupText> m_earlyTexts;
 

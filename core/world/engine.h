@@ -98,7 +98,8 @@ struct EngineContact {
     Vec3 position = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ(); ///< towards `first`
     double depth = 0;
-    double force = 0; ///< N along the normal
+    double force = 0;             ///< N along the normal
+    Vec3 friction = Vec3::Zero(); ///< N across the normal, on `first`
 };
 
 struct RayHit {

@@ -31,9 +31,10 @@ using DeviceText = std::function<void(const std::string&, int, const std::string
 struct WorldContact {
     std::string_view first, second; ///< geom paths "robot0/chassis/bumper", "arena/north"
     Vec3 position = Vec3::Zero();
-    Vec3 normal = Vec3::UnitZ(); ///< towards `first`
-    double depth = 0;            ///< m
-    double force = 0;            ///< N along the normal
+    Vec3 normal = Vec3::UnitZ();  ///< towards `first`
+    double depth = 0;             ///< m
+    double force = 0;             ///< N along the normal
+    Vec3 friction = Vec3::Zero(); ///< N across the normal, in the world, on `first`; the opposite acts on `second`
 };
 
 /// Kinetic and potential energy of one robot, J.
@@ -89,6 +90,9 @@ public:
     [[nodiscard]] virtual std::uint64_t stateHash() const = 0;
     /// Pose in the world of a robot's config frame, which is attached to its first body.
     [[nodiscard]] virtual Pose robotPose(std::size_t robot) const = 0;
+    /// Pose in the world that the signal `pose` and logs report: that of the config frame. For a passive object (isPassive) its
+    /// position is that of the centre of mass of its first body, as the config frame of a ball that rolls circles around it.
+    [[nodiscard]] virtual Pose reportedPose(std::size_t robot) const { return robotPose(robot); }
     [[nodiscard]] virtual RobotEnergy robotEnergy(std::size_t robot) const = 0;
     [[nodiscard]] virtual const std::vector<WorldContact>& contacts() const = 0;
 

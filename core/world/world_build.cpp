@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "base/rng.h"
+#include "model/passive_objects.h"
 #include "world/built_world.h"
 #include "world/signal_plan.h"
 #include "world/validate.h"
@@ -101,6 +102,7 @@ void BuiltWorld::buildRobots(Diagnostics& diagnostics) {
         const Pose& first = spec.config->bodies[0].pose;
         robot.frameInFirst = first.inverse();
         robot.frameIsFirst = first.position.isZero(0) && first.rotation.coeffs() == Quat::Identity().coeffs();
+        if (isPassive(spec)) robot.centre = first * spec.config->bodies[0].mass.centre;
     }
 }
 

@@ -47,6 +47,7 @@ std::uint64_t BuiltWorld::stateHash() const {
 }
 
 Pose BuiltWorld::robotPose(std::size_t robot) const { return robot < m_robots.size() ? framePose(m_robots[robot]) : Pose{}; }
+Pose BuiltWorld::reportedPose(std::size_t robot) const { return robot < m_robots.size() ? centredPose(m_robots[robot]) : Pose{}; }
 
 RobotEnergy BuiltWorld::robotEnergy(std::size_t index) const {
     RobotEnergy energy;
@@ -67,7 +68,7 @@ const std::vector<WorldContact>& BuiltWorld::contacts() const {
     m_contacts.clear();
     for (std::size_t i = 0; i < m_engine->contactCount(); ++i) {
         const EngineContact c = m_engine->contact(i);
-        m_contacts.push_back({m_geomPaths[c.first], m_geomPaths[c.second], c.position, c.normal, c.depth, c.force});
+        m_contacts.push_back({m_geomPaths[c.first], m_geomPaths[c.second], c.position, c.normal, c.depth, c.force, c.friction});
     }
     m_contactsReady = true;
     return m_contacts;

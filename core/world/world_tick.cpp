@@ -81,7 +81,7 @@ void BuiltWorld::publish() {
 /// Same order as layOutSignals().
 void BuiltWorld::publishRobot(const BuiltRobot& robot, double* to) const {
     const BodyState& first = m_engine->state(robot.handles.bodies[0]);
-    const Pose frame = framePose(robot);
+    const Pose frame = centredPose(robot);
     to = put(to, frame.position, frame.rotation);
     to = put(to, first.linear + first.angular.cross(frame.position - first.position));
     to = put(to, first.angular);
@@ -104,6 +104,12 @@ Pose BuiltWorld::framePose(const BuiltRobot& robot) const {
     const BodyState& first = m_engine->state(robot.handles.bodies[0]);
     const Pose body{first.position, first.rotation};
     return robot.frameIsFirst ? body : body * robot.frameInFirst;
+}
+
+Pose BuiltWorld::centredPose(const BuiltRobot& robot) const {
+    Pose pose = framePose(robot);
+    if (robot.centre) pose.position = pose * *robot.centre;
+    return pose;
 }
 
 } // namespace trundle

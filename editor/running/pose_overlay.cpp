@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "model/passive_objects.h"
+
 namespace trundle {
 
 namespace {
@@ -31,8 +33,11 @@ void put(const SignalLayout& layout, SignalBlock& block, const std::string& owne
 
 } // namespace
 
-std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const std::string& robot) {
-    return poseIn(layout, block, robot);
+std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const RobotSpec& robot) {
+    if (!isPassive(robot)) return poseIn(layout, block, robot.name);
+    const BodySpec& first = robot.config->bodies[0];
+    const auto body = poseIn(layout, block, robot.name + "/" + first.name);
+    return body ? std::optional(*body * first.pose.inverse()) : std::nullopt;
 }
 
 std::shared_ptr<const SignalBlock> withPlaced(const SignalLayout& layout, const SignalBlock& block,
@@ -40,14 +45,16 @@ std::shared_ptr<const SignalBlock> withPlaced(const SignalLayout& layout, const 
     auto moved = std::make_shared<SignalBlock>(layout);
     moved->copyFrom(block);
     for (const PlaceCommand& place : placed) {
-        const auto now = poseIn(layout, block, place.robot);
         const auto robot = std::ranges::find_if(experiment.robots, [&](const RobotSpec& r) { return r.name == place.robot; });
-        if (!now || robot == experiment.robots.end() || !robot->config) continue;
+        if (robot == experiment.robots.end() || !robot->config) continue;
+        const auto now = shownPose(layout, block, *robot);
+        if (!now) continue;
         const Pose motion = place.pose * now->inverse();
         for (const BodySpec& body : robot->config->bodies)
             if (const auto pose = poseIn(layout, block, place.robot + "/" + body.name))
                 put(layout, *moved, place.robot + "/" + body.name, motion * *pose);
-        put(layout, *moved, place.robot, place.pose);
+        if (const auto pose = poseIn(layout, block, place.robot))
+            put(layout, *moved, place.robot, isPassive(*robot) ? motion * *pose : place.pose);
     }
     return moved;
 }

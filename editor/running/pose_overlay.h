@@ -14,7 +14,7 @@
 namespace trundle {
 
 /// Pose of the robot's config frame in the world, from a signal block.
-[[nodiscard]] std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const std::string& robot);
+[[nodiscard]] std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const RobotSpec& robot);
 /// The block with robots moved to other poses, at rest, including all their bodies.
 [[nodiscard]] std::shared_ptr<const SignalBlock> withPlaced(const SignalLayout& layout, const SignalBlock& block,
                                                             const ExperimentSpec& experiment,

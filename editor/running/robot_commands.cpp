@@ -29,7 +29,8 @@ std::optional<Pose> RobotCommands::pose(const std::string& robot) const {
     for (const PlaceCommand& place : m_placed)
         if (place.robot == robot) return place.pose;
     if (!m_run.snapshot || !m_run.layout) return std::nullopt;
-    return shownPose(*m_run.layout, *m_run.snapshot->block, robot);
+    const RobotSpec* spec = m_run.robot(robot);
+    return spec ? shownPose(*m_run.layout, *m_run.snapshot->block, *spec) : std::nullopt;
 }
 
 bool RobotCommands::push(const std::string& body, const Vec3& force, const Vec3& point) {

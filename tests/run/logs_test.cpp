@@ -54,11 +54,12 @@ private Q_SLOTS:
     }
     void aContactLogOfOneRobot() {
         FakeWorld world(experimentOf({"robot0", "robot1"}));
-        world.touching = {{"robot0/chassis/bumper", "arena/north", {1, 2, 3}, {0, -1, 0}, 0.001, 5},
+        world.touching = {{"robot0/chassis/bumper", "arena/north", {1, 2, 3}, {0, -1, 0}, 0.001, 5, {1.5, 0, -2}},
                           {"robot1/wheel/tyre", "arena/floor", Vec3::Zero(), Vec3::UnitZ(), 0, 0}};
         QCOMPARE(csvOf(world, contactLog({"robot0"})),
-                 std::string("time [s],first,second,x [m],y [m],z [m],normal x,normal y,normal z,depth [m],force [N]\n"
-                             "0.5,robot0/chassis/bumper,arena/north,1,2,3,0,-1,0,0.001,5\n"));
+                 std::string("time [s],first,second,x [m],y [m],z [m],normal x,normal y,normal z,depth [m],force [N],"
+                             "friction x [N],friction y [N],friction z [N]\n"
+                             "0.5,robot0/chassis/bumper,arena/north,1,2,3,0,-1,0,0.001,5,1.5,0,-2\n"));
         QVERIFY(csvOf(world, logSpec("ContactLog", "c", {})).find("robot1/wheel/tyre") != std::string::npos);
     }
     void aSignalLogConvertsAnglesAndSpreadsPoses() {

@@ -79,8 +79,10 @@ void OdeEngine::publish(double h) {
 
 EngineContact OdeEngine::contact(std::size_t index) const {
     const OdeContact& c = m_contacts.all[index];
-    EngineContact out{c.actor, c.partner, c.first, c.second, vec(c.position), vec(c.normal), c.depth, 0};
-    out.force = vec(m_contacts.feedbacks[index].f1).dot(out.normal);
+    EngineContact out{c.actor, c.partner, c.first, c.second, vec(c.position), vec(c.normal), c.depth, 0, Vec3::Zero()};
+    const Vec3 force = vec(m_contacts.feedbacks[index].f1);
+    out.force = force.dot(out.normal);
+    out.friction = force - out.force * out.normal;
     return out;
 }
 

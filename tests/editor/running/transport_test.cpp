@@ -38,6 +38,27 @@ class TransportTest : public QObject {
     static QString label(const QWidget& bar, const char* name) { return bar.findChild<QLabel*>(QLatin1String(name))->text(); }
 
 private Q_SLOTS:
+    /// An object is placed and kept by its config frame, while its signal `pose` is about the centre of mass.
+    void placesAndKeepsAPausedBall() {
+        SessionFixture o;
+        QVERIFY(o.open("Tick=0.01 Duration=1\nRobotConfig Ball { Body body { Sphere s { Pos=0,0,0.1 Radius=0.1 Mass=1 } } }\n"
+                       "StaticConfig Floor { Plane floor { } }\nStatic arena { Config=Floor }\nRobot ball { Config=Ball "
+                       "Pos=0,0,0 HPR=0,0,0 }\n"));
+        o.session.step();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
+        const auto at = [&](const char* path) -> Vec3 {
+            const auto& shot = *o.session.results().snapshot;
+            return Vec3(shot.block->slots().data() + o.session.results().layout->find(path)->offset);
+        };
+        QVERIFY((at("ball/pose") - Vec3(0, 0, 0.1)).norm() < 1e-3);
+        QVERIFY(o.session.robots().pose("ball")->position.norm() < 1e-3);
+        QVERIFY(o.session.robots().place("ball", {{2, 3, 0}, rotationFromHpr({0, 0, M_PI / 2})})); // lies on its side
+        QVERIFY((at("ball/pose") - Vec3(2, 2.9, 0)).norm() < 1e-3);
+        QVERIFY((at("ball/body/pose") - Vec3(2, 3, 0)).norm() < 1e-3);
+        o.session.robots().keepPoses();
+        QVERIFY((o.document.loaded()->experiment->robots[0].pose.position - Vec3(2, 3, 0)).norm() < 1e-9);
+    }
+
     void buttonsRunPauseStepAndReset() {
         SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
