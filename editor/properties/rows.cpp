@@ -90,9 +90,8 @@ private:
         std::size_t shown = 0;
         for (const std::string& key : m_object.overrides()) {
             if (++shown > kMaxOfSection) break;
-            const std::size_t dot = key.rfind('.');
-            ObjectValues inner(m_loaded, m_object.path() + "." + key.substr(0, dot));
-            std::optional<FieldValue> value = inner.property(key.substr(dot + 1));
+            ObjectValues inner(m_loaded, pathInside(m_object.path(), withoutLastWord(key)));
+            std::optional<FieldValue> value = inner.property(std::string(lastWord(key)));
             if (!value) continue; // an unresolved path; the diagnostics report it
             add("override." + key, section, std::move(*value), inner.kind());
             m_listed.back().label = toQString(key);
@@ -203,11 +202,7 @@ void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Doc
 
 } // namespace
 
-QString shortName(const std::string& path) {
-    const std::size_t last = path.rfind('.');
-    const std::size_t before = last == std::string::npos || last == 0 ? std::string::npos : path.rfind('.', last - 1);
-    return toQString(before == std::string::npos ? path : path.substr(before + 1));
-}
+QString shortName(const std::string& path) { return toQString(pathInside(lastWord(withoutLastWord(path)), lastWord(path))); }
 
 Status pushOverride(Document& document, const std::string& propertyPath) {
     const std::string object = std::string(withoutLastWord(propertyPath));

@@ -5,6 +5,7 @@
 #include <deque>
 #include <set>
 
+#include "model/dotted_path.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/object_location.h"
 
@@ -189,13 +190,13 @@ private:
             if (part) return add(*part, said.range, {}, place, key);
         }
         if (!local || !place.config) return;
-        const std::size_t dot = said.text.find('.');
-        const ValueWord first = said.piece(0, std::min(dot, said.text.size()));
+        const ValueWord first = said.piece(0, firstWord(said.text).size());
         const Part* part = place.config->find(first.text);
         if (!part) return;
         add(*part, first.range, {}, place, key);
-        if (dot == std::string_view::npos) return;
-        const ValueWord second = said.piece(dot + 1, said.text.size() - dot - 1);
+        const std::size_t inside = withoutFirstWord(said.text).size();
+        if (inside == 0) return;
+        const ValueWord second = said.piece(said.text.size() - inside, inside);
         if (const Part* inner = part->find(second.text)) add(*inner, second.range, first.range, place, key);
     }
 
