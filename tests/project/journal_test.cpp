@@ -153,6 +153,46 @@ private Q_SLOTS:
         }
     }
 
+    // A complete record with a correct checksum that does not fit the text: nothing from it on is used.
+    void recordsThatDoNotFitAreCut_data() {
+        using Fields = std::vector<std::string>;
+        QTest::addColumn<char>("kind");
+        QTest::addColumn<Fields>("fields");
+        const auto change = [](const char* name, Fields fields) {
+            QTest::newRow(name) << char(JournalRecord::Change) << std::move(fields);
+        };
+        change("begins behind the end", {"a.sim", "6", "0", "x", "3"});
+        change("ends behind the end", {"a.sim", "2", "4", "x", "3"});
+        change("a length that overflows", {"a.sim", "2", "18446744073709551615", "x", "3"});
+        change("a negative place", {"a.sim", "-1", "0", "x", "3"});
+        change("no number", {"a.sim", "two", "0", "x", "3"});
+        change("another file", {"b.sim", "0", "0", "x", "3"});
+        change("a field is missing", {"a.sim", "0", "0", "x"});
+        change("no time", {"a.sim", "0", "0", "x", "soon"});
+        QTest::newRow("an unknown kind") << 'X' << Fields{"a.sim"};
+        QTest::newRow("a beginning without a text") << char(JournalRecord::Begin) << Fields{"b.sim"};
+        QTest::newRow("forgets two files") << char(JournalRecord::Forget) << Fields{"a.sim", "b.sim"};
+    }
+    void recordsThatDoNotFitAreCut() {
+        QFETCH(const char, kind);
+        QFETCH(const std::vector<std::string>, fields);
+        const auto with = [&](const JournalRecord& third) {
+            std::string bytes(kJournalMark);
+            for (const JournalRecord& record : {JournalRecord{JournalRecord::Head, {"main.sim", "", "1", "1", "host"}},
+                                                JournalRecord{JournalRecord::Begin, {"a.sim", "12345", "1"}},
+                                                JournalRecord{JournalRecord::Change, {"a.sim", "0", "1", "I", "2"}}, third,
+                                                JournalRecord{JournalRecord::Change, {"a.sim", "4", "1", "V", "4"}}})
+                bytes += journalBytes(record);
+            return readJournal(bytes);
+        };
+        const auto whole = with({JournalRecord::Change, {"a.sim", "2", "3", "iii", "3"}}), cut = with({kind, fields});
+        QVERIFY(whole && cut);
+        QCOMPARE(whole->files.at("a.sim").text, std::string("I2iiV"));
+        QCOMPARE(cut->files.at("a.sim").text.substr(0, 5),
+                 kind == JournalRecord::Change && fields.back() == "soon" ? std::string("xI234") : std::string("I2345"));
+        QCOMPARE(cut->time, std::int64_t(2));
+    }
+
     void readsAnyBytes() {
         std::mt19937 random(1);
         for (int round = 0; round < 2000; ++round) {

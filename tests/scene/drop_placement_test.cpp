@@ -35,6 +35,8 @@ bool holds(const GeomSpec& g, const Pose& owner, const Vec3& point, double depth
     case GeomShape::Box: return ((0.5 * g.size - p.cwiseAbs()).array() > depth).all();
     case GeomShape::Sphere: return p.norm() < g.radius - depth;
     case GeomShape::Cylinder: return p.head<2>().norm() < g.radius - depth && std::abs(p.z()) < 0.5 * g.length - depth;
+    case GeomShape::Capsule:
+        return (p - Vec3(0, 0, std::clamp(p.z(), -0.5 * g.length, 0.5 * g.length))).norm() < g.radius - depth;
     case GeomShape::Plane: return p.z() < -depth;
     default: return false;
     }
@@ -53,6 +55,11 @@ std::vector<Vec3> pointsOf(const GeomSpec& g, const Pose& owner) {
                 Vec3 p(2.0 * i / kSteps - 1, 2.0 * j / kSteps - 1, 2.0 * k / kSteps - 1);
                 if (g.shape == GeomShape::Cylinder && p.head<2>().norm() > 1) p.head<2>().normalize();
                 if (g.shape == GeomShape::Sphere && p.norm() > 1) p.normalize();
+                if (g.shape == GeomShape::Capsule) { // a ball whose halves are moved apart
+                    if (p.norm() > 1) p.normalize();
+                    all.push_back(owner * (g.pose * (g.radius * p + Vec3(0, 0, std::copysign(0.5 * g.length, p.z())))));
+                    continue;
+                }
                 all.push_back(owner * (g.pose * p.cwiseProduct(half)));
             }
     return all;
@@ -96,6 +103,8 @@ std::vector<Thing> things() {
             {"lying drum",
              {{shape(GeomShape::Cylinder, {0.1, 0, 0.4}, turned({0, 0, 0.1}, {0, 90, 0})), turned({0, 0, 0}, {40, 0, 0})}}},
             {"ball", {{shape(GeomShape::Sphere, {0.08, 0, 0}, turned({0, 0, 0.08}, {0, 0, 0})), {}}}},
+            {"capsule",
+             {{shape(GeomShape::Capsule, {0.08, 0, 0.3}, turned({0, 0, 0.08}, {0, 70, 0})), turned({0, 0, 0}, {40, 0, 0})}}},
             {"dumbbell",
              {{shape(GeomShape::Sphere, {0.1, 0, 0}, turned({0.2, 0, 0.1}, {0, 0, 0})), {}},
               {shape(GeomShape::Sphere, {0.1, 0, 0}, turned({-0.2, 0, 0.1}, {0, 0, 0})), {}}}}};
@@ -109,8 +118,8 @@ private Q_SLOTS:
     void separationIsExact_data() {
         QTest::addColumn<int>("moved");
         QTest::addColumn<int>("fixed");
-        for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b) QTest::addRow("%d out of %d", a, b) << a << b;
+        for (int a = 0; a < 4; ++a)
+            for (int b = 0; b < 4; ++b) QTest::addRow("%d out of %d", a, b) << a << b;
     }
     /// At the computed distance two shapes do not overlap; at a slightly smaller one they do.
     void separationIsExact() {
@@ -119,7 +128,7 @@ private Q_SLOTS:
         std::mt19937 random(unsigned(7 + moved * 3 + fixed));
         const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
         const auto make = [&](int kind) {
-            const GeomShape shapes[] = {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder};
+            const GeomShape shapes[] = {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder, GeomShape::Capsule};
             return shape(
                 shapes[kind], {any(0.1, 0.4), any(0.1, 0.4), any(0.1, 0.4)},
                 turned({any(-0.05, 0.05), any(-0.05, 0.05), any(-0.05, 0.05)}, {any(-180, 180), any(-90, 90), any(-180, 180)}));
@@ -144,6 +153,22 @@ private Q_SLOTS:
             nearly.move((far - 1e-3) * way);
             QVERIFY(!clear.isInside(other, 1e-6));
             QVERIFY(nearly.isInside(other, 0)); // exact: no farther than necessary
+        }
+    }
+
+    /// Each corner of a box is part of it, whichever of the two is moved.
+    void everyCornerCounts() {
+        const Pose tilt = turned({0.3, -0.2, 0.1}, {30, 20, 10});
+        const ConvexPiece crate = ConvexPiece::of(shape(GeomShape::Box, {1, 0.8, 0.6}), tilt, Bounds{}).at(0);
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 corner(i & 1 ? 0.5 : -0.5, i & 2 ? 0.4 : -0.4, i & 4 ? 0.3 : -0.3);
+            const Vec3 out = tilt.rotation * corner.normalized();
+            const GeomSpec ball = shape(GeomShape::Sphere, {0.02, 0, 0}, {tilt * (0.97 * corner), Quat::Identity()});
+            const ConvexPiece point = ConvexPiece::of(ball, {}, Bounds{}).at(0);
+            QVERIFY2(crate.isInside(point, 0.01) && point.isInside(crate, 0.01), qPrintable(QString::number(i)));
+            const double left = (0.03 * corner).norm();
+            QVERIFY(point.exitDistance(crate, out) > left &&
+                    std::abs(point.exitDistance(crate, out) - crate.exitDistance(point, -out)) < 1e-6);
         }
     }
 

@@ -7,6 +7,8 @@ using namespace fixture;
 
 namespace {
 
+double rad(double degrees) { return degrees * kPi / 180; }
+
 /// A body without any symmetry: six different moments about a centre off its origin.
 MassProperties lopsided() {
     const Mat3 r = rotationFromHpr(degrees(20, -35, 50)).toRotationMatrix();
@@ -314,6 +316,52 @@ private Q_SLOTS:
         QVERIFY2(a[7] > 0.27, "the crate was to be pushed");
         for (std::size_t i = 0; i < a.size(); ++i)
             QVERIFY2(std::abs(a[i] - b[i]) < 1e-4, qPrintable(QString::number(a[i] - b[i])));
+    }
+
+    /// A wheel where a floor of triangles bends by 20 degrees: the normal is that of the face it is deepest in, and lies between where
+    /// both are equally deep.
+    void wheelInABendOfAMesh() {
+        const double bend = rad(20), radius = 0.1, deep = 1e-3;
+        auto mesh = std::make_shared<TriangleMesh>();
+        mesh->points = {{-1, -1, 0}, {0, -1, 0}, {1, -1, std::tan(bend)}, {-1, 1, 0}, {0, 1, 0}, {1, 1, std::tan(bend)}};
+        mesh->triangles = {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}};
+        GeomSpec floor = plane("mesh", {}, 0);
+        floor.shape = GeomShape::Mesh;
+        floor.mesh = mesh;
+        for (const auto& [inRamp, leans] : {std::pair{0.4e-3, 0.0}, {deep, 10.0}, {1.6e-3, 20.0}}) {
+            const double x = -(radius - inRamp - (radius - deep) * std::cos(bend)) / std::sin(bend);
+            Scene scene(0.002);
+            scene.spec->settings.gravity = Vec3::Zero();
+            scene.scenery({floor}).robot("r", at(x, 0.1, radius - deep), robotOf("wheel"));
+            auto world = scene.build();
+            QVERIFY(world->tick().ok());
+            QCOMPARE(world->contacts().size(), std::size_t(1));
+            const Vec3 normal = world->contacts()[0].normal;
+            QVERIFY2(std::abs(std::atan2(-normal.x(), normal.z()) * 180 / kPi - leans) < 0.1,
+                     qPrintable(QString::number(std::atan2(-normal.x(), normal.z()) * 180 / kPi)));
+        }
+    }
+
+    /// What lies on a slope too steep for it starts down it in its first tick, whatever way the slope falls.
+    void startsDownTheSlopeAtOnce() {
+        const double h = 0.005, friction = 0.5, angle = std::atan(friction) + rad(5);
+        for (const double heading : {0.0, 30.0, 45.0, 160.0, 250.0}) {
+            Scene scene(h);
+            const Vec3 down(std::cos(rad(heading)), std::sin(rad(heading)), 0);
+            scene.spec->settings.gravity = g * (std::sin(angle) * down - std::cos(angle) * Vec3::UnitZ());
+            const auto surface = scene.surface(friction);
+            scene.scenery({plane("floor", {}, surface)});
+            scene.loose("crate", at(0.3, -0.2, 0.025 - 1e-9), massOfBox(2, {0.3, 0.2, 0.05}),
+                        {box("b", {0.3, 0.2, 0.05}, {}, surface)});
+            auto world = scene.build();
+            QVERIFY(world->tick().ok());
+            const double a = velocity(*world, "crate/body").dot(down) / h,
+                         expected = g * (std::sin(angle) - friction * std::cos(angle));
+            const double aside = (velocity(*world, "crate/body") / h - a * down).head<2>().norm();
+            // Within 3 % of its weight: it settles into the floor while it starts.
+            QVERIFY2(std::abs(a - expected) < 0.03 * g && aside < 0.01 * g,
+                     qPrintable(QStringLiteral("%1: %2 for %3, aside %4").arg(heading).arg(a).arg(expected).arg(aside)));
+        }
     }
 
     /// A servo that holds an arm: the torque of its weight about the axis, wherever anchor, frame and centre of mass are.
