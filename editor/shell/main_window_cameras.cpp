@@ -9,6 +9,7 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/status_line.h"
+#include "editor/viewport/view/picture_request.h"
 #include "editor/viewport/view/viewport_panel.h"
 
 namespace trundle {
@@ -24,7 +25,7 @@ void MainWindow::connectCameras(Application& application, RenderService* render)
     connect(m_cameras, &CamerasPanel::messageRequested, m_status, &StatusLine::refuse);
     connect(m_cameras, &CamerasPanel::lookThroughRequested, this, [this](const std::string& camera) {
         showViewport(true);
-        m_viewport->current().lookThrough(camera);
+        m_viewport->current().camera().lookThrough(camera);
     });
     connect(m_outline, &OutlinePanel::lookThroughRequested, this, [this](const std::string& path) {
         showViewport(true);
@@ -38,8 +39,8 @@ void MainWindow::connectCameras(Application& application, RenderService* render)
         if (!needsGraphics()) return;
         View& view = m_viewport->current();
         auto* dialog = new PictureDialog(
-            *render, [&view](std::uint32_t width, std::uint32_t height) { return view.still(width, height); }, view.size(),
-            pictureFile(QStringLiteral(".png")), this);
+            *render, [&view](std::uint32_t width, std::uint32_t height) { return stillRequest(view, width, height); },
+            view.size(), pictureFile(QStringLiteral(".png")), this);
         connect(dialog, &PictureDialog::written, this,
                 [this](const QString& path) { m_status->refuse(tr("Wrote %1").arg(path)); });
         dialog->open();
@@ -54,9 +55,9 @@ void MainWindow::connectCameras(Application& application, RenderService* render)
         options.run = m_session->results().snapshot ? m_session->results().built : nullptr;
         options.commands = m_session->robots().all();
         options.runTime = m_session->results().time();
-        options.view = [&view](std::uint32_t width, std::uint32_t height) { return view.movingView(width, height); };
+        options.view = [&view](std::uint32_t width, std::uint32_t height) { return view.camera().movingView(width, height); };
         options.shown = view.size();
-        options.look = view.still(std::uint32_t(view.width()), std::uint32_t(view.height()));
+        options.look = stillRequest(view, std::uint32_t(view.width()), std::uint32_t(view.height()));
         options.file = pictureFile(QStringLiteral(".mp4"));
         auto* dialog = new MovieDialog(application, *render, std::move(options), this);
         connect(dialog, &MovieDialog::recorded, this,

@@ -27,7 +27,6 @@ const QMap<QString, ClassSize>& exceptions() {
         {"editor/outline/OutlineModel", {350, 30}},
         {"editor/shell/MainWindow", {600, 0}},
         {"editor/text/CodeEdit", {370, 36}},
-        {"editor/viewport/View", {600, 45}},
         {"editor/viewport/ViewportPanel", {400, 0}},
         {"editor/viewport/ViewportScene", {0, 30}},
     };

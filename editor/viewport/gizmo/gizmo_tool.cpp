@@ -74,9 +74,9 @@ std::optional<GizmoPose> GizmoTool::place() {
         place.sizes = held->sizeNames();
         if (place.half.isZero()) return std::nullopt;
     }
-    const ViewCamera& camera = m_view.camera();
+    const ViewCamera& camera = m_view.camera().free();
     place.metresPerPixel = camera.metresPerPixel(m_view.widget().width(), place.origin);
-    const Vec3 sight = place.origin - m_view.cameraView().eye;
+    const Vec3 sight = place.origin - m_view.camera().view().eye;
     place.forward = camera.isParallel() || sight.norm() < 1e-9 ? camera.forward() : sight.normalized();
     return place;
 }
@@ -87,7 +87,7 @@ std::optional<Gizmo> GizmoTool::gizmo(bool asShown) {
     if (m_drag && m_drag->handle().kind != Handle::Kind::Ring) at->origin = m_drag->motion() * m_startPlace.origin;
     if (m_drag && m_drag->handle().kind == Handle::Kind::Size) at->half += m_drag->amount();
     return Gizmo(m_view.context().settings.tool(), *at,
-                 [this, asShown](const Vec3& p) { return asShown ? m_view.shownPixelOf(p) : m_view.pixelOf(p); });
+                 [this, asShown](const Vec3& p) { return asShown ? m_view.shownPixelOf(p) : m_view.camera().pixelOf(p); });
 }
 
 std::optional<QPointF> GizmoTool::spot(const Handle& handle) {
@@ -103,7 +103,7 @@ bool GizmoTool::press(const Pointer& pointer) {
     m_mergeKey = "gizmo " + std::to_string(m_view.context().document.revision());
     m_startPlace = *place();
     m_dragged = std::make_unique<TransformSelection>(m_view.context(), purpose());
-    m_drag = std::make_unique<GizmoDrag>(handle, m_startPlace, m_view.rayAt(pointer.at), pointer.at);
+    m_drag = std::make_unique<GizmoDrag>(handle, m_startPlace, m_view.camera().rayAt(pointer.at), pointer.at);
     const QString title = m_dragged->title();
     m_name = handle.kind == Handle::Kind::Ring   ? tr("Turn %1").arg(title)
              : handle.kind == Handle::Kind::Size ? tr("Resize %1").arg(title)
@@ -121,8 +121,8 @@ void GizmoTool::drag(const Pointer& pointer) {
     const ViewSettings& settings = m_view.context().settings;
     const bool toggled = pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
     const bool snaps = settings.snaps() != toggled;
-    m_drag->to(m_view.rayAt(pointer.at), pointer.at, snaps ? settings.moveStep() : 0, snaps ? settings.rotationStep() : 0,
-               pointer.modifiers.testFlag(Qt::AltModifier));
+    m_drag->to(m_view.camera().rayAt(pointer.at), pointer.at, snaps ? settings.moveStep() : 0,
+               snaps ? settings.rotationStep() : 0, pointer.modifiers.testFlag(Qt::AltModifier));
     m_pending = true;
     if (!m_pace.isActive()) apply();
     showStatus();
@@ -144,20 +144,20 @@ void GizmoTool::apply() {
         m_drag->handle().kind == Handle::Kind::Size
             ? m_dragged->resize(m_drag->amount(), m_drag->isOneSided() ? m_drag->handle().side : 0, m_name, m_mergeKey, fine)
             : m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine);
-    if (!done) m_view.setHint(QString::fromStdString(done.error().message));
+    if (!done) m_view.hints().setHint(QString::fromStdString(done.error().message));
     // In a large experiment an edit takes long; the pause keeps the window responsive.
     m_pace.start(std::max(kLeastPaceMs, int(cost.elapsed())));
     m_view.redraw();
 }
 
 void GizmoTool::showStatus() {
-    m_view.setHovered({}, m_drag->readOut());
+    m_view.hints().setHovered({}, m_drag->readOut());
     QString hint =
         tr("Type an exact value, with or without a unit · Enter applies · Esc cancels · Ctrl or Shift toggles snapping");
     const Handle& handle = m_drag->handle();
     if (handle.kind == Handle::Kind::Size && m_startPlace.sizes[handle.axis].hasTwoSides())
         hint += tr(" · Alt keeps the centre fixed");
-    m_view.setHint(hint);
+    m_view.hints().setHint(hint);
     m_view.widget().update();
 }
 
@@ -168,8 +168,8 @@ void GizmoTool::release(const Pointer& pointer) {
     m_drag.reset();
     m_dragged.reset();
     m_held.reset();
-    m_view.setHint({});
-    m_view.setHovered({}, {});
+    m_view.hints().setHint({});
+    m_view.hints().setHovered({}, {});
     (void)hover(pointer); // highlights the handle that the next press would hit
     m_view.widget().update();
 }
@@ -188,7 +188,7 @@ bool GizmoTool::hover(const Pointer& pointer) {
         m_hot = hot;
         m_view.widget().update();
     }
-    if (hot) m_view.setHovered({}, {});
+    if (hot) m_view.hints().setHovered({}, {});
     return bool(hot);
 }
 
@@ -211,8 +211,8 @@ bool GizmoTool::key(QKeyEvent& event) {
 }
 
 bool GizmoTool::nudge(const QKeyEvent& event) {
-    const ViewCamera& camera = m_view.camera();
-    const CameraView view = m_view.cameraView();
+    const ViewCamera& camera = m_view.camera().free();
+    const CameraView view = m_view.camera().view();
     const Vec3 right = cameraAxes(view).col(0), up = cameraAxes(view).col(1);
     // In a view from above, up means away from the camera; in a side view it means up.
     const bool flat = std::abs(camera.forward().z()) < 0.3 && camera.isParallel();

@@ -37,14 +37,14 @@ void paintFrusta(QPainter& painter, const ToolView& view, bool all) {
         for (const CameraModel* camera : world.camerasOf(path)) selected.insert(camera);
     // Frusta are shown unasked only for a few selected cameras, and not while the view looks through a camera; the overlay shows
     // all.
-    if (!all && (selected.empty() || selected.size() > kMaxUnasked || view.throughCamera())) return;
+    if (!all && (selected.empty() || selected.size() > kMaxUnasked || view.camera().through())) return;
     const ScenePainter pen(painter, view);
     const BodyPoses& poses = view.shownPoses();
     std::size_t shown = 0;
     for (const CameraModel& camera : world.cameras()) {
         const bool marked = selected.contains(&camera);
         const auto robot = world.find(camera.robot);
-        if ((!all && !marked) || &camera == view.throughCamera() || camera.body >= poses.size()) continue;
+        if ((!all && !marked) || &camera == view.camera().through() || camera.body >= poses.size()) continue;
         if ((robot && world.isHidden(*robot)) || ++shown > kMaxFrusta) continue;
         paintFrustum(pen, camera, poses[camera.body], marked ? ToolView::outlineColour() : kFrustum, marked ? 1.3 : 1);
     }

@@ -86,7 +86,7 @@ void paintJoints(QPainter& painter, const ToolView& view, bool all) {
             const Pose toWorld =
                 world.objects()->poseOf({ObjectKind::Body, r, child}, view.shownPoses()) * config.bodies[child].pose.inverse();
             const Vec3 at = toWorld * joint.anchor;
-            const double reach = 26 * view.camera().metresPerPixel(view.widget().width(), at);
+            const double reach = 26 * view.camera().free().metresPerPixel(view.widget().width(), at);
             const auto from = view.shownPixelOf(at - reach * (toWorld.rotation * joint.axis)),
                        to = view.shownPixelOf(at + reach * (toWorld.rotation * joint.axis)), middle = view.shownPixelOf(at);
             if (!from || !to || !middle) continue;
@@ -116,7 +116,7 @@ void paintContacts(QPainter& painter, const ToolView& view) {
         const LiveContact& contact = *shown.contact;
         const auto at = view.shownPixelOf(contact.position);
         if (!at) continue;
-        const double m = shown.pixels * view.camera().metresPerPixel(view.widget().width(), contact.position);
+        const double m = shown.pixels * view.camera().free().metresPerPixel(view.widget().width(), contact.position);
         if (const auto to = view.shownPixelOf(contact.position + m * contact.normal); to && shown.pixels > 2)
             arrow(painter, *at, *to, kForce, shown.isCut ? 3.2 : 1.6);
         painter.setPen(QPen(kShade, 1));
@@ -177,11 +177,11 @@ QString lengthText(double m) {
 
 /// Side views see the floor edge-on, so they get a grid of their own: lines at round distances, and a thicker one for the ground.
 void paintSideGrid(QPainter& painter, const ToolView& view) {
-    const ViewCamera& camera = view.camera();
+    const ViewCamera& camera = view.camera().free();
     if (!camera.isParallel() || std::abs(camera.forward().z()) > 0.02) return;
     const double metresPerPixel = camera.metresPerPixel(view.widget().width(), camera.middle()),
                  step = roundNumber(130 * metresPerPixel);
-    const Mat3 axes = cameraAxes(view.cameraView());
+    const Mat3 axes = cameraAxes(view.camera().view());
     const Vec3 right = axes.col(0), middle = camera.middle();
     const double half = 0.5 * view.widget().width() * metresPerPixel, high = 0.5 * view.widget().height() * metresPerPixel;
     const double along = right.dot(middle);
@@ -201,7 +201,7 @@ void paintSideGrid(QPainter& painter, const ToolView& view) {
 
 /// Scale bar for the distance at the centre of the view.
 void paintScale(QPainter& painter, const ToolView& view) {
-    const double metresPerPixel = view.camera().metresPerPixel(view.widget().width(), view.camera().middle());
+    const double metresPerPixel = view.camera().free().metresPerPixel(view.widget().width(), view.camera().free().middle());
     const double x = 76, y = view.widget().height() - 20, room = std::clamp(view.widget().width() - x - 30, 30.0, 130.0);
     const double length = roundNumber(room * metresPerPixel), pixels = length / metresPerPixel;
     const QPolygonF bar{{x, y - 5}, {x, y}, {x + pixels, y}, {x + pixels, y - 5}};
@@ -216,7 +216,7 @@ void paintScale(QPainter& painter, const ToolView& view) {
 
 void paintAxes(QPainter& painter, const ToolView& view) {
     const QPointF middle(36, view.widget().height() - 36);
-    const Mat3 axes = cameraAxes(view.cameraView());
+    const Mat3 axes = cameraAxes(view.camera().view());
     std::array<int, 3> order{0, 1, 2};
     // Axes that point away are drawn first.
     std::sort(order.begin(), order.end(), [&](int a, int b) { return axes(a, 2) < axes(b, 2); });

@@ -119,7 +119,7 @@ private:
 
     [[nodiscard]] std::optional<double> underPointer(const Coverage& coverage) const {
         if (!m_view.widget().underMouse()) return std::nullopt;
-        const ViewRay ray = m_view.rayAt(m_view.cursorPosition());
+        const ViewRay ray = m_view.camera().rayAt(m_view.cursorPosition());
         const double way = -ray.origin.z() / ray.direction.z();
         if (!(way > 0 && std::isfinite(way))) return std::nullopt;
         const Vec3 place = ray.origin + way * ray.direction;

@@ -149,8 +149,8 @@ void LibraryDrop::load() {
 
 LibraryDrop::Ground LibraryDrop::groundAt(const QPointF& at) const {
     Ground ground;
-    ground.hits = m_view.context().world.hitsAlong(m_view.rayAt(at), true);
-    ground.point = m_view.pointUnder(at);
+    ground.hits = m_view.context().world.hitsAlong(m_view.camera().rayAt(at), true);
+    ground.point = m_view.camera().pointUnder(at);
     return ground;
 }
 

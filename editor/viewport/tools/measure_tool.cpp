@@ -51,14 +51,14 @@ bool MeasureTool::isOn() const { return m_view.context().settings.tool() == Tool
 
 bool MeasureTool::press(const Pointer& pointer) {
     if (!isOn() || pointer.button != Qt::LeftButton) return false;
-    m_measured.add(m_view.pointUnder(pointer.at));
+    m_measured.add(m_view.camera().pointUnder(pointer.at));
     return true;
 }
 
 bool MeasureTool::hover(const Pointer& pointer) {
     if (!isOn()) return false;
-    m_view.setHovered({}, {});
-    m_measured.setNext(m_measured.points().size() == 2 ? std::nullopt : std::optional(m_view.pointUnder(pointer.at)));
+    m_view.hints().setHovered({}, {});
+    m_measured.setNext(m_measured.points().size() == 2 ? std::nullopt : std::optional(m_view.camera().pointUnder(pointer.at)));
     return true;
 }
 
@@ -71,17 +71,17 @@ bool MeasureTool::key(QKeyEvent& event) {
 void MeasureTool::showStatus() {
     const std::vector<Vec3>& points = m_measured.points();
     if (!isOn()) {
-        if (std::exchange(m_hintShown, false)) m_view.setHint({}); // clears only this tool's own hint
+        if (std::exchange(m_hintShown, false)) m_view.hints().setHint({}); // clears only this tool's own hint
         return;
     }
     m_hintShown = true;
     if (points.empty()) {
-        m_view.setHint(tr("Click the first point"));
+        m_view.hints().setHint(tr("Click the first point"));
     } else if (points.size() == 1) {
-        m_view.setHint(tr("Click the second point, in this view or another"));
+        m_view.hints().setHint(tr("Click the second point, in this view or another"));
     } else {
         const Vec3 by = points[1] - points[0];
-        m_view.setHint(
+        m_view.hints().setHint(
             tr("Distance %1 · x %2   y %3   z %4").arg(length(by.norm()), length(by.x()), length(by.y()), length(by.z())));
     }
     m_view.widget().update();

@@ -41,7 +41,7 @@ bool Navigation::press(const Pointer& pointer) {
     m_button = pointer.button;
     m_mode = drag;
     m_start = m_last = pointer.at;
-    m_about = m_view.pointUnder(pointer.at);
+    m_about = m_view.camera().pointUnder(pointer.at);
     m_moved = m_flown = false;
     return true;
 }
@@ -49,30 +49,30 @@ bool Navigation::press(const Pointer& pointer) {
 void Navigation::drag(const Pointer& pointer) {
     if (!m_moved && (pointer.at - m_start).manhattanLength() < kClick) return;
     if (!m_moved && m_button == Qt::RightButton) // users rarely discover flying without a hint
-        m_view.setHint(hint());
+        m_view.hints().setHint(hint());
     m_moved = true;
     const QPointF by = pointer.at - m_last;
     m_last = pointer.at;
-    m_view.changeCamera([&](ViewCamera& camera) {
+    m_view.camera().change([&](ViewCamera& camera) {
         if (m_flown) return camera.rotate(-kRadPerPixel * 0.5 * by.x(), -kRadPerPixel * 0.5 * by.y());
         if (m_mode == CameraDrag::Fly) return;
         if (m_mode == CameraDrag::Orbit) return camera.orbit(-kRadPerPixel * by.x(), -kRadPerPixel * by.y(), m_about);
         if (m_mode == CameraDrag::Zoom) return camera.zoom(std::pow(kZoomPerStep, -by.y() / kPixelsPerStep), m_about);
-        camera.pan(m_about, onPlane(m_view.rayAt(pointer.at), m_about, camera.forward()));
+        camera.pan(m_about, onPlane(m_view.camera().rayAt(pointer.at), m_about, camera.forward()));
     });
 }
 
 void Navigation::release(const Pointer& pointer) {
     const bool click = !m_moved && !m_flown && m_button == Qt::RightButton && pointer.button == Qt::RightButton;
     m_mode = CameraDrag::None;
-    m_view.setHint({});
+    m_view.hints().setHint({});
     stopFlying();
     if (click) m_view.requestMenu(pointer.at);
 }
 
 void Navigation::cancel() {
     m_mode = CameraDrag::None;
-    m_view.setHint({});
+    m_view.hints().setHint({});
     stopFlying();
 }
 
@@ -102,7 +102,7 @@ void Navigation::stopFlying() {
 void Navigation::fly() {
     const double seconds = std::min(0.1, double(m_sinceStep.restart()) / 1000);
     const auto way = [this](int forth, int back) { return double(m_keys.contains(forth)) - double(m_keys.contains(back)); };
-    m_view.changeCamera([&](ViewCamera& camera) {
+    m_view.camera().change([&](ViewCamera& camera) {
         const double pace = m_speed * (m_fast ? 4 : 1) * std::clamp(camera.distance(), 0.5, 30.0) * seconds;
         camera.fly(pace * Vec3(way(Qt::Key_D, Qt::Key_A), way(Qt::Key_E, Qt::Key_Q), way(Qt::Key_W, Qt::Key_S)));
     });
@@ -114,8 +114,8 @@ void Navigation::wheel(const QPointF& at, double delta) {
         m_speed = std::clamp(m_speed * std::pow(1.2, steps), 0.05, 20.0);
         return;
     }
-    const Vec3 about = m_view.pointUnder(at);
-    m_view.changeCamera([&](ViewCamera& camera) { camera.zoom(std::pow(kZoomPerStep, steps), about); });
+    const Vec3 about = m_view.camera().pointUnder(at);
+    m_view.camera().change([&](ViewCamera& camera) { camera.zoom(std::pow(kZoomPerStep, steps), about); });
 }
 
 } // namespace trundle

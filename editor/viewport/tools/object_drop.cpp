@@ -22,10 +22,10 @@ constexpr double kFreeStep = 0.01, kLevel = 0.002; // m; step without snapping; 
 
 /// Point of the plane z = 0 under a pixel, ignoring objects.
 Vec3 groundUnder(const ToolView& view, const QPointF& at) {
-    const ViewRay ray = view.rayAt(at);
+    const ViewRay ray = view.camera().rayAt(at);
     const double down = -ray.origin.z() / ray.direction.z();
     if (std::isfinite(down) && down > 0) return ray.origin + down * ray.direction;
-    return view.pointUnder(at);
+    return view.camera().pointUnder(at);
 }
 
 /// Adds the geoms of an object at their current poses, relative to `from`.
@@ -62,7 +62,7 @@ Vec3 wayTo(const ToolView& view, const QPointF& at, const TransformSelection& he
         return !object && !world.isHidden(geom);
     };
     const DropPlacement placement(*world.objects(), *world.poses(), counts);
-    Vec3 way = placement.placeFor(geoms, world.hitsAlong(view.rayAt(at), true), groundUnder(view, at), step) - from;
+    Vec3 way = placement.placeFor(geoms, world.hitsAlong(view.camera().rayAt(at), true), groundUnder(view, at), step) - from;
     if (std::abs(way.z()) < kLevel) way.z() = 0; // keeps the exact number in the text
     return way;
 }

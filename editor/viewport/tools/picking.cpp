@@ -35,7 +35,7 @@ std::vector<std::string> boxPick(const ToolView& view, const QRectF& box) {
         const Bounds bounds = world.boundsOf(object);
         if (bounds.empty() || world.isHidden(object) || world.isLocked(object)) continue;
         const auto isIn = [&](const Vec3& point) {
-            const auto at = view.pixelOf(point);
+            const auto at = view.camera().pixelOf(point);
             return at && box.contains(*at);
         };
         bool taken = isIn(bounds.centre());

@@ -62,7 +62,7 @@ bool PinTool::hover(const Pointer& pointer) {
     m_hovered = true;
     const bool closes = label->close.contains(pointer.at);
     m_view.widget().setCursor(closes ? Qt::ArrowCursor : Qt::OpenHandCursor);
-    m_view.setHovered(label->path, closes ? PinnedValues::tr("Unpin") : QString());
+    m_view.hints().setHovered(label->path, closes ? PinnedValues::tr("Unpin") : QString());
     return true;
 }
 

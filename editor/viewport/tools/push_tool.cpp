@@ -26,7 +26,7 @@ PushTool::PushTool(ToolView& view) : m_view(view) {
 bool PushTool::press(const Pointer& pointer) {
     const ViewportScene& world = m_view.context().world;
     if (pointer.button != Qt::LeftButton || !pointer.modifiers.testFlag(Qt::ControlModifier) || !world.isRunning()) return false;
-    const std::vector<RayHit> hits = world.hitsAlong(m_view.rayAt(pointer.at));
+    const std::vector<RayHit> hits = world.hitsAlong(m_view.camera().rayAt(pointer.at));
     if (hits.empty() || hits.front().geom.kind != ObjectKind::Geom) return false;
     m_body = world.objects()->ownerOf(hits.front().geom);
     m_grip = world.poseOf(*m_body).inverse() * hits.front().point;
@@ -47,8 +47,8 @@ void PushTool::drag(const Pointer& pointer) {
 
 void PushTool::push() {
     if (!m_body || !m_view.context().world.isRunning()) return cancel();
-    const Vec3 grip = gripNow(), forward = m_view.camera().forward();
-    const ViewRay ray = m_view.rayAt(m_now);
+    const Vec3 grip = gripNow(), forward = m_view.camera().free().forward();
+    const ViewRay ray = m_view.camera().rayAt(m_now);
     const double towards = ray.direction.dot(forward);
     if (towards < 1e-6) return;
     const Vec3 request = ray.origin + (grip - ray.origin).dot(forward) / towards * ray.direction;

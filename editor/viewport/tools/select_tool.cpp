@@ -52,7 +52,7 @@ void SelectTool::release(const Pointer& pointer) {
 void SelectTool::click(const Pointer& pointer) {
     Selection& selection = m_view.context().selection;
     const ViewportScene& world = m_view.context().world;
-    std::vector<std::string> chain = pickChain(world, world.hitsAlong(m_view.rayAt(pointer.at)));
+    std::vector<std::string> chain = pickChain(world, world.hitsAlong(m_view.camera().rayAt(pointer.at)));
     if (pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier)) {
         if (!chain.empty() && !chain.front().empty()) selection.toggle(chain.front());
         return;
@@ -75,10 +75,10 @@ void SelectTool::takeBox(Qt::KeyboardModifiers modifiers) {
 
 bool SelectTool::hover(const Pointer& pointer) {
     const ViewportScene& world = m_view.context().world;
-    const std::vector<std::string> chain = pickChain(world, world.hitsAlong(m_view.rayAt(pointer.at)));
+    const std::vector<std::string> chain = pickChain(world, world.hitsAlong(m_view.camera().rayAt(pointer.at)));
     if (chain.empty() || chain.front().empty()) return false;
     const QString name = QString::fromStdString(chain.front()), kind = kindOf(world, chain.front());
-    m_view.setHovered(chain.front(), kind.isEmpty() ? name : name + QStringLiteral("  ·  ") + kind);
+    m_view.hints().setHovered(chain.front(), kind.isEmpty() ? name : name + QStringLiteral("  ·  ") + kind);
     return true;
 }
 

@@ -156,7 +156,7 @@ void ViewportPanel::connectPinned() {
 
 void ViewportPanel::lookThrough(const std::string& path) {
     const auto cameras = m_world->camerasOf(path);
-    if (!cameras.empty()) m_current->lookThrough(cameras.front()->path);
+    if (!cameras.empty()) m_current->camera().lookThrough(cameras.front()->path);
 }
 
 /// Repeated calls cycle through the cameras of the selection, or through all if the selection has none.
@@ -168,8 +168,8 @@ void ViewportPanel::lookThroughSelectedCamera() {
         Q_EMIT m_document.refused(tr("No robot here has a camera."));
         return;
     }
-    const auto at = std::ranges::find(cameras, m_current->throughCamera());
-    m_current->lookThrough((at == cameras.end() || at + 1 == cameras.end() ? cameras.front() : *(at + 1))->path);
+    const auto at = std::ranges::find(cameras, m_current->camera().through());
+    m_current->camera().lookThrough((at == cameras.end() || at + 1 == cameras.end() ? cameras.front() : *(at + 1))->path);
 }
 
 void ViewportPanel::askAlign() {
@@ -214,7 +214,7 @@ void ViewportPanel::askArray() {
 
 void ViewportPanel::showMenu(View& view, const QPointF& at) {
     // The menu applies to the clicked object, unless that is part of the selection.
-    const std::vector<std::string> chain = pickChain(*m_world, m_world->hitsAlong(view.rayAt(at)));
+    const std::vector<std::string> chain = pickChain(*m_world, m_world->hitsAlong(view.camera().rayAt(at)));
     const bool selected =
         std::any_of(chain.begin(), chain.end(), [this](const std::string& path) { return m_selection.contains(path); });
     if (!chain.empty() && !chain.front().empty() && !selected) m_selection.select(chain.front());
@@ -234,7 +234,7 @@ void ViewportPanel::showMenu(View& view, const QPointF& at) {
     const std::vector<const CameraModel*> cameras = m_world->camerasOf(m_selection.current());
     for (std::size_t i = 0; i < cameras.size() && i < kMaxCameras; ++i)
         connect(menu.addAction(tr("Look Through %1").arg(QString::fromStdString(cameras[i]->path))), &QAction::triggered, &view,
-                [&view, path = cameras[i]->path] { view.lookThrough(path); });
+                [&view, path = cameras[i]->path] { view.camera().lookThrough(path); });
     menu.addAction(&m_actions.at("view.pinValues"));
     menu.addAction(&m_actions.at("view.savePicture"));
     menu.exec(view.mapToGlobal(at.toPoint()));

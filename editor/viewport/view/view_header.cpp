@@ -72,7 +72,7 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
     for (const ViewKind kind : {ViewKind::Perspective, ViewKind::Orthographic, ViewKind::Top, ViewKind::Front, ViewKind::Side,
                                 ViewKind::Follow, ViewKind::Chase}) {
         if (kind == ViewKind::Top || kind == ViewKind::Follow) menu->addSeparator();
-        connect(menu->addAction(viewKindName(kind)), &QAction::triggered, this, [this, kind] { m_view.setKind(kind); });
+        connect(menu->addAction(viewKindName(kind)), &QAction::triggered, this, [this, kind] { m_view.camera().setKind(kind); });
     }
     addNamedViews(*menu);
     auto* through = menu->addMenu(tr("Through Camera"));
@@ -82,7 +82,7 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
         for (const CameraModel& camera : m_view.context().world.cameras()) {
             if (through->actions().size() >= kMaxInMenu) break;
             connect(through->addAction(QString::fromStdString(camera.path)), &QAction::triggered, this,
-                    [this, path = camera.path] { m_view.lookThrough(path); });
+                    [this, path = camera.path] { m_view.camera().lookThrough(path); });
         }
         through->menuAction()->setVisible(!through->isEmpty());
     });
@@ -91,15 +91,15 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_button);
-    connect(&view, &View::kindChanged, this, &ViewCorner::show);
+    connect(&view.camera(), &CameraControl::kindChanged, this, &ViewCorner::show);
     move(8, 8);
     show();
 }
 
 void ViewCorner::show() {
-    m_button->setText(!m_view.named().empty()  ? QString::fromStdString(m_view.named())
-                      : m_view.throughCamera() ? tr("Camera")
-                                               : viewKindName(m_view.camera().kind()));
+    m_button->setText(!m_view.camera().named().empty() ? QString::fromStdString(m_view.camera().named())
+                      : m_view.camera().through()      ? tr("Camera")
+                                                       : viewKindName(m_view.camera().free().kind()));
 }
 
 /// Adds the View blocks of the experiment, as of the opening of the menu, and the command that creates one.
@@ -112,15 +112,16 @@ void ViewCorner::addNamedViews(QMenu& menu) {
     make->setToolTip(tr("Writes a View block with the camera of this view"));
     connect(make, &QAction::triggered, this, [this] {
         Document& document = m_view.context().document;
-        if (document.isOpen()) (void)document.apply(tr("Make View"), planInsert(*document.loaded(), {}, m_view.viewBlockText()));
+        if (document.isOpen())
+            (void)document.apply(tr("Make View"), planInsert(*document.loaded(), {}, m_view.camera().viewBlockText()));
     });
     connect(&menu, &QMenu::aboutToShow, this, [this, views, make] {
         views->clear();
-        const auto text = m_view.textOfViews();
+        const auto text = m_view.camera().textOfViews();
         for (const ComponentSpec& look : text->looks)
             if (look.kind == "View" && views->actions().size() < kMaxInMenu)
                 connect(views->addAction(QString::fromStdString(look.name)), &QAction::triggered, this,
-                        [this, name = look.name] { m_view.showNamed(name); });
+                        [this, name = look.name] { m_view.camera().showNamed(name); });
         views->menuAction()->setVisible(!views->isEmpty());
         make->setEnabled(m_view.context().document.isOpen());
     });

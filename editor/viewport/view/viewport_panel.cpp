@@ -93,8 +93,8 @@ void ViewportPanel::connectFraming() {
     connect(&m_document, &Document::opened, this, [this] {
         m_toBeFramed = true;
         for (View* view : m_views) // the followed robot is gone
-            if (view->camera().kind() == ViewKind::Follow || view->camera().kind() == ViewKind::Chase)
-                view->setKind(ViewKind::Perspective);
+            if (view->camera().free().kind() == ViewKind::Follow || view->camera().free().kind() == ViewKind::Chase)
+                view->camera().setKind(ViewKind::Perspective);
     });
     connect(&m_document, &Document::changed, this, [this] { // emitted after opened(), before which the scene is outdated
         if (!m_toBeFramed || m_world->objects()->instances().empty()) return;
@@ -147,13 +147,14 @@ void ViewportPanel::setCurrent(View& view) {
 void ViewportPanel::followDrivenRobot() {
     const std::string robot = m_session.robots().driven();
     const std::optional<Pose> pose = robot.empty() ? std::nullopt : m_session.robots().pose(robot);
-    if (!pose || !m_current->isVisible() || m_current->camera().kind() != ViewKind::Perspective || m_current->throughCamera())
+    if (!pose || !m_current->isVisible() || m_current->camera().free().kind() != ViewKind::Perspective ||
+        m_current->camera().through())
         return;
-    const std::optional<QPointF> at = m_current->pixelOf(pose->position);
+    const std::optional<QPointF> at = m_current->camera().pixelOf(pose->position);
     if (!at || !m_current->rect().contains(at->toPoint())) setKind(ViewKind::Follow);
 }
 
-void ViewportPanel::setKind(ViewKind kind) { m_current->setKind(kind); }
+void ViewportPanel::setKind(ViewKind kind) { m_current->camera().setKind(kind); }
 
 bool ViewportPanel::showView(const QString& name) {
     for (const ViewKind kind : {ViewKind::Perspective, ViewKind::Orthographic, ViewKind::Top, ViewKind::Front, ViewKind::Side,
@@ -167,7 +168,7 @@ bool ViewportPanel::showView(const QString& name) {
     const std::string view = name.toStdString();
     for (const ComponentSpec& look : m_world->objects()->experiment().looks) {
         if (look.kind != "View" || look.name != view) continue;
-        m_current->showNamed(view);
+        m_current->camera().showNamed(view);
         return true;
     }
     return false;
@@ -175,15 +176,15 @@ bool ViewportPanel::showView(const QString& name) {
 
 std::optional<Vec3> ViewportPanel::insertionPoint() const {
     if (!m_current->isVisible()) return std::nullopt;
-    const Vec3 point = m_current->pointUnder(QRectF(m_current->rect()).center());
-    const ViewCamera& camera = m_current->camera();
+    const Vec3 point = m_current->camera().pointUnder(QRectF(m_current->rect()).center());
+    const ViewCamera& camera = m_current->camera().free();
     constexpr double kFarthest = 3; // of the distance of the camera: towards the horizon the floor is too far away to be meant
     return (point - camera.view().eye).norm() <= kFarthest * camera.distance() ? point : camera.middle();
 }
 
 std::vector<ViewState> ViewportPanel::viewStates() const {
     std::vector<ViewState> viewStates;
-    for (const View* view : m_views) viewStates.push_back({view->camera().kind(), view->camera().view()});
+    for (const View* view : m_views) viewStates.push_back({view->camera().free().kind(), view->camera().free().view()});
     return viewStates;
 }
 
@@ -191,18 +192,20 @@ void ViewportPanel::setViewStates(const std::vector<ViewState>& viewStates, int 
     m_toBeFramed = m_frameWhenShown = false;
     setViewCount(shown);
     for (std::size_t i = 0; i < m_views.size() && i < viewStates.size(); ++i) {
-        m_views[i]->setCamera(viewStates[i].camera);
-        m_views[i]->setKind(viewStates[i].kind);
+        m_views[i]->camera().setView(viewStates[i].camera);
+        m_views[i]->camera().setKind(viewStates[i].kind);
     }
 }
 
 bool ViewportPanel::isUpToDate() const {
-    return std::all_of(m_views.begin(), m_views.end(), [](const View* view) { return !view->isVisible() || view->isUpToDate(); });
+    return std::all_of(m_views.begin(), m_views.end(),
+                       [](const View* view) { return !view->isVisible() || view->image().isUpToDate(); });
 }
 
 bool ViewportPanel::isSettled() const {
     if (m_radios->isComputing()) return false;
-    return std::all_of(m_views.begin(), m_views.end(), [](const View* view) { return !view->isVisible() || view->isSettled(); });
+    return std::all_of(m_views.begin(), m_views.end(),
+                       [](const View* view) { return !view->isVisible() || view->image().isSettled(); });
 }
 
 void ViewportPanel::frameSelection() {
@@ -216,13 +219,13 @@ void ViewportPanel::frameSelection() {
 }
 
 void ViewportPanel::frameAll() {
-    const bool first = !m_current->isVisible() || m_current->picture().isNull();
+    const bool first = !m_current->isVisible() || m_current->image().picture().isNull();
     for (View* view : m_views) {
-        if (view->camera().kind() == ViewKind::Perspective && m_world->objects()) {
+        if (view->camera().free().kind() == ViewKind::Perspective && m_world->objects()) {
             const auto width = std::uint32_t(std::max(16, view->width())), height = std::uint32_t(std::max(16, view->height()));
             const CameraView whole = defaultView(m_world->objects()->experiment(), *m_world->poses(), width, height);
             if (first || view != m_current) {
-                view->setCamera(whole);
+                view->camera().setView(whole);
                 continue;
             }
         }

@@ -18,8 +18,8 @@ BenchApplication& application() { return *static_cast<BenchApplication*>(qApp); 
 struct Followed {
     explicit Followed(BenchWindow& w) : w(w) {
         m_connections[0] = QObject::connect(&w.window->document(), &Document::changed, [this] { changedAt = nowMs(); });
-        m_connections[1] = QObject::connect(&w.view(), &View::pictureShown, [this] {
-            if (changedAt > 0 && drawnAt == 0 && this->w.view().isUpToDate()) drawnAt = nowMs();
+        m_connections[1] = QObject::connect(&w.view().image(), &ViewImage::shown, [this] {
+            if (changedAt > 0 && drawnAt == 0 && this->w.view().image().isUpToDate()) drawnAt = nowMs();
         });
     }
     ~Followed() {

@@ -111,7 +111,7 @@ QJsonObject measureFrames(const QString& file, double seconds) {
     const QSize size = view.size();
 
     int pictures = 0;
-    const auto counted = QObject::connect(&view, &View::pictureShown, [&] { ++pictures; });
+    const auto counted = QObject::connect(&view.image(), &ViewImage::shown, [&] { ++pictures; });
     w.trigger("sim.run");
     w.until("it runs", [&] { return w.window->session().results().time() > 0.5; });
     pictures = 0;
@@ -126,7 +126,7 @@ QJsonObject measureFrames(const QString& file, double seconds) {
 
     PictureRequest request;
     request.scene = w.window->viewport().world().scene();
-    request.view = view.cameraView();
+    request.view = view.camera().view();
     request.width = std::uint32_t(size.width());
     request.height = std::uint32_t(size.height());
     request.mask = kMaskSensor;

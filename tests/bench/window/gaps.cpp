@@ -38,7 +38,7 @@ private:
 
 /// Drags the gizmo's x arrow back and forth at the event rate of a mouse.
 void drag(BenchWindow& w) {
-    const auto spot = w.view().gizmo().spot({Handle::Kind::Axis, 0});
+    const auto spot = w.view().tools().gizmo().spot({Handle::Kind::Axis, 0});
     if (!spot) qFatal("there is no handle to drag");
     w.mouse(QEvent::MouseMove, *spot);
     w.mouse(QEvent::MouseButtonPress, *spot);
@@ -134,7 +134,7 @@ QJsonObject measureStart(const QString& file, double startedMs) {
     BenchWindow w;
     BenchApplication& application = *static_cast<BenchApplication*>(qApp);
     double drawn = 0;
-    QObject::connect(&w.view(), &View::pictureShown, [&] {
+    QObject::connect(&w.view().image(), &ViewImage::shown, [&] {
         if (drawn == 0) drawn = nowMs();
     });
     if (!file.isEmpty()) w.window->open(file);

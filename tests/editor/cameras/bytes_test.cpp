@@ -34,12 +34,12 @@ private Q_SLOTS:
                      : window.document.loaded()->diagnostics.all().front().message.c_str());
         window.selection.select("robot0");
         window.trigger("view.overlayFrusta");
-        window.view().lookThrough("robot0/eye");
+        window.view().camera().lookThrough("robot0/eye");
         EVENTUALLY(window.cameras.isSettled());
         const int before = window.cameras.drawnCount();
         window.session.setSpeed(0.1); // slow until camera images were drawn
         window.session.run();
-        EVENTUALLY(window.cameras.drawnCount() > before && window.view().redraws() > 2);
+        EVENTUALLY(window.cameras.drawnCount() > before && window.view().image().redraws() > 2);
         QCOMPARE(window.session.state(), RunState::Running);
         window.session.setSpeed(0);
         EVENTUALLY_EQUAL(window.session.state(), RunState::Ended);

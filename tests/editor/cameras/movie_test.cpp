@@ -12,6 +12,7 @@
 #include "editor/cameras/camera_window.h"
 #include "editor/cameras/movie_dialog.h"
 #include "editor/cameras/picture_dialog.h"
+#include "editor/viewport/view/picture_request.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -83,7 +84,7 @@ private Q_SLOTS:
             MovieRecorder recorder(*m_window->application, *m_render);
             QSignalSpy finished(&recorder, &MovieRecorder::finished);
             recorder.start(job);
-            if (&each == &pixels[1]) m_window->view().lookThrough("robot1/eye");
+            if (&each == &pixels[1]) m_window->view().camera().lookThrough("robot1/eye");
             QVERIFY(finished.wait(60000));
             QCOMPARE(finished.front().front().toString(), QString());
             each = pixelsOf(m_window->folder.filePath(QStringLiteral("a.mp4")));
@@ -179,8 +180,10 @@ private Q_SLOTS:
         offer.run = m_window->session.results().built;
         offer.commands = m_window->session.robots().all();
         offer.runTime = m_window->session.results().time();
-        offer.view = [this](std::uint32_t width, std::uint32_t height) { return m_window->view().movingView(width, height); };
-        offer.look = m_window->view().still(96, 64);
+        offer.view = [this](std::uint32_t width, std::uint32_t height) {
+            return m_window->view().camera().movingView(width, height);
+        };
+        offer.look = stillRequest(m_window->view(), 96, 64);
         offer.file = m_window->folder.filePath(QStringLiteral("run.avi"));
         auto* dialog = new MovieDialog(*m_window->application, *m_render, offer, m_window->panel.get());
         dialog->show();
@@ -228,7 +231,9 @@ private Q_SLOTS:
     void aViewIsSavedInEverySize() {
         QFETCH(QSize, size);
         QFETCH(QString, name);
-        const auto still = [this](std::uint32_t width, std::uint32_t height) { return m_window->view().still(width, height); };
+        const auto still = [this](std::uint32_t width, std::uint32_t height) {
+            return stillRequest(m_window->view(), width, height);
+        };
         auto* dialog = new PictureDialog(*m_render, still, {900, 700}, m_window->folder.filePath(name), m_window->panel.get());
         dialog->open();
         dialog->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(size.width());
@@ -251,9 +256,9 @@ private:
     MovieJob jobFor(const QString& name) {
         MovieJob job;
         job.loaded = m_window->document.loaded();
-        job.look = m_window->view().still(96, 64);
+        job.look = stillRequest(m_window->view(), 96, 64);
         job.look.samples = 1;
-        job.view = m_window->view().movingView(96, 64);
+        job.view = m_window->view().camera().movingView(96, 64);
         job.end = 0.5;
         job.path = m_window->folder.filePath(name).toStdString();
         return job;

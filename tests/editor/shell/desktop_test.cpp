@@ -196,7 +196,7 @@ private Q_SLOTS:
         const QByteArray before = text();
         QVERIFY(keys(QStringLiteral("w 7")));
         EVENTUALLY(move.isChecked());
-        EVENTUALLY_EQUAL(view.camera().kind(), ViewKind::Top);
+        EVENTUALLY_EQUAL(view.camera().free().kind(), ViewKind::Top);
         QCOMPARE(text(), before);
 
         click(*tree().viewport(), placeOf("robot0"));
@@ -211,7 +211,7 @@ private Q_SLOTS:
         QVERIFY(keys(QStringLiteral("ctrl+a Delete 5"))); // selects all of the field, not all objects; 5 does not select a camera
         EVENTUALLY_EQUAL(field->text(), QStringLiteral("5"));
         QCOMPARE(m_window->selection().paths(), std::vector<std::string>{"robot0"});
-        QCOMPARE(view.camera().kind(), ViewKind::Top);
+        QCOMPARE(view.camera().free().kind(), ViewKind::Top);
         QVERIFY(keys(QStringLiteral("Escape")));
         EVENTUALLY_EQUAL(field->text(), QStringLiteral("0"));
 
@@ -234,7 +234,7 @@ private Q_SLOTS:
         const QRect item = list->visualRect(list->model()->index(0, 0));
         View& view = m_window->viewport().current();
         const QPoint at(view.width() / 3, view.height() * 3 / 4);
-        const Vec3 point = view.pointUnder(at);
+        const Vec3 point = view.camera().pointUnder(at);
         QVERIFY(std::abs(point.z()) < 1e-9); // on the floor
         carry(*list->viewport(), item.center(), view, at);
         if (QTest::currentTestFailed()) return;

@@ -27,7 +27,7 @@ void RandomUser::mouse(QWidget& on, int type, const QPointF& at, Qt::MouseButton
 
 bool RandomUser::dragHandle(const char* tool, Handle handle) {
     trigger(tool);
-    const auto spot = view().gizmo().spot(handle);
+    const auto spot = view().tools().gizmo().spot(handle);
     if (!spot || !view().rect().contains(spot->toPoint())) return false;
     const QByteArray before = QByteArray::fromStdString(*m_window.document().text(m_window.document().path()));
     view().setFocus();
@@ -176,8 +176,11 @@ void RandomUser::runAndPause() {
     trigger("sim.run");
     const double from = m_window.session().results().time();
     const RunSession& session = m_window.session();
-    waitFor([&] { return session.results().time() > from || session.state() == RunState::Start || session.state() == RunState::Ended; },
-            "a run to go on");
+    waitFor(
+        [&] {
+            return session.results().time() > from || session.state() == RunState::Start || session.state() == RunState::Ended;
+        },
+        "a run to go on");
     if (below(2) && session.state() == RunState::Running) { // an edit during the run
         if (selectRobot()) dragHandle("tool.move", {Handle::Kind::Axis, 0});
     }
@@ -191,8 +194,9 @@ void RandomUser::pushRobot() {
     const RunSession& session = m_window.session();
     if (session.state() != RunState::Paused || session.results().experiment->robots.empty()) return;
     trigger("tool.select");
-    const auto where = session.robots().pose(session.results().experiment->robots[below(session.results().experiment->robots.size())].name);
-    const auto at = where ? view().pixelOf(where->position + Vec3(0, 0, 0.08)) : std::nullopt;
+    const auto where =
+        session.robots().pose(session.results().experiment->robots[below(session.results().experiment->robots.size())].name);
+    const auto at = where ? view().camera().pixelOf(where->position + Vec3(0, 0, 0.08)) : std::nullopt;
     if (!at || !view().rect().contains(at->toPoint())) return;
     mouse(view(), QEvent::MouseButtonPress, *at, Qt::LeftButton, Qt::ControlModifier);
     mouse(view(), QEvent::MouseMove, *at + QPointF(40, -10), Qt::LeftButton, Qt::ControlModifier);

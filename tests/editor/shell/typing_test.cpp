@@ -89,7 +89,7 @@ private Q_SLOTS:
         auto* tree = m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"));
         const QPointer<QWidget> row = m_window->findChild<QWidget*>(QStringLiteral("row.Pos"));
         QVERIFY(row && row->isVisible());
-        const int pictures = view.redraws(), finer = view.refinements();
+        const int pictures = view.image().redraws(), finer = view.image().refinements();
 
         QSignalSpy changed(&m_window->document(), &Document::changed), selection(&m_window->selection(), &Selection::changed),
             reset(tree->model(), &QAbstractItemModel::modelReset), inserted(tree->model(), &QAbstractItemModel::rowsInserted),
@@ -102,8 +102,8 @@ private Q_SLOTS:
         QCOMPARE(selection.size(), selections);
         QCOMPARE(reset.size() + inserted.size() + removed.size(), 0);
         QVERIFY2(row && row == m_window->findChild<QWidget*>(QStringLiteral("row.Pos")), "the rows were made anew");
-        QCOMPARE(view.redraws() - pictures, 1);
-        QCOMPARE(view.refinements() - finer, 1);
+        QCOMPARE(view.image().redraws() - pictures, 1);
+        QCOMPARE(view.image().refinements() - finer, 1);
     }
 
 private:

@@ -333,7 +333,7 @@ private Q_SLOTS:
         view.setFocus();
         QTest::keyClick(&view, Qt::Key_F5);
         EVENTUALLY(session.results().poses && session.results().time() > 0.02);
-        const QPoint at = view.pixelOf(session.robots().pose("robot0")->position + Vec3(0, 0, 0.1)).value().toPoint();
+        const QPoint at = view.camera().pixelOf(session.robots().pose("robot0")->position + Vec3(0, 0, 0.1)).value().toPoint();
         QTest::mousePress(&view, Qt::LeftButton, Qt::ControlModifier, at);
         QMouseEvent move(QEvent::MouseMove, at + QPointF(30, 0), view.mapToGlobal(at + QPointF(30, 0)), Qt::NoButton,
                          Qt::LeftButton, Qt::ControlModifier);

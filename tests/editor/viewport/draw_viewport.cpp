@@ -31,6 +31,6 @@ int main(int argc, char** argv) {
     QElapsedTimer time;
     time.start();
     while (time.elapsed() < 2500 || !window.panel->isSettled()) QApplication::processEvents(QEventLoop::AllEvents, 20);
-    std::printf("%d redraws, %d refinements\n", window.view().redraws(), window.view().refinements());
+    std::printf("%d redraws, %d refinements\n", window.view().image().redraws(), window.view().image().refinements());
     return window.panel->grab().save(QString::fromLocal8Bit(argv[2])) ? 0 : 1;
 }

@@ -21,130 +21,131 @@ private Q_SLOTS:
     void oneEditIsOnePictureInEachView() {
         m_window->trigger("view.two");
         EVENTUALLY(m_window->panel->isUpToDate());
-        const int first = m_window->panel->view(0).redraws(), second = m_window->panel->view(1).redraws();
-        const int hidden = m_window->panel->view(2).redraws();
+        const int first = m_window->panel->view(0).image().redraws(), second = m_window->panel->view(1).image().redraws();
+        const int hidden = m_window->panel->view(2).image().redraws();
         QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
         EVENTUALLY(m_window->panel->isUpToDate());
-        QCOMPARE(m_window->panel->view(0).redraws(), first + 1);
-        QCOMPARE(m_window->panel->view(1).redraws(), second + 1);
-        QCOMPARE(m_window->panel->view(2).redraws(), hidden);
+        QCOMPARE(m_window->panel->view(0).image().redraws(), first + 1);
+        QCOMPARE(m_window->panel->view(1).image().redraws(), second + 1);
+        QCOMPARE(m_window->panel->view(2).image().redraws(), hidden);
     }
 
     void manyChangesOfOneMomentAreOnePicture() {
-        const int before = m_window->view().redraws();
+        const int before = m_window->view().image().redraws();
         for (int i = 0; i < 5; ++i) m_window->selection.select(i % 2 ? "robot0" : "robot1");
         for (int i = 0; i < 20; ++i) m_window->view().redraw();
         EVENTUALLY(m_window->panel->isUpToDate());
-        QCOMPARE(m_window->view().redraws(), before + 1);
+        QCOMPARE(m_window->view().image().redraws(), before + 1);
     }
 
     void refinesPictureWhenIdle() {
-        EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
+        EVENTUALLY_EQUAL(m_window->view().image().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
-        const int redraws = m_window->view().redraws();
+        const int redraws = m_window->view().image().redraws();
         // Iterations of the event loop without an event of the view.
         for (int i = 0; i < 200; ++i) QCoreApplication::processEvents();
-        QCOMPARE(m_window->view().redraws(), redraws);
-        QCOMPARE(m_window->view().refinements(), 1);
+        QCOMPARE(m_window->view().image().redraws(), redraws);
+        QCOMPARE(m_window->view().image().refinements(), 1);
     }
 
     void refinementDoesNotDelayNewImages() {
         m_window->panel->resize(1800, 1400); // so that drawing takes long
         EVENTUALLY(m_window->panel->isUpToDate());
-        const int finer = m_window->view().refinements();
-        while (m_window->view().refinements() == finer) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        const int before = m_window->view().redraws();
-        QSignalSpy shown(&m_window->view(), &View::pictureShown);
+        const int finer = m_window->view().image().refinements();
+        while (m_window->view().image().refinements() == finer) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        const int before = m_window->view().image().redraws();
+        QSignalSpy shown(&m_window->view().image(), &ViewImage::shown);
         m_window->selection.select("robot0");
         EVENTUALLY(m_window->panel->isUpToDate());
-        QCOMPARE(m_window->view().redraws(), before + 1);
+        QCOMPARE(m_window->view().image().redraws(), before + 1);
         QVERIFY(shown.size() >= 1);
-        QVERIFY(orange(m_window->view().picture()) > 100);
-        EVENTUALLY_EQUAL(m_window->view().refinements(), finer + 2); // the refined image follows
+        QVERIFY(orange(m_window->view().image().picture()) > 100);
+        EVENTUALLY_EQUAL(m_window->view().image().refinements(), finer + 2); // the refined image follows
         EVENTUALLY(m_window->panel->isSettled());
         QCOMPARE(shown.size(), 2); // the image that was superseded was not shown
     }
 
     void hiddenPanelRequestsNothing() {
         m_window->panel->hide();
-        const int before = m_window->view().redraws();
+        const int before = m_window->view().image().redraws();
         QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
         for (int i = 0; i < 100; ++i) QCoreApplication::processEvents();
-        QCOMPARE(m_window->view().redraws(), before);
+        QCOMPARE(m_window->view().image().redraws(), before);
         m_window->panel->show();
         EVENTUALLY(m_window->panel->isUpToDate());
-        QCOMPARE(m_window->view().redraws(), before + 1);
+        QCOMPARE(m_window->view().image().redraws(), before + 1);
     }
 
     void aSelectedRobotHasAnOutline() {
-        const QImage plain = m_window->view().picture();
+        const QImage plain = m_window->view().image().picture();
         m_window->selection.select("robot0");
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 100);
         QCOMPARE(orange(plain), 0);
         m_window->selection.select("robot0.chassis.bumper");
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 20);
         m_window->selection.select("RobotConfig.SimpleRobot.chassis"); // outlined in both robots
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 100);
         m_window->selection.select("arena.floor"); // infinite, so it has no outline
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) == 0);
     }
 
     void omitsHiddenObjects() {
         m_window->selection.select("robot0");
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 100);
         m_window->panel->setHidden({"robot0"});
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) == 0);
         m_window->panel->setHidden({"robot0.chassis.hull", "arena"});
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 20);
     }
 
     void theWheelZoomsToTheCursor() {
         const QPointF cursor(600, 400);
-        const Vec3 under = m_window->view().pointUnder(cursor);
-        const double before = m_window->view().camera().metresPerPixel(900, under);
+        const Vec3 under = m_window->view().camera().pointUnder(cursor);
+        const double before = m_window->view().camera().free().metresPerPixel(900, under);
         QWheelEvent event(cursor, m_window->view().mapToGlobal(cursor), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
                           Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&m_window->view(), &event);
-        const QPointF after = *m_window->view().pixelOf(under);
+        const QPointF after = *m_window->view().camera().pixelOf(under);
         QVERIFY(QLineF(after, cursor).length() < 0.01);
-        QVERIFY(m_window->view().camera().metresPerPixel(900, under) < 0.8 * before);
+        QVERIFY(m_window->view().camera().free().metresPerPixel(900, under) < 0.8 * before);
     }
 
     void theMiddleButtonOrbitsAboutWhatIsUnderTheCursor() {
         const QPointF cursor(500, 420);
-        const Vec3 under = m_window->view().pointUnder(cursor);
+        const Vec3 under = m_window->view().camera().pointUnder(cursor);
         m_window->drag(cursor, cursor + QPointF(90, -30), Qt::MiddleButton);
-        QVERIFY(QLineF(*m_window->view().pixelOf(under), cursor).length() < 0.01);
+        QVERIFY(QLineF(*m_window->view().camera().pixelOf(under), cursor).length() < 0.01);
     }
 
     void withShiftItPansAndThePointStaysUnderTheCursor() {
         const QPointF cursor(500, 420), to(620, 380);
-        const Vec3 under = m_window->view().pointUnder(cursor);
+        const Vec3 under = m_window->view().camera().pointUnder(cursor);
         m_window->drag(cursor, to, Qt::MiddleButton, Qt::ShiftModifier);
-        QVERIFY(QLineF(*m_window->view().pixelOf(under), to).length() < 0.01);
+        QVERIFY(QLineF(*m_window->view().camera().pixelOf(under), to).length() < 0.01);
     }
 
     void inTheCadStyleTheMiddleButtonPansAndCtrlZooms() {
         ViewSettings& settings = m_window->view().context().settings;
         settings.setNavigation(NavigationStyle::Cad);
         const QPointF cursor(500, 420), to(620, 380);
-        Vec3 under = m_window->view().pointUnder(cursor);
+        Vec3 under = m_window->view().camera().pointUnder(cursor);
         m_window->drag(cursor, to, Qt::MiddleButton);
-        QVERIFY(QLineF(*m_window->view().pixelOf(under), to).length() < 0.01);
-        under = m_window->view().pointUnder(cursor);
-        const double before = m_window->view().camera().metresPerPixel(900, under);
+        QVERIFY(QLineF(*m_window->view().camera().pixelOf(under), to).length() < 0.01);
+        under = m_window->view().camera().pointUnder(cursor);
+        const double before = m_window->view().camera().free().metresPerPixel(900, under);
         m_window->drag(cursor, cursor - QPointF(0, 60), Qt::MiddleButton, Qt::ControlModifier); // up zooms in, like the wheel
-        QVERIFY(m_window->view().camera().metresPerPixel(900, under) < 0.8 * before);
-        QVERIFY(QLineF(*m_window->view().pixelOf(under), cursor).length() < 0.01);
+        QVERIFY(m_window->view().camera().free().metresPerPixel(900, under) < 0.8 * before);
+        QVERIFY(QLineF(*m_window->view().camera().pixelOf(under), cursor).length() < 0.01);
         settings.setNavigation(NavigationStyle::Trundle);
     }
 
     void hintsAtFlyingWhileOrbiting() {
         m_window->press({500, 420}, Qt::RightButton);
         m_window->move({520, 420}, {}, Qt::RightButton);
-        QVERIFY2(m_window->view().hint().contains(QStringLiteral("W A S D")), qPrintable(m_window->view().hint()));
+        QVERIFY2(m_window->view().hints().hint().contains(QStringLiteral("W A S D")),
+                 qPrintable(m_window->view().hints().hint()));
         m_window->release({520, 420}, Qt::RightButton);
-        QCOMPARE(m_window->view().hint(), QString());
+        QCOMPARE(m_window->view().hints().hint(), QString());
     }
 
     void axisViewsAndLayoutsFollowTheirActions() {
@@ -157,7 +158,7 @@ private Q_SLOTS:
                                                            {"view.chase", ViewKind::Chase},
                                                            {"view.perspective", ViewKind::Perspective}}) {
             m_window->trigger(id);
-            QCOMPARE(m_window->view().camera().kind(), kind);
+            QCOMPARE(m_window->view().camera().free().kind(), kind);
             EVENTUALLY(m_window->panel->isUpToDate());
         }
         m_window->trigger("view.four");
@@ -175,31 +176,31 @@ private Q_SLOTS:
         m_window->selection.select("robot1");
         m_window->trigger("view.frame");
         EVENTUALLY(m_window->view().rect().contains(m_window->at({0.5, 0.3, 0.05})));
-        EVENTUALLY(m_window->view().camera().distance() < 1.5);
+        EVENTUALLY(m_window->view().camera().free().distance() < 1.5);
         m_window->trigger("view.frameAll");
-        EVENTUALLY(m_window->view().camera().distance() > 3);
+        EVENTUALLY(m_window->view().camera().free().distance() > 3);
     }
 
     void showsBrokenObjectAsGhost() {
         const QPointF hull = m_window->at({0.5, 0.3, 0.1});
-        EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
+        EVENTUALLY_EQUAL(m_window->view().image().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
-        const QColor before = m_window->view().picture().pixelColor(hull.toPoint());
+        const QColor before = m_window->view().image().picture().pixelColor(hull.toPoint());
         // The config of the second robot is missing now.
         const std::string file = m_window->document.files().front();
         const std::string broken =
             QByteArray(kRoom).replace("robot1 { Config=SimpleRobot", "robot1 { Config=Nothing").toStdString();
         QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, broken).ok());
         QCOMPARE(m_window->panel->world().objects()->experiment().robots.size(), std::size_t(1));
-        EVENTUALLY_EQUAL(m_window->view().refinements(), 2);
+        EVENTUALLY_EQUAL(m_window->view().image().refinements(), 2);
         EVENTUALLY(m_window->panel->isUpToDate());
-        const QColor ghost = m_window->view().picture().pixelColor(hull.toPoint());
+        const QColor ghost = m_window->view().image().picture().pixelColor(hull.toPoint());
         const std::string gone =
             QByteArray(kRoom).split('\n').mid(0, 5).join('\n').toStdString() + "\nRobot x { Config=Nothing }\n";
         QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, gone).ok());
-        EVENTUALLY_EQUAL(m_window->view().refinements(), 3);
+        EVENTUALLY_EQUAL(m_window->view().image().refinements(), 3);
         EVENTUALLY(m_window->panel->isUpToDate());
-        const QColor floor = m_window->view().picture().pixelColor(hull.toPoint());
+        const QColor floor = m_window->view().image().picture().pixelColor(hull.toPoint());
         QVERIFY(ghost != before);
         QVERIFY(ghost != floor);
     }
@@ -222,30 +223,30 @@ private Q_SLOTS:
     void appliesRenderStyleAtOnce() {
         const auto chosen = [this](const char* id) { return m_window->actions.at(id).isChecked(); };
         EVENTUALLY(m_window->panel->isSettled());
-        const QImage fast = m_window->view().picture();
+        const QImage fast = m_window->view().image().picture();
         QVERIFY(chosen("view.lookAutomatic") && !chosen("view.lookRich"));
         m_window->trigger("view.lookRich");
         QVERIFY(!chosen("view.lookAutomatic") && chosen("view.lookRich"));
         EVENTUALLY(m_window->panel->isSettled());
-        const QImage rich = m_window->view().picture();
+        const QImage rich = m_window->view().image().picture();
         m_window->trigger("view.lookFast");
         QVERIFY(!chosen("view.lookRich") && chosen("view.lookFast"));
         EVENTUALLY(m_window->panel->isSettled());
-        QVERIFY(rich != m_window->view().picture());
-        if (m_render->isSoftware()) QVERIFY(fast == m_window->view().picture());
+        QVERIFY(rich != m_window->view().image().picture());
+        if (m_render->isSoftware()) QVERIFY(fast == m_window->view().image().picture());
         m_window->trigger("view.lookAutomatic");
         EVENTUALLY(m_window->panel->isSettled());
-        QVERIFY(fast == m_window->view().picture());
+        QVERIFY(fast == m_window->view().image().picture());
     }
 
     void whereThereIsNoFloorItsLinesAreThere() {
         QVERIFY(m_window->open("#import robots/simple_robot.sim\nRobot robot0 { Config=SimpleRobot Pos=0,0,0 }\n"));
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
         EVENTUALLY(m_window->panel->isSettled());
-        const QImage with = m_window->view().picture();
+        const QImage with = m_window->view().image().picture();
         m_window->trigger("view.overlayGrid");
         EVENTUALLY(m_window->panel->isSettled());
-        const QImage without = m_window->view().picture();
+        const QImage without = m_window->view().image().picture();
         // Along a metre of open floor there are ten grid lines; the robot looks the same.
         int lines = 0;
         const QPoint from = m_window->at({-0.55, -0.85, 0}), to = m_window->at({0.55, -0.85, 0});
@@ -262,7 +263,7 @@ private Q_SLOTS:
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
         const auto look = [this](std::vector<int>& shades) { // along 40 cm of open floor, across four grid lines
             EVENTUALLY(m_window->panel->isSettled());
-            const QImage& picture = m_window->view().picture();
+            const QImage& picture = m_window->view().image().picture();
             const QPoint from = m_window->at({-0.2, -0.85, 0}), to = m_window->at({0.2, -0.85, 0});
             for (int x = from.x(); x < to.x(); ++x) shades.push_back(qGray(picture.pixel(x, from.y())));
             std::ranges::sort(shades);
@@ -308,7 +309,7 @@ private Q_SLOTS:
         const auto scaleBar = [&] { return view.grab().toImage().copy(0, bar, view.width(), view.height() - bar); };
         const QImage before = scaleBar();
         const QImage whole = view.grab().toImage();
-        view.setHint(QStringLiteral("Distance 1.234 m · x 1.000 m   y 0.500 m   z 0.250 m"));
+        view.hints().setHint(QStringLiteral("Distance 1.234 m · x 1.000 m   y 0.500 m   z 0.250 m"));
         QVERIFY(view.grab().toImage() != whole);
         QCOMPARE(scaleBar(), before);
     }
@@ -319,7 +320,7 @@ private Q_SLOTS:
         EVENTUALLY(m_window->panel->isSettled());
         View &first = m_window->panel->view(0), &second = m_window->panel->view(1);
         const auto click = [](View& view, const Vec3& point) {
-            QTest::mouseClick(&view, Qt::LeftButton, {}, view.pixelOf(point).value().toPoint());
+            QTest::mouseClick(&view, Qt::LeftButton, {}, view.camera().pixelOf(point).value().toPoint());
         };
         const auto drawn = [](View& view) {
             const QImage image = view.grab().toImage().convertToFormat(QImage::Format_RGB32);

@@ -87,13 +87,13 @@ private Q_SLOTS:
         m_window->trigger("view.overlayShadows");
         EVENTUALLY(m_window->panel->isSettled());
         View& view = m_window->view();
-        const QImage before = view.picture();
+        const QImage before = view.image().picture();
         const Vec3 places[] = {{0.5, 0.2, 0}, {-0.5, -0.3, 0}};
         QMimeData data;
         fill(data, "Robot", "Robot ball { Config=RollingBall Pos=1,1,1 }", {QStringLiteral("objects/rolling_ball.sim")});
         const auto isSeen = [&](const Vec3& where) {
             const QPoint at = m_window->at(where + Vec3(0, 0, 0.08));
-            return qRed(view.picture().pixel(at)) > qRed(before.pixel(at)) + 40; // an orange ball on a grey floor
+            return qRed(view.image().picture().pixel(at)) > qRed(before.pixel(at)) + 40; // an orange ball on a grey floor
         };
         const auto drag = [&](QDragMoveEvent&& event) { QCoreApplication::sendEvent(&view, &event); };
         drag(QDragEnterEvent(m_window->at(places[0]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QDragLeaveEvent leave;
         QCoreApplication::sendEvent(&view, &leave);
         EVENTUALLY(m_window->panel->isSettled());
-        QVERIFY(view.picture() == before);
+        QVERIFY(view.image().picture() == before);
         // The drop places it where the preview was.
         drag(QDragEnterEvent(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
         const Pose shown = m_window->panel->world().dragged().value();

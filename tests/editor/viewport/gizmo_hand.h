@@ -9,10 +9,10 @@ namespace trundle {
 inline bool dragHandle(ViewWindow& window, const Handle& handle, const Vec3& by, const Vec3& origin,
                        Qt::KeyboardModifiers modifiers = {}) {
     View& view = window.view();
-    const auto spot = view.gizmo().spot(handle);
+    const auto spot = view.tools().gizmo().spot(handle);
     if (!spot) return false;
     // The point under the handle's pixel, on its axis or plane.
-    const ViewRay ray = view.rayAt(*spot);
+    const ViewRay ray = view.camera().rayAt(*spot);
     Vec3 start;
     if (handle.kind == Handle::Kind::Plane) {
         start = ray.origin + (origin - ray.origin)[handle.axis] / ray.direction[handle.axis] * ray.direction;
@@ -22,7 +22,7 @@ inline bool dragHandle(ViewWindow& window, const Handle& handle, const Vec3& by,
         const double b = axis.dot(ray.direction), n = 1 - b * b;
         start = origin + (b * ray.direction.dot(between) - axis.dot(between)) / n * axis;
     }
-    window.drag(*spot, view.pixelOf(start + by).value(), Qt::LeftButton, modifiers);
+    window.drag(*spot, view.camera().pixelOf(start + by).value(), Qt::LeftButton, modifiers);
     return true;
 }
 

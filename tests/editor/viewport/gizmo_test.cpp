@@ -56,12 +56,12 @@ private Q_SLOTS:
         View& view = m_window->view();
         // From a point on the ring to the one 45 degrees further, seen from above.
         m_window->look({-0.5, -0.01, 4}, {-0.5, 0, 0});
-        const double radius = 74 * view.camera().metresPerPixel(view.width(), {-0.5, 0, 0});
+        const double radius = 74 * view.camera().free().metresPerPixel(view.width(), {-0.5, 0, 0});
         const auto on = [&](double degrees) {
             const double a = degrees * M_PI / 180;
-            return *view.pixelOf(Vec3(-0.5, 0, 0) + radius * Vec3(std::cos(a), std::sin(a), 0));
+            return *view.camera().pixelOf(Vec3(-0.5, 0, 0) + radius * Vec3(std::cos(a), std::sin(a), 0));
         };
-        QVERIFY(view.gizmo().spot(kTurnZ));
+        QVERIFY(view.tools().gizmo().spot(kTurnZ));
         m_window->press(on(10));
         for (int i = 1; i <= 9; ++i) m_window->move(on(10 + 5 * i), {}, Qt::LeftButton);
         m_window->release(on(55));
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(m_window->document.setValues(QStringLiteral("Set Tick"), {{"Tick", "0.02"}}).ok());
         m_window->document.undo();
         take("robot0", "tool.move");
-        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        const QPointF from = *m_window->view().tools().gizmo().spot(kMoveX);
         m_window->press(from);
         m_window->move(from + QPointF(120, 0), {}, Qt::LeftButton);
         QVERIFY(m_window->text() != kRoom);
@@ -91,7 +91,7 @@ private Q_SLOTS:
 
     void aTypedNumberIsExact() {
         take("robot0", "tool.move");
-        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        const QPointF from = *m_window->view().tools().gizmo().spot(kMoveX);
         m_window->press(from);
         m_window->move(from + QPointF(30, 4), {}, Qt::LeftButton);
         m_window->type(QStringLiteral("0.255"));
@@ -106,7 +106,7 @@ private Q_SLOTS:
 
     void aTypedNumberMayCarryItsUnit() {
         take("robot0", "tool.move");
-        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        const QPointF from = *m_window->view().tools().gizmo().spot(kMoveX);
         m_window->press(from);
         m_window->move(from + QPointF(30, 4), {}, Qt::LeftButton);
         m_window->type(QStringLiteral("25 c"));
@@ -121,7 +121,7 @@ private Q_SLOTS:
         open("StaticConfig Yard {\n  Cylinder drum { Radius=0.2 Length=0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
         take("StaticConfig.Yard.drum", "tool.scale");
         const auto type = [&](int axis, const char* typed) {
-            const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Size, axis});
+            const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Size, axis});
             m_window->press(from);
             m_window->move(from + QPointF(12, 12), {}, Qt::LeftButton);
             m_window->type(QString::fromLatin1(typed));
@@ -182,7 +182,7 @@ private Q_SLOTS:
         open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n");
         take("StaticConfig.Yard.crate", "tool.scale");
         const Handle side{Handle::Kind::Size, 0};
-        QVERIFY(m_window->view().gizmo().spot(side));
+        QVERIFY(m_window->view().tools().gizmo().spot(side));
         dragBy(side, {0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
         QVERIFY2(m_window->text().contains("Size=0.5, 0.4, 0.4  Pos=0.05,0,0.2"), m_window->text().constData());
         // A side is dragged past the opposite side: the size stays positive and the opposite side stays in place.
@@ -220,8 +220,9 @@ private Q_SLOTS:
         open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
         take("StaticConfig.Yard.crate", "tool.scale");
         const Vec3 middle(0, 0, 0.2);
-        const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Size, 0});
-        const QPointF way = *m_window->view().pixelOf(middle + Vec3(0.1, 0, 0)) - *m_window->view().pixelOf(middle);
+        const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0});
+        const QPointF way =
+            *m_window->view().camera().pixelOf(middle + Vec3(0.1, 0, 0)) - *m_window->view().camera().pixelOf(middle);
         m_window->press(from);
         m_window->move(from + way, {}, Qt::LeftButton);
         QVERIFY2(!m_window->text().contains("Pos=0,0,0.2"), m_window->text().constData());
@@ -254,7 +255,8 @@ private Q_SLOTS:
 
     void arrowIsGrabbedByItsTip() {
         take("robot0", "tool.move");
-        const QPointF middle = *m_window->view().pixelOf({-0.5, 0, 0}), spot = *m_window->view().gizmo().spot(kMoveX);
+        const QPointF middle = *m_window->view().camera().pixelOf({-0.5, 0, 0}),
+                      spot = *m_window->view().tools().gizmo().spot(kMoveX);
         const QPointF along = (spot - middle) / QLineF(middle, spot).length();
         const QPointF tip = 2 * spot - middle - 11 * along; // outer end of the handle's line
         for (const double beyond : {4.0, 12.0}) {
@@ -276,13 +278,13 @@ private Q_SLOTS:
     void aMemberOfAGridOffersToBeReplaced() {
         open("#import robots/simple_robot.sim\nGrid swarm { Config=SimpleRobot Pos=0,0,0 Count=2 Spacing=1 }\n");
         take("swarm_1", "tool.move");
-        QVERIFY(!m_window->view().gizmo().spot(kMoveX));
+        QVERIFY(!m_window->view().tools().gizmo().spot(kMoveX));
         auto* button = m_window->panel->findChild<QWidget*>(QStringLiteral("bannerButton"));
         QVERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
         QVERIFY2(!m_window->text().contains("Grid") && m_window->text().contains("Robot swarm_1"), m_window->text().constData());
         take("swarm_1", "tool.move");
-        QVERIFY(m_window->view().gizmo().spot(kMoveX));
+        QVERIFY(m_window->view().tools().gizmo().spot(kMoveX));
         m_window->document.undo();
         QVERIFY(m_window->text().contains("Grid swarm { Config=SimpleRobot Pos=0,0,0 Count=2 Spacing=1 }"));
     }
@@ -313,7 +315,7 @@ private Q_SLOTS:
         open(QByteArray(kRoom) + "Robot broken { Config=Nothing Pos=1,1,0 }\n");
         const QByteArray before = m_window->text();
         take("broken", "tool.move");
-        QVERIFY(!m_window->view().gizmo().spot(kMoveX)); // the gizmo is not drawn
+        QVERIFY(!m_window->view().tools().gizmo().spot(kMoveX)); // the gizmo is not drawn
         take("robot0", "tool.move");
         dragBy(kMoveX, {0.1, 0, 0}, Qt::NoModifier);
         QVERIFY2(m_window->text().contains("Pos=-0.4,0,0"), m_window->text().constData());
@@ -323,7 +325,7 @@ private Q_SLOTS:
 
     void losingMouseEndsDrag() {
         take("robot0", "tool.move");
-        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        const QPointF from = *m_window->view().tools().gizmo().spot(kMoveX);
         m_window->press(from);
         m_window->move(from + QPointF(100, 0), {}, Qt::LeftButton);
         QVERIFY(m_window->open("Tick = 0.02\n")); // opens another document during the drag

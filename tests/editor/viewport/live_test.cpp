@@ -116,7 +116,7 @@ private Q_SLOTS:
             step();
             QVERIFY(!m_window->session.edits().needsReset());
             QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"overview.Eye", "1,2,3"}}).ok());
-            EVENTUALLY((m_window->view().camera().view().eye - Vec3(1, 2, 3)).norm() < 1e-9);
+            EVENTUALLY((m_window->view().camera().free().view().eye - Vec3(1, 2, 3)).norm() < 1e-9);
             QCOMPARE(m_window->session.edits().needsReset(), logged);
             if (logged) continue;
             m_window->document.undo();
@@ -178,8 +178,8 @@ private Q_SLOTS:
         m_window->selection.select("robot0");
         m_window->trigger("tool.move");
         const Handle x{Handle::Kind::Axis, 0};
-        QVERIFY(m_window->view().gizmo().spot(x));
-        const QPointF from = *m_window->view().gizmo().spot(x);
+        QVERIFY(m_window->view().tools().gizmo().spot(x));
+        const QPointF from = *m_window->view().tools().gizmo().spot(x);
         m_window->drag(from, from + QPointF(120, 0));
         QCOMPARE(m_window->text(), kRoom);
         QVERIFY(m_window->session.robots().pose("robot0")->position.x() > -0.4);
@@ -197,7 +197,7 @@ private Q_SLOTS:
         m_window->selection.select("robot0");
         m_window->trigger("tool.move");
         const Vec3 before = m_window->session.robots().pose("robot0")->position;
-        const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Axis, 0});
+        const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Axis, 0});
         m_window->press(from);
         m_window->move(from + QPointF(120, 0), {}, Qt::LeftButton);
         QVERIFY((m_window->session.robots().pose("robot0")->position - before).norm() > 0.05);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         step();
         m_window->selection.select("robot0.chassis.hull");
         m_window->trigger("tool.move");
-        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Axis, 0}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Axis, 0}));
     }
 
     void ctrlAndADragPushesABody() {
@@ -233,10 +233,11 @@ private Q_SLOTS:
         step();
         m_window->selection.select("robot1");
         m_window->trigger("view.follow");
-        const QPointF before = *m_window->view().pixelOf(m_window->session.robots().pose("robot1")->position);
+        const QPointF before = *m_window->view().camera().pixelOf(m_window->session.robots().pose("robot1")->position);
         QVERIFY(m_window->session.robots().place("robot1", {Vec3(-1, -1, 0), Quat::Identity()}));
         EVENTUALLY((m_window->session.robots().pose("robot1")->position - Vec3(-1, -1, 0)).norm() < 1e-3);
-        QVERIFY(QLineF(*m_window->view().pixelOf(m_window->session.robots().pose("robot1")->position), before).length() < 1);
+        QVERIFY(QLineF(*m_window->view().camera().pixelOf(m_window->session.robots().pose("robot1")->position), before).length() <
+                1);
     }
 
     void aDrivenRobotStaysInThePicture() {
@@ -244,23 +245,23 @@ private Q_SLOTS:
         EVENTUALLY(m_window->panel->world().isRunning());
         QVERIFY(m_window->session.robots().drive("robot1", 0.3, 0));
         EVENTUALLY(m_window->session.robots().pose("robot1")->position.x() > 0.6);
-        QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective); // it is visible, so the view does not move
+        QCOMPARE(m_window->view().camera().free().kind(), ViewKind::Perspective); // it is visible, so the view does not move
         m_window->session.robots().stopDriving();
         m_window->look({-0.5, -0.6, 0.4}, {-0.5, 0, 0});
         m_window->selection.select("robot0");
         QVERIFY(m_window->session.robots().drive("robot0", 0.6, 0));
-        EVENTUALLY_EQUAL(m_window->view().camera().kind(), ViewKind::Follow);
+        EVENTUALLY_EQUAL(m_window->view().camera().free().kind(), ViewKind::Follow);
         QVERIFY(m_window->view().rect().contains(m_window->at(m_window->session.robots().pose("robot0")->position)));
         QVERIFY(m_window->open(kRoom)); // the followed robot is missing
-        QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective);
+        QCOMPARE(m_window->view().camera().free().kind(), ViewKind::Perspective);
     }
 
     void framesExperimentOpenedDuringRun() {
         step();
         m_window->look({50, 50, 50}, {60, 60, 60});
         QVERIFY(m_window->open(kRoom));
-        EVENTUALLY(m_window->view().pixelOf({-0.5, 0, 0}));
-        EVENTUALLY(m_window->view().rect().contains(m_window->view().pixelOf({-0.5, 0, 0})->toPoint()));
+        EVENTUALLY(m_window->view().camera().pixelOf({-0.5, 0, 0}));
+        EVENTUALLY(m_window->view().rect().contains(m_window->view().camera().pixelOf({-0.5, 0, 0})->toPoint()));
     }
 
     void arrowsAreAsLongAsTheForceUpToALimit() {

@@ -100,7 +100,7 @@ private Q_SLOTS:
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote radio.Antenna=beam }\n"));
         m_window->look({0, -0.6, 0.6}, {0, 0, 0.1});
         EVENTUALLY(m_window->panel->isSettled());
-        const QImage bare = m_window->view().picture();
+        const QImage bare = m_window->view().image().picture();
         m_window->trigger("view.overlayLobes");
         step();
         const double ahead = 0.7 * lobeRadius(AntennaPattern::of(AntennaModel::Patch, {}, 70 * std::numbers::pi / 180).peak(),
@@ -302,7 +302,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote }\nRobot b { Config=Mote Pos=2,0,0 }\n"));
         m_window->look({0.5, -2.5, 2.5}, {0.5, 0, 0});
         EVENTUALLY(m_window->panel->isSettled());
-        const QImage bare = m_window->view().picture();
+        const QImage bare = m_window->view().image().picture();
         m_window->trigger("view.overlayCoverage");
         EVENTUALLY(m_window->panel->isSettled());
         const RadioOverlays& radios = m_window->panel->radios();
@@ -313,7 +313,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         const Ground& ground = radios.coverage()->coverage.ground;
         QVERIFY(!differs(bare, {0.5, ground.y + ground.depth + 0.2, 0}));
         // On the screen too, nearer is yellower.
-        const auto red = [&](double x) { return m_window->view().picture().pixelColor(m_window->at({x, 0.15, 0})).red(); };
+        const auto red = [&](double x) { return qRed(m_window->view().image().picture().pixel(m_window->at({x, 0.15, 0}))); };
         QVERIFY(red(0.15) > red(0.7));
         m_window->selection.select("b");
         EVENTUALLY(radios.coverage()->coverage.transmitter == "b/radio" && m_window->panel->isUpToDate());
@@ -431,7 +431,7 @@ private:
     /// True if a point in the world has another colour than before.
     bool differs(const QImage& before, const Vec3& place) {
         const QPoint at = m_window->at(place);
-        return distance(before.pixelColor(at), m_window->view().picture().pixelColor(at)) > 24;
+        return distance(before.pixelColor(at), m_window->view().image().picture().pixelColor(at)) > 24;
     }
     /// True if a colour is drawn on a pixel or next to it.
     bool shows(const QPoint& at, const Rgb& colour) {

@@ -30,14 +30,14 @@ private Q_SLOTS:
         dragBy({Handle::Kind::Size, 0, -1}, {0, -0.5, 0}, Qt::NoModifier, middle);
         QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
         // Only upwards from the floor: there is no handle below.
-        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Size, 2, -1}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 2, -1}));
         dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {1, 0.25, 0.25});
         QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 height=0.7 }"), m_window->text().constData());
         const GeomSpec& bricks = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QVERIFY((bricks.size - Vec3(2.5, 0.1, 0.7)).norm() < 1e-9);
         QVERIFY(std::abs(bricks.pose.position.z() - 0.35) < 1e-9); // on the floor
         // A typed number becomes the Param's value.
-        const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Size, 0});
+        const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0});
         m_window->press(from);
         m_window->move(from + QPointF(12, 12), {}, Qt::LeftButton);
         m_window->type(QStringLiteral("3"));
@@ -125,9 +125,9 @@ private Q_SLOTS:
         open("StaticConfig Pair {\nParam a = 0.5\nParam b = 0.3\nParam high = 0.4\n"
              "Box box { Size=$(a+b),0.2,$high Pos=0,0,$(high/2) }\n}\nStatic pair { Config=Pair }\n");
         take("pair", "tool.scale");
-        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Size, 0}));
-        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Size, 1}));
-        QVERIFY(m_window->view().gizmo().spot({Handle::Kind::Size, 2}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 1}));
+        QVERIFY(m_window->view().tools().gizmo().spot({Handle::Kind::Size, 2}));
         const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
         QVERIFY(banner->isVisible());
         const QString reportOf = banner->findChild<QLabel*>()->text();

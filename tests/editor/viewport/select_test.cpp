@@ -117,13 +117,13 @@ private Q_SLOTS:
     void theCursorNamesWhatItWouldSelect() {
         m_window->move(m_window->at({-0.5, 0, 0.14}));
         EVENTUALLY(m_window->panel->isUpToDate());
-        const int before = m_window->view().redraws();
+        const int before = m_window->view().image().redraws();
         m_window->move(m_window->at({-0.49, 0, 0.14})); // the same robot
         m_window->move(m_window->at({-0.48, 0, 0.14}));
         EVENTUALLY(m_window->panel->isUpToDate());
-        QCOMPARE(m_window->view().redraws(), before);
+        QCOMPARE(m_window->view().image().redraws(), before);
         m_window->move(m_window->at({0.5, 0.3, 0.14}));
-        EVENTUALLY_EQUAL(m_window->view().redraws(), before + 1);
+        EVENTUALLY_EQUAL(m_window->view().image().redraws(), before + 1);
     }
 
     void membersOfAGridAreSelectedByTheirName() {

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/view/picture_request.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
 
@@ -38,15 +39,15 @@ private Q_SLOTS:
 
     void viewMovesToCamera() {
         View& view = m_window->view();
-        view.lookThrough("robot0/eye");
-        QVERIFY(view.throughCamera());
+        view.camera().lookThrough("robot0/eye");
+        QVERIFY(view.camera().through());
         const Vec3 lens(-0.5 + 0.03, 0, 0.275);
-        QVERIFY((view.cameraView().eye - lens).norm() < 1e-9);
+        QVERIFY((view.camera().view().eye - lens).norm() < 1e-9);
         // The whole camera image is visible: its corners fill the height or the width of the view.
-        const CameraModel camera = *view.throughCamera();
+        const CameraModel camera = *view.camera().through();
         const CameraView own = viewOf(camera, (*m_window->panel->world().poses())[camera.body]);
         const ViewRay corner = rayThrough(own, camera.width, camera.height, 0, 0);
-        const QPointF at = view.pixelOf(corner.origin + corner.direction).value_or(QPointF(-1, -1));
+        const QPointF at = view.camera().pixelOf(corner.origin + corner.direction).value_or(QPointF(-1, -1));
         const double high = std::min<double>(view.height(), view.width() * 0.75);
         QVERIFY(std::abs(at.y() - 0.5 * (view.height() - high)) < 0.5);
         QVERIFY(std::abs(at.x() - 0.5 * (view.width() - high / 0.75)) < 0.5);
@@ -57,13 +58,14 @@ private Q_SLOTS:
         View& view = m_window->view();
         const auto seen = [&](const QByteArray& text) {
             if (!m_window->open(text)) return QImage();
-            view.lookThrough("robot0/eye");
-            return QTest::qWaitFor([&] { return view.throughCamera() && view.isSettled(); }, 20000) ? view.grab().toImage()
-                                                                                                    : QImage();
+            view.camera().lookThrough("robot0/eye");
+            return QTest::qWaitFor([&] { return view.camera().through() && view.image().isSettled(); }, 20000)
+                       ? view.grab().toImage()
+                       : QImage();
         };
         const QImage straight = seen(kEye);
         const QImage bent = seen(QByteArray(kEye).replace("Pos=-0.5,0,0", "Pos=-0.5,0,0 eye.Distortion=-0.2,0.02"));
-        QVERIFY(view.throughCamera()->k1 != 0);
+        QVERIFY(view.camera().through()->k1 != 0);
         const int words = 48; // height of the label at the top, in pixels
         QVERIFY(!straight.isNull() && straight.copy(0, 0, view.width(), words) != bent.copy(0, 0, view.width(), words));
         const QRect below(0, words, view.width(), view.height() - words);
@@ -81,27 +83,28 @@ private Q_SLOTS:
         QCOMPARE(views->actions()[0]->text(), QStringLiteral("ahead"));
         views->actions()[0]->trigger();
         QCOMPARE(button->text(), QStringLiteral("ahead"));
-        QVERIFY((view.cameraView().eye - Vec3(-1.5, 0, 0.5)).norm() < 1e-6);
-        QCOMPARE(view.cameraView().fieldOfView, 40 * std::numbers::pi / 180);
+        QVERIFY((view.camera().view().eye - Vec3(-1.5, 0, 0.5)).norm() < 1e-6);
+        QCOMPARE(view.camera().view().fieldOfView, 40 * std::numbers::pi / 180);
         // The view follows the robot until the user navigates.
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
         QVERIFY(m_window->session.robots().place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
-        EVENTUALLY((view.cameraView().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
+        EVENTUALLY((view.camera().view().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
         m_window->session.reset();
         m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
         QCOMPARE(button->text(), QStringLiteral("Perspective"));
         // Makes a camera from the current view.
-        const CameraView before = view.cameraView();
+        const CameraView before = view.camera().view();
         const QByteArray text = m_window->text();
         menu->findChild<QAction*>(QStringLiteral("makeView"))->trigger();
         QVERIFY2(m_window->text().contains("View view {"), m_window->text());
         Q_EMIT menu->aboutToShow();
         QCOMPARE(views->actions().size(), 2);
         views->actions()[1]->trigger();
-        QVERIFY((view.cameraView().eye - before.eye).norm() < 0.002 && (view.cameraView().target - before.target).norm() < 0.002);
-        QVERIFY(std::abs(view.cameraView().fieldOfView - before.fieldOfView) < 0.002);
-        view.setKind(ViewKind::Top); // for a parallel view the distance is chosen so that the camera shows as much
+        QVERIFY((view.camera().view().eye - before.eye).norm() < 0.002 &&
+                (view.camera().view().target - before.target).norm() < 0.002);
+        QVERIFY(std::abs(view.camera().view().fieldOfView - before.fieldOfView) < 0.002);
+        view.camera().setKind(ViewKind::Top); // for a parallel view the distance is chosen so that the camera shows as much
         menu->findChild<QAction*>(QStringLiteral("makeView"))->trigger();
         QVERIFY2(m_window->text().contains("View view2 {"), m_window->text());
         m_window->document.undo();
@@ -118,62 +121,63 @@ private Q_SLOTS:
         QCOMPARE(views->actions().size(), 2);
         views->actions()[1]->trigger();
         QCOMPARE(button->text(), QStringLiteral("late"));
-        EVENTUALLY((view.cameraView().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
+        EVENTUALLY((view.camera().view().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
     }
 
     void viewFollowsRobot() {
         View& view = m_window->view();
-        view.lookThrough("robot0/eye");
+        view.camera().lookThrough("robot0/eye");
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
         QVERIFY(m_window->session.robots().place("robot0", {Vec3(0.4, -0.4, 0), rotationFromHpr({std::numbers::pi / 2, 0, 0})}));
-        EVENTUALLY((view.cameraView().eye - Vec3(0.4, -0.4 + 0.03, 0.275)).norm() < 1e-6);
+        EVENTUALLY((view.camera().view().eye - Vec3(0.4, -0.4 + 0.03, 0.275)).norm() < 1e-6);
         m_window->session.reset();
-        EVENTUALLY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1e-6);
+        EVENTUALLY((view.camera().view().eye - Vec3(-0.47, 0, 0.275)).norm() < 1e-6);
     }
 
     void escapeRestoresView() {
         View& view = m_window->view();
-        const CameraView before = view.cameraView();
-        view.lookThrough("robot0/eye");
-        view.lookThrough("other_1/eye");
+        const CameraView before = view.camera().view();
+        view.camera().lookThrough("robot0/eye");
+        view.camera().lookThrough("other_1/eye");
         m_window->key(Qt::Key_Escape);
-        QVERIFY(!view.throughCamera());
-        QVERIFY((view.cameraView().eye - before.eye).norm() < 1e-9 && (view.cameraView().target - before.target).norm() < 1e-9);
+        QVERIFY(!view.camera().through());
+        QVERIFY((view.camera().view().eye - before.eye).norm() < 1e-9 &&
+                (view.camera().view().target - before.target).norm() < 1e-9);
     }
 
     void orbitContinuesFromCamera() {
         View& view = m_window->view();
-        view.lookThrough("robot0/eye");
-        EVENTUALLY(view.isUpToDate());
+        view.camera().lookThrough("robot0/eye");
+        EVENTUALLY(view.image().isUpToDate());
         m_window->drag({400, 400}, {410, 400}, Qt::MiddleButton);
-        QVERIFY(!view.throughCamera());
-        QVERIFY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1.5);
+        QVERIFY(!view.camera().through());
+        QVERIFY((view.camera().view().eye - Vec3(-0.47, 0, 0.275)).norm() < 1.5);
     }
 
     void removedCameraReleasesView() {
         View& view = m_window->view();
-        const Vec3 before = view.cameraView().eye;
-        view.lookThrough("other_0/eye");
-        QVERIFY(view.throughCamera());
+        const Vec3 before = view.camera().view().eye;
+        view.camera().lookThrough("other_0/eye");
+        QVERIFY(view.camera().through());
         QVERIFY(m_window->open(kRoom));
-        EVENTUALLY(!view.throughCamera());
-        QVERIFY(std::isfinite(view.cameraView().eye.norm()));
-        view.lookThrough("robot0/eye"); // the camera is missing in this document
-        QVERIFY(!view.throughCamera());
+        EVENTUALLY(!view.camera().through());
+        QVERIFY(std::isfinite(view.camera().view().eye.norm()));
+        view.camera().lookThrough("robot0/eye"); // the camera is missing in this document
+        QVERIFY(!view.camera().through());
         Q_UNUSED(before);
     }
 
     void commandCyclesThroughCameras() {
         m_window->selection.select("other");
         m_window->trigger("view.through");
-        QCOMPARE(m_window->view().throughCamera()->path, std::string("other_0/eye"));
+        QCOMPARE(m_window->view().camera().through()->path, std::string("other_0/eye"));
         m_window->trigger("view.through");
-        QCOMPARE(m_window->view().throughCamera()->path, std::string("other_1/eye"));
+        QCOMPARE(m_window->view().camera().through()->path, std::string("other_1/eye"));
         m_window->selection.clear();
         m_window->trigger("view.through");
-        QCOMPARE(m_window->view().throughCamera()->path, std::string("robot0/eye")); // each camera is selected in turn
-        m_window->view().lookThrough({});
+        QCOMPARE(m_window->view().camera().through()->path, std::string("robot0/eye")); // each camera is selected in turn
+        m_window->view().camera().lookThrough({});
         QVERIFY(m_window->open(kRoom));
         m_window->refusals.clear();
         m_window->trigger("view.through");
@@ -204,7 +208,7 @@ private Q_SLOTS:
 
     void frustaAreDrawnWhereTheyAre() {
         View& view = m_window->view();
-        EVENTUALLY(view.isSettled());
+        EVENTUALLY(view.image().isSettled());
         // On the ray through the upper left corner of the image of robot0's camera.
         const CameraModel camera = *m_window->panel->world().camera("robot0/eye");
         const CameraView own = viewOf(camera, (*m_window->panel->world().poses())[camera.body]);
@@ -213,23 +217,23 @@ private Q_SLOTS:
         const QImage bare = view.grab().toImage();
         QVERIFY(view.rect().contains(at));
         m_window->trigger("view.overlayFrusta");
-        EVENTUALLY(view.isSettled());
+        EVENTUALLY(view.image().isSettled());
         QVERIFY(near(view.grab().toImage(), at) && !near(bare, at));
         m_window->trigger("view.overlayFrusta");
-        EVENTUALLY(view.isSettled());
+        EVENTUALLY(view.image().isSettled());
         QVERIFY(!near(view.grab().toImage(), at));
         m_window->selection.select("robot0.eye"); // the frustum of a selected camera is always shown
-        EVENTUALLY(view.isSettled());
+        EVENTUALLY(view.image().isSettled());
         QVERIFY(view.grab().toImage().pixelColor(at) != bare.pixelColor(at));
     }
 
     void aStillShowsAllThatTheViewShows() {
         View& view = m_window->view();
-        const PictureRequest wide = view.still(3840, 1000), high = view.still(500, 2000);
+        const PictureRequest wide = stillRequest(view, 3840, 1000), high = stillRequest(view, 500, 2000);
         QCOMPARE(wide.width, 3840u);
-        const CameraView shown = view.cameraView();
+        const CameraView shown = view.camera().view();
         for (const QPointF& corner : {QPointF(0, 0), QPointF(view.width(), view.height())}) {
-            const ViewRay ray = view.rayAt(corner);
+            const ViewRay ray = view.camera().rayAt(corner);
             for (const PictureRequest* still : {&wide, &high}) {
                 const auto at = project(*still->view, still->width, still->height, ray.origin + 3 * ray.direction);
                 QVERIFY(at && at->x > -0.5 && at->x < still->width + 0.5 && at->y > -0.5 && at->y < still->height + 0.5);

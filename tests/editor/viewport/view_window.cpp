@@ -37,10 +37,10 @@ void ViewWindow::look(const Vec3& eye, const Vec3& target) {
     CameraView camera;
     camera.eye = eye;
     camera.target = target;
-    view().setCamera(camera);
+    view().camera().setView(camera);
 }
 
-QPoint ViewWindow::at(const Vec3& point) { return view().pixelOf(point).value_or(QPointF(-1, -1)).toPoint(); }
+QPoint ViewWindow::at(const Vec3& point) { return view().camera().pixelOf(point).value_or(QPointF(-1, -1)).toPoint(); }
 
 void ViewWindow::move(const QPointF& to, Qt::KeyboardModifiers modifiers, Qt::MouseButtons buttons) {
     QMouseEvent event(QEvent::MouseMove, to, view().mapToGlobal(to), Qt::NoButton, buttons, modifiers);
