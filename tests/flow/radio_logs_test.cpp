@@ -194,6 +194,41 @@ private Q_SLOTS:
             for (qsizetype i = 1; i < ofOne.size(); ++i) QVERIFY(quint8(ofOne[i] - ofOne[i - 1]) - 1u < 9u);
     }
 
+    /// Logs of some robots: the capture has what they send, the table also what they receive, the matrix the links between them.
+    void logsOfSomeRobots() {
+        const Outcome done = run(kHead + "RadioMedium air { Mac=csma Collisions=true }\n" +
+                                 QByteArray(kMotes).replace("Robot far {", "Robot far { radio.MinReceivePower=-80") +
+                                 "RadioLog few { Robot=target }\nRadioLog heard { Robot=target Format=pcap File=few.pcap }\n"
+                                 "LinkMatrix three { Robot=target,deaf,far Interval=1 }\n");
+        QVERIFY2(done.code == 0, shown(done));
+        const QList<Captured> all = capture(contentOf(file("frames.pcap"))), few = capture(contentOf(file("few.pcap")));
+        QVERIFY(!few.isEmpty());
+        QList<QByteArray> fromTarget, captured;
+        for (const Captured& frame : all)
+            if (frame.sender() == few[0].sender()) fromTarget << frame.bytes;
+        for (const Captured& frame : few) captured << frame.bytes;
+        QVERIFY(captured.size() > 20 && captured.size() < all.size() / 3);
+        QCOMPARE(captured, fromTarget);
+
+        qsizetype ofTarget = 0, sent = 0;
+        for (const Row& row : rowsOf(file("frames.csv")))
+            ofTarget += row["from"] == "target/radio" || row["to"] == "target/radio";
+        const QList<Row> rows = rowsOf(file("few.csv"));
+        for (const Row& row : rows) {
+            QVERIFY(row["from"] == "target/radio" || row["to"] == "target/radio");
+            sent += row["from"] == "target/radio";
+        }
+        QCOMPARE(rows.size(), ofTarget);
+        QVERIFY(sent > 0 && sent < rows.size());
+
+        const QList<Row> links = rowsOf(file("three.csv"));
+        QCOMPARE(links.size(), qsizetype(3 * 2 * 3)); // at 0, 1 and 2 s
+        for (const Row& row : links)                  // what a link has to spare is up to its receiver
+            QVERIFY2(std::abs(number(row, "margin [dB]") - number(row, "received power [dBm]") -
+                              (row["to"] == "far/radio" ? 80 : 94)) < 0.002,
+                     row["from"] + " " + row["to"]);
+    }
+
     void aLinkMatrixHasEveryLinkTermByTerm() {
         const Outcome done = run(kHead + "RadioMedium air { }\n" + kMotes + "PoseLog path { Interval=1 }\n");
         QVERIFY2(done.code == 0, shown(done));

@@ -46,6 +46,16 @@ private Q_SLOTS:
         for (const auto& [angle, gain] : {std::pair{30., 6.5321}, {45., 4.7712}, {60., 1.7609}, {80., -7.4251}})
             QVERIFY(near(p.gain(angle * kDegree, 0), gain));
     }
+    /// 20 dB below its peak, behind it and wherever its lobe is weaker than that.
+    void aPatchHasABackLobe() {
+        const AntennaPattern p = AntennaPattern::of(AntennaModel::Patch);
+        QVERIFY(near(p.gain(0, 0), p.peak()));
+        for (const double angle : {88., 90., 91., 135., 180.}) {
+            QVERIFY(near(p.gain(angle * kDegree, 0), p.peak() - 20));
+            QVERIFY(near(p.gain(0, -angle * kDegree), p.peak() - 20));
+        }
+        QVERIFY(p.gain(70 * kDegree, 0) > p.peak() - 19);
+    }
     void halfWaveDipole() {
         const AntennaPattern p = AntennaPattern::of(AntennaModel::Dipole);
         QVERIFY(near(p.peak(), 2.1509));

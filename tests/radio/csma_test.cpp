@@ -132,6 +132,76 @@ private Q_SLOTS:
         QVERIFY(isConserved(medium));
     }
 
+    /// Two senders share an address: an acknowledgement for the packet of one is none for that of the other.
+    void onlyItsOwnAcknowledgementCounts() {
+        Medium medium(csma());
+        const RadioId sink = open(medium, "sink", {0, 0, 0});
+        RadioDefinition near = radioNamed("near"), far = radioNamed("far");
+        near.address = far.address = 900;
+        near.maxOutputPower = far.maxOutputPower = -25; // the sink hears the near one, the far one hears the sink
+        const RadioId a = open(medium, near, {1, 0, 0}), b = open(medium, far, {60, 0, 0});
+        RadioPacket packet;
+        const auto rounds = [&](int from, int to, bool both) {
+            for (int i = from; i < to; ++i) {
+                QVERIFY(send(medium, a, 1, medium.radio(sink).address, -25));
+                if (both && medium.queued(b) == 0) QVERIFY(send(medium, b, 1, 77, -25)); // no radio has this address
+                medium.advance((i + 1) * 4000);
+                while (medium.receive(sink, packet)) {}
+            }
+        };
+        rounds(0, 100, false); // the sequence numbers are apart from here on
+        rounds(100, 250, true);
+        medium.advance(2000000);
+        QCOMPARE(medium.counts(a).acknowledged, 250u);
+        QVERIFY(medium.counts(b).noAck > 20);
+        QCOMPARE(medium.counts(b).acknowledged, 0u);
+        QCOMPARE(medium.counts(b).sent, 4 * medium.counts(b).noAck);
+    }
+
+    void spaceAfterAPacket_data() {
+        QTest::addColumn<int>("bytes");
+        QTest::addColumn<int>("space");
+        QTest::newRow("18 bytes with its header") << int(kMaxBytesForShortSpace - kFrameOverhead) << int(kShortSpaceUs);
+        QTest::newRow("19 bytes") << int(kMaxBytesForShortSpace - kFrameOverhead) + 1 << int(kLongSpaceUs);
+    }
+    /// Between the end of a packet and the start of the next: at least the space, a clear channel and the turnaround, and just that where
+    /// the backoff is zero units.
+    void spaceAfterAPacket() {
+        QFETCH(int, bytes);
+        QFETCH(int, space);
+        Medium medium(csma());
+        const RadioId a = open(medium, "a", {0, 0, 0});
+        const auto trace = medium.trace();
+        for (int round = 0; round < 200; ++round) {
+            while (medium.queued(a) < 4) QVERIFY(send(medium, a, std::size_t(bytes)));
+            medium.advance((round + 1) * 10000);
+        }
+        QVERIFY(trace->frames.size() > 300);
+        std::int64_t least = 1000000;
+        for (std::size_t i = 1; i < trace->frames.size(); ++i)
+            least = std::min<std::int64_t>(least, std::llround(1e6 * (trace->frames[i].time - trace->frames[i - 1].time)));
+        QCOMPARE(int(least - airtimeUs(std::uint32_t(bytes) + kFrameOverhead, 250000)), int(space + kListenUs + kTurnaroundUs));
+    }
+
+    /// Each of the four attempts may find the channel busy four times: beside a sender that occupies much of it, most packets without an
+    /// acknowledgement are sent four times before they are given up.
+    void aRepetitionStartsItsBackoffsAnew() {
+        Medium medium(csma());
+        RadioDefinition weak = radioNamed("a");
+        weak.maxOutputPower = -60; // the loud one does not hear it
+        const RadioId a = open(medium, weak, {0, 0, 0}), loud = open(medium, "loud", {5, 0, 0});
+        for (int round = 0; round < 2000; ++round) {
+            while (medium.queued(loud) < 4) send(medium, loud, 60);
+            while (medium.queued(a) < 2) send(medium, a, 1, 77, -60);
+            medium.advance((round + 1) * 10000);
+        }
+        const double givenUp = double(medium.counts(a).noChannel), sentFourTimes = double(medium.counts(a).noAck);
+        // A busy channel p of the time fails an attempt with p^5 and lets through the four with (1 - p^5)^4; were the four to share one
+        // limit of four, it would be less than half of that.
+        qInfo("%.0f given up, %.0f sent four times", givenUp, sentFourTimes);
+        QVERIFY(givenUp > 20 && sentFourTimes > 0.6 * (givenUp + sentFourTimes));
+    }
+
     void radioWaitsForBusyChannel() {
         // three that repeatedly start at the same moment: without carrier sensing no packet is received
         const auto delivered = [](bool listens) {

@@ -4,11 +4,32 @@
 #include <random>
 
 #include "render/sample_experiment.h"
+#include "scene/queries/framing.h"
 #include "scene/queries/ghosts.h"
 #include "scene/queries/ray_cast.h"
 #include "scene/scene.h"
 
 using namespace trundle;
+
+namespace {
+
+/// Boxes of 2 x 0.1 x 0.1 m, of one static each.
+std::shared_ptr<const ExperimentSpec> beams(const std::vector<Vec3>& places) {
+    auto experiment = std::make_shared<ExperimentSpec>();
+    GeomSpec beam;
+    beam.name = "beam";
+    beam.size = {2, 0.1, 0.1};
+    for (const Vec3& place : places) {
+        StaticSpec fixed;
+        fixed.name = "s" + std::to_string(experiment->statics.size());
+        fixed.pose.position = place;
+        fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{beam});
+        experiment->statics.push_back(fixed);
+    }
+    return experiment;
+}
+
+} // namespace
 
 class ObjectsTest : public QObject {
     Q_OBJECT
@@ -58,6 +79,82 @@ private Q_SLOTS:
         broken.radius = std::nan("");
         QVERIFY(boundsOf(broken, {}).empty());
         QVERIFY(ballAround(broken).radius < 0);
+    }
+
+    void boundsOfATurnedCapsuleAreTight() {
+        GeomSpec capsule;
+        capsule.shape = GeomShape::Capsule;
+        capsule.radius = 0.1;
+        capsule.length = 0.4;
+        capsule.pose = {Vec3(0.5, 0, 0), rotationFromHpr({0, M_PI / 3, 0})}; // 60 degrees from upright
+        const Bounds bounds = boundsOf(capsule, {Vec3(1, 2, 3), Quat::Identity()});
+        QVERIFY((bounds.size() - Vec3(0.2 + 0.4 * std::sin(M_PI / 3), 0.2, 0.2 + 0.2)).norm() < 1e-9);
+        QVERIFY((bounds.centre() - Vec3(1.5, 2, 3)).norm() < 1e-9);
+    }
+
+    /// A ray that starts beside a long shape, behind its middle, and runs away from that.
+    void aRayFromBesideTheMiddle() {
+        const auto experiment = beams({{0, 0, 0}});
+        const ObjectIndex objects(experiment);
+        const Vec3 from(0.5, 0.2, 0), along = Vec3(2, -1, 0).normalized();
+        const auto hits = castRay(objects, {}, {from, along});
+        QCOMPARE(hits.size(), std::size_t(1));
+        QVERIFY((hits[0].point - Vec3(0.8, 0.05, 0)).norm() < 1e-9 && (hits[0].normal - Vec3::UnitY()).norm() < 1e-9);
+        QVERIFY(castRay(objects, {}, {Vec3(0.9, 0.2, 0), along}).empty());
+    }
+
+    /// Only what lies between two points counts: not what is behind either, nor the two robots themselves.
+    void solidsBetweenTwoPoints() {
+        const auto experiment = beams({{0, -2, 0}, {0, 1, 0}, {0, 2, 0}, {0, 5, 0}});
+        const ObjectIndex objects(experiment);
+        const std::size_t none = 99;
+        QCOMPARE(solidsBetween(objects, {}, {0, 0, 0}, {0, 3, 0}, none, none), 2);
+        QCOMPARE(solidsBetween(objects, {}, {0, 3, 0}, {0, 0, 0}, none, none), 2);
+        QCOMPARE(solidsBetween(objects, {}, {0, 1.5, 0}, {0, 1.7, 0}, none, none), 0);
+        QCOMPARE(solidsBetween(objects, {}, {0, -3, 0}, {0, 6, 0}, none, none), 4);
+        QCOMPARE(solidsBetween(objects, {}, {0, 1, 0.2}, {0, 1, 0.2}, none, none), 0);
+    }
+
+    /// A View in the world, beside a robot, and one that turns with it: its Eye and Target from the robot's origin, which is not that of
+    /// its first body.
+    void namedViewsFollowTheirRobot() {
+        auto experiment = std::make_shared<ExperimentSpec>();
+        auto config = std::make_shared<RobotConfigSpec>();
+        BodySpec first, second;
+        first.name = "first";
+        first.pose = {Vec3(0.1, -0.2, 0.3), rotationFromHpr({0.4, 0.2, 0})};
+        second.name = "second";
+        config->bodies = {first, second};
+        for (const char* name : {"one", "two"}) {
+            RobotSpec robot;
+            robot.name = name;
+            robot.config = config;
+            experiment->robots.push_back(robot);
+        }
+        const Vec3 eye(-1, 0.5, 2), target(3, 0, 0.5);
+        for (const char* mode : {"fixed", "follow", "chase"}) {
+            ComponentSpec view;
+            view.kind = "View";
+            view.name = mode;
+            view.values["Mode"] = {{PropertyType::Choice, {}, {mode}}, {}, Origin::Config};
+            view.values["Robot"] = {{PropertyType::Reference, {}, {"two"}}, {}, Origin::Config};
+            view.values["Eye"] = {{PropertyType::Number, {eye.x(), eye.y(), eye.z()}, {}}, {}, Origin::Config};
+            view.values["Target"] = {{PropertyType::Number, {target.x(), target.y(), target.z()}, {}}, {}, Origin::Config};
+            experiment->looks.push_back(view);
+        }
+        const Pose origin{Vec3(4, 5, 6), rotationFromHpr({0.7, -0.3, 0.2})};
+        BodyPoses poses(4);
+        poses[2] = origin * first.pose;
+        const auto check = [&](const char* mode, const Vec3& at, double heading) {
+            const auto view = namedView(*experiment, mode, poses);
+            QVERIFY(view);
+            const Quat turn = rotationFromHpr({heading, 0, 0});
+            QVERIFY2((view->eye - (at + turn * eye)).norm() < 1e-9 && (view->target - (at + turn * target)).norm() < 1e-9, mode);
+        };
+        check("fixed", Vec3::Zero(), 0);
+        check("follow", origin.position, 0);
+        check("chase", origin.position, 0.7);
+        QVERIFY(!namedView(*experiment, "other", poses));
     }
 
     /// Random rays: hits on exact shapes agree with hits on the drawn triangles.

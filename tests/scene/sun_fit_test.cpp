@@ -71,6 +71,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(onMap(*fit, {0, 0, 0}).x() - where.x()) < 1e-9); // on the same light ray
     }
 
+    /// A mast behind the camera, alone: the map reaches as far as its shadow.
+    void coversTheShadowOfWhatIsBehindTheCamera() {
+        const Vec3 sun = Vec3(0, -2, 1).normalized();
+        const CameraView view = lookingAt({0, -1, 0.5}, {0, 0.5, 0});
+        const auto fit = fitSun(sun, {{Vec3(-0.1, -3.1, 0), Vec3(0.1, -2.9, 3)}}, view, 400, 300, kPixels);
+        QVERIFY(fit);
+        for (const double y : {0.0, 0.5, 1.5}) {
+            const Vec3 ground(0, y, 0), where = onMap(*fit, ground);
+            QVERIFY(project(view, 400, 300, ground)->y < 300);
+            QVERIFY2(where.x() > 0 && where.x() < 1 && where.y() > 0 && where.y() < 1, qPrintable(QString::number(y)));
+        }
+    }
+
     void nearByItIsFiner() {
         std::vector<Bounds> boxes;
         for (int x = -20; x <= 20; ++x) boxes.push_back(boxAt({double(x), 0, 0.1}, 0.1));
