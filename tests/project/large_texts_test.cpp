@@ -54,6 +54,25 @@ private Q_SLOTS:
             QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
         }
     }
+    /// Without mistakes, too: all texts together have a limit, and what is beyond it is the only error, at its place.
+    void aTextWithoutMistakesHasALimit() {
+        ProjectFixture fixture;
+        std::string rows, more;
+        for (int i = 0; i < 5000; ++i) rows += "Param p" + std::to_string(i) + " = 1\n"; // of 8 tokens each
+        for (int i = 0; i < 5000; ++i) more += "Param q" + std::to_string(i) + " = $(p1)\n";
+        fixture.write("rows.sim", rows);
+        const std::string text = more + "#import rows.sim\n";
+        fixture.options.mostTokens = 150'000;
+        QVERIFY(!fixture.open(text)->diagnostics.hasErrors());
+        fixture.options.mostTokens = 60'000; // ends in the imported file
+        const auto loaded = fixture.open(text);
+        QCOMPARE(loaded->diagnostics.all().size(), std::size_t{1});
+        const Diagnostic& error = loaded->diagnostics.all()[0];
+        QCOMPARE(error.code, Code::TooLarge);
+        QVERIFY2(error.message.find("may hold 60000 words, signs and blanks") != std::string::npos, error.message.c_str());
+        QVERIFY(error.range.file == 1 && error.range.range.begin > 0);
+        QCOMPARE(error.range.range.begin, loaded->trees[1]->readTo());
+    }
 };
 
 QTEST_APPLESS_MAIN(LargeTextsTest)

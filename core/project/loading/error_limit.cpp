@@ -90,6 +90,8 @@ private:
     }
 };
 
+std::string unreadSize(const Tree& tree) { return std::to_string((tree.source().bytes().size() - tree.readTo()) >> 10) + " KiB"; }
+
 } // namespace
 
 bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics) {
@@ -116,13 +118,19 @@ bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics) {
 }
 
 Diagnostic restUnread(const Tree& tree) {
-    const auto size = static_cast<std::uint32_t>(tree.source().bytes().size());
     Diagnostic d;
     d.code = Code::TooManyMistakes;
     d.range = {tree.file(), {tree.readTo(), tree.readTo()}};
-    d.message = "too many mistakes before this place: the last " + std::to_string((size - tree.readTo()) >> 10) +
-                " KiB of this file are not read";
+    d.message = "too many mistakes before this place: the last " + unreadSize(tree) + " of this file are not read";
     return d;
+}
+
+Diagnostics tooManyTokens(const Tree& tree, std::size_t most) {
+    Diagnostics one;
+    one.error(Code::TooLarge, {tree.file(), {tree.readTo(), tree.readTo()}},
+              "an experiment may hold " + std::to_string(most) + " words, signs and blanks in all its texts; the last " +
+                  unreadSize(tree) + " of this file are not read. For many equal objects use a Grid or a Scatter");
+    return one;
 }
 
 } // namespace trundle

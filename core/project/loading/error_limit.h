@@ -14,4 +14,7 @@ namespace trundle {
 /// A diagnostic that states how much of the file was not read.
 [[nodiscard]] Diagnostic restUnread(const Tree& tree);
 
+/// The one error of an experiment with more than `most` tokens, at the place in `tree` from where on nothing was read.
+[[nodiscard]] Diagnostics tooManyTokens(const Tree& tree, std::size_t most);
+
 } // namespace trundle

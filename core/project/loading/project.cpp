@@ -142,12 +142,16 @@ struct Project::Attempt {
 
 Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& path) {
     std::shared_ptr<const LoadedProject> previous = m_options.previous;
-    for (std::size_t most = kFirstTokens;; most *= 4) {
+    for (std::size_t most = std::min(kFirstTokens, m_options.mostTokens);; most = std::min(most * 4, m_options.mostTokens)) {
         Result<Attempt> tried = attempt(path, most, previous);
         if (!tried.ok()) return tried.error();
         Attempt& a = tried.value();
         const FileId limited = a.limitedFile;
         if (limited != kNoFile && !hasTooManyErrors(*a.loaded->trees[limited], a.diagnostics)) {
+            if (most == m_options.mostTokens) {
+                a.loaded->diagnostics = tooManyTokens(*a.loaded->trees[limited], most); // other errors may come from the cut
+                return std::shared_ptr<const LoadedProject>(std::move(a.loaded));
+            }
             previous = std::move(a.loaded); // its other trees can be reused
             continue;
         }

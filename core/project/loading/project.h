@@ -21,6 +21,8 @@ struct ProjectOptions {
     /// An earlier load of the same file: trees with unchanged path, FileId and bytes are reused instead of parsed again.
     std::shared_ptr<const LoadedProject> previous;
     bool shownFromProject = false; ///< file names in messages are relative to the project's folder instead of the current folder
+    /// Words, signs and blanks of all texts together; an experiment with more is an error. Bounds the memory for a text without mistakes.
+    std::size_t mostTokens = 6'000'000;
 };
 
 class Project {
@@ -29,7 +31,7 @@ public:
     Project(std::shared_ptr<const Registry> builtIn, ModuleCatalog& catalog, MeshSource& meshes, ProjectOptions options);
 
     /// Loads the file and everything it imports. Fails only if the file itself cannot be read. Thread-safe for concurrent loads.
-    /// Stops reading a large file if its beginning has too many errors.
+    /// Stops reading a large file if its beginning has too many errors, or at the limit of the options.
     [[nodiscard]] Result<std::shared_ptr<const LoadedProject>> open(const std::string& path);
 
 private:
