@@ -1,9 +1,7 @@
-// Faults: which body stopped the world, and advice for the user.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include "world/world_fault.h"
 
-#include "world/built_world.h"
+#include <algorithm>
+#include <cstdio>
 
 namespace trundle {
 
@@ -21,27 +19,17 @@ std::string threeDigits(double value) {
 
 } // namespace
 
-std::pair<const BuiltRobot*, std::size_t> BuiltWorld::ownerOf(BodyHandle body) const {
-    for (const BuiltRobot& robot : m_robots) {
-        const auto& bodies = robot.handles.bodies;
-        const auto found = std::find(bodies.begin(), bodies.end(), body);
-        if (found != bodies.end()) return {&robot, static_cast<std::size_t>(found - bodies.begin())};
-    }
-    return {nullptr, 0};
-}
-
-/// Advice for the most likely cause: deep penetration, much lighter than its neighbours, or forces too strong for the tick.
-std::string BuiltWorld::faultAdvice(BodyHandle body) const {
-    const auto [robot, index] = ownerOf(body);
+std::string faultAdvice(BodyHandle body, const WorldObjects& objects, const Engine& engine, double tick) {
+    const auto [robot, index] = objects.ownerOf(body);
     if (!robot) return "a smaller Tick may help";
     double deepest = kDeep;
     std::string partner;
-    for (std::size_t i = 0; i < m_engine->contactCount(); ++i) {
-        const EngineContact c = m_engine->contact(i);
+    for (std::size_t i = 0; i < engine.contactCount(); ++i) {
+        const EngineContact c = engine.contact(i);
         const bool own = c.actor == robot->handles.actor.index;
         if (!(own || c.partner == robot->handles.actor.index) || !(c.depth > deepest)) continue;
         deepest = c.depth;
-        partner = m_geomPaths[own ? c.second : c.first];
+        partner = objects.geomPath(own ? c.second : c.first);
     }
     if (!partner.empty())
         return "its robot was " + threeDigits(1e3 * deepest) + " mm deep in " + partner +
@@ -53,29 +41,7 @@ std::string BuiltWorld::faultAdvice(BodyHandle body) const {
         return "it weighs only " + threeDigits(mass) + " kg" +
                (heaviest > kUneven * mass ? " beside " + threeDigits(heaviest) + " kg of a body of the same robot" : "") +
                ": give it more mass, or set Solver=quick";
-    return "a smaller Tick (now " + threeDigits(m_experiment->settings.tick) +
-           " s), weaker motors and springs or more mass may help";
-}
-
-Status BuiltWorld::stopAt(const EngineFault& fault) {
-    const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
-    const bool known = fault.body.valid() && fault.body.index < m_bodyPaths.size();
-    return stop(known ? Code::BlowUp : Code::EngineFault,
-                {known ? m_bodyPaths[fault.body.index] : "", time, fault.reason + "; " + faultAdvice(fault.body),
-                 known ? m_bodyRanges[fault.body.index] : SourceRange{}});
-}
-
-Status BuiltWorld::stop(Code code, Fault fault) {
-    m_fault = std::move(fault);
-    m_faultCode = code;
-    return stopped();
-}
-
-Status BuiltWorld::stopped() const {
-    char time[32];
-    std::snprintf(time, sizeof time, "%.6g", m_fault->time);
-    const std::string who = m_fault->body.empty() ? "the simulation" : m_fault->body;
-    return Error{m_faultCode, who + " stopped at t = " + time + " s: " + m_fault->reason};
+    return "a smaller Tick (now " + threeDigits(tick) + " s), weaker motors and springs or more mass may help";
 }
 
 } // namespace trundle

@@ -1,12 +1,11 @@
-// Reading a world's state, and external commands to it.
+// Reading a world's state, external commands to it, and its end in a fault.
 #include <bit>
-#include <cmath>
-#include <cstring>
+#include <cstdio>
 
-#include "base/rng.h"
 #include "schema/live_value.h"
 #include "world/built_world.h"
 #include "world/validate.h"
+#include "world/world_fault.h"
 
 namespace trundle {
 
@@ -35,7 +34,7 @@ private:
 
 std::uint64_t BuiltWorld::stateHash() const {
     StateHash hash;
-    for (const std::uint32_t body : m_hashOrder) {
+    for (const std::uint32_t body : m_objects.bodiesByPath()) {
         const BodyState& s = m_engine->state({body});
         hash.add(s.position);
         hash.add(s.rotation.w());
@@ -46,13 +45,21 @@ std::uint64_t BuiltWorld::stateHash() const {
     return hash.value();
 }
 
-Pose BuiltWorld::robotPose(std::size_t robot) const { return robot < m_robots.size() ? framePose(m_robots[robot]) : Pose{}; }
-Pose BuiltWorld::reportedPose(std::size_t robot) const { return robot < m_robots.size() ? centredPose(m_robots[robot]) : Pose{}; }
+Pose BuiltWorld::robotPose(std::size_t robot) const {
+    return robot < m_objects.robots().size() ? framePose(m_objects.robots()[robot]) : Pose{};
+}
+
+Pose BuiltWorld::reportedPose(std::size_t robot) const {
+    if (robot >= m_objects.robots().size()) return {};
+    return WorldObjects::reportedPose(m_objects.robots()[robot], *m_engine, m_ticks);
+}
+
+Pose BuiltWorld::framePose(const BuiltRobot& robot) const { return WorldObjects::framePose(robot, *m_engine, m_ticks); }
 
 RobotEnergy BuiltWorld::robotEnergy(std::size_t index) const {
     RobotEnergy energy;
-    if (index >= m_robots.size()) return energy;
-    const BuiltRobot& robot = m_robots[index];
+    if (index >= m_objects.robots().size()) return energy;
+    const BuiltRobot& robot = m_objects.robots()[index];
     for (std::size_t b = 0; b < robot.handles.bodies.size(); ++b) {
         const MassProperties& m = robot.spec->config->bodies[b].mass;
         const BodyState& s = m_engine->state(robot.handles.bodies[b]);
@@ -68,7 +75,8 @@ const std::vector<WorldContact>& BuiltWorld::contacts() const {
     m_contacts.clear();
     for (std::size_t i = 0; i < m_engine->contactCount(); ++i) {
         const EngineContact c = m_engine->contact(i);
-        m_contacts.push_back({m_geomPaths[c.first], m_geomPaths[c.second], c.position, c.normal, c.depth, c.force, c.friction});
+        m_contacts.push_back(
+            {m_objects.geomPath(c.first), m_objects.geomPath(c.second), c.position, c.normal, c.depth, c.force, c.friction});
     }
     m_contactsReady = true;
     return m_contacts;
@@ -76,25 +84,25 @@ const std::vector<WorldContact>& BuiltWorld::contacts() const {
 
 SweepReport BuiltWorld::sweeps() const {
     SweepReport report{m_engine->sweptBodies(), {}};
-    for (const auto& [first, second] : m_engine->passages()) report.passed.emplace_back(m_geomPaths[first], m_geomPaths[second]);
+    for (const auto& [first, second] : m_engine->passages())
+        report.passed.emplace_back(m_objects.geomPath(first), m_objects.geomPath(second));
     return report;
 }
 
 Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& point) {
-    const auto it = m_bodyByPath.find(body);
-    if (it == m_bodyByPath.end()) return Error{Code::UnknownReference, "there is no body " + body};
+    const std::uint32_t* index = m_objects.findBody(body);
+    if (!index) return Error{Code::UnknownReference, "there is no body " + body};
     if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9)
         return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
-    m_engine->addForce({it->second}, force, point);
+    m_engine->addForce({*index}, force, point);
     return {};
 }
 
 Status BuiltWorld::place(const std::string& name, const Pose& pose) {
-    const auto it = m_robotByName.find(name);
-    if (it == m_robotByName.end()) return Error{Code::UnknownReference, "there is no robot " + name};
+    const BuiltRobot* robot = m_objects.findRobot(name);
+    if (!robot) return Error{Code::UnknownReference, "there is no robot " + name};
     if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
-    const BuiltRobot& robot = m_robots[it->second];
-    m_engine->moveActor(robot.handles.actor, pose * framePose(robot).inverse());
+    m_engine->moveActor(robot->handles.actor, pose * framePose(*robot).inverse());
     return {};
 }
 
@@ -110,12 +118,36 @@ Status BuiltWorld::setSurface(const SurfaceSpec& surface) {
 }
 
 Status BuiltWorld::setProperty(const std::string& path, const std::string& property, const PropertyValue& value) {
-    for (const auto& device : m_devices) {
-        if (device->path != path) continue;
-        const MonitoredCall call(*m_calls, device->target, "set");
-        return setLive(*device->kind, device->instance, path, property, value);
-    }
-    return Error{Code::UnknownReference, "there is no device " + path};
+    const Device* device = m_devices.list().find(path);
+    if (!device) return Error{Code::UnknownReference, "there is no device " + path};
+    const MonitoredCall call(*m_calls, device->target, "set");
+    return setLive(*device->kind, device->instance, path, property, value);
+}
+
+Status BuiltWorld::stopAt(const EngineFault& fault) {
+    const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
+    const bool known = fault.body.valid() && m_objects.isBody(fault.body.index);
+    return stop(known ? Code::BlowUp : Code::EngineFault,
+                {known ? m_objects.bodyPaths()[fault.body.index] : "", time,
+                 fault.reason + "; " + faultAdvice(fault.body, m_objects, *m_engine, m_experiment->settings.tick),
+                 known ? m_objects.bodyRange(fault.body.index) : SourceRange{}});
+}
+
+Status BuiltWorld::stopAt(const Device& failed) {
+    return stop(Code::DeviceSetup, {"", time(), failed.path + ": " + failed.failure, failed.spec->nameRange});
+}
+
+Status BuiltWorld::stop(Code code, Fault fault) {
+    m_fault = std::move(fault);
+    m_faultCode = code;
+    return stopped();
+}
+
+Status BuiltWorld::stopped() const {
+    char time[32];
+    std::snprintf(time, sizeof time, "%.6g", m_fault->time);
+    const std::string who = m_fault->body.empty() ? "the simulation" : m_fault->body;
+    return Error{m_faultCode, who + " stopped at t = " + time + " s: " + m_fault->reason};
 }
 
 } // namespace trundle

@@ -22,7 +22,6 @@ const QMap<QString, ClassSize>& exceptions() {
         {"core/lang/Lexer", {350, 0}},
         {"core/radio/Medium", {400, 0}},
         {"core/scene/Scene", {400, 0}},
-        {"core/world/BuiltWorld", {500, 0}},
         {"editor/document/Document", {600, 65}},
         {"editor/outline/OutlineModel", {350, 30}},
         {"editor/shell/MainWindow", {600, 0}},

@@ -1,0 +1,64 @@
+#include "world/robot_signals.h"
+
+#include "world/signal_plan.h"
+
+namespace trundle {
+
+namespace {
+
+double* put(double* to, const Vec3& v) {
+    to[0] = v.x();
+    to[1] = v.y();
+    to[2] = v.z();
+    return to + 3;
+}
+
+double* put(double* to, const Vec3& position, const Quat& q) {
+    to = put(to, position);
+    to[0] = q.w();
+    to[1] = q.x();
+    to[2] = q.y();
+    to[3] = q.z();
+    return to + 4;
+}
+
+/// Same order as planRobot().
+void publishRobot(const BuiltRobot& robot, const WorldObjects& objects, const Engine& engine, std::uint64_t ticks, double* to) {
+    const BodyState& first = engine.state(robot.handles.bodies[0]);
+    const Pose frame = WorldObjects::reportedPose(robot, engine, ticks);
+    to = put(to, frame.position, frame.rotation);
+    to = put(to, first.linear + first.angular.cross(frame.position - first.position));
+    to = put(to, first.angular);
+    for (const BodyHandle body : robot.handles.bodies) {
+        const BodyState& s = engine.state(body);
+        to = put(to, s.position, s.rotation);
+        to = put(to, s.linear);
+        to = put(to, s.angular);
+    }
+    for (const JointHandle joint : robot.handles.joints) {
+        if (!objects.jointHasPosition(joint.index)) continue;
+        *to++ = engine.jointPosition(joint);
+        *to++ = engine.jointRate(joint);
+    }
+}
+
+} // namespace
+
+SignalLayout RobotSignals::layOut(const WorldObjects& objects, WorldDevices& devices) {
+    SignalLayout layout;
+    m_images.clear();
+    for (const BuiltRobot& robot : objects.robots()) {
+        const auto index = static_cast<std::uint32_t>(m_images.size());
+        m_images.push_back(planRobot(layout, *robot.spec));
+        devices.layOut(index, layout);
+        planController(layout, *robot.spec);
+    }
+    return layout;
+}
+
+void RobotSignals::publish(const WorldObjects& objects, const Engine& engine, std::uint64_t ticks, SignalBlock& block) const {
+    for (std::size_t i = 0; i < m_images.size(); ++i)
+        publishRobot(objects.robots()[i], objects, engine, ticks, block.slots().data() + m_images[i]);
+}
+
+} // namespace trundle

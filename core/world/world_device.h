@@ -1,0 +1,77 @@
+#pragma once
+// A device of a robot in a world, and what it can reach of that world.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <trundle/abi.h>
+
+#include "base/call_monitor.h"
+#include "model/experiment_spec.h"
+#include "signals/block.h"
+
+namespace trundle {
+
+class DeviceTexts;
+class Engine;
+class WorldObjects;
+class WorldRadio;
+struct DeviceHost;
+
+/// Its kind, instance and signal slots.
+struct Device {
+    CallMonitor* calls = nullptr;     ///< outlives it
+    const DeviceHost* host = nullptr; ///< from its setup on
+    const TrundleKind* kind = nullptr;
+    const ComponentSpec* spec = nullptr;
+    void* instance = nullptr;
+    std::uint32_t index = 0, robot = 0;
+    std::string path; ///< "robot0/leftMotor"
+    const CallTarget* target = nullptr;
+    std::uint64_t pathHash = 0;
+    std::vector<std::uint32_t> slots; ///< slots of the kind's signals, in its order
+    std::vector<std::uint32_t> peers; ///< indices of the devices whose signals it bound, each once
+    TrundleMount mount{};
+    std::string failure; ///< the first failure reported
+    std::string scratch; ///< owns a text returned to the device
+
+    Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    ~Device();
+    void note(const std::string& why);
+    /// What its kind says went wrong, else `failure`.
+    [[nodiscard]] std::string lastError() const;
+};
+
+/// The devices of a world, robot by robot, in text order.
+struct DeviceList {
+    std::vector<std::unique_ptr<Device>> all;
+    std::vector<std::uint32_t> firstOf; ///< by robot; one more at the end
+
+    [[nodiscard]] const Device* find(std::uint32_t robot, std::string_view name) const;
+    [[nodiscard]] const Device* find(std::string_view path) const;
+};
+
+/// What devices reach of their world, all of which outlives them.
+struct DeviceHost {
+    const ExperimentSpec& experiment;
+    Engine& engine;
+    const WorldObjects& objects;
+    WorldRadio& radio;
+    SignalBlock& block;
+    DeviceTexts& texts;
+    const DeviceList& devices;
+};
+
+/// The context of TrundleServices: who calls, and when.
+struct ServiceContext {
+    const DeviceHost* host = nullptr;
+    std::uint64_t ticks = 0;
+    Device* device = nullptr; ///< whose act or sense is running
+    bool acting = false;
+};
+
+} // namespace trundle

@@ -1,0 +1,149 @@
+#include "world/world_devices.h"
+
+#include <algorithm>
+
+#include "base/rng.h"
+#include "world/device_mount.h"
+#include "world/device_order.h"
+#include "world/device_services.h"
+#include "world/world_objects.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::size_t kMaxNames = 200; // bytes of the devices that a message names
+
+} // namespace
+
+void WorldDevices::create(std::span<const BuiltRobot> robots, const DeviceCode& code, Diagnostics& diagnostics) {
+    for (const BuiltRobot& robot : robots) {
+        const auto index = static_cast<std::uint32_t>(m_devices.firstOf.size());
+        m_devices.firstOf.push_back(static_cast<std::uint32_t>(m_devices.all.size()));
+        for (const ComponentSpec& spec : robot.spec->config->devices)
+            if (auto device = made(robot, spec, index, code, diagnostics)) m_devices.all.push_back(std::move(device));
+    }
+    m_devices.firstOf.push_back(static_cast<std::uint32_t>(m_devices.all.size()));
+}
+
+std::unique_ptr<Device> WorldDevices::made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
+                                           const DeviceCode& code, Diagnostics& diagnostics) {
+    auto device = std::make_unique<Device>();
+    device->calls = &m_calls;
+    device->spec = &spec;
+    device->robot = robotIndex;
+    device->index = static_cast<std::uint32_t>(m_devices.all.size());
+    device->path = robot.spec->name + "/" + spec.name;
+    device->pathHash = fnv1a64(device->path);
+    device->target = m_calls.add({"the device " + spec.kind + " " + device->path, robot.spec->name, spec.kind, {}});
+    device->kind = code ? code(spec.kind) : nullptr;
+    if (!device->kind || device->kind->role != TRUNDLE_DEVICE || !device->kind->create) {
+        diagnostics.error(Code::KindNotLoaded, spec.nameRange,
+                          "no code is loaded for the kind " + spec.kind + " of " + device->path);
+        return nullptr;
+    }
+    const MonitoredCall call(m_calls, device->target, "constructor");
+    device->instance = device->kind->create();
+    if (!device->instance) {
+        diagnostics.error(Code::DeviceSetup, spec.nameRange, device->path + ": " + device->lastError());
+        return nullptr;
+    }
+    return giveFields(*device, diagnostics) ? std::move(device) : nullptr;
+}
+
+/// Values whose key is not a field of the kind (the module may be newer or older than its text) are ignored.
+bool WorldDevices::giveFields(Device& device, Diagnostics& diagnostics) {
+    const TrundleKind& kind = *device.kind;
+    for (std::uint32_t i = 0; i < kind.fieldCount; ++i) {
+        const ResolvedValue* given = device.spec->find(kind.fields[i].name);
+        if (!given || !kind.set) continue;
+        std::vector<const char*> texts;
+        for (const std::string& t : given->value.texts) texts.push_back(t.c_str());
+        const TrundleField& field = kind.fields[i];
+        const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
+        const TrundleValue value{given->value.numbers.data(), texts.data(),
+                                 static_cast<std::uint32_t>(numeric ? given->value.numbers.size() : texts.size())};
+        // The class reads as many elements as its member has: an outdated description must not make it read out of bounds.
+        const bool fits = value.count >= field.minCount && value.count <= field.maxCount;
+        if (fits && kind.set(device.instance, i, &value) == 0) continue;
+        diagnostics.error(Code::DeviceSetup, given->range.known() ? given->range : device.spec->nameRange,
+                          device.path + ": " + field.name +
+                              " was refused: " + (fits ? device.lastError() : "wrong count of elements"));
+        return false;
+    }
+    return true;
+}
+
+void WorldDevices::layOut(std::uint32_t robot, SignalLayout& layout) {
+    for (std::uint32_t d = m_devices.firstOf[robot]; d < m_devices.firstOf[robot + 1]; ++d) {
+        Device& device = *m_devices.all[d];
+        for (std::uint32_t i = 0; i < device.kind->signalCount; ++i) {
+            const TrundleSignal& s = device.kind->signals[i];
+            device.slots.push_back(layout.add(device.path + "/" + s.name, s.unit ? s.unit : "", static_cast<SignalType>(s.type),
+                                              static_cast<SignalDirection>(s.direction), std::max(s.count, 1u)));
+        }
+    }
+}
+
+void WorldDevices::setup(const DeviceHost& host, Diagnostics& diagnostics) {
+    m_context.host = &host;
+    m_tick = host.experiment.settings.tick;
+    fillServices(m_services, m_context, m_tick);
+    for (auto& device : m_devices.all) {
+        device->host = &host;
+        fillMount(*device, m_tick);
+        if (!device->kind->setupDevice) continue;
+        const MonitoredCall call(m_calls, device->target, "setup");
+        const std::int32_t answer = device->kind->setupDevice(device->instance, &device->mount);
+        if (answer != 0 && device->failure.empty()) device->note(device->lastError());
+        if (!device->failure.empty())
+            diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
+    }
+}
+
+void WorldDevices::order(Diagnostics& diagnostics) {
+    std::vector<std::vector<std::uint32_t>> peers, users(m_devices.all.size());
+    for (const auto& device : m_devices.all) {
+        peers.push_back(device->peers);
+        for (const std::uint32_t p : device->peers) users[p].push_back(device->index);
+    }
+    const std::vector<std::uint32_t> acting = actingOrder(peers);
+    for (const std::uint32_t i : acting)
+        if (Device& d = *m_devices.all[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &d});
+    for (const std::uint32_t i : actingOrder(users))
+        if (Device& d = *m_devices.all[i]; d.kind->sense) m_sensing.push_back({d.kind->sense, d.instance, &d});
+    if (acting.size() != m_devices.all.size()) reportCircle(acting, diagnostics);
+}
+
+/// Of those that have no place in the order.
+void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const {
+    std::vector<bool> placed(m_devices.all.size());
+    for (const std::uint32_t i : acting) placed[i] = true;
+    std::string names;
+    const Device* first = nullptr;
+    for (const auto& device : m_devices.all) {
+        if (placed[device->index]) continue;
+        if (!first) first = device.get();
+        if (names.size() < kMaxNames) names += (names.empty() ? "" : ", ") + device->path;
+    }
+    diagnostics.error(Code::DeviceSetup, first->spec->nameRange, "these devices drive each other in a circle: " + names);
+}
+
+const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
+    m_context.acting = acting;
+    m_context.ticks = ticks;
+    m_services.time = static_cast<double>(ticks) * m_tick;
+    for (const Call& call : acting ? m_acting : m_sensing) {
+        m_context.device = call.device;
+        const MonitoredCall monitored(m_calls, call.device->target, acting ? "act" : "sense");
+        const std::int32_t answer = call.run(call.instance, &m_services);
+        if (answer == 0 && call.device->failure.empty()) continue;
+        if (call.device->failure.empty()) call.device->note(call.device->lastError());
+        m_context.device = nullptr;
+        return call.device;
+    }
+    m_context.device = nullptr;
+    return nullptr;
+}
+
+} // namespace trundle

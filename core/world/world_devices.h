@@ -1,0 +1,56 @@
+#pragma once
+// The devices of a world: created of their kinds' tables, initialised with their fields, bound to joints, geoms and each other, and called
+// in each tick.
+
+#include <span>
+
+#include "base/diagnostic.h"
+#include "signals/layout.h"
+#include "world/world_device.h"
+#include "world/world.h"
+
+namespace trundle {
+
+struct BuiltRobot;
+
+class WorldDevices {
+public:
+    /// The monitor outlives this.
+    explicit WorldDevices(CallMonitor& calls) : m_calls(calls) {}
+
+    // Building, in this order. What fails is reported.
+    void create(std::span<const BuiltRobot> robots, const DeviceCode& code, Diagnostics& diagnostics);
+    /// Adds the signals of one robot's devices.
+    void layOut(std::uint32_t robot, SignalLayout& layout);
+    void setup(const DeviceHost& host, Diagnostics& diagnostics);
+    /// Devices act before the peers whose signals they bound, and sense after them.
+    void order(Diagnostics& diagnostics);
+
+    // The calls of a tick, after `ticks` of them. The device that failed, nullptr if none: its `failure` says why.
+    [[nodiscard]] const Device* act(std::uint64_t ticks) { return callAll(ticks, true); }
+    [[nodiscard]] const Device* sense(std::uint64_t ticks) { return callAll(ticks, false); }
+
+    [[nodiscard]] const DeviceList& list() const { return m_devices; }
+
+private:
+    /// One call of a device's act or sense, stored contiguously for the tick.
+    struct Call {
+        std::int32_t (*run)(void*, const TrundleServices*) = nullptr;
+        void* instance = nullptr;
+        Device* device = nullptr;
+    };
+    [[nodiscard]] std::unique_ptr<Device> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
+                                               const DeviceCode& code, Diagnostics& diagnostics);
+    [[nodiscard]] static bool giveFields(Device& device, Diagnostics& diagnostics);
+    void reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const;
+    [[nodiscard]] const Device* callAll(std::uint64_t ticks, bool acting);
+
+    CallMonitor& m_calls;
+    DeviceList m_devices;
+    std::vector<Call> m_acting, m_sensing; ///< in calling order; without devices that lack the function
+    ServiceContext m_context;
+    TrundleServices m_services{};
+    double m_tick = 0; ///< s
+};
+
+} // namespace trundle

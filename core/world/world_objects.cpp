@@ -1,0 +1,150 @@
+#include "world/world_objects.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "model/passive_objects.h"
+#include "world/signal_plan.h"
+
+namespace trundle {
+
+namespace {
+
+template <class List> std::vector<std::size_t> byName(const List& list) {
+    std::vector<std::size_t> order(list.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return list[a].name < list[b].name; });
+    return order;
+}
+
+JointLocation placeOf(const JointSpec& joint, const BuiltRobot& robot) {
+    const Vec3& axis = joint.type == JointType::Suspension ? joint.axis2 : joint.axis; // the axis of rotation
+    if (joint.parent == kWorldBody) return {0, false, robot.spec->pose * joint.anchor, robot.spec->pose.rotation * axis};
+    const auto parent = static_cast<std::size_t>(joint.parent);
+    const Pose inParent = robot.spec->config->bodies[parent].pose.inverse();
+    return {robot.handles.bodies[parent].index, true, inParent * joint.anchor, inParent.rotation * axis};
+}
+
+} // namespace
+
+void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
+    const std::size_t before = diagnostics.errorCount();
+    buildScenery(experiment, engine, diagnostics);
+    buildRobots(experiment, engine, diagnostics);
+    if (diagnostics.errorCount() > before) return;
+    for (const BuiltRobot& robot : m_robots) {
+        m_robotByName.emplace(robot.spec->name, static_cast<std::uint32_t>(&robot - m_robots.data()));
+        nameBodies(robot);
+        locateJoints(robot);
+    }
+    m_hashOrder.resize(m_bodyPaths.size());
+    std::iota(m_hashOrder.begin(), m_hashOrder.end(), 0u);
+    std::stable_sort(m_hashOrder.begin(), m_hashOrder.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return m_bodyPaths[a] < m_bodyPaths[b]; });
+}
+
+/// Sorted by name, so that the result does not depend on the order of blocks in the text.
+void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
+    for (const std::size_t i : byName(experiment.statics)) {
+        const StaticSpec& s = experiment.statics[i];
+        if (!s.geoms) continue;
+        for (const GeomSpec& g : *s.geoms) {
+            if (!g.collide) continue;
+            const auto id = engine.addStatic(g, s.pose * g.pose);
+            if (!id) {
+                diagnostics.error(id.error().code, g.nameRange, s.name + "/" + id.error().message);
+                continue;
+            }
+            m_geomPaths.resize(std::max<std::size_t>(m_geomPaths.size(), id.value().index + 1));
+            m_geomPaths[id.value().index] = s.name + "/" + g.name;
+        }
+    }
+}
+
+void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
+    m_robots.resize(experiment.robots.size());
+    for (const std::size_t i : byName(experiment.robots)) {
+        const RobotSpec& spec = experiment.robots[i];
+        BuiltRobot& robot = m_robots[i];
+        robot.spec = &spec;
+        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
+        for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
+        auto made = engine.addActor(def);
+        if (!made) {
+            diagnostics.error(made.error().code, spec.nameRange, spec.name + "/" + made.error().message);
+            continue;
+        }
+        robot.handles = std::move(made).value();
+        const Pose& first = spec.config->bodies[0].pose;
+        robot.frameInFirst = first.inverse();
+        if (isPassive(spec)) robot.centre = first * spec.config->bodies[0].mass.centre;
+        robot.frameIsFirst = first.position.isZero(0) && first.rotation.coeffs() == Quat::Identity().coeffs();
+    }
+}
+
+void WorldObjects::nameBodies(const BuiltRobot& robot) {
+    const auto& bodies = robot.spec->config->bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const std::uint32_t id = robot.handles.bodies[b].index;
+        m_bodyPaths.resize(std::max<std::size_t>(m_bodyPaths.size(), id + 1));
+        m_bodyRanges.resize(m_bodyPaths.size());
+        m_bodyPaths[id] = robot.spec->name + "/" + bodies[b].name;
+        m_bodyRanges[id] = bodies[b].nameRange;
+        m_bodyByPath.emplace(m_bodyPaths[id], id);
+        for (std::size_t g = 0; g < bodies[b].geoms.size(); ++g) {
+            const GeomHandle geom = robot.handles.geoms[b][g];
+            if (!geom.valid()) continue;
+            m_geomPaths.resize(std::max<std::size_t>(m_geomPaths.size(), geom.index + 1));
+            m_geomPaths[geom.index] = m_bodyPaths[id] + "/" + bodies[b].geoms[g].name;
+        }
+    }
+}
+
+void WorldObjects::locateJoints(const BuiltRobot& robot) {
+    const auto& joints = robot.spec->config->joints;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const std::uint32_t id = robot.handles.joints[j].index;
+        m_jointTurns.resize(std::max<std::size_t>(m_jointTurns.size(), id + 1));
+        m_jointTurns[id] = hasPosition(joints[j].type);
+        m_jointLocations.resize(m_jointTurns.size());
+        m_jointLocations[id] = placeOf(joints[j], robot);
+    }
+}
+
+Pose WorldObjects::framePose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks) {
+    if (ticks == 0) return robot.spec->pose;
+    const BodyState& first = engine.state(robot.handles.bodies[0]);
+    const Pose body{first.position, first.rotation};
+    return robot.frameIsFirst ? body : body * robot.frameInFirst;
+}
+
+Pose WorldObjects::reportedPose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks) {
+    Pose pose = framePose(robot, engine, ticks);
+    if (robot.centre) pose.position = pose * *robot.centre;
+    return pose;
+}
+
+std::pair<const BuiltRobot*, std::size_t> WorldObjects::ownerOf(BodyHandle body) const {
+    for (const BuiltRobot& robot : m_robots) {
+        const auto& bodies = robot.handles.bodies;
+        const auto found = std::find(bodies.begin(), bodies.end(), body);
+        if (found != bodies.end()) return {&robot, static_cast<std::size_t>(found - bodies.begin())};
+    }
+    return {nullptr, 0};
+}
+
+const JointLocation* WorldObjects::jointLocation(std::uint32_t joint) const {
+    return joint < m_jointLocations.size() ? &m_jointLocations[joint] : nullptr;
+}
+
+const std::uint32_t* WorldObjects::findBody(const std::string& path) const {
+    const auto found = m_bodyByPath.find(path);
+    return found == m_bodyByPath.end() ? nullptr : &found->second;
+}
+
+const BuiltRobot* WorldObjects::findRobot(const std::string& name) const {
+    const auto found = m_robotByName.find(name);
+    return found == m_robotByName.end() ? nullptr : &m_robots[found->second];
+}
+
+} // namespace trundle

@@ -1,0 +1,75 @@
+#pragma once
+// The scenery and robots of an experiment in the engine, and what its handles stand for.
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "world/engine.h"
+
+namespace trundle {
+
+/// A robot in the engine.
+struct BuiltRobot {
+    const RobotSpec* spec = nullptr;
+    ActorHandles handles;
+    Pose frameInFirst;          ///< pose of the config frame in the first body's frame
+    bool frameIsFirst = false;  ///< frameInFirst is the identity
+    std::optional<Vec3> centre; ///< of a passive object: centre of mass of its first body in the config frame
+};
+
+/// Anchor and axis of a joint in its parent's frame.
+struct JointLocation {
+    std::uint32_t parent = 0; ///< engine body; valid only if `carried`
+    bool carried = false;     ///< false: attached to the world; anchor and axis are in world coordinates
+    Vec3 anchor = Vec3::Zero(), axis = Vec3::UnitZ();
+};
+
+class WorldObjects {
+public:
+    /// Adds everything to the engine, at its start pose. What cannot be built is reported, and then this is of no use.
+    void build(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
+
+    [[nodiscard]] const std::vector<BuiltRobot>& robots() const { return m_robots; } ///< in the order of the experiment
+    /// Pose in the world of a robot's config frame; before the first tick exactly the pose of the text, bit for bit.
+    [[nodiscard]] static Pose framePose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks);
+    /// See World::reportedPose.
+    [[nodiscard]] static Pose reportedPose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks);
+    /// The robot of a body, and the body's index in it.
+    [[nodiscard]] std::pair<const BuiltRobot*, std::size_t> ownerOf(BodyHandle body) const;
+
+    // By index in the engine.
+    [[nodiscard]] bool isBody(std::uint32_t body) const { return body < m_bodyPaths.size(); }
+    [[nodiscard]] bool isGeom(std::uint32_t geom) const { return geom < m_geomPaths.size(); }
+    /// False also for a joint without a position.
+    [[nodiscard]] bool jointHasPosition(std::uint32_t joint) const { return joint < m_jointTurns.size() && m_jointTurns[joint]; }
+    [[nodiscard]] const std::string& geomPath(std::uint32_t geom) const { return m_geomPaths[geom]; }
+    [[nodiscard]] const std::vector<std::string>& bodyPaths() const { return m_bodyPaths; }
+    [[nodiscard]] SourceRange bodyRange(std::uint32_t body) const { return m_bodyRanges[body]; }
+    /// nullptr: no such joint.
+    [[nodiscard]] const JointLocation* jointLocation(std::uint32_t joint) const;
+    /// Bodies, sorted by path.
+    [[nodiscard]] const std::vector<std::uint32_t>& bodiesByPath() const { return m_hashOrder; }
+
+    // nullptr: there is none of this name.
+    [[nodiscard]] const std::uint32_t* findBody(const std::string& path) const;
+    [[nodiscard]] const BuiltRobot* findRobot(const std::string& name) const;
+
+private:
+    void buildScenery(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
+    void buildRobots(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
+    void nameBodies(const BuiltRobot& robot);
+    void locateJoints(const BuiltRobot& robot);
+
+    std::vector<BuiltRobot> m_robots;
+    std::vector<std::string> m_geomPaths, m_bodyPaths;
+    std::vector<SourceRange> m_bodyRanges;
+    std::vector<std::uint32_t> m_hashOrder;
+    std::vector<std::uint8_t> m_jointTurns;
+    std::vector<JointLocation> m_jointLocations;
+    std::unordered_map<std::string, std::uint32_t> m_bodyByPath, m_robotByName; // for lookup only, never iterated
+};
+
+} // namespace trundle
