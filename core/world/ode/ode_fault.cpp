@@ -6,6 +6,8 @@
 
 #include <ode/ode.h>
 
+#include "world/ode/solve_lcp.h"
+
 namespace trundle {
 
 namespace {
@@ -20,6 +22,7 @@ void onMessage(int, const char*, va_list) { ++t_messages; }
 void startOde() {
     static std::once_flag once;
     std::call_once(once, [] {
+        (void)solvedIslands();
         dInitODE2(0);
         dSetErrorHandler(onFault);
         dSetDebugHandler(onFault);

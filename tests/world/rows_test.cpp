@@ -1,0 +1,256 @@
+// The rows of joints and contacts that hang together, solved sparsely: against what a solution must fulfil, and in place of ODE's solver.
+#include <QtTest>
+
+#include <Eigen/Dense>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "world/fixtures.h"
+#include "world/ode/elimination_order.h"
+#include "world/ode/row_solver.h"
+#include "world/ode/solve_lcp.h"
+
+using namespace fixture;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum class Tree { Chain, Star, Random };
+
+/// Bodies in a tree of hinges, motors with a limit, and contacts with friction on some of the bodies; random positions.
+struct Island {
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd right;
+    std::vector<double> bounds;
+    std::vector<int> normals;
+    std::vector<std::vector<int>> joints; ///< rows
+
+    Island(Tree tree, int bodies, int motors, int contacts, std::uint32_t seed) : m_random(seed) {
+        for (int child = 1; child < bodies; ++child) {
+            const int parent = tree == Tree::Chain  ? child - 1
+                               : tree == Tree::Star ? 0
+                                                    : static_cast<int>(m_random() % unsigned(child));
+            joints.emplace_back();
+            for (int k = 0; k < 5; ++k) joints.back().push_back(addRow(child, parent, -kInfinity, kInfinity, -1));
+        }
+        for (int i = 0; i < motors && i + 1 < bodies; ++i) addRow(i + 1, 0, -0.5, 0.5, -1);
+        for (int i = 0; i < contacts; ++i) {
+            const int of = static_cast<int>(m_random() % unsigned(bodies)), normal = addRow(of, -1, 0, kInfinity, -1);
+            for (int k = 0; k < 2; ++k) addRow(of, -1, -0.5, 0.5, i % 2 ? normal : -1);
+        }
+        finish(bodies);
+    }
+
+private:
+    struct Row {
+        int first, second;
+        Eigen::Matrix<double, 6, 1> a, b;
+    };
+
+    Eigen::Matrix<double, 6, 1> random6() {
+        std::normal_distribution<double> normal;
+        Eigen::Matrix<double, 6, 1> v;
+        for (double& x : v) x = normal(m_random);
+        return v;
+    }
+    int addRow(int first, int second, double low, double high, int normal) {
+        m_rows.push_back({first, second, random6(), random6()});
+        bounds.insert(bounds.end(), {low, high});
+        normals.push_back(normal);
+        return static_cast<int>(m_rows.size()) - 1;
+    }
+    void finish(int bodies) {
+        const auto n = static_cast<Eigen::Index>(m_rows.size());
+        Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, 6 * bodies);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Row& row = m_rows[std::size_t(i)];
+            jacobian.block<1, 6>(i, 6 * row.first) = row.a.transpose();
+            if (row.second >= 0) jacobian.block<1, 6>(i, 6 * row.second) = row.b.transpose();
+        }
+        matrix = jacobian * jacobian.transpose() + 1e-4 * Eigen::MatrixXd::Identity(n, n);
+        right.resize(n);
+        for (double& x : right) x = random6()[0];
+    }
+
+    std::mt19937 m_random;
+    std::vector<Row> m_rows;
+};
+
+std::vector<double> solutionOf(const Island& island, bool& solved) {
+    const auto n = static_cast<unsigned>(island.right.size());
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix = island.matrix;
+    std::vector<double> pairs(2 * n), x(n);
+    for (unsigned i = 0; i < n; ++i) pairs[2 * i] = island.right[i];
+    RowSolver solver;
+    solved = solver.solve({n, matrix.data(), n, island.bounds.data(), island.normals.data()}, pairs.data());
+    for (unsigned i = 0; i < n; ++i) x[i] = pairs[2 * i + 1];
+    return x;
+}
+
+/// By how much x misses what it must fulfil with these bounds.
+double missOf(const Island& island, const std::vector<double>& x, const std::vector<double>& bounds) {
+    const Eigen::VectorXd excess =
+        island.matrix * Eigen::Map<const Eigen::VectorXd>(x.data(), Eigen::Index(x.size())) - island.right;
+    double miss = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double low = bounds[2 * i], high = bounds[2 * i + 1], w = excess[Eigen::Index(i)];
+        miss = std::max({miss, low - x[i], x[i] - high});
+        if (x[i] > low + 1e-9) miss = std::max(miss, w);
+        if (x[i] < high - 1e-9) miss = std::max(miss, -w);
+    }
+    return miss;
+}
+
+/// Values that are zero before and not after, for rows in this order.
+int filledBy(std::vector<std::vector<bool>> pattern, std::span<const unsigned> order) {
+    int filled = 0;
+    for (std::size_t k = 0; k < order.size(); ++k)
+        for (std::size_t a = k + 1; a < order.size(); ++a)
+            for (std::size_t b = k + 1; b < a; ++b)
+                if (pattern[order[a]][order[k]] && pattern[order[b]][order[k]] && !pattern[order[a]][order[b]]) {
+                    pattern[order[a]][order[b]] = pattern[order[b]][order[a]] = true;
+                    ++filled;
+                }
+    return filled;
+}
+
+/// A base on three wheels, each with 16 free rollers at its rim: 52 bodies, 51 hinges.
+std::shared_ptr<RobotConfigSpec> omniBase(std::uint32_t rubber) {
+    constexpr double kReach = 0.18, kRadius = 0.06, kRoller = 0.012;
+    auto config = std::make_shared<RobotConfigSpec>();
+    config->bodies.push_back(
+        body("chassis", at(0, 0, 0.08), massOfCylinder(3, 0.15, 0.06), {cylinder("hull", 0.15, 0.06, {}, rubber)}));
+    for (int w = 0; w < 3; ++w) {
+        const double angle = 2 * kPi * w / 3;
+        const Vec3 outward(std::cos(angle), std::sin(angle), 0), along(-outward.y(), outward.x(), 0), up = Vec3::UnitZ();
+        const Vec3 centre = kReach * outward + kRadius * up;
+        const int hub = static_cast<int>(config->bodies.size());
+        const std::string wheel = std::to_string(w);
+        config->bodies.push_back(body("hub" + wheel, {centre, Quat::Identity()}, massOfSphere(0.1, 0.03), {}));
+        config->joints.push_back(joint("axle" + wheel, JointType::Hinge, 0, hub, centre, outward));
+        config->devices.push_back(row("motor" + wheel, "axle" + wheel));
+        for (int k = 0; k < 16; ++k) {
+            const double turn = 2 * kPi * k / 16;
+            const Vec3 to = std::sin(turn) * along - std::cos(turn) * up, place = centre + (kRadius - kRoller) * to;
+            const std::string name = wheel + "_" + std::to_string(k);
+            config->joints.push_back(joint("roller" + name, JointType::Hinge, hub, static_cast<int>(config->bodies.size()), place,
+                                           std::cos(turn) * along + std::sin(turn) * up));
+            config->bodies.push_back(body("roller" + name, {place, Quat::Identity()}, massOfSphere(0.01, kRoller),
+                                          {sphere("tread", kRoller, {}, rubber)}));
+        }
+    }
+    return config;
+}
+
+} // namespace
+
+class RowsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void solvesIslands_data() {
+        QTest::addColumn<int>("tree");
+        QTest::addColumn<int>("bodies");
+        for (const int bodies : {1, 2, 3, 7, 8, 20, 60}) {
+            QTest::addRow("chain of %d", bodies) << int(Tree::Chain) << bodies;
+            QTest::addRow("star of %d", bodies) << int(Tree::Star) << bodies;
+            QTest::addRow("tree of %d", bodies) << int(Tree::Random) << bodies;
+        }
+    }
+    void solvesIslands() {
+        QFETCH(int, tree);
+        QFETCH(int, bodies);
+        for (std::uint32_t seed = 0; seed < 20; ++seed) {
+            Island island(Tree(tree), bodies, 4, 1 + bodies / 2, seed);
+            bool solved = false;
+            const std::vector<double> x = solutionOf(island, solved);
+            QVERIFY(solved);
+            Island smooth = island; // without the friction that follows a normal row
+            for (std::size_t i = 0; i < x.size(); ++i)
+                if (smooth.normals[i] >= 0) smooth.bounds[2 * i] = smooth.bounds[2 * i + 1] = 0;
+            smooth.normals.assign(x.size(), -1);
+            const std::vector<double> first = solutionOf(smooth, solved);
+            QVERIFY(solved);
+            QVERIFY(missOf(smooth, first, smooth.bounds) < 1e-8);
+            std::vector<double> bounds = island.bounds;
+            for (std::size_t i = 0; i < x.size(); ++i)
+                if (island.normals[i] >= 0) {
+                    bounds[2 * i + 1] *= std::abs(first[std::size_t(island.normals[i])]);
+                    bounds[2 * i] = -bounds[2 * i + 1];
+                }
+            QVERIFY2(missOf(island, x, bounds) < 1e-6, qPrintable(QString::number(missOf(island, x, bounds))));
+        }
+    }
+
+    /// Joints in a tree are eliminated without filling much of what was zero, in whatever order they come.
+    void fillsLittleInTrees() {
+        int filled = 0, filledAsTheyCome = 0;
+        for (std::uint32_t seed = 0; seed < 30; ++seed) {
+            const Island island(Tree::Random, 30, 0, 0, seed);
+            const auto rows = static_cast<unsigned>(island.right.size()), words = (rows + 63) / 64;
+            std::vector<unsigned> mixed(rows);
+            for (unsigned i = 0; i < rows; ++i) mixed[i] = i;
+            std::mt19937 random(seed);
+            std::ranges::shuffle(mixed, random);
+            std::vector<std::vector<bool>> pattern(rows, std::vector<bool>(rows));
+            std::vector<std::uint64_t> bits(std::size_t(rows) * words);
+            for (unsigned i = 0; i < rows; ++i)
+                for (unsigned j = 0; j < rows; ++j) {
+                    pattern[i][j] = island.matrix(mixed[i], mixed[j]) != 0;
+                    if (pattern[i][j]) bits[std::size_t(i) * words + j / 64] |= std::uint64_t(1) << j % 64;
+                }
+            EliminationOrder order;
+            const auto found = order.find(bits, rows, words);
+            QCOMPARE(found.size(), std::size_t(rows));
+            filled += filledBy(pattern, found);
+            std::iota(mixed.begin(), mixed.end(), 0u);
+            filledAsTheyCome += filledBy(pattern, mixed);
+        }
+        qInfo("filled: %d, as they come: %d", filled, filledAsTheyCome);
+        QVERIFY(100 * filled < filledAsTheyCome);
+    }
+
+    /// Rows that contradict each other are left to ODE.
+    void refusesWhatIsSingular() {
+        Island island(Tree::Star, 3, 0, 0, 1);
+        island.matrix.row(3) = island.matrix.row(2);
+        island.matrix.col(3) = island.matrix.col(2);
+        bool solved = true;
+        (void)solutionOf(island, solved);
+        QVERIFY(!solved);
+    }
+
+    /// ODE calls it for every island, and its own solver is not needed.
+    void takesThePlaceOfOdes() {
+        Scene scene = r0Scene();
+        scene.scenery({plane("floor", {}, 1)}).robot("r", at(0, 0, 0), r0());
+        auto world = scene.build();
+        const SolvedIslands before = solvedIslands();
+        QVERIFY(run(*world, 1));
+        QCOMPARE(solvedIslands().count, before.count + 100);
+        QCOMPARE(solvedIslands().leftToOde, before.leftToOde);
+    }
+
+    /// A base on rollers turns on the spot as fast as its wheels say.
+    void omniBaseTurns() {
+        Scene scene;
+        const std::uint32_t rubber = scene.surface(1);
+        scene.scenery({plane("floor", {}, rubber)}).robot("base", {}, omniBase(rubber));
+        auto world = scene.build();
+        const SolvedIslands before = solvedIslands();
+        for (int i = 0; i < 300; ++i) {
+            for (const char* motor : {"base/motor0", "base/motor1", "base/motor2"}) command(*world, motor, 2, 0.01, 5);
+            QVERIFY(world->tick().ok());
+        }
+        const double turned = hprFromRotation(world->robotPose(0).rotation)[0];
+        qInfo("turned by %.3f rad in 3 s", turned);
+        QVERIFY(std::abs(std::abs(turned) - 2 * 0.06 / 0.18 * 3) < 0.05);
+        QVERIFY(solvedIslands().count - before.count >= 300);
+        QCOMPARE(solvedIslands().leftToOde, before.leftToOde);
+    }
+};
+
+QTEST_APPLESS_MAIN(RowsTest)
+#include "rows_test.moc"
