@@ -209,6 +209,66 @@ private Q_SLOTS:
         QVERIFY(brightness(foot + Vec3(0.06, 0, 0)) > 0.9 * brightness({0.5, -0.5, 0}));
     }
 
+    /// The edge of a soft shadow is wider at its tip than in its middle; that of a plain one is sharp in both.
+    void softShadowsSoftenWithTheDistance() {
+        const double height = 0.8;
+        auto experiment = sampleExperiment({0, 1, false, 4});
+        GeomSpec floor, box;
+        floor.name = "floor";
+        floor.shape = GeomShape::Plane;
+        floor.material = 6;
+        box.name = "post";
+        box.size = {0.2, 0.2, height};
+        box.pose.position = {0, 0, height / 2};
+        StaticSpec fixed;
+        fixed.name = "yard";
+        fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
+        experiment->statics = {fixed};
+        const osg::Vec3 s = sunDirection();
+        const Vec3 along = Vec3(-s.x(), -s.y(), 0).normalized(), aside(-along.y(), along.x(), 0);
+        const double length = height * std::hypot(s.x(), s.y()) / s.z();
+        CameraView view = lookingAt({0, 0, 3}, Vec3::Zero());
+        view.up = Vec3::UnitY();
+        PictureRequest request = requestFor(m_service->addScene(experiment), view, 1600, 1600);
+        request.view->fieldOfView = 0.6;
+        // Pixels of the shadow's edge that are neither dark nor light, at a share of its length.
+        const auto edge = [&](std::uint32_t shadows, double share) {
+            request.mask = kMaskWorld | shadows;
+            const Image image = m_service->draw(request).get().value();
+            const auto brightness = [&](double off) {
+                const auto at = project(*request.view, 1600, 1600, share * length * along + off * aside);
+                return int(image.at(std::uint32_t(at->x), std::uint32_t(at->y))[1]);
+            };
+            const int dark = brightness(0), light = brightness(0.4);
+            if (light - dark < 30) return -1;
+            int between = 0;
+            for (double off = 0; off < 0.4; off += 0.0005) between += brightness(off) > dark + 6 && brightness(off) < light - 6;
+            return between;
+        };
+        const int middle = edge(kMaskSoftShadows, 0.5), tip = edge(kMaskSoftShadows, 0.95);
+        const int sharpMiddle = edge(kMaskShadows, 0.5), sharpTip = edge(kMaskShadows, 0.95);
+        const QByteArray all =
+            QStringLiteral("%1 %2, sharp %3 %4").arg(middle).arg(tip).arg(sharpMiddle).arg(sharpTip).toLatin1();
+        QVERIFY2(sharpMiddle >= 0 && sharpMiddle < 20 && sharpTip >= 0 && sharpTip < 20, all);
+        QVERIFY2(middle > 30 && 4 * tip > 5 * middle, all);
+    }
+
+    /// The eye is close above the floor, and the only object is far away.
+    void floorNearTheEyeIsNotCut() {
+        const SceneId scene = m_service->addScene(sampleExperiment({0, 1, true, 40}));
+        for (const double height : {0.1, 0.5}) {
+            const Vec3 eye(0, 0, height);
+            PictureRequest request = requestFor(scene, lookingAt(eye, {height, 0, 0}));
+            request.mask = kMaskWorld;
+            const Image chosen = m_service->draw(request).get().value();
+            request.view->nearPlane = 0.01;
+            const Image whole = m_service->draw(request).get().value();
+            int differing = 0;
+            for (std::size_t i = 0; i < whole.pixels.size(); ++i) differing += std::abs(whole.pixels[i] - chosen.pixels[i]) > 2;
+            QVERIFY2(differing < int(whole.pixels.size()) / 200, qPrintable(QString::number(differing)));
+        }
+    }
+
     void everyShapeIsDrawn() {
         const auto experiment = shapesExperiment();
         const SceneId scene = m_service->addScene(experiment);

@@ -71,6 +71,48 @@ private Q_SLOTS:
         QVERIFY(unequal > kPixels / 2);
     }
 
+    /// Where no ray of the lens arrives there is no depth, no object and no light.
+    void whatTheLensDoesNotShowIsEmpty() {
+        LensMap lens;
+        lens.width = lens.height = 4;
+        lens.sources.assign(kPixels, LensMap::Source{1.5f, 2.5f});
+        lens.sources[7] = {-1, -1};
+        DataImage data{4, 4, std::vector<float>(16, 3), std::vector<std::uint32_t>(16, 5)};
+        data.depth[2 * 4 + 1] = 2;
+        for (const CameraMode mode : {CameraMode::Depth, CameraMode::Segmentation}) {
+            const CameraImage image = applySensorModel(camera(mode, 0), lens, data);
+            QVERIFY(std::isinf(image.depth[7]) && image.depth[8] == 2);
+            QVERIFY(image.pixels[3 * 7] == 0 && image.pixels[3 * 8] > 0);
+            if (mode == CameraMode::Segmentation) QVERIFY(image.objects[7] == 0 && image.objects[8] == 5);
+        }
+        const Image drawn{4, 4, std::vector<std::uint8_t>(48, 200)};
+        const CameraImage image = applySensorModel(camera(CameraMode::Colour, 0), lens, drawn);
+        QVERIFY(image.pixels[3 * 7] == 0 && image.pixels[3 * 8] == 200);
+    }
+
+    /// Another camera, seed or image has other errors; the same has the same.
+    void noiseIsOfOneCameraSeedAndImage() {
+        const auto noisy = [](CameraMode mode, const char* path, std::uint64_t seed, std::uint64_t tick) {
+            CameraModel model = camera(mode, 0.1);
+            model.path = path;
+            CameraImage image = grey(128);
+            image.depth.assign(kPixels, 2);
+            image.tick = tick;
+            addNoise(model, seed, image);
+            return image.pixels;
+        };
+        for (const CameraMode mode : {CameraMode::Colour, CameraMode::Grey, CameraMode::Depth}) {
+            const auto one = noisy(mode, "robot1/eye", 1, 5);
+            QVERIFY(one == noisy(mode, "robot1/eye", 1, 5));
+            for (const auto& other : {noisy(mode, "robot10/eye", 1, 5), noisy(mode, "robot1/eye2", 1, 5),
+                                      noisy(mode, "robot1/eye", 2, 5), noisy(mode, "robot1/eye", 1, 6)}) {
+                std::size_t equal = 0;
+                for (std::size_t i = 0; i < one.size(); ++i) equal += one[i] == other[i];
+                QVERIFY2(equal < one.size() / 10, qPrintable(QString::number(equal)));
+            }
+        }
+    }
+
     /// Each row: the distance of the first fold and how far from the centre it is shown. No ray arrives farther out, and none of the
     /// rays beyond is used although they would be shown inside.
     void aLensThatFoldsBackShowsItsInnerPart_data() {

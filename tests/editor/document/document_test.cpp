@@ -288,6 +288,22 @@ private Q_SLOTS:
         QCOMPARE(d.path(), m_fixture->main);
     }
 
+    /// The file is read already, and only waits for the window to have handled that.
+    void anOpeningCanBeCancelledWhileTheWindowIsTold() {
+        Document& d = *m_document;
+        QVERIFY(d.open(m_fixture->main).ok());
+        QSignalSpy opened(&d, &Document::opened), read(&d, &Document::aboutToOpen), failed(&d, &Document::openFailed);
+        const auto cancel = connect(&d, &Document::aboutToOpen, &d, &Document::cancelOpening);
+        d.openLater(m_fixture->robot);
+        EVENTUALLY_EQUAL(read.count(), 1);
+        disconnect(cancel);
+        QVERIFY(!d.isOpening());
+        d.openLater(m_fixture->path("none.sim")); // handled after the first would have been
+        EVENTUALLY_EQUAL(failed.count(), 1);
+        QCOMPARE(opened.count(), 0);
+        QCOMPARE(d.path(), m_fixture->main);
+    }
+
     void theNewestOpeningWins() {
         Document& d = *m_document;
         QSignalSpy opened(&d, &Document::opened);

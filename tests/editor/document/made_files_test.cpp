@@ -47,8 +47,9 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(piece), text);
         // An existing file is not overwritten, and no file is created outside the project.
         m_fixture->write("configs/objects/other.sim", "// mine\n");
-        for (const char* name : {"configs/objects/other.sim", "elsewhere.sim", "configs/../elsewhere.sim"})
-            QVERIFY(!m_document->replaceText(QStringLiteral("Group"), m_fixture->path(name), "x").ok());
+        for (const char* name :
+             {"configs/objects/other.sim", "elsewhere.sim", "configs/../elsewhere.sim", "configs2.sim", "configs2/a.sim"})
+            QVERIFY2(!m_document->replaceText(QStringLiteral("Group"), m_fixture->path(name), "x").ok(), name);
         QCOMPARE(bytesOf(m_fixture->path("configs/objects/other.sim")), std::string("// mine\n"));
         QVERIFY(!std::filesystem::exists(m_fixture->path("elsewhere.sim")));
     }

@@ -3,6 +3,7 @@
 #include <QMenu>
 
 #include "check/model_check.h"
+#include "editor/outline/free_places.h"
 #include "editor/outline/insert_menu.h"
 #include "eventually.h"
 #include "model/passive_objects.h"
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void insertsEveryKindWhereAllowed();
     void offersWhatFitsTheSelection();
     void newObjectsStandFree();
+    void theFloorIsInTheWayOfRobotsOnly();
     void newObjectsComeToTheInsertionPoint();
     void aRobotHasOneController();
     void objectsAreMovable_data();
@@ -179,6 +181,26 @@ void InsertTest::newObjectsStandFree() {
     QCOMPARE(last.size(), std::size_t(1));
     for (std::size_t i = 0; i < edits; ++i) o.document.undo();
     QCOMPARE(o.text(), kRovers);
+}
+
+/// Where nothing else is, a robot whose origin is its centre is raised onto the floor, and scenery stays in it.
+void InsertTest::theFloorIsInTheWayOfRobotsOnly() {
+    OutlineFixture o;
+    const QByteArray floor = "StaticConfig Floor { Plane floor { } }\nStatic arena { Config=Floor }\n";
+    const auto load = [&](const char* name, const QByteArray& text) {
+        return o.write(name, text) ? o.application->open(o.folder.filePath(QLatin1String(name)).toStdString(), {}).value()
+                                   : nullptr;
+    };
+    const auto before = load("before.sim", floor);
+    const auto ball = load("ball.sim", floor + "RobotConfig Ball { Body b { Sphere s { Radius=0.2 Mass=1 } } }\n"
+                                               "Robot ball { Config=Ball Pos=0,0,0 }\n");
+    const auto block = load("block.sim", floor + "StaticConfig Block { Box b { Size=0.4,0.4,0.4 } }\n"
+                                                 "Static block { Config=Block Pos=0,0,0 }\n");
+    const std::vector<ValueEdit> raised = freePlaces(*before, *ball, std::nullopt);
+    QCOMPARE(raised.size(), std::size_t(1));
+    QCOMPARE(raised[0].path.text(), std::string("ball.Pos"));
+    QVERIFY2(raised[0].value.text().starts_with("0,0,0.2"), raised[0].value.text().c_str());
+    QVERIFY(freePlaces(*before, *block, std::nullopt).empty());
 }
 
 /// The middle of the 3D view, in the window. What is pasted keeps the position that is written.

@@ -131,6 +131,7 @@ void LibraryTest::partsGoIntoTheSelectedRobot() {
     QCOMPARE(s.refusals, QStringList());
     QCOMPARE(s.errors(), QString());
     QCOMPARE(s.document.loaded()->experiment->robots[0].config->bodies.size(), std::size_t(3));
+    QVERIFY2(!s.text().contains("// " + title.toUtf8()), s.text()); // the title is for the Library
     s.document.moveTo(0);
     QCOMPARE(s.text(), text);
 }
