@@ -44,6 +44,22 @@ PictureRequest requestFor(SceneId scene, const CameraView& view, std::uint32_t w
     return request;
 }
 
+std::shared_ptr<ExperimentSpec> boxOnFloor(const Vec3& size, const Vec3& middle) {
+    auto experiment = sampleExperiment({0, 1, false, 4});
+    GeomSpec floor, box;
+    floor.name = "floor";
+    floor.shape = GeomShape::Plane;
+    floor.material = 6;
+    box.name = "box";
+    box.size = size;
+    box.pose.position = middle;
+    StaticSpec fixed;
+    fixed.name = "yard";
+    fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
+    experiment->statics = {fixed};
+    return experiment;
+}
+
 CameraView lookingAt(const Vec3& eye, const Vec3& target) {
     CameraView view;
     view.eye = eye;
@@ -212,18 +228,7 @@ private Q_SLOTS:
     /// The edge of a soft shadow is wider at its tip than in its middle; that of a plain one is sharp in both.
     void softShadowsSoftenWithTheDistance() {
         const double height = 0.8;
-        auto experiment = sampleExperiment({0, 1, false, 4});
-        GeomSpec floor, box;
-        floor.name = "floor";
-        floor.shape = GeomShape::Plane;
-        floor.material = 6;
-        box.name = "post";
-        box.size = {0.2, 0.2, height};
-        box.pose.position = {0, 0, height / 2};
-        StaticSpec fixed;
-        fixed.name = "yard";
-        fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
-        experiment->statics = {fixed};
+        const auto experiment = boxOnFloor({0.2, 0.2, height}, {0, 0, height / 2});
         const osg::Vec3 s = sunDirection();
         const Vec3 along = Vec3(-s.x(), -s.y(), 0).normalized(), aside(-along.y(), along.x(), 0);
         const double length = height * std::hypot(s.x(), s.y()) / s.z();
@@ -255,7 +260,7 @@ private Q_SLOTS:
 
     /// The eye is close above the floor, and the only object is far away.
     void floorNearTheEyeIsNotCut() {
-        const SceneId scene = m_service->addScene(sampleExperiment({0, 1, true, 40}));
+        const SceneId scene = m_service->addScene(boxOnFloor({1, 1, 1}, {20, 0, 0.5}));
         for (const double height : {0.1, 0.5}) {
             const Vec3 eye(0, 0, height);
             PictureRequest request = requestFor(scene, lookingAt(eye, {height, 0, 0}));

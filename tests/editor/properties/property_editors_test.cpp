@@ -91,6 +91,35 @@ private Q_SLOTS:
         QCOMPARE(heading({"cart", "robot0", "robot1"}), QStringLiteral("Params"));
     }
 
+    /// The Friction of a hinge is a torque, that of a slider a force: no row has both.
+    void rowsOfUnlikeUnitsAreNotJoined() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open("RobotConfig Arm {\n  Body a { Mass=1 }\n  Body b { Mass=1 }\n  Body c { Mass=1 }\n"
+                             "  Hinge one { Parent=a Child=b Axis=0,1,0 }\n  Slider two { Parent=b Child=c Axis=1,0,0 }\n}\n"));
+        const std::string hinge = "RobotConfig.Arm.one", slider = "RobotConfig.Arm.two";
+        for (const std::string& one : {hinge, slider}) {
+            fixture.selection.select(one);
+            QVERIFY2(fixture.row("Friction"), one.c_str());
+        }
+        fixture.selection.set({hinge, slider});
+        QVERIFY(fixture.row("Axis") && !fixture.row("Friction"));
+    }
+
+    void emptyingAMixedFieldChangesNothing() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(kRobots));
+        const std::string before = fixture.text(), rover = fixture.rover();
+        fixture.selection.set({"RobotConfig.Rover.chassis.hull", "RobotConfig.Rover.leftWheel.tyre"});
+        QCOMPARE(fixture.field("Mass")->placeholderText(), QStringLiteral("mixed"));
+        QTest::keyClicks(fixture.field("Mass"), QStringLiteral("3"));
+        QTest::keyClick(fixture.field("Mass"), Qt::Key_Backspace);
+        QTest::keyClick(fixture.field("Mass"), Qt::Key_Return);
+        QVERIFY(!fixture.field("Mass")->refused());
+        QCOMPARE(fixture.rover(), rover);
+        QCOMPARE(fixture.text(), before);
+        QVERIFY(fixture.document.history().entries().empty());
+    }
+
     void draggingALabelIsOneEntry() {
         PropertiesFixture fixture;
         QVERIFY(fixture.open(kRobots));
@@ -158,6 +187,20 @@ private Q_SLOTS:
         fixture.type("Inertia", QStringLiteral("0.01"), "field3"); // one product of inertia adds the other two
         fixture.type("Inertia", QString(), "field5");
         QVERIFY(fixture.field("Inertia", "field0"));
+    }
+
+    void onlyTheLastNumbersCanBeLeftOut() {
+        PropertiesFixture fixture;
+        const std::string text = "RobotConfig Arm {\n  Body a { Mass=1 Inertia=2,2,2,0.1,0.2,0.3 }\n}\n";
+        QVERIFY(fixture.open(text));
+        fixture.selection.select("RobotConfig.Arm.a");
+        const std::string before = fixture.text();
+        for (const char* field : {"field1", "field3", "field4"}) {
+            fixture.type("Inertia", QString(), field);
+            QVERIFY2(fixture.field("Inertia", field)->refused(), field);
+            QCOMPARE(fixture.text(), before);
+            QTest::keyClick(fixture.field("Inertia", field), Qt::Key_Escape);
+        }
     }
 
     void arrowKeysStep() {

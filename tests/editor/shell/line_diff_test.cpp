@@ -10,7 +10,19 @@ class LineDiffTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void diffShowsContextLines() {
-        const auto lines = diffLines("a\nb\nc\nd\ne\nf\ng\n", "a\nb\nc\nX\ne\nf\ng\n", 1);
+        QCOMPARE(shown("a\nb\nc\nd\ne\nf\ng\n", "a\nb\nc\nX\ne\nf\ng\n", 1), QStringLiteral("~| c|-d|+X| e|~"));
+    }
+    /// Between two changes: all lines where their contexts meet, else those next to each.
+    void contextOfTwoChanges() {
+        const char* before = "a\nb\nc\nd\ne\nf\ng\n";
+        QCOMPARE(shown(before, "a\nX\nc\nd\ne\nY\ng\n", 1), QStringLiteral(" a|-b|+X| c|~| e|-f|+Y| g"));
+        QCOMPARE(shown(before, "a\nX\nc\nd\nY\nf\ng\n", 1), QStringLiteral(" a|-b|+X| c| d|-e|+Y| f|~"));
+        QCOMPARE(shown(before, "X\nb\nc\nd\ne\nf\nY\n", 2), QStringLiteral("-a|+X| b| c|~| e| f|-g|+Y"));
+    }
+
+private:
+    static QString shown(const char* before, const char* after, int context) {
+        const auto lines = diffLines(before, after, context);
         QStringList shown;
         for (const DiffLine& line : lines) {
             const char* mark = line.kind == DiffLine::Kind::Added     ? "+"
@@ -19,8 +31,10 @@ private Q_SLOTS:
                                                                       : " ";
             shown << QLatin1String(mark) + line.text;
         }
-        QCOMPARE(shown.join(u'|'), QStringLiteral("~| c|-d|+X| e|~"));
+        return shown.join(u'|');
     }
+
+private Q_SLOTS:
     void equalTextsDifferInNothing() {
         for (const DiffLine& line : diffLines("a\r\nb", "a\r\nb")) QVERIFY(line.kind == DiffLine::Kind::Gap);
     }

@@ -157,6 +157,7 @@ void PiecesTest::lineCommands_data() {
     row("new line keeps the indent", "enter", "  a|b", "  a\n  |b");
     row("deeper after a brace", "enter", "Body b {|", "Body b {\n  |");
     row("deeper in a block begun before", "enter", "Body b { Pos=1 |", "Body b { Pos=1 \n  |");
+    row("deeper behind the brace of another block", "enter", "} Body b {|", "} Body b {\n  |");
     row("not behind a closed one", "enter", "Body b { Pos=1 }|", "Body b { Pos=1 }\n|");
     row("nor a brace in a comment", "enter", "Tick=1 // {|", "Tick=1 // {\n|");
     row("the closing brace goes below", "enter", "  Body b {|}", "  Body b {\n    |\n  }");

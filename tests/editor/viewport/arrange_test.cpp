@@ -1,6 +1,8 @@
 // Dropping objects onto their support, aligning and distributing them, and copying them in rows.
 #include <QtTest>
 
+#include <set>
+
 #include <QCheckBox>
 #include <QSpinBox>
 
@@ -67,6 +69,19 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
         m_window->document.undo();
         QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void copiesFillAllThreeDirections() {
+        m_window->selection.select("robot0");
+        copyInRows(viewContext(), {{2, 3, 4}, {0.4, 0.5, 0.6}, false});
+        std::set<std::array<long, 3>> steps;
+        for (const RobotSpec& robot : m_window->document.loaded()->experiment->robots) {
+            const Vec3 by = robot.pose.position - Vec3(-0.5, 0, 0);
+            if (robot.name != "robot1")
+                steps.insert({std::lround(by.x() / 0.4), std::lround(by.y() / 0.5), std::lround(by.z() / 0.6)});
+        }
+        QCOMPARE(steps.size(), std::size_t(2 * 3 * 4));
+        QVERIFY((*steps.begin() == std::array<long, 3>{0, 0, 0}) && (*steps.rbegin() == std::array<long, 3>{1, 2, 3}));
     }
 
     void gridStartsAtRobot() {

@@ -138,6 +138,18 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRoom);
     }
 
+    /// Beside or on another robot, and in its place once that is hidden.
+    void whatIsHiddenIsNotInTheWay() {
+        m_window->selection.select("robot0");
+        QCOMPARE(dropRows({"robot0"}, {0.5, 0.3, 0}), Qt::MoveAction);
+        const Vec3 beside = m_window->document.loaded()->experiment->robots.at(0).pose.position;
+        QVERIFY2((beside - Vec3(0.5, 0.3, 0)).norm() > 0.1, m_window->text().constData());
+        m_window->document.undo();
+        m_window->panel->setHidden({"robot1"});
+        QCOMPARE(dropRows({"robot0"}, {0.5, 0.3, 0}), Qt::MoveAction);
+        QVERIFY2(m_window->text().contains("Pos=0.5,0.3,0 HPR=0,0,0 } // the first"), m_window->text().constData());
+    }
+
     void severalRowsKeepTheirPlacesBesideEachOther() {
         m_window->selection.set({"robot1", "robot0"});
         QCOMPARE(dropRows({"robot0", "robot1"}, {0.2, -0.7, 0}), Qt::MoveAction);

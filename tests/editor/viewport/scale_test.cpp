@@ -144,6 +144,27 @@ private Q_SLOTS:
         QVERIFY((lump.pose.position - Vec3(0, 0, 0.3)).norm() < 1e-9);
     }
 
+    /// The side that is dragged moves, along the shape's own axis, and the other stays.
+    void eitherEndOfAShape_data() {
+        QTest::addColumn<QByteArray>("shape");
+        QTest::addColumn<int>("side");
+        for (const char* shape :
+             {"Box c { Size=0.2,0.2,0.4", "Cylinder c { Radius=0.1 Length=0.4", "Capsule c { Radius=0.1 Length=0.4"})
+            for (const int side : {1, -1}) QTest::addRow("%.7s %d", shape, side) << QByteArray(shape) << side;
+    }
+    void eitherEndOfAShape() {
+        QFETCH(QByteArray, shape);
+        QFETCH(int, side);
+        open("StaticConfig Lump {\n" + shape + " Pos=0,0,0.5 HPR=0,90,0 }\n}\nStatic lump { Config=Lump }\n");
+        const auto geom = [&] { return m_window->document.loaded()->experiment->statics.at(0).geoms->at(0); };
+        const Vec3 axis = geom().pose.rotation * Vec3::UnitZ(), end = geom().pose.position - 0.2 * side * axis;
+        take("lump.c", "tool.scale");
+        dragBy({Handle::Kind::Size, 2, side}, 0.2 * side * axis, Qt::NoModifier, {0, 0, 0.5});
+        const double length = geom().shape == GeomShape::Box ? geom().size.z() : geom().length;
+        QVERIFY2(std::abs(length - 0.6) < 1e-9, m_window->text().constData());
+        QVERIFY2((geom().pose.position - 0.3 * side * axis - end).norm() < 1e-9, m_window->text().constData());
+    }
+
     void robotsWithParamsAreSizedToo() {
         open("#import objects/crate.sim\n#import objects/barrel.sim\nRobot crate { Config=Crate Pos=0,0,0 }\n"
              "Robot barrel { Config=Barrel Pos=1,0,0 }\n");
