@@ -289,7 +289,7 @@ private Q_SLOTS:
     }
 
     /// The file is read already, and only waits for the window to have handled that.
-    void anOpeningCanBeCancelledWhileTheWindowIsTold() {
+    void anOpeningCanBeCancelledOnceTheFileIsRead() {
         Document& d = *m_document;
         QVERIFY(d.open(m_fixture->main).ok());
         QSignalSpy opened(&d, &Document::opened), read(&d, &Document::aboutToOpen), failed(&d, &Document::openFailed);
