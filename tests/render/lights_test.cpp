@@ -27,18 +27,7 @@ ComponentSpec lampAt(double x, double y, double z, CameraValues values = {}) {
 
 /// A post on a floor, seen from above; the image covers -2.1 m to 2.1 m.
 std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks, const Vec3& place = {0, 0, 0.5}) {
-    auto experiment = sampleExperiment({0, 1, false, 4});
-    GeomSpec floor, box;
-    floor.name = "floor";
-    floor.shape = GeomShape::Plane;
-    floor.material = 6;
-    box.name = "post";
-    box.size = {0.2, 0.2, 1};
-    box.pose.position = place;
-    StaticSpec fixed;
-    fixed.name = "yard";
-    fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
-    experiment->statics = {fixed};
+    auto experiment = boxOnFloor({0.2, 0.2, 1}, place);
     experiment->looks = std::move(looks);
     const Pose above{{0, 0, 5}, rotationFromHpr({std::numbers::pi / 2, std::numbers::pi / 2, 0})};
     experiment->robots = {cameraRobot("robot0", above, {{"Resolution", numbers({200, 200})}, {"FieldOfView", numbers({0.8})}})};

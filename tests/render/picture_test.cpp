@@ -44,22 +44,6 @@ PictureRequest requestFor(SceneId scene, const CameraView& view, std::uint32_t w
     return request;
 }
 
-std::shared_ptr<ExperimentSpec> boxOnFloor(const Vec3& size, const Vec3& middle) {
-    auto experiment = sampleExperiment({0, 1, false, 4});
-    GeomSpec floor, box;
-    floor.name = "floor";
-    floor.shape = GeomShape::Plane;
-    floor.material = 6;
-    box.name = "box";
-    box.size = size;
-    box.pose.position = middle;
-    StaticSpec fixed;
-    fixed.name = "yard";
-    fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
-    experiment->statics = {fixed};
-    return experiment;
-}
-
 CameraView lookingAt(const Vec3& eye, const Vec3& target) {
     CameraView view;
     view.eye = eye;

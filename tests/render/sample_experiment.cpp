@@ -101,6 +101,22 @@ std::shared_ptr<ExperimentSpec> sampleExperiment(const SampleOptions& options) {
     return experiment;
 }
 
+std::shared_ptr<ExperimentSpec> boxOnFloor(const Vec3& size, const Vec3& middle) {
+    auto experiment = sampleExperiment({0, 1, false, 4});
+    GeomSpec floor, box;
+    floor.name = "floor";
+    floor.shape = GeomShape::Plane;
+    floor.material = 6;
+    box.name = "box";
+    box.size = size;
+    box.pose.position = middle;
+    StaticSpec fixed;
+    fixed.name = "yard";
+    fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
+    experiment->statics = {fixed};
+    return experiment;
+}
+
 std::shared_ptr<ExperimentSpec> lampExperiment(const std::vector<Vec3>& places, double radius) {
     auto experiment = std::make_shared<ExperimentSpec>();
     experiment->materials.resize(1);

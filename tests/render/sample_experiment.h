@@ -16,6 +16,8 @@ struct SampleOptions {
 
 /// Materials: 0 default, then lightgrey, darkgrey, red, black, wood, concrete, blue, glass, orange, steel.
 [[nodiscard]] std::shared_ptr<ExperimentSpec> sampleExperiment(const SampleOptions& options = {});
+/// A static "yard" of a floor and one box.
+[[nodiscard]] std::shared_ptr<ExperimentSpec> boxOnFloor(const Vec3& size, const Vec3& middle);
 /// Small emissive balls of one colour that reflect nothing, for measuring positions in images.
 [[nodiscard]] std::shared_ptr<ExperimentSpec> lampExperiment(const std::vector<Vec3>& places, double radius);
 /// One geom of every shape, with a hill, a pyramid and a glass box.
