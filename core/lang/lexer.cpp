@@ -1,7 +1,6 @@
 #include "lang/lexer.h"
 
 #include "base/utf8.h"
-#include "lang/characters.h"
 
 namespace trundle {
 
@@ -31,9 +30,9 @@ void Lexer::emit(TokenKind kind, std::size_t end) {
 
 void Lexer::next() {
     if (trivia()) return;
-    const char c = at(m_at);
-    if (const std::size_t end = numberEnd(m_at, m_parens == 0); end > m_at) return number(end);
-    if (wordStartsAt(m_at)) return word();
+    const char c = m_scan.at(m_at);
+    if (const std::size_t end = m_scan.numberEnd(m_at, m_parens == 0); end > m_at) return number(end);
+    if (m_scan.wordStartsAt(m_at)) return word();
     if (c == '"') return string();
     if (c == '$') return dollar();
     if (c == '#') return hash();
@@ -42,47 +41,21 @@ void Lexer::next() {
 
 bool Lexer::trivia() {
     if (m_trivia >= kMaxTrivia)
-        if (const std::size_t end = commentsEnd(m_at); end > m_at) return emit(TokenKind::LineComment, end), true;
-    const char c = at(m_at);
-    if (isBlank(c)) return emit(TokenKind::Space, skipBlanks(m_at)), true;
+        if (const std::size_t end = m_scan.commentsEnd(m_at); end > m_at) return emit(TokenKind::LineComment, end), true;
+    const char c = m_scan.at(m_at);
+    if (isBlank(c)) return emit(TokenKind::Space, m_scan.skipBlanks(m_at)), true;
     if (c == '\n' || c == '\r') {
         if (m_parens > 0) expressionLineEnd();
         m_firstOnLine = true;
         m_sameLine = false;
-        emit(TokenKind::LineEnd, afterLineEnd(m_at));
-        if (const std::size_t end = blankLinesEnd(m_at); end > m_at) emit(TokenKind::LineEnd, end);
+        emit(TokenKind::LineEnd, m_scan.afterLineEnd(m_at));
+        if (const std::size_t end = m_scan.blankLinesEnd(m_at); end > m_at) emit(TokenKind::LineEnd, end);
         return true;
     }
-    if (!commentAt(m_at)) return false;
-    if (at(m_at + 1) == '/') return emit(TokenKind::LineComment, lineEnd(m_at)), true;
+    if (!m_scan.commentAt(m_at)) return false;
+    if (m_scan.at(m_at + 1) == '/') return emit(TokenKind::LineComment, m_scan.lineEnd(m_at)), true;
     const std::size_t close = m_text.find("*/", m_at + 2);
     return emit(TokenKind::BlockComment, close == std::string_view::npos ? m_text.size() : close + 2), true;
-}
-
-std::size_t Lexer::blankLinesEnd(std::size_t from) const {
-    std::size_t end = from;
-    for (std::size_t i = skipBlanks(from); at(i) == '\n' || at(i) == '\r'; i = skipBlanks(end)) end = afterLineEnd(i);
-    return end;
-}
-
-std::size_t Lexer::commentsEnd(std::size_t from) const {
-    std::size_t lastLineEnd = std::string_view::npos, i = from;
-    while (i < m_text.size()) {
-        const char c = at(i);
-        if (isBlank(c)) {
-            i = skipBlanks(i);
-        } else if (c == '\n' || c == '\r') {
-            lastLineEnd = i;
-            i = afterLineEnd(i);
-        } else if (startsWith(i, "//")) {
-            i = lineEnd(i);
-        } else {
-            const std::size_t close = startsWith(i, "/*") ? m_text.find("*/", i + 2) : std::string_view::npos;
-            if (close == std::string_view::npos) break;
-            i = close + 2;
-        }
-    }
-    return lastLineEnd == std::string_view::npos ? i : lastLineEnd;
 }
 
 // An expression continues after a line end only at an operator, so a missing `)` affects one line, not the rest of the file.
@@ -99,8 +72,8 @@ void Lexer::expressionLineEnd() {
     default: break;
     }
     if (m_at < m_continuedAt) return; // found at an earlier line end; avoids quadratic time
-    m_continuedAt = skipTrivia(m_at);
-    const char c = at(m_continuedAt);
+    m_continuedAt = m_scan.skipTrivia(m_at);
+    const char c = m_scan.at(m_continuedAt);
     if (c == '\0' || std::string_view("+-*/^,)").find(c) == std::string_view::npos) m_parens = 0;
 }
 
@@ -109,10 +82,10 @@ void Lexer::number(std::size_t end) {
     if (m_parens > 0) return;
     m_state = LexerState::AfterElement;
     m_sameLine = m_numbers = true;
-    if (const std::size_t wide = invisibleAt(m_at); wide > 0 && unitEnd(m_at + wide) > m_at + wide)
+    if (const std::size_t wide = m_scan.invisibleAt(m_at); wide > 0 && m_scan.unitEnd(m_at + wide) > m_at + wide)
         emit(TokenKind::Unknown, m_at + wide);
-    const std::size_t unit = skipBlanks(m_at);
-    const std::size_t unitStop = unitEnd(unit);
+    const std::size_t unit = m_scan.skipBlanks(m_at);
+    const std::size_t unitStop = m_scan.unitEnd(unit);
     if (unitStop == unit) return;
     if (unit > m_at) emit(TokenKind::Space, unit);
     emit(TokenKind::Unit, unitStop);
@@ -124,21 +97,21 @@ bool Lexer::blockMayFollow() const {
 }
 
 void Lexer::word() {
-    const std::size_t ident = identEnd(m_at);
+    const std::size_t ident = m_scan.identEnd(m_at);
     // Looking ahead from every component of one long path would take quadratic time.
     const bool insidePath = m_last == TokenKind::Dot;
     if (m_parens > 0 || m_state == LexerState::Structure || insidePath) return emit(TokenKind::Word, ident);
-    const bool key = isKeyOrKind(m_at, ident);
-    if (m_state == LexerState::Value && !key && !(blockMayFollow() && isNamedBlock(ident))) {
-        emit(TokenKind::Word, wordEnd(m_at));
+    const bool key = m_scan.isKeyOrKind(m_at, ident);
+    if (m_state == LexerState::Value && !key && !(blockMayFollow() && m_scan.isNamedBlock(ident))) {
+        emit(TokenKind::Word, m_scan.wordEnd(m_at));
         m_state = LexerState::AfterElement;
         m_sameLine = true;
         m_numbers = false;
         return;
     }
     // `a b.c` in a value: the comma is missing.
-    if (m_state == LexerState::AfterElement && m_sameLine && !key && !isNamedBlock(ident))
-        return emit(TokenKind::Word, wordEnd(m_at));
+    if (m_state == LexerState::AfterElement && m_sameLine && !key && !m_scan.isNamedBlock(ident))
+        return emit(TokenKind::Word, m_scan.wordEnd(m_at));
     m_state = LexerState::Structure;
     emit(TokenKind::Word, ident);
 }
@@ -147,7 +120,7 @@ void Lexer::string() {
     std::size_t i = m_at + 1;
     const auto inLine = [this](std::size_t k) { return k < m_text.size() && m_text[k] != '\n' && m_text[k] != '\r'; };
     while (inLine(i) && m_text[i] != '"') i += m_text[i] == '\\' && inLine(i + 1) ? 2 : 1;
-    emit(TokenKind::String, at(i) == '"' ? i + 1 : i);
+    emit(TokenKind::String, m_scan.at(i) == '"' ? i + 1 : i);
     m_parens = 0;
     m_state = LexerState::AfterElement;
     m_sameLine = true;
@@ -155,11 +128,11 @@ void Lexer::string() {
 }
 
 void Lexer::dollar() {
-    if (at(m_at + 1) == '(') {
+    if (m_scan.at(m_at + 1) == '(') {
         emit(TokenKind::ExprOpen, m_at + 2);
         m_parens = 1;
-    } else if (wordStartsAt(m_at + 1)) {
-        emit(TokenKind::ParamRef, identEnd(m_at + 1));
+    } else if (m_scan.wordStartsAt(m_at + 1)) {
+        emit(TokenKind::ParamRef, m_scan.identEnd(m_at + 1));
         m_parens = 0;
     } else {
         return unknown();
@@ -171,33 +144,34 @@ void Lexer::dollar() {
 void Lexer::hash() {
     m_parens = 0;
     std::size_t end = m_at + 1;
-    while (isIdent(at(end))) ++end;
+    while (isIdent(m_scan.at(end))) ++end;
     const std::string_view name = m_text.substr(m_at + 1, end - m_at - 1);
     const bool known = isDirectiveLike(name);
     if (!known && !(m_firstOnLine && !name.empty() && isIdentStart(name[0]))) {
         // A colour (#ff0000) in a value, or a comment in another language's syntax.
-        return emit(TokenKind::Unknown, m_state == LexerState::Value && !name.empty() ? end : lineEnd(m_at));
+        return emit(TokenKind::Unknown, m_state == LexerState::Value && !name.empty() ? end : m_scan.lineEnd(m_at));
     }
     const bool first = m_firstOnLine;
     emit(TokenKind::Directive, end);
     m_state = LexerState::Structure;
-    path(skipBlanks(m_at), first);
+    path(m_scan.skipBlanks(m_at), first);
 }
 
 /// The rest of the line up to a space before a comment. If the directive is not first on its line, a final `}` is excluded.
 void Lexer::path(std::size_t from, bool firstOnLine) {
     std::size_t stop = from;
-    if (at(from) == '"') {
-        for (++stop; stop < m_text.size() && at(stop) != '"' && at(stop) != '\n' && at(stop) != '\r';) ++stop;
-        if (at(stop) == '"') ++stop;
+    if (m_scan.at(from) == '"') {
+        for (++stop; stop < m_text.size() && m_scan.at(stop) != '"' && m_scan.at(stop) != '\n' && m_scan.at(stop) != '\r';)
+            ++stop;
+        if (m_scan.at(stop) == '"') ++stop;
     } else {
-        stop = lineEnd(from);
+        stop = m_scan.lineEnd(from);
         for (std::size_t i = from; i < stop; ++i) {
-            if (commentAt(i) && (i == from || isBlank(at(i - 1)))) stop = i;
+            if (m_scan.commentAt(i) && (i == from || isBlank(m_scan.at(i - 1)))) stop = i;
         }
-        while (stop > from && isBlank(at(stop - 1))) --stop;
-        if (!firstOnLine && stop > from && at(stop - 1) == '}') --stop;
-        while (stop > from && isBlank(at(stop - 1))) --stop;
+        while (stop > from && isBlank(m_scan.at(stop - 1))) --stop;
+        if (!firstOnLine && stop > from && m_scan.at(stop - 1) == '}') --stop;
+        while (stop > from && isBlank(m_scan.at(stop - 1))) --stop;
     }
     if (stop == from) return; // the parser reports the missing path
     if (from > m_at) emit(TokenKind::Space, from);
@@ -218,11 +192,11 @@ void Lexer::punctuation() {
         m_sameLine = true;
         emit(kind, m_at + length);
     };
-    switch (at(m_at)) {
+    switch (m_scan.at(m_at)) {
     case '{': return structure(TokenKind::OpenBrace);
     case '}': return structure(TokenKind::CloseBrace);
-    case '=': return startsWith(m_at, "==") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Equals, 1);
-    case ':': return startsWith(m_at, ":=") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Unknown, 1);
+    case '=': return m_scan.startsWith(m_at, "==") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Equals, 1);
+    case ':': return m_scan.startsWith(m_at, ":=") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Unknown, 1);
     case ',':
         if (m_parens == 0 && m_state == LexerState::AfterElement) m_state = LexerState::Value;
         return emit(TokenKind::Comma, m_at + 1);
@@ -235,7 +209,7 @@ void Lexer::punctuation() {
     case '.': return emit(TokenKind::Dot, m_at + 1);
     case '+': return emit(TokenKind::Plus, m_at + 1);
     case '-': return emit(TokenKind::Minus, m_at + 1);
-    case '*': return startsWith(m_at, "*/") ? emit(TokenKind::Unknown, m_at + 2) : emit(TokenKind::Star, m_at + 1);
+    case '*': return m_scan.startsWith(m_at, "*/") ? emit(TokenKind::Unknown, m_at + 2) : emit(TokenKind::Star, m_at + 1);
     case '/': return emit(TokenKind::Slash, m_at + 1);
     case '^': return emit(TokenKind::Caret, m_at + 1);
     default: return unknown();
@@ -244,17 +218,17 @@ void Lexer::punctuation() {
 
 /// Quoted text with unsupported quotes, single punctuation characters, and runs of other bytes.
 void Lexer::unknown() {
-    if (startsWith(m_at, kUnicodeMinus)) return emit(TokenKind::Minus, m_at + kUnicodeMinus.size());
+    if (m_scan.startsWith(m_at, kUnicodeMinus)) return emit(TokenKind::Minus, m_at + kUnicodeMinus.size());
     if (const std::size_t quoted = foreignQuoteEnd(m_text, m_at); quoted > m_at) {
         m_state = LexerState::AfterElement;
         m_sameLine = true;
         return emit(TokenKind::Unknown, quoted);
     }
-    const char c = at(m_at);
+    const char c = m_scan.at(m_at);
     if (static_cast<unsigned char>(c) > ' ' && static_cast<unsigned char>(c) < 0x7F) return emit(TokenKind::Unknown, m_at + 1);
     // Invalid bytes and valid code points become separate tokens, since they are reported differently.
     const bool valid = codePointAt(m_text, m_at).valid && c != '\0';
-    const bool invisible = invisibleAt(m_at) > 0;
+    const bool invisible = m_scan.invisibleAt(m_at) > 0;
     std::size_t end = m_at;
     while (end < m_text.size()) {
         const CodePoint point = codePointAt(m_text, end);
@@ -262,7 +236,9 @@ void Lexer::unknown() {
         if ((point.valid && byte != 0) != valid || (byte >= ' ' && byte < 0x7F) || isBlank(m_text[end]) || byte == '\n' ||
             byte == '\r')
             break;
-        if (end > m_at && (startsWith(end, kUnicodeMinus) || (invisibleAt(end) > 0) != invisible || letterAt(end) > 0)) break;
+        if (end > m_at &&
+            (m_scan.startsWith(end, kUnicodeMinus) || (m_scan.invisibleAt(end) > 0) != invisible || m_scan.letterAt(end) > 0))
+            break;
         end += point.length;
     }
     emit(TokenKind::Unknown, end);

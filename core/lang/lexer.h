@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/characters.h"
+#include "lang/text_scanner.h"
 #include "lang/token.h"
 
 namespace trundle {
@@ -25,31 +25,6 @@ public:
 private:
     enum class LexerState { Structure, Value, AfterElement };
 
-    // lookahead; all positions are byte offsets
-    [[nodiscard]] char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
-    [[nodiscard]] bool startsWith(std::size_t i, std::string_view what) const {
-        return m_text.compare(i, what.size(), what) == 0;
-    }
-    [[nodiscard]] bool commentAt(std::size_t i) const { return at(i) == '/' && (at(i + 1) == '/' || at(i + 1) == '*'); }
-    [[nodiscard]] std::size_t lineEnd(std::size_t from) const;
-    [[nodiscard]] std::size_t afterLineEnd(std::size_t i) const { return i + (at(i) == '\r' && at(i + 1) == '\n' ? 2 : 1); }
-    [[nodiscard]] std::size_t blankLinesEnd(std::size_t from) const; ///< after the last consecutive blank line
-    [[nodiscard]] std::size_t commentsEnd(std::size_t from) const;   ///< last line end within consecutive blanks and comments
-    [[nodiscard]] std::size_t skipBlanks(std::size_t from) const;
-    [[nodiscard]] std::size_t skipTrivia(std::size_t from) const;
-    [[nodiscard]] std::size_t letterAt(std::size_t i) const; ///< bytes of the letter or digit at `i`; 0 for anything else
-    [[nodiscard]] bool wordStartsAt(std::size_t i) const { return letterAt(i) > 0 && !isDigit(at(i)); }
-    [[nodiscard]] std::size_t invisibleAt(std::size_t i) const; ///< bytes of the invisible character at `i`
-    [[nodiscard]] std::size_t identEnd(std::size_t from) const;
-    [[nodiscard]] std::size_t wordEnd(std::size_t from) const;
-    [[nodiscard]] std::size_t numberEnd(std::size_t from, bool sign) const; ///< `from` if no number begins there
-    [[nodiscard]] std::size_t unitEnd(std::size_t from) const;              ///< `from` if no unit begins there
-    [[nodiscard]] bool isKeyOrKind(std::size_t from, std::size_t end) const;
-    [[nodiscard]] bool isNamedBlock(std::size_t end) const;
-    [[nodiscard]] bool blockMayFollow() const;
-    [[nodiscard]] bool isReservedWord(std::size_t from, std::size_t end) const;
-
-    // tokens
     void emit(TokenKind kind, std::size_t end);
     void next();
     bool trivia();
@@ -62,8 +37,10 @@ private:
     void punctuation();
     void unknown();
     void expressionLineEnd();
+    [[nodiscard]] bool blockMayFollow() const;
 
     std::string_view m_text;
+    TextScanner m_scan{m_text};
     std::size_t m_at = 0;
     std::vector<Token> m_tokens;
     LexerState m_state = LexerState::Structure;

@@ -1,4 +1,4 @@
-// Lookahead of the lexer: where numbers, words and units end, and whether a word is a key.
+#include "lang/text_scanner.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,6 @@
 
 #include "base/units.h"
 #include "base/utf8.h"
-#include "lang/characters.h"
-#include "lang/lexer.h"
 
 namespace trundle {
 
@@ -40,17 +38,17 @@ std::size_t foreignQuoteEnd(std::string_view text, std::size_t at) {
     return at;
 }
 
-std::size_t Lexer::lineEnd(std::size_t from) const {
+std::size_t TextScanner::lineEnd(std::size_t from) const {
     while (from < m_text.size() && m_text[from] != '\n' && m_text[from] != '\r') ++from;
     return from;
 }
 
-std::size_t Lexer::skipBlanks(std::size_t from) const {
+std::size_t TextScanner::skipBlanks(std::size_t from) const {
     while (isBlank(at(from))) ++from;
     return from;
 }
 
-std::size_t Lexer::skipTrivia(std::size_t from) const {
+std::size_t TextScanner::skipTrivia(std::size_t from) const {
     while (from < m_text.size()) {
         const char c = m_text[from];
         if (isBlank(c) || c == '\n' || c == '\r') {
@@ -67,25 +65,51 @@ std::size_t Lexer::skipTrivia(std::size_t from) const {
     return from;
 }
 
-std::size_t Lexer::letterAt(std::size_t i) const {
+std::size_t TextScanner::blankLinesEnd(std::size_t from) const {
+    std::size_t end = from;
+    for (std::size_t i = skipBlanks(from); at(i) == '\n' || at(i) == '\r'; i = skipBlanks(end)) end = afterLineEnd(i);
+    return end;
+}
+
+std::size_t TextScanner::commentsEnd(std::size_t from) const {
+    std::size_t lastLineEnd = std::string_view::npos, i = from;
+    while (i < m_text.size()) {
+        const char c = at(i);
+        if (isBlank(c)) {
+            i = skipBlanks(i);
+        } else if (c == '\n' || c == '\r') {
+            lastLineEnd = i;
+            i = afterLineEnd(i);
+        } else if (startsWith(i, "//")) {
+            i = lineEnd(i);
+        } else {
+            const std::size_t close = startsWith(i, "/*") ? m_text.find("*/", i + 2) : std::string_view::npos;
+            if (close == std::string_view::npos) break;
+            i = close + 2;
+        }
+    }
+    return lastLineEnd == std::string_view::npos ? i : lastLineEnd;
+}
+
+std::size_t TextScanner::letterAt(std::size_t i) const {
     if (isIdent(at(i))) return 1;
     if (static_cast<unsigned char>(at(i)) < 0x80) return 0;
     const CodePoint point = codePointAt(m_text, i);
     return point.valid && isForeignLetter(point.value) ? point.length : 0;
 }
 
-std::size_t Lexer::invisibleAt(std::size_t i) const {
+std::size_t TextScanner::invisibleAt(std::size_t i) const {
     if (static_cast<unsigned char>(at(i)) < 0x80) return 0;
     const CodePoint point = codePointAt(m_text, i);
     return point.valid && isInvisible(point.value) ? point.length : 0;
 }
 
-std::size_t Lexer::identEnd(std::size_t from) const {
+std::size_t TextScanner::identEnd(std::size_t from) const {
     while (const std::size_t letter = letterAt(from)) from += letter;
     return from;
 }
 
-std::size_t Lexer::wordEnd(std::size_t from) const {
+std::size_t TextScanner::wordEnd(std::size_t from) const {
     while (!commentAt(from)) {
         const std::size_t letter = isWordChar(at(from)) ? 1 : letterAt(from);
         if (letter == 0) break;
@@ -94,7 +118,7 @@ std::size_t Lexer::wordEnd(std::size_t from) const {
     return from;
 }
 
-std::size_t Lexer::numberEnd(std::size_t from, bool sign) const {
+std::size_t TextScanner::numberEnd(std::size_t from, bool sign) const {
     std::size_t i = from;
     if (sign && (at(i) == '+' || at(i) == '-')) ++i;
     else if (sign && startsWith(i, kUnicodeMinus)) i += kUnicodeMinus.size();
@@ -109,7 +133,7 @@ std::size_t Lexer::numberEnd(std::size_t from, bool sign) const {
     return i;
 }
 
-std::size_t Lexer::unitEnd(std::size_t from) const {
+std::size_t TextScanner::unitEnd(std::size_t from) const {
     if (at(from) == '%') return from + 1;
     for (const std::string_view sign :
          {"\u00B0", "\u03A9", "\u2126", "\u00B5m", "\u03BCm", "\u00B5s", "\u03BCs"}) // degree, ohm, micro
@@ -129,7 +153,7 @@ std::size_t Lexer::unitEnd(std::size_t from) const {
     return run;
 }
 
-bool Lexer::isReservedWord(std::size_t from, std::size_t end) const {
+bool TextScanner::isReservedWord(std::size_t from, std::size_t end) const {
     const std::string_view word = m_text.substr(from, end - from);
     return word == "Param" || word == "true" || word == "false";
 }
@@ -137,8 +161,7 @@ bool Lexer::isReservedWord(std::size_t from, std::size_t end) const {
 /// Longest key path examined, which bounds the lookahead.
 constexpr int kLongestPath = 64;
 
-/// True for a word before `=`, `.key =` or `{`: it begins a new item and is never part of a value.
-bool Lexer::isKeyOrKind(std::size_t from, std::size_t end) const {
+bool TextScanner::isKeyOrKind(std::size_t from, std::size_t end) const {
     if (m_text.substr(from, end - from) == "Param") return true;
     std::size_t i = skipTrivia(end);
     if (at(i) == '=' || at(i) == '{') return true;
@@ -150,8 +173,7 @@ bool Lexer::isKeyOrKind(std::size_t from, std::size_t end) const {
     return i > end && at(skipTrivia(i)) == '=';
 }
 
-/// True for a kind as in `Kind name {`.
-bool Lexer::isNamedBlock(std::size_t end) const {
+bool TextScanner::isNamedBlock(std::size_t end) const {
     const std::size_t name = skipTrivia(end);
     if (!wordStartsAt(name)) return false;
     return at(skipTrivia(identEnd(name))) == '{';
