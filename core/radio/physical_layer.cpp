@@ -1,12 +1,9 @@
-// Transmission and reception of frames. Needs: sender, poses of all radios. Assumptions: poses and gains are constant during a
-// frame; a frame reaches all receivers at once (300 m are one microsecond); signals 10 dB below the noise are ignored. With
-// collisions a receiver locks on to the first frame that it can decode; each interval with the same interfering frames then
-// counts by its own signal-to-noise ratio.
+#include "radio/physical_layer.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/rng.h"
-#include "radio/medium.h"
 #include "radio/radio_figures.h"
 
 namespace trundle {
@@ -18,42 +15,116 @@ constexpr double kAlone = 1e9;     ///< dB, signal-to-interference ratio without
 
 double decibels(double ratio) { return 10 * std::log10(ratio); }
 
+double sendCurrent(const RadioState& radio, double power) {
+    const RadioDefinition& d = radio.definition;
+    if (d.transmitCurrents.empty()) return 0;
+    for (std::size_t i = 0; i < d.powerLevels.size() && i < d.transmitCurrents.size(); ++i)
+        if (std::abs(d.powerLevels[i] + radio.powerOffset - power) < 1e-9) return d.transmitCurrents[i];
+    return d.transmitCurrents.front();
+}
+
 } // namespace
 
-template <class Do> void Medium::forTraces(const Do& with) {
+PhysicalLayer::PhysicalLayer(const MediumSettings& settings, std::vector<RadioState>& radios, RadioEvents& events)
+    : m_settings(settings), m_radios(radios), m_events(events), m_links(settings),
+      m_noise(std::pow(10, settings.noiseFloor / 10)) {}
+
+void PhysicalLayer::add(RadioState& radio) {
+    const RadioDefinition& d = radio.definition;
+    radio.current = d.receiveCurrent;
+    radio.energyUntil = m_events.now();
+    if (d.channel >= m_onChannel.size()) m_onChannel.resize(d.channel + 1);
+    ++m_onChannel[d.channel];
+    m_bestGain = std::max(m_bestGain, d.antenna ? d.antenna->peak() : 0.0);
+    m_leastPower = std::min(m_leastPower, d.minReceivePower);
+    m_neighbours.put(radio.place.id, Vec3::Zero());
+}
+
+void PhysicalLayer::place(RadioState& radio, const Pose& antenna) {
+    radio.place.pose = antenna;
+    m_neighbours.put(radio.place.id, antenna.position);
+}
+
+LinkBudget PhysicalLayer::link(const RadioState& from, const RadioState& to) const {
+    return m_links.between(from.place, to.place, outputPower(from, from.definition.maxOutputPower));
+}
+
+std::shared_ptr<RadioTrace> PhysicalLayer::trace() {
+    auto trace = std::make_shared<RadioTrace>();
+    m_traces.push_back(trace);
+    return trace;
+}
+
+/// The nearest level, plus this radio's offset.
+double PhysicalLayer::outputPower(const RadioState& radio, double wanted) {
+    return outputLevel(radio.definition, wanted) + radio.powerOffset;
+}
+
+/// Adds the energy used since the last change, then switches to a new current (A).
+void PhysicalLayer::setCurrent(RadioState& radio, double current) {
+    radio.counts.energy +=
+        radio.definition.supply * radio.current * (static_cast<double>(m_events.now() - radio.energyUntil) * 1e-6);
+    radio.energyUntil = m_events.now();
+    radio.current = current;
+}
+
+void PhysicalLayer::countEnergy() {
+    for (RadioState& radio : m_radios) setCurrent(radio, radio.current);
+}
+
+bool PhysicalLayer::channelBusy(const RadioState& radio) const {
+    if (radio.sending || !radio.listening.empty()) return true;
+    double power = m_noise;
+    for (const IncidentSignal& i : radio.incidents) power += i.milliwatts;
+    return 10 * std::log10(power) >= m_settings.carrierSense;
+}
+
+template <class Do> void PhysicalLayer::forTraces(const Do& with) {
     std::erase_if(m_traces, [](const std::weak_ptr<RadioTrace>& t) { return t.expired(); });
     for (const auto& weak : m_traces)
         if (const auto trace = weak.lock()) with(*trace);
 }
 
-void Medium::startFrame(RadioId sender, const Outgoing& packet, bool ack) {
+std::uint32_t PhysicalLayer::freeFrame() {
     if (m_freeFrames.empty()) {
         m_freeFrames.push_back(static_cast<std::uint32_t>(m_frames.size()));
         m_frames.emplace_back();
     }
     const std::uint32_t index = m_freeFrames.back();
     m_freeFrames.pop_back();
-    Radio& radio = m_radios[sender];
+    return index;
+}
+
+void PhysicalLayer::startFrame(RadioId sender, const OutgoingPacket& packet, bool ack) {
+    const std::uint32_t index = freeFrame();
+    RadioState& radio = m_radios[sender];
     MacFrame& frame = m_frames[index];
-    frame = {sender, m_now, 0, packet, ack, radio.frames++, outputPower(radio, packet.power), {}, {}};
+    frame = {sender, m_events.now(), 0, packet, ack, radio.frames++, outputPower(radio, packet.power), {}, {}};
     const auto mpdu = ack ? kAckBytes : static_cast<std::uint32_t>(packet.bytes.size()) + kFrameOverhead;
-    frame.end = m_now + airtimeUs(mpdu, radio.definition.bitRate);
+    frame.end = m_events.now() + airtimeUs(mpdu, radio.definition.bitRate);
     abortReception(sender);
     radio.sending = true;
     setCurrent(radio, sendCurrent(radio, frame.outputPower));
     if (!ack) ++radio.counts.sent;
-    schedule(frame.end, EventKind::FrameEnd, sender, index);
+    m_events.schedule(frame.end, RadioEventKind::FrameEnd, sender, index);
     forTraces([&](RadioTrace& trace) {
         const bool wantsAck = m_settings.csma && packet.to != kBroadcastAddress;
-        trace.frames.push_back({static_cast<double>(m_now) * 1e-6, sender,
+        trace.frames.push_back({static_cast<double>(m_events.now()) * 1e-6, sender,
                                 ack ? ackFrame(packet.sequence)
                                     : dataFrame(radio.definition.address, packet.to, packet.sequence, wantsAck, packet.bytes)});
     });
+    arriveEverywhere(index);
+}
 
+/// Starts the reception of a frame at all radios of its channel that are near enough, and counts the others.
+void PhysicalLayer::arriveEverywhere(std::uint32_t index) {
+    const RadioId sender = m_frames[index].from;
+    const RadioState& radio = m_radios[sender];
+    const bool ack = m_frames[index].ack;
     const double least =
         m_settings.collisions || m_settings.csma ? std::min(m_leastPower, m_settings.noiseFloor - kNegligible) : m_leastPower;
     const double gain = radio.definition.antenna ? radio.definition.antenna->peak() : 0;
-    const double range = m_links.range(frame.outputPower + gain + m_bestGain, least);
+    const double range = m_links.range(m_frames[index].outputPower + gain + m_bestGain, least);
     const Vec3 place = radio.place.pose.position;
     m_neighbours.near(place, range, m_near);
     const std::uint32_t channel = radio.definition.channel;
@@ -72,11 +143,11 @@ void Medium::startFrame(RadioId sender, const Outgoing& packet, bool ack) {
 }
 
 /// Starts the reception of a frame at a radio, at the frame's first bit.
-void Medium::arrive(std::uint32_t index, RadioId id) {
+void PhysicalLayer::arrive(std::uint32_t index, RadioId id) {
     MacFrame& frame = m_frames[index];
-    Radio& radio = m_radios[id];
+    RadioState& radio = m_radios[id];
     Reception reception{id, m_links.between(m_radios[frame.from].place, radio.place, frame.outputPower)};
-    reception.since = m_now;
+    reception.since = m_events.now();
     if (m_settings.collisions || m_settings.csma) {
         updateActiveReceptions(radio);
         radio.incidents.push_back({index, std::pow(10, reception.link.power / 10)});
@@ -91,8 +162,8 @@ void Medium::arrive(std::uint32_t index, RadioId id) {
 }
 
 /// Ends all receptions of a radio that starts to send: it is half-duplex.
-void Medium::abortReception(RadioId id) {
-    Radio& radio = m_radios[id];
+void PhysicalLayer::abortReception(RadioId id) {
+    RadioState& radio = m_radios[id];
     updateActiveReceptions(radio);
     for (const ActiveReception& l : radio.listening)
         close(m_frames[l.frame], m_frames[l.frame].receptions[l.reception], ReceptionOutcome::Sending);
@@ -100,13 +171,13 @@ void Medium::abortReception(RadioId id) {
 }
 
 /// Must be called before the set of incident signals at a radio changes.
-void Medium::updateActiveReceptions(Radio& radio) {
+void PhysicalLayer::updateActiveReceptions(RadioState& radio) {
     for (const ActiveReception& l : radio.listening)
         updateReception(radio, m_frames[l.frame], l.frame, m_frames[l.frame].receptions[l.reception]);
 }
 
-void Medium::updateReception(const Radio& radio, const MacFrame& frame, std::uint32_t index, Reception& reception) {
-    if (m_now == reception.since) return;
+void PhysicalLayer::updateReception(const RadioState& radio, const MacFrame& frame, std::uint32_t index, Reception& reception) {
+    if (m_events.now() == reception.since) return;
     double others = 0;
     if (m_settings.collisions)
         for (const IncidentSignal& i : radio.incidents)
@@ -115,14 +186,14 @@ void Medium::updateReception(const Radio& radio, const MacFrame& frame, std::uin
     reception.worstSinr = std::min(reception.worstSinr, sinr);
     reception.worstSir = std::min(reception.worstSir, others > 0 ? power - decibels(others) : kAlone);
     if (m_settings.packetErrors) {
-        const double share = static_cast<double>(m_now - reception.since) / static_cast<double>(frame.end - frame.start);
+        const double share = static_cast<double>(m_events.now() - reception.since) / static_cast<double>(frame.end - frame.start);
         const double bits = 8.0 * (frame.ack ? kAckBytes : static_cast<double>(frame.packet.bytes.size()) + kFrameOverhead);
         reception.success *= receptionRate(sinr - m_settings.implementationLoss, share * bits);
     }
-    reception.since = m_now;
+    reception.since = m_events.now();
 }
 
-ReceptionOutcome Medium::outcomeOf(const MacFrame& frame, const Reception& reception) const {
+ReceptionOutcome PhysicalLayer::outcomeOf(const MacFrame& frame, const Reception& reception) const {
     if (m_settings.packetErrors) {
         const std::uint64_t a = m_radios[frame.from].place.key, b = m_radios[reception.radio].place.key;
         const std::uint64_t pair = randomBits(std::min(a, b), std::max(a, b), 0, 0);
@@ -136,24 +207,27 @@ ReceptionOutcome Medium::outcomeOf(const MacFrame& frame, const Reception& recep
                                                                                   : ReceptionOutcome::Delivered;
 }
 
+/// Sends an acknowledgement after the turnaround.
+void PhysicalLayer::answer(RadioState& radio, const MacFrame& frame) {
+    const std::uint32_t to = m_radios[frame.from].definition.address;
+    radio.acks.push_back({{}, to, radio.definition.maxOutputPower, frame.packet.sequence});
+    m_events.schedule(m_events.now() + kTurnaroundUs, RadioEventKind::AckStart, radio.place.id, 0);
+}
+
 /// Delivers a frame that was received without errors.
-ReceptionOutcome Medium::deliver(Radio& radio, const MacFrame& frame, const Reception& reception) {
+ReceptionOutcome PhysicalLayer::deliver(RadioState& radio, const MacFrame& frame, const Reception& reception, EndedFrame& ended) {
     const std::uint32_t mine = radio.definition.address, to = frame.packet.to;
     if (to != kBroadcastAddress && to != mine) return ReceptionOutcome::NotAddressed;
     if (frame.ack) {
-        acknowledged(radio.place.id, frame);
+        ended.acknowledged.push_back(radio.place.id);
         return ReceptionOutcome::Delivered;
     }
     const std::uint32_t from = m_radios[frame.from].definition.address;
     const bool answers = m_settings.csma && to == mine;
-    const auto answer = [&] {
-        radio.acks.push_back({{}, from, radio.definition.maxOutputPower, frame.packet.sequence});
-        schedule(m_now + kTurnaroundUs, EventKind::AckStart, radio.place.id, 0);
-    };
     if (answers) {
         const auto last = radio.lastSequence.find(from);
         if (last != radio.lastSequence.end() && last->second == frame.packet.sequence) {
-            answer();
+            answer(radio, frame);
             return ReceptionOutcome::Duplicate;
         }
     }
@@ -164,16 +238,16 @@ ReceptionOutcome Medium::deliver(Radio& radio, const MacFrame& frame, const Rece
     ++radio.counts.received;
     radio.counts.lastRssi = rssiOf(radio.definition, reception.link.power + radio.readingOffset);
     radio.counts.lastLqi = linkQuality(reception.worstSinr);
-    radio.inbox.push_back({static_cast<double>(m_now) * 1e-6 * radio.clockFactor, radio.counts.lastRssi, radio.counts.lastLqi,
-                           from, to, frame.packet.sequence, frame.packet.bytes});
+    radio.inbox.push_back({static_cast<double>(m_events.now()) * 1e-6 * radio.clockFactor, radio.counts.lastRssi,
+                           radio.counts.lastLqi, from, to, frame.packet.sequence, frame.packet.bytes});
     if (answers) {
         radio.lastSequence[from] = frame.packet.sequence;
-        answer();
+        answer(radio, frame);
     }
     return ReceptionOutcome::Delivered;
 }
 
-void Medium::close(const MacFrame& frame, Reception& reception, ReceptionOutcome outcome) {
+void PhysicalLayer::close(const MacFrame& frame, Reception& reception, ReceptionOutcome outcome) {
     reception.open = false;
     if (!frame.ack) {
         ++m_outcomes[static_cast<std::size_t>(outcome)];
@@ -182,8 +256,8 @@ void Medium::close(const MacFrame& frame, Reception& reception, ReceptionOutcome
     if (!m_traces.empty()) record(frame, reception, outcome);
 }
 
-void Medium::record(const MacFrame& frame, const Reception& reception, ReceptionOutcome outcome) {
-    const Radio& radio = m_radios[reception.radio];
+void PhysicalLayer::record(const MacFrame& frame, const Reception& reception, ReceptionOutcome outcome) {
+    const RadioState& radio = m_radios[reception.radio];
     const double sinr = std::min(reception.worstSinr, reception.link.power - m_settings.noiseFloor);
     const FrameRecord r{static_cast<double>(frame.start) * 1e-6,
                         frame.from,
@@ -201,36 +275,28 @@ void Medium::record(const MacFrame& frame, const Reception& reception, Reception
     forTraces([&](RadioTrace& trace) { trace.records.push_back(r); });
 }
 
-void Medium::endFrame(std::uint32_t index) {
-    const RadioId sender = m_frames[index].from;
+EndedFrame PhysicalLayer::endFrame(std::uint32_t index) {
+    EndedFrame ended{m_frames[index].from, m_frames[index].ack, m_frames[index].packet.to, m_frames[index].packet.sequence, {}};
     for (std::size_t i = 0; i < m_frames[index].receptions.size(); ++i) {
         MacFrame& frame = m_frames[index];
         Reception& reception = frame.receptions[i];
         if (!reception.open) continue;
-        Radio& radio = m_radios[reception.radio];
+        RadioState& radio = m_radios[reception.radio];
         updateReception(radio, frame, index, reception);
         std::erase_if(radio.listening, [&](const ActiveReception& l) { return l.frame == index; });
         ReceptionOutcome outcome = outcomeOf(frame, reception);
-        if (outcome == ReceptionOutcome::Delivered) outcome = deliver(radio, frame, reception);
+        if (outcome == ReceptionOutcome::Delivered) outcome = deliver(radio, frame, reception, ended);
         close(frame, reception, outcome);
     }
     for (const RadioId id : m_frames[index].incidentAt) {
         updateActiveReceptions(m_radios[id]);
         std::erase_if(m_radios[id].incidents, [&](const IncidentSignal& i) { return i.frame == index; });
     }
-    const bool ack = m_frames[index].ack;
-    const std::uint32_t to = m_frames[index].packet.to;
     m_freeFrames.push_back(index);
-    Radio& radio = m_radios[sender];
+    RadioState& radio = m_radios[ended.from];
     radio.sending = false;
     setCurrent(radio, radio.definition.receiveCurrent);
-    if (ack) return;
-    if (m_settings.csma && to != kBroadcastAddress) {
-        radio.state = MacState::AwaitAck;
-        schedule(m_now + kAckWaitUs, EventKind::AckTimeout, sender, ++radio.attempt);
-    } else {
-        finish(sender);
-    }
+    return ended;
 }
 
 } // namespace trundle
