@@ -1,10 +1,9 @@
-// Nodes for depth and segmentation images: a second node per body and static, with the number of its first geom.
+#include "scene/data_nodes.h"
 
 #include <osg/BlendFunc>
 #include <osg/Depth>
 
-#include "scene/nodes/osg_types.h"
-#include "scene/scene.h"
+#include "scene/nodes/masks.h"
 
 namespace trundle {
 
@@ -22,44 +21,57 @@ std::vector<std::string> objectNames(const ExperimentSpec& experiment) {
     return names;
 }
 
-void Scene::makeData(const ExperimentSpec& experiment) {
+DataNodes::DataNodes(osg::Group& scene) {
+    m_data->setNodeMask(kMaskData);
+    scene.addChild(m_data);
+}
+
+void DataNodes::make(const ExperimentSpec& experiment, const SceneObjects& objects, const SceneShading& look) {
     if (m_data->getStateSet()) return;
     osg::StateSet* state = m_data->getOrCreateStateSet();
     const unsigned force = osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON;
-    state->setAttributeAndModes(m_store->look.data, force);
+    state->setAttributeAndModes(look.data, force);
     state->setMode(GL_BLEND, osg::StateAttribute::OVERRIDE | osg::StateAttribute::OFF);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, true), force);
 
     unsigned next = 1; // numbering of objectNames()
-    const auto add = [&](const std::string& owner, const std::string& path, std::size_t geoms) {
-        const Object* object = find(path);
-        auto* leader = object ? dynamic_cast<osg::MatrixTransform*>(object->node.get()) : nullptr;
-        const Object* whole = find(owner);
-        const unsigned first = std::exchange(next, next + static_cast<unsigned>(geoms));
-        if (!leader || !whole || !object->shapes) return;
-        const osg::ref_ptr<osg::MatrixTransform> node = addDataNode(*object->shapes, first);
-        if (leader->getNumChildren() > 1) node->addChild(leader->getChild(1)); // its impostor
-        m_dataFollowers.push_back({node, leader, whole->node});
-    };
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
-        for (const BodySpec& body : robot.config->bodies) add(robot.name, robot.name + "/" + body.name, body.geoms.size());
+        for (const BodySpec& body : robot.config->bodies) {
+            add(objects.find(robot.name + "/" + body.name), objects.find(robot.name), next);
+            next += static_cast<unsigned>(body.geoms.size());
+        }
     }
     for (const StaticSpec& fixed : experiment.statics) {
         if (!fixed.geoms) continue;
-        unsigned plane = next;
-        for (const GeomSpec& geom : *fixed.geoms) {
-            const Object* floor = geom.shape == GeomShape::Plane ? find(fixed.name + "/" + geom.name) : nullptr;
-            auto* leader = floor ? dynamic_cast<osg::MatrixTransform*>(floor->node.get()) : nullptr;
-            if (leader && leader->getNumChildren() > 0)
-                m_dataFollowers.push_back({addDataNode(*leader->getChild(0), plane), leader, floor->node});
-            ++plane;
-        }
-        add(fixed.name, fixed.name, fixed.geoms->size());
+        addStatic(fixed, next, objects);
+        next += static_cast<unsigned>(fixed.geoms->size());
     }
 }
 
-osg::ref_ptr<osg::MatrixTransform> Scene::addDataNode(osg::Node& shapes, unsigned firstObject) {
+void DataNodes::addStatic(const StaticSpec& fixed, unsigned firstObject, const SceneObjects& objects) {
+    unsigned plane = firstObject;
+    for (const GeomSpec& geom : *fixed.geoms) {
+        const SceneObject* floor = geom.shape == GeomShape::Plane ? objects.find(fixed.name + "/" + geom.name) : nullptr;
+        osg::MatrixTransform* leader = floor ? floor->transform() : nullptr;
+        if (leader && leader->getNumChildren() > 0)
+            m_followers.push_back({addNode(*leader->getChild(0), plane), leader, floor->node});
+        ++plane;
+    }
+    const SceneObject* object = objects.find(fixed.name);
+    add(object, object, firstObject);
+}
+
+/// A body of a robot, or a static.
+void DataNodes::add(const SceneObject* object, const SceneObject* whole, unsigned firstObject) {
+    osg::MatrixTransform* leader = object ? object->transform() : nullptr;
+    if (!leader || !whole || !object->shapes) return;
+    const osg::ref_ptr<osg::MatrixTransform> node = addNode(*object->shapes, firstObject);
+    if (leader->getNumChildren() > 1) node->addChild(leader->getChild(1)); // its impostor
+    m_followers.push_back({node, leader, whole->node});
+}
+
+osg::ref_ptr<osg::MatrixTransform> DataNodes::addNode(osg::Node& shapes, unsigned firstObject) {
     osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform;
     node->setDataVariance(osg::Object::DYNAMIC);
     node->addChild(&shapes);
@@ -68,8 +80,8 @@ osg::ref_ptr<osg::MatrixTransform> Scene::addDataNode(osg::Node& shapes, unsigne
     return node;
 }
 
-void Scene::followData() {
-    for (const DataBodyNode& follower : m_dataFollowers) {
+void DataNodes::followObjects() const {
+    for (const BodyNode& follower : m_followers) {
         follower.node->setMatrix(follower.leader->getMatrix());
         follower.node->setNodeMask(follower.leader->getNodeMask() && follower.whole->getNodeMask() ? ~0u : 0);
     }

@@ -1,11 +1,13 @@
+#include "scene/overlay_nodes.h"
+
 #include <cstring>
 #include <map>
 
 #include <osg/Geometry>
 #include <osg/Texture2D>
 
+#include "scene/nodes/masks.h"
 #include "scene/nodes/osg_types.h"
-#include "scene/scene.h"
 
 namespace trundle {
 namespace {
@@ -61,28 +63,38 @@ bool isWhole(const FloorPicture& floor) {
 
 } // namespace
 
-void Scene::setOverlay(const SceneOverlay& overlay) {
-    if (overlay.shapes != m_overlaid.shapes) {
-        m_overlaidShapes->removeChildren(0, m_overlaidShapes->getNumChildren());
-        m_overlayFollowers.clear();
-        std::map<const TintedMesh*, osg::ref_ptr<osg::Geometry>> known;
-        for (const TintedShape& shape : overlay.shapes ? *overlay.shapes : std::vector<TintedShape>()) {
-            if (!shape.mesh || shape.body >= m_bodies.size()) continue;
-            osg::ref_ptr<osg::Geometry>& geometry = known[shape.mesh.get()];
-            if (!geometry) geometry = geometryOf(*shape.mesh);
-            osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(m_bodies[shape.body]->getMatrix()),
-                                               mounting = new osg::MatrixTransform(toOsg(shape.mounting));
-            place->setDataVariance(osg::Object::DYNAMIC);
-            mounting->addChild(geometry);
-            place->addChild(mounting);
-            m_overlaidShapes->addChild(place);
-            m_overlayFollowers.push_back({place, m_bodies[shape.body]});
-        }
+OverlayNodes::OverlayNodes(osg::Group& scene, const SceneShading& look) {
+    m_shapes->setNodeMask(kMaskOverlay);
+    m_shapes->setStateSet(look.tinted);
+    m_floor->setNodeMask(kMaskOverlay);
+    scene.addChild(m_shapes);
+    scene.addChild(m_floor);
+}
+
+void OverlayNodes::setShapes(const std::vector<TintedShape>& shapes, std::span<const osg::ref_ptr<osg::MatrixTransform>> bodies) {
+    m_shapes->removeChildren(0, m_shapes->getNumChildren());
+    m_followers.clear();
+    std::map<const TintedMesh*, osg::ref_ptr<osg::Geometry>> known;
+    for (const TintedShape& shape : shapes) {
+        if (!shape.mesh || shape.body >= bodies.size()) continue;
+        osg::ref_ptr<osg::Geometry>& geometry = known[shape.mesh.get()];
+        if (!geometry) geometry = geometryOf(*shape.mesh);
+        osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(bodies[shape.body]->getMatrix()),
+                                           mounting = new osg::MatrixTransform(toOsg(shape.mounting));
+        place->setDataVariance(osg::Object::DYNAMIC);
+        mounting->addChild(geometry);
+        place->addChild(mounting);
+        m_shapes->addChild(place);
+        m_followers.push_back({place, bodies[shape.body]});
     }
+}
+
+void OverlayNodes::set(const SceneOverlay& overlay, std::span<const osg::ref_ptr<osg::MatrixTransform>> bodies,
+                       double floorHeight, const SceneShading& look) {
+    if (overlay.shapes != m_overlaid.shapes) setShapes(overlay.shapes ? *overlay.shapes : std::vector<TintedShape>(), bodies);
     if (overlay.floor != m_overlaid.floor) {
-        m_overlaidFloor->removeChildren(0, m_overlaidFloor->getNumChildren());
-        if (overlay.floor && isWhole(*overlay.floor))
-            m_overlaidFloor->addChild(floorNode(*overlay.floor, m_floorHeight.value_or(0), m_store->look));
+        m_floor->removeChildren(0, m_floor->getNumChildren());
+        if (overlay.floor && isWhole(*overlay.floor)) m_floor->addChild(floorNode(*overlay.floor, floorHeight, look));
     }
     m_overlaid = overlay;
 }

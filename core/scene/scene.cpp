@@ -1,6 +1,6 @@
 #include "scene/scene.h"
 
-#include <osg/ComputeBoundsVisitor>
+#include <osg/PolygonMode>
 
 #include "scene/nodes/osg_types.h"
 #include "scene/nodes/point_impostor.h"
@@ -37,26 +37,21 @@ bool isSane(const Pose& pose) {
 } // namespace
 
 Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store, const ExperimentSpec* ghosts)
-    : m_store(store ? std::move(store) : std::make_shared<ShapeStore>()) {
+    : m_store(store ? std::move(store) : std::make_shared<ShapeStore>()), m_collision(*m_root, m_store->look), m_data(*m_root),
+      m_overlay(*m_root, m_store->look) {
     SceneShading::applyTo(*m_root->getOrCreateStateSet(), m_uniforms);
     m_robots->setNodeMask(kMaskRobots | kMaskSolid);
     m_statics->setNodeMask(kMaskStatics | kMaskSolid);
-    m_collision->setNodeMask(kMaskCollision);
-    m_collision->setStateSet(m_store->look.collision);
-    m_data->setNodeMask(kMaskData);
-    m_overlaidShapes->setNodeMask(kMaskOverlay);
-    m_overlaidShapes->setStateSet(m_store->look.tinted);
-    m_overlaidFloor->setNodeMask(kMaskOverlay);
-    m_root->addChild(m_robots);
-    m_root->addChild(m_statics);
-    m_root->addChild(m_collision);
-    m_root->addChild(m_data);
-    m_root->addChild(m_overlaidShapes);
-    m_root->addChild(m_overlaidFloor);
     addRobots(experiment);
     addStatics(experiment);
     if (ghosts) addGhosts(*ghosts);
     addSurroundings(experiment);
+}
+
+osg::ref_ptr<osg::Group> Scene::addedGroup(osg::Group& root) {
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    root.addChild(group);
+    return group;
 }
 
 void Scene::addRobots(const ExperimentSpec& experiment) {
@@ -88,10 +83,10 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
             if (i == largest && impostor) body->addChild(impostor);
             node->addChild(body);
             m_bodies.push_back(body);
-            m_objects.try_emplace(robot.name + "/" + body->getName(), Object{body, shapes[i]});
+            m_objects.add(robot.name + "/" + body->getName(), SceneObject{body, shapes[i]});
         }
         m_robots->addChild(node);
-        m_objects.try_emplace(robot.name, Object{node, nullptr});
+        m_objects.add(robot.name, SceneObject{node, nullptr});
     }
     setPoses(startPoses(experiment));
 }
@@ -111,7 +106,7 @@ void Scene::addStatics(const ExperimentSpec& experiment) {
         node->addChild(shapes);
         if (impostor) node->addChild(impostor);
         m_statics->addChild(node);
-        m_objects.try_emplace(fixed.name, Object{node, shapes});
+        m_objects.add(fixed.name, SceneObject{node, shapes});
     }
 }
 
@@ -156,7 +151,7 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
     for (unsigned i = 0; i < floors.size(); ++i) {
         const osg::ref_ptr<osg::Node> floor = makeFloorNode(floors[i], i, about, reach, look, m_store->pictures, lighting);
         floorGroup->addChild(floor);
-        m_objects.try_emplace(floors[i].path, Object{floor->asGroup(), nullptr});
+        m_objects.add(floors[i].path, SceneObject{floor->asGroup(), nullptr});
         if (i >= kShadowedFloors) continue;
         sharp->addChild(makeSharpShadow(floors[i], i, *casters, look, lighting));
         soft->addChild(makeSoftShadow(floors[i], i, *casters, look, lighting));
@@ -177,56 +172,32 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
     m_root->addChild(sky);
 }
 
-std::vector<Bounds> Scene::sunCasters() const {
-    std::vector<Bounds> boxes;
-    if (!m_sunCasts) return boxes;
-    for (const auto& [path, object] : m_objects) {
-        const auto* place = object.shapes ? dynamic_cast<const osg::MatrixTransform*>(object.node.get()) : nullptr;
-        if (!place) continue;
-        auto [own, isNew] = m_boxes.try_emplace(object.shapes.get());
-        if (isNew) {
-            osg::ComputeBoundsVisitor visitor;
-            visitor.setTraversalMask(kMaskRobots | kMaskStatics);
-            object.shapes->accept(visitor);
-            if (const osg::BoundingBox& box = visitor.getBoundingBox(); box.valid())
-                own->second = {Vec3(box.xMin(), box.yMin(), box.zMin()), Vec3(box.xMax(), box.yMax(), box.zMax())};
-        }
-        Bounds world;
-        for (int i = 0; i < 8 && !own->second.empty(); ++i) {
-            const Vec3 corner = own->second.corner(i);
-            const osg::Vec3d at = osg::Vec3d(corner.x(), corner.y(), corner.z()) * place->getMatrix();
-            world.add(Vec3(at.x(), at.y(), at.z()));
-        }
-        if (!world.empty()) boxes.push_back(world);
-    }
-    return boxes;
-}
-
-void Scene::makeCollision(const ExperimentSpec& experiment) {
-    if (m_collision->getNumChildren() > 0) return;
-    const auto add = [&](const std::string& path, std::span<const GeomSpec> geoms) {
-        const Object* object = find(path);
-        auto* leader = object ? dynamic_cast<osg::MatrixTransform*>(object->node.get()) : nullptr;
-        if (!leader) return;
-        osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(leader->getMatrix());
-        node->addChild(m_store->collisionNodeOf(geoms));
-        m_collision->addChild(node);
-        m_collisionFollowers.push_back({node, leader});
-    };
-    for (const RobotSpec& robot : experiment.robots) {
-        if (!robot.config) continue;
-        for (const BodySpec& body : robot.config->bodies) add(robot.name + "/" + body.name, body.geoms);
-    }
-    for (const StaticSpec& fixed : experiment.statics)
-        if (fixed.geoms) add(fixed.name, *fixed.geoms);
-}
-
 void Scene::setPoses(const BodyPoses& poses) {
     if (poses.size() != m_bodies.size()) return;
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (isSane(poses[i])) m_bodies[i]->setMatrix(toOsg(poses[i]));
-    for (const auto* followers : {&m_markFollowers, &m_collisionFollowers, &m_overlayFollowers})
-        for (const BodyNode& follower : *followers) follower.node->setMatrix(follower.leader->getMatrix());
+    m_marks.followPoses();
+    m_collision.followPoses();
+    m_overlay.followPoses();
+}
+
+void Scene::setWireframe(bool on) {
+    if (on == m_wireframe) return;
+    m_wireframe = on;
+    for (osg::Group* group : {m_robots.get(), m_statics.get()}) {
+        osg::StateSet* state = group->getOrCreateStateSet();
+        if (!on) {
+            state->removeAttribute(osg::StateAttribute::POLYGONMODE);
+            continue;
+        }
+        state->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE),
+                                    osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
+    }
+}
+
+std::optional<SceneHit> Scene::pick(const ViewRay& ray, std::uint32_t mask) const {
+    std::vector<SceneHit> hits = pickAll(ray, mask);
+    return hits.empty() ? std::nullopt : std::optional(std::move(hits.front()));
 }
 
 Bounds Scene::bounds() const {

@@ -4,33 +4,21 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include <osg/Group>
 #include <osg/MatrixTransform>
 
-#include "model/experiment_spec.h"
+#include "scene/collision_nodes.h"
+#include "scene/data_nodes.h"
+#include "scene/mark_nodes.h"
 #include "scene/nodes/masks.h"
-#include "scene/nodes/shape_store.h"
-#include "scene/overlay.h"
-#include "scene/queries/camera_view.h"
+#include "scene/overlay_nodes.h"
 #include "scene/queries/poses.h"
-#include "scene/scene_marks.h"
-#include "scene/shaders/scene_shading.h"
-#include "scene/shapes/bounds.h"
+#include "scene/scene_picking.h"
+#include "scene/sun_casters.h"
 
 namespace trundle {
-
-struct SceneHit {
-    std::string path; ///< "robot0/chassis/hull", "arena/north"
-    Vec3 point = Vec3::Zero();
-    double distance = 0; ///< m from the ray's origin
-};
-
-/// Names of the objects in kMaskData images: "robot0/chassis/hull", "arena/north". The first entry means "no object" and is
-/// empty.
-[[nodiscard]] std::vector<std::string> objectNames(const ExperimentSpec& experiment);
 
 class Scene {
 public:
@@ -43,76 +31,60 @@ public:
     /// Ignored unless there is one pose per robot body; poses that are not finite are skipped.
     void setPoses(const BodyPoses& poses);
     /// Hides objects in all images. Unknown paths are ignored, here and in setMarks().
-    void setHidden(const std::vector<std::string>& paths);
+    void setHidden(const std::vector<std::string>& paths) { m_objects.setHidden(paths); }
     /// Sets what marks() draws: selected objects in pure red, hovered ones in pure green.
-    void setMarks(const SceneMarks& marks);
-    [[nodiscard]] osg::Group& marks() { return *m_marks; }
+    void setMarks(const SceneMarks& marks) { m_marks.set(marks, m_objects, m_store->look, m_uniforms); }
+    [[nodiscard]] osg::Group& marks() { return m_marks.root(); }
     void setWireframe(bool on);
     /// Lines and a checker pattern on floors without a texture; initially on.
     void setFloorLines(bool on) { m_uniforms.floorLines->set(on ? 1.f : 0.f); }
     /// Sets the content of kMaskOverlay. Shapes with unknown body indices are skipped.
-    void setOverlay(const SceneOverlay& overlay);
+    void setOverlay(const SceneOverlay& overlay) { m_overlay.set(overlay, m_bodies, m_floorHeight.value_or(0), m_store->look); }
     /// Builds the content of kMaskCollision, once, from the experiment that the scene was made from.
-    void makeCollision(const ExperimentSpec& experiment);
+    void makeCollision(const ExperimentSpec& experiment) { m_collision.make(experiment, m_objects, *m_store); }
     /// Builds the content of kMaskData, once, from the experiment that the scene was made from.
-    void makeData(const ExperimentSpec& experiment);
+    void makeData(const ExperimentSpec& experiment) { m_data.make(experiment, m_objects, m_store->look); }
     /// Updates the kMaskData nodes to the current poses; hidden objects are left out.
-    void followData();
+    void followData() { m_data.followObjects(); }
 
     /// World bounds for framing: robots at their current poses, and statics, without floors.
     [[nodiscard]] Bounds bounds() const;
     /// The nearest object hit by the ray. `mask` selects robots, statics and floors.
     [[nodiscard]] std::optional<SceneHit> pick(const ViewRay& ray, std::uint32_t mask = kMaskRobots | kMaskStatics) const;
     /// All geoms hit by the ray, nearest first, each once.
-    [[nodiscard]] std::vector<SceneHit> pickAll(const ViewRay& ray, std::uint32_t mask = kMaskRobots | kMaskStatics) const;
+    [[nodiscard]] std::vector<SceneHit> pickAll(const ViewRay& ray, std::uint32_t mask = kMaskRobots | kMaskStatics) const {
+        return trundle::pickAll(*m_root, ray, mask);
+    }
     /// World bounding boxes of everything that casts sun shadows; empty if the sun casts none.
-    [[nodiscard]] std::vector<Bounds> sunCasters() const;
+    [[nodiscard]] std::vector<Bounds> sunCasters() const {
+        return m_sunCasts ? m_casters.boxes(m_objects) : std::vector<Bounds>();
+    }
     [[nodiscard]] const Vec3& sun() const { return m_sun; } ///< unit vector towards the sun
     /// Height of the level floor (m), if there is one.
     [[nodiscard]] std::optional<double> floorHeight() const { return m_floorHeight; }
     [[nodiscard]] const ShapeStore& store() const { return *m_store; }
 
 private:
-    struct Object {
-        osg::ref_ptr<osg::Group> node;
-        osg::ref_ptr<osg::Group> shapes; ///< its geoms; null for a robot, whose bodies hold them, and for a floor
-    };
-    /// A node that copies the pose of a body's node.
-    struct BodyNode {
-        osg::ref_ptr<osg::MatrixTransform> node, leader;
-    };
-    /// The same for kMaskData; visible only while the body's node and the whole object are.
-    struct DataBodyNode {
-        osg::ref_ptr<osg::MatrixTransform> node, leader;
-        osg::ref_ptr<osg::Group> whole;
-    };
-    [[nodiscard]] osg::ref_ptr<osg::MatrixTransform> addDataNode(osg::Node& shapes, unsigned firstObject);
+    [[nodiscard]] static osg::ref_ptr<osg::Group> addedGroup(osg::Group& root);
     void addRobots(const ExperimentSpec& experiment);
     void addStatics(const ExperimentSpec& experiment);
     void addGhosts(const ExperimentSpec& ghosts);
     void addSurroundings(const ExperimentSpec& experiment);
-    void mark(osg::Group& group, const std::string& path);
-    [[nodiscard]] const Object* find(const std::string& path) const;
-    /// The object that owns the geom at that path, and the geom's index in it.
-    [[nodiscard]] std::pair<const Object*, std::uint32_t> findGeom(const std::string& path) const;
 
     std::shared_ptr<ShapeStore> m_store;
     SceneUniforms m_uniforms;
-    osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = new osg::Group, m_statics = new osg::Group,
-                             m_collision = new osg::Group, m_data = new osg::Group, m_marks = new osg::Group,
-                             m_overlaidShapes = new osg::Group, m_overlaidFloor = new osg::Group;
+    osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = addedGroup(*m_root), m_statics = addedGroup(*m_root);
     std::vector<osg::ref_ptr<osg::MatrixTransform>> m_bodies; // in the order of BodyPoses
-    std::unordered_map<std::string, Object> m_objects;        // by path
-    std::vector<BodyNode> m_markFollowers, m_collisionFollowers, m_overlayFollowers;
-    std::vector<DataBodyNode> m_dataFollowers;
-    SceneMarks m_marked;
-    SceneOverlay m_overlaid;
-    std::vector<std::string> m_hidden;
+    SceneObjects m_objects;
+    MarkNodes m_marks;
+    CollisionNodes m_collision;
+    DataNodes m_data;
+    OverlayNodes m_overlay;
+    mutable SunCasters m_casters;
     bool m_wireframe = false;
     std::optional<double> m_floorHeight;
     Vec3 m_sun = Vec3::UnitZ();
     bool m_sunCasts = false;
-    mutable std::unordered_map<const osg::Group*, Bounds> m_boxes; // local bounds of the shapes of objects
 };
 
 } // namespace trundle

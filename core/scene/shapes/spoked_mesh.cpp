@@ -11,7 +11,7 @@ using Parts = std::array<ShapeMesh, kWheelPaints>;
 
 constexpr int kSpokes = 5;
 constexpr double kPitch = 2 * std::numbers::pi / kSpokes; // rad between spokes
-constexpr int kLeastSegments = 8, kLeastRimSegments = 12, kLeastNotchSegments = 18;
+constexpr int kLeastTreadSegments = 8, kLeastRimSegments = 12, kLeastNotchSegments = 18;
 
 // Fractions of the radius.
 constexpr double kShoulder = 0.90, kRimOuter = 0.74, kRimInner = 0.66, kHub = 0.25, kCap = 0.11;
@@ -108,7 +108,7 @@ void addFlatFace(Parts& parts, const Division& division, double radius, double z
 Parts spokedCylinder(const GeomSpec& geom, const SpokePattern& pattern, int segments) {
     Parts parts;
     const Division division(segments);
-    const bool fine = segments >= kLeastSegments;
+    const bool fine = segments >= kLeastTreadSegments;
     const double half = 0.5 * geom.length, even = division.evenHalf();
     addBand(parts, division, {geom.radius, -half, even, 1, 0}, {geom.radius, half, even, 1, 0},
             [&](int i) { return fine ? treadPaint(division, i) : WheelPaint::Tyre; });
@@ -136,7 +136,7 @@ Parts stripedShape(const GeomSpec& geom, const SpokePattern& pattern, int segmen
         const double angle = std::atan2(double(middle.y()), double(middle.x()));
         const int segment =
             int(std::floor(angle / (2 * std::numbers::pi) * division.count()) + division.count()) % division.count();
-        ShapeMesh& mesh = parts[std::size_t(segments < kLeastSegments ? WheelPaint::Mean : treadPaint(division, segment))];
+        ShapeMesh& mesh = parts[std::size_t(segments < kLeastTreadSegments ? WheelPaint::Mean : treadPaint(division, segment))];
         for (const std::uint32_t corner : {a, b, c})
             mesh.indices.push_back(mesh.addPoint(turn * whole.points[corner], turn * whole.normals[corner]));
     }

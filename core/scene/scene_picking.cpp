@@ -1,9 +1,13 @@
+#include "scene/scene_picking.h"
+
+#include <algorithm>
+
 #include <osgUtil/IntersectionVisitor>
 #include <osgUtil/LineSegmentIntersector>
 
 #include "scene/nodes/geom_nodes.h"
+#include "scene/nodes/masks.h"
 #include "scene/nodes/osg_types.h"
-#include "scene/scene.h"
 
 namespace trundle {
 namespace {
@@ -26,12 +30,12 @@ std::string pathOf(const osgUtil::LineSegmentIntersector::Intersection& hit) {
 
 } // namespace
 
-std::vector<SceneHit> Scene::pickAll(const ViewRay& ray, std::uint32_t mask) const {
+std::vector<SceneHit> pickAll(osg::Node& scene, const ViewRay& ray, std::uint32_t mask) {
     osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
         new osgUtil::LineSegmentIntersector(toOsg(ray.origin), toOsg(Vec3(ray.origin + kReach * ray.direction)));
     osgUtil::IntersectionVisitor visitor(line);
     visitor.setTraversalMask(mask & (kMaskRobots | kMaskStatics | kMaskFloor));
-    m_root->accept(visitor);
+    scene.accept(visitor);
     std::vector<SceneHit> hits;
     for (const auto& hit : line->getIntersections()) { // nearest first
         std::string path = pathOf(hit);
@@ -41,11 +45,6 @@ std::vector<SceneHit> Scene::pickAll(const ViewRay& ray, std::uint32_t mask) con
         hits.push_back({std::move(path), point, (point - ray.origin).norm()});
     }
     return hits;
-}
-
-std::optional<SceneHit> Scene::pick(const ViewRay& ray, std::uint32_t mask) const {
-    std::vector<SceneHit> hits = pickAll(ray, mask);
-    return hits.empty() ? std::nullopt : std::optional(std::move(hits.front()));
 }
 
 } // namespace trundle
