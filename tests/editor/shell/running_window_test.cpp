@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "editor/outline/object_marks.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/overlays/pinned_values.h"
@@ -107,6 +108,31 @@ private Q_SLOTS:
         m_window->rememberViews();
         open("pinned.sim", kRobot);
         QVERIFY(m_window->viewport().pinned().pins() == pins);
+    }
+
+    /// Marks of objects that have been removed meanwhile are not restored: a new one of the same name is visible.
+    void restoresMarksOfExistingObjects() {
+        m_window->rememberViews();
+        const QByteArray second = QByteArray(kRobot).replace("Robot robot0", "Robot robot10");
+        open("marks.sim", kRobot + second.mid(second.indexOf("Robot robot10")));
+        auto* marks = m_window->findChild<ObjectMarks*>();
+        QVERIFY(marks);
+        marks->setHidden({"robot0", "robot10"}, true);
+        marks->setLocked({"robot10"}, true);
+        open("other.sim", kRobot);
+        QVERIFY(marks->hidden().empty() && marks->locked().empty());
+        open("marks.sim", kRobot);
+        QCOMPARE(marks->hidden(), ObjectMarks::Paths{"robot0"});
+        QVERIFY(marks->locked().empty());
+    }
+
+    /// The next edit removes the message of a refusal, and no other.
+    void editKeepsOtherMessages() {
+        open("message.sim", kRobot);
+        Q_EMIT m_window->document().refused(QStringLiteral("no"));
+        m_window->statusBar()->showMessage(QStringLiteral("Saved a picture"));
+        QVERIFY(m_window->document().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
+        QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("Saved a picture"));
     }
 
     void windowShowsAndOpensLogFolder() {
