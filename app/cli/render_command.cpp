@@ -116,8 +116,12 @@ ExitCode renderFile(Application& application, const RenderArguments& arguments) 
     if (!runner) return kExitText;
     const std::uint64_t ticks = ticksFor(arguments.at, loaded.experiment->settings.tick);
     while (!runner->finished() && runner->world().ticks() < ticks && !interrupted() && runner->tick().ok()) {}
+    if (isForkedCopy()) endForkedCopy();
     guard.restoreProcess();
-    if (interrupted()) return kExitInterrupted;
+    if (interrupted()) {
+        if (const std::string signal = unusualRequest(); !signal.empty()) printProblem("the signal " + signal + " ended the run");
+        return kExitInterrupted;
+    }
     guard.endOnRequest();
     if (const Diagnostic* failure = runner->failure()) { // report it together with the state reached
         printDiagnostics({*failure}, loaded.sources);

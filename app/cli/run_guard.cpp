@@ -22,6 +22,7 @@
 #include <unistd.h>
 
 #include "base/platform/buffered_file.h"
+#include "base/platform/end_requests.h"
 #include "cli/early_end.h"
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"
@@ -36,8 +37,6 @@ namespace trundle {
 namespace {
 
 constexpr int kRequests[] = {SIGINT, SIGTERM, SIGHUP};
-/// These and the real-time signals would end the program: of a timer, a batch system, a limit of processor time.
-constexpr int kOtherRequests[] = {SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU, SIGIO, SIGPWR, SIGSTKFLT};
 constexpr std::uint32_t kCallTimeoutS = 3;  // s, for one call after a request to end
 constexpr std::uint32_t kTickTimeoutS = 10; // s, for all calls of a tick
 constexpr long kLookEveryNs = 100'000'000;
@@ -151,13 +150,8 @@ void unwatchOther(int signal) {
     if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == onRequest) setHandler(signal, SIG_DFL, 0);
 }
 
-void forOthers(void (*change)(int)) {
-    for (const int signal : kOtherRequests) change(signal);
-    for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) change(signal);
-}
-
 void watchSignals() {
-    forOthers(watchOther);
+    forOtherEndSignals(watchOther);
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, onRequest, SA_RESTART);
     setHandler(SIGPIPE, onBrokenPipe, SA_RESTART);
@@ -170,7 +164,7 @@ void watchSignals() {
 }
 
 void unwatchSignals() {
-    forOthers(unwatchOther);
+    forOtherEndSignals(unwatchOther);
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, SIG_DFL, 0);
     for (const int signal : kCrashSignals) {

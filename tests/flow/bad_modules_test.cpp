@@ -90,6 +90,7 @@ private Q_SLOTS:
     void closedDescriptorsCorruptNoFile_data();
     void closedDescriptorsCorruptNoFile();
     void aKilledRunLosesASecondAtMost();
+    void aRunForAPictureEndsLikeAnyOther();
 };
 
 void BadModulesTest::initTestCase() {
@@ -410,6 +411,22 @@ void BadModulesTest::aKilledRunLosesASecondAtMost() {
     (void)running.get();
     QVERIFY(flushed);
     QVERIFY(contentOf(m_folder.filePath("logs/path.csv")).size() < 32 * 1024);
+}
+
+/// A copy of the process made by fork() draws nothing; a signal is named.
+void BadModulesTest::aRunForAPictureEndsLikeAnyOther() {
+    const auto render = [&](const QByteArray& action) {
+        const QString path = experiment("Action=\"" + action + "\"", {}), out = m_folder.filePath("out.png");
+        QFile::remove(out);
+        return callProgram(programPath(), {"render", path, "--at", "1", "--size", "32x24", "-o", out, "--modules",
+                                           QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo")});
+    };
+    const Outcome forked = render("fork");
+    QVERIFY2(forked.code == 0 && QFile::exists(m_folder.filePath("out.png")), shown(forked));
+    QVERIFY2(forked.err.contains("a copy of the program that code of a module made by fork() was ended"), shown(forked));
+    const Outcome ended = render("user signal");
+    QVERIFY2(ended.code == 130 && !QFile::exists(m_folder.filePath("out.png")), shown(ended));
+    QVERIFY2(ended.err.contains("the signal SIGUSR1 ended the run"), shown(ended));
 }
 
 QTEST_GUILESS_MAIN(BadModulesTest)

@@ -66,6 +66,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("signal");
         QTest::newRow("SIGTERM") << SIGTERM;
         QTest::newRow("SIGHUP") << SIGHUP;
+        QTest::newRow("SIGUSR1") << SIGUSR1; // would end it without the last rows
     }
     void signalEndsProgramAndKeepsLogs() {
         QFETCH(int, signal);

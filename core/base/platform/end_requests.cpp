@@ -41,20 +41,35 @@ void watchEnd(const std::function<void(int)>& onRequest, std::chrono::seconds ti
     end(exitCode);
 }
 
+void handle(int signal) {
+    struct sigaction action = {};
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
+
+/// Replaces no handler of a library, such as that of its own timer.
+void handleOther(int signal) {
+    struct sigaction now = {};
+    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) handle(signal);
+}
+
 } // namespace
+
+void forOtherEndSignals(void (*change)(int signal)) {
+    for (const int signal : {SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU, SIGIO, SIGPWR, SIGSTKFLT}) change(signal);
+    for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) change(signal);
+}
 
 void watchEndRequests(std::function<void(int exitCode)> onRequest, std::chrono::seconds timeout) {
     sem_init(&s_asked, 0, 0);
     std::thread([onRequest = std::move(onRequest), timeout] { watchEnd(onRequest, timeout); }).detach();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction action = {};
-        if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;
-        action = {};
-        action.sa_handler = onSignal;
-        action.sa_flags = SA_RESTART;
-        sigemptyset(&action.sa_mask);
-        sigaction(signal, &action, nullptr);
+        struct sigaction now = {};
+        if (sigaction(signal, nullptr, &now) != 0 || now.sa_handler != SIG_IGN) handle(signal);
     }
+    forOtherEndSignals(handleOther);
 }
 
 } // namespace trundle
