@@ -342,8 +342,8 @@ constexpr const char* kRunExamples = R"(Examples:
 Results go to standard output; progress, messages and what controllers print go to standard error.
 Exit codes: 0 done (at the end of the duration, or finished by a controller), 1 errors in the text or a module that does not
 load, 2 wrong usage or unreadable FILE, 3 the simulation blew up, 4 a controller failed, or code of a module crashed, ended the
-program or did not return, 130 interrupted (Ctrl+C, SIGTERM, SIGHUP or the like: logs and summary are complete; a step of the solver that
-takes more than 3 s is cut off).
+program or did not return, 130 interrupted (Ctrl+C, SIGTERM, SIGHUP or the like: logs and summary are complete; a step of the
+solver that takes more than 3 s is cut off).
 Logs are written out each second and when a module crashes. After a crash --json still prints its object, with "crashed".
 What modules print to standard output goes to standard error.)";
 

@@ -128,10 +128,11 @@ struct BareStart {
     void* argument;
 };
 
-/// A thread of clone() may share the thread-local variables of the thread that started it, so none are written here.
+/// A thread of clone() may share the thread-local variables of the thread that started it, also those of malloc(), or have none. So
+/// its data is on pages of its own.
 int runBareThread(void* data) {
     const BareStart start = *static_cast<BareStart*>(data);
-    delete static_cast<BareStart*>(data);
+    munmap(data, sizeof(BareStart));
     const SignalStack stack;
     return start.routine(start.argument);
 }
@@ -181,13 +182,11 @@ int clone(int (*routine)(void*), void* stack, int flags, void* argument, ...) no
     if (hasChildId) childId = va_arg(more, pid_t*);
     va_end(more);
     if (!routine || (flags & CLONE_THREAD) == 0) return s_real(routine, stack, flags, argument, parentId, storage, childId);
-    auto start = std::unique_ptr<trundle::BareStart>(new (std::nothrow) trundle::BareStart{routine, argument});
-    if (!start) {
-        errno = ENOMEM;
-        return -1;
-    }
-    const int thread = s_real(&trundle::runBareThread, stack, flags, start.get(), parentId, storage, childId);
-    if (thread > 0) (void)start.release(); // the thread's
+    void* const pages = mmap(nullptr, sizeof(trundle::BareStart), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (pages == MAP_FAILED) return -1;
+    const int thread = s_real(&trundle::runBareThread, stack, flags, new (pages) trundle::BareStart{routine, argument}, parentId,
+                              storage, childId);
+    if (thread < 0) munmap(pages, sizeof(trundle::BareStart));
     return thread;
 }
 }

@@ -16,7 +16,7 @@ namespace trundle {
 namespace {
 
 constexpr double kHigh = 0.05;            // m; smaller drops are not reported
-constexpr double kHighForMachines = 0.5;  // m; articulated robots are often placed a little above the ground
+constexpr double kHighForMachines = 0.35; // m; articulated robots are often placed above the ground, in the thesis by 0.3 m
 constexpr double kFar = 1e4;              // m, range of a ray
 constexpr double kLeave = 1e-4;           // m, clearance after a fix
 constexpr std::size_t kMaxMeasured = 300; // pieces measured; further ones of the same config are only counted

@@ -115,6 +115,8 @@ private Q_SLOTS:
         row("an instance above a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Sized s=0.4 Pos=0,0,1.5 }",
             air, "300 mm above block/m", "a", true);
         row("in the air", "Robot a { Config=Ball Pos=0,0,1.5 }", air, "1.4 m above floor/ground", "a", true);
+        row("a robot with wheels in the air", kRover + "Robot r { Config=Rover Pos=0,0,0.4 }", air, "400 mm above floor/ground",
+            "r", true);
         row("turned, in the air", "Robot a { Config=Post Pos=0,0,1 HPR=0,90,0 }", air, "950 mm above", "a", true);
         row("above a box",
             "StaticConfig T { Box t { Size=1,1,0.5 Pos=0,0,0.25 } }\nStatic table { Config=T }\n"

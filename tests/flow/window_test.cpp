@@ -276,6 +276,9 @@ private Q_SLOTS:
         QTest::newRow("exception") << QByteArray("throw past noexcept")
                                    << "the controller Zoo of r (" + library +
                                           ") crashed in update at t = 0.49 s: Aborted; uncaught exception: no ?[31mbattery??\n";
+        QTest::newRow("stack overflow in a thread of clone()")
+            << QByteArray("bare thread overflows")
+            << "the controller Zoo of r (" + library + ") crashed in update at t = 0.49 s: Segmentation fault\n";
         QTest::newRow("exit") << QByteArray("exit")
                               << "the controller Zoo of r (" + library +
                                      ") ended the program in update at t = 0.49 s, by exit() or the like\n";
@@ -299,6 +302,16 @@ private Q_SLOTS:
         const QStringList reports = folder.entryList(QDir::Files);
         QCOMPARE(reports.size(), 1);
         QCOMPARE(contentOf(folder.filePath(reports[0])), said);
+    }
+
+    /// A window that stays open after its picture has a user.
+    void keepsCrashReportBesideAPicture() {
+        const QTemporaryDir state;
+        qputenv("XDG_STATE_HOME", state.path().toUtf8());
+        const Outcome outcome = callWithZoo("Action=segv Phase=update", {"--screenshot", state.filePath("window.png")});
+        qunsetenv("XDG_STATE_HOME");
+        QVERIFY2(outcome.code == 4, shown(outcome));
+        QCOMPARE(QDir(state.filePath("trundle/crashes")).entryList(QDir::Files).size(), 1);
     }
 
 private:
