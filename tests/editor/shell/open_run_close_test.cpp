@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QPixmapCache>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QThreadPool>
@@ -32,23 +33,28 @@ int countIn(const char* folder) {
 using Threads = QMap<QString, int>; // how many, by name
 
 Threads threadsNow() {
+    static const QRegularExpression number(QStringLiteral("\\$\\d+$")); // of Mesa's threads: "disk$1"
     Threads threads;
     for (const QString& id : QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
         QFile name(QStringLiteral("/proc/self/task/%1/comm").arg(id));
-        if (name.open(QIODevice::ReadOnly)) ++threads[QString::fromUtf8(name.readAll().trimmed())]; // else it has just ended
+        if (!name.open(QIODevice::ReadOnly)) continue; // it has just ended
+        ++threads[QString::fromUtf8(name.readAll().trimmed()).remove(number)];
     }
     return threads;
 }
 
-/// Threads beyond those of `before`, by name. A worker of a thread pool lives for 30 s after its task, and how many a pool needs at
-/// once depends on how busy the machine is; so the pool of the document and Qt's own may grow to their limits.
+/// Threads beyond those of `before`, by name. Two kinds of workers are started while there is more to do than the others manage, which
+/// depends on how busy the machine is, and then stay: those of thread pools (the document has one of 4, Qt has one; each waits 30 s for
+/// its next task) and up to 4 with which Mesa writes its cache of shaders. They may grow to these limits, all others may not.
 QString threadsBeyond(const Threads& before) {
-    const QString pooled = QStringLiteral("Thread (pooled)");
-    const int inPools = 4 + QThreadPool::globalInstance()->maxThreadCount();
+    const auto limit = [](const QString& name) {
+        if (name == QStringLiteral("Thread (pooled)")) return 4 + QThreadPool::globalInstance()->maxThreadCount();
+        return name.endsWith(QStringLiteral(":disk")) ? 4 : 0;
+    };
     QStringList more;
     const Threads now = threadsNow();
     for (auto thread = now.begin(); thread != now.end(); ++thread) {
-        const int known = before.value(thread.key()), most = thread.key() == pooled ? std::max(known, inPools) : known;
+        const int known = before.value(thread.key()), most = std::max(known, limit(thread.key()));
         if (thread.value() > most)
             more << QStringLiteral("%1 x '%2' (%3 before)").arg(thread.value()).arg(thread.key()).arg(known);
     }
