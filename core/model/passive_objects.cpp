@@ -9,11 +9,15 @@ bool isPassive(const RobotSpec& robot) {
 }
 
 bool isPassive(const Part& instance, const Part* config) {
-    if (!config || !config->kind || config->kind->name != "RobotConfig" || !instance.kind) return false;
+    if (!config || !isPassiveConfig(*config) || !instance.kind) return false;
     if (instance.kind->name == "Static" || !(instance.is(Role::Instance) || instance.is(Role::Layout))) return false;
+    return instance.parts.empty();
+}
+
+bool isPassiveConfig(const Part& config) {
     // Blocks of modules that are not loaded count as active.
     const auto isBody = [](const Part& part) { return part.is(Role::Body) || part.is(Role::Geom); };
-    return std::all_of(config->parts.begin(), config->parts.end(), isBody) && instance.parts.empty();
+    return config.kind && config.kind->name == "RobotConfig" && std::all_of(config.parts.begin(), config.parts.end(), isBody);
 }
 
 RobotCounts countRobots(const ExperimentSpec& experiment) {

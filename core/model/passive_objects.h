@@ -8,6 +8,8 @@ namespace trundle {
 [[nodiscard]] bool isPassive(const RobotSpec& robot);
 /// The same for a Robot, Grid or Scatter before it is resolved. `config`: its RobotConfig; null if unknown, which gives false.
 [[nodiscard]] bool isPassive(const Part& instance, const Part* config);
+/// Whether instances of a config without a controller are passive: a RobotConfig with bodies alone.
+[[nodiscard]] bool isPassiveConfig(const Part& config);
 
 /// Number of passive objects and of other robots; together all robots of the experiment.
 struct RobotCounts {

@@ -19,6 +19,8 @@ namespace trundle {
 
 namespace {
 
+constexpr int kMaxCopies = 100;
+
 std::string keyOf(const LoadedProject& loaded, const Part& config) { return loaded.paths[config.file] + "#" + config.name; }
 
 /// Why the values that an edit set are invalid; empty if they are valid.
@@ -28,6 +30,37 @@ std::string reasonAgainst(const ChangeSet& changes) {
         if (!isUnread) return error->message;
     }
     return {};
+}
+
+/// The instances that will use a copy of a config: those through which it is edited, if they are in its file, else all instances
+/// of the file. `edited`: paths of the edited objects.
+std::vector<const Part*> instancesForCopy(const LoadedProject& loaded, const std::vector<std::string>& edited,
+                                          const Part& config) {
+    std::vector<const Part*> through;
+    for (const std::string& path : edited) {
+        const auto place = placeOf(loaded, path);
+        const Part* instance = place ? place->instance : nullptr;
+        if (instance && configOf(loaded, *instance) == &config && std::ranges::find(through, instance) == through.end())
+            through.push_back(instance);
+    }
+    const FileId home = through.empty() ? FileId{0} : through.front()->file;
+    std::vector<const Part*> all = instancesOf(loaded, config);
+    std::erase_if(all, [&](const Part* p) {
+        return p->file != home || (config.file == home && !through.empty() && std::ranges::find(through, p) == through.end());
+    });
+    return all;
+}
+
+/// The path of what would be copied; empty if the target is not in a shipped file.
+std::string shippedPath(const EditTarget& target) {
+    if (!target.isShipped) return {};
+    return target.definition.empty() ? pathOfConfig(*target.config) : target.definition;
+}
+
+QString noticeOfCopy(const std::string& definition, const std::string& copy, const QString& file, const QStringList& others) {
+    const QString made = QObject::tr("%1 came with Trundle and is read-only: %2 is a copy of it in %3")
+                             .arg(toQString(std::string(lastWord(definition))), toQString(std::string(lastWord(copy))), file);
+    return others.isEmpty() ? made : made + QObject::tr(", which %1 does not use").arg(others.join(QStringLiteral(", ")));
 }
 
 } // namespace
@@ -52,6 +85,11 @@ struct StructureEdits::PendingEdit {
         for (const auto& [from, to] : copies)
             if (startsWithPath(path, from)) return to + path.substr(from.size());
         return path;
+    }
+    [[nodiscard]] std::vector<const Part*> copyUsers(const Part& config) const {
+        std::vector<std::string> edited;
+        for (const std::string& path : paths) edited.push_back(renamed(path));
+        return instancesForCopy(*loaded, edited, config);
     }
 };
 
@@ -89,7 +127,8 @@ Status StructureEdits::rename(const QString& name, const std::string& path, cons
     if (!m_document.isOpen()) return m_document.edit({}, {}); // reports why it is refused
     const auto place = placeOf(*m_document.loaded(), path);
     const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
-    if (m_document.isReadOnly() || !top || !top->is(Role::Config)) return renameEverywhere(name, path, to);
+    const bool isCopied = (top && top->is(Role::Config)) || !shippedDefinitionAt(*m_document.loaded(), path).empty();
+    if (m_document.isReadOnly() || !isCopied) return renameEverywhere(name, path, to);
     auto work = startEdit(name, {path}, [path, to](const LoadedProject& loaded, const PathMapping& renamed) {
         return planRename(loaded, renamed(path), to);
     });
@@ -121,15 +160,24 @@ Status StructureEdits::renameEverywhere(const QString& name, const std::string& 
 }
 
 Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
-    constexpr int kMaxCopies = 100;
     for (int copies = 0; copies < kMaxCopies; ++copies) {
         const LoadedProject& loaded = *work->loaded;
         Result<EditPlan> plan = work->plan(loaded, [&work](const std::string& path) { return work->renamed(path); });
         if (!plan) return m_document.apply(work->name, plan);
+        if (const std::vector<std::string> shipped = definitionsChangedBy(loaded, plan.value()); !shipped.empty()) {
+            if (work->copies.contains(shipped.front()))
+                return m_document.apply({}, Error{Code::WrongPlace, shipped.front() + " is changed by this as well as its copy"});
+            if (Status done = copyDefinition(*work, shipped.front()); !done) return m_document.apply({}, done.error());
+            continue;
+        }
         const Part* next = nullptr;
         for (const Part* config : configsChangedBy(loaded, plan.value()))
             if (!next && !work->decided.contains(keyOf(loaded, *config))) next = config;
-        if (!next) return finish(*work, plan.value());
+        if (!next) {
+            const Status done = finish(*work, plan.value());
+            if (done && !work->notices.isEmpty()) Q_EMIT m_document.notice(work->notices.join(u"; "_qs));
+            return done;
+        }
         for (const auto& [file, edits] : plan.value().edits) work->changed.insert(loaded.paths[file]);
         const std::string key = keyOf(loaded, *next);
         if (work->copies.contains(pathOfConfig(*next)))
@@ -137,7 +185,7 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
                                                                                 "change it for all instead"});
         const EditTarget target = targetOfStructure(loaded, *next, nullptr, m_users);
         const bool isOwn = std::ranges::none_of(target.users, [&](const std::string& user) { return user != loaded.paths[0]; }) &&
-                           next->file == 0 && copyUsers(*work, *next).size() == target.instances;
+                           next->file == 0 && work->copyUsers(*next).size() == target.instances;
         const auto known = m_chosen.find(key);
         if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
             if (Status done = copy(*work, *next); !done) return m_document.apply({}, done.error());
@@ -152,28 +200,9 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
     return m_document.apply({}, Error{Code::EditRefused, "this changes too many configs at once"});
 }
 
-/// The instances that will use the copy: those through which the config is edited, if they are in its file, else all
-/// instances of the file.
-std::vector<const Part*> StructureEdits::copyUsers(const PendingEdit& work, const Part& config) const {
-    const LoadedProject& loaded = *work.loaded;
-    std::vector<const Part*> edited;
-    for (const std::string& path : work.paths) {
-        const auto place = placeOf(loaded, work.renamed(path));
-        const Part* instance = place ? place->instance : nullptr;
-        if (instance && configOf(loaded, *instance) == &config && std::ranges::find(edited, instance) == edited.end())
-            edited.push_back(instance);
-    }
-    const FileId home = edited.empty() ? FileId{0} : edited.front()->file;
-    std::vector<const Part*> all = instancesOf(loaded, config);
-    std::erase_if(all, [&](const Part* p) {
-        return p->file != home || (config.file == home && !edited.empty() && std::ranges::find(edited, p) == edited.end());
-    });
-    return all;
-}
-
 Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part& config) {
     const LoadedProject& loaded = *work->loaded;
-    const std::vector<const Part*> instances = copyUsers(*work, config);
+    const std::vector<const Part*> instances = work->copyUsers(config);
     ShareQuestion question;
     question.config = toQString(config.name);
     question.file = shown(loaded.paths[config.file]);
@@ -201,7 +230,7 @@ Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part&
 
 Status StructureEdits::copy(PendingEdit& work, const Part& config) {
     const LoadedProject& loaded = *work.loaded;
-    const std::vector<const Part*> instances = copyUsers(work, config);
+    const std::vector<const Part*> instances = work.copyUsers(config);
     const bool isShipped = isShippedFile(loaded, config.file);
     const Result<EditPlan> plan = planCopyConfig(loaded, config, instances, work.changed);
     if (!plan) return plan.error();
@@ -220,6 +249,30 @@ Status StructureEdits::copy(PendingEdit& work, const Part& config) {
     if (!copied || !copied->part) return Error{Code::EditRefused, from + " could not be copied"};
     work.decided.insert(keyOf(*work.loaded, *copied->part));
     return {};
+}
+
+Status StructureEdits::copyDefinition(PendingEdit& work, const std::string& definition) {
+    const std::vector<FileId> others = otherFilesUsing(*work.loaded, definition);
+    for (int configs = 0; configs < kMaxCopies; ++configs) {
+        const LoadedProject& loaded = *work.loaded;
+        const Result<EditPlan> plan = planCopyDefinition(loaded, definition);
+        if (!plan) return plan.error();
+        const std::vector<const Part*> changed = configsChangedBy(loaded, plan.value());
+        const auto shipped =
+            std::ranges::find_if(changed, [&](const Part* config) { return isShippedFile(loaded, config->file); });
+        if (shipped != changed.end()) {
+            if (Status done = copy(work, **shipped); !done) return done;
+            continue;
+        }
+        const std::string to = plan.value().selects.front();
+        QStringList files;
+        for (const FileId file : others) files += shown(loaded.paths[file]);
+        work.notices.prepend(noticeOfCopy(definition, to, shown(loaded.paths[0]), files));
+        if (Status read = reload(work, plan.value()); !read) return read;
+        work.copies[definition] = to;
+        return {};
+    }
+    return Error{Code::EditRefused, definition + " is used by too many configs at once"};
 }
 
 /// A config of the user's own that imports shipped files inside its block: what is changed in them is written into the block.
@@ -269,9 +322,7 @@ Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
         const auto begin = static_cast<std::uint32_t>(splice.at), end = begin + static_cast<std::uint32_t>(splice.removed.size());
         if (!splice.empty()) all.edits[file].push_back({{file, {begin, end}}, splice.inserted});
     }
-    const Status done = m_document.apply(work.name, all, work.mergeKey);
-    if (done && !work.notices.isEmpty()) Q_EMIT m_document.notice(work.notices.join(u"; "_qs));
-    return done;
+    return m_document.apply(work.name, all, work.mergeKey);
 }
 
 Status StructureEdits::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
@@ -289,6 +340,7 @@ Status StructureEdits::setValues(const QString& name, const std::vector<ValueEdi
     const Result<FileEdits> edits = editsForValues(*m_document.loaded(), targets);
     // Loads once, with the values applied: a drag does this on every step.
     const Status done = edits ? m_document.edit(name, edits.value(), key, reasonAgainst) : m_document.apply(name, edits.error());
+    if (done && !m_notice.isEmpty()) Q_EMIT m_document.notice(m_notice); // after each step of a drag, since a change removes it
     if (key == mergeKey) return done;
     if (!done) m_document.discardMerge(key);
     m_document.endMerge();
@@ -302,23 +354,36 @@ EditTarget StructureEdits::targetOf(const std::string& propertyPath) {
 
 Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vector<std::string>& asked,
                                                                 const std::string& mergeKey) {
-    if (m_gesture != mergeKey || !m_document.history().canDiscardMerge(mergeKey)) m_targets.clear(), m_copies.clear();
+    if (m_gesture != mergeKey || !m_document.history().canDiscardMerge(mergeKey))
+        m_targets.clear(), m_copies.clear(), m_notice.clear();
     m_gesture = mergeKey;
     std::vector<std::string> paths;
     for (const std::string& path : asked) {
         if (!m_targets.contains(path)) {
             const EditTarget target = targetOf(path);
-            const std::string config = target.isShipped ? pathOfConfig(*target.config) : std::string();
-            if (target.isShipped && !m_copies.contains(config)) {
-                Result<std::string> copy = copyConfig(std::string(withoutLastWord(path)), mergeKey);
+            const std::string shipped = shippedPath(target);
+            if (target.isShipped && !m_copies.contains(shipped)) {
+                Result<std::string> copy = target.definition.empty() ? copyConfig(std::string(withoutLastWord(path)), mergeKey)
+                                                                     : copyDefinition(target.definition, mergeKey);
                 if (!copy) return copy.error();
-                m_copies.emplace(config, std::move(copy).value());
+                m_copies.emplace(shipped, std::move(copy).value());
             }
-            m_targets.emplace(path, target.isShipped ? m_copies.at(config) + path.substr(config.size()) : target.path);
+            m_targets.emplace(path, target.isShipped ? m_copies.at(shipped) + path.substr(shipped.size()) : target.path);
         }
         paths.push_back(m_targets.at(path));
     }
     return paths;
+}
+
+Result<std::string> StructureEdits::copyDefinition(const std::string& definition, const std::string& mergeKey) {
+    PendingEdit work;
+    work.name = QObject::tr("Copy %1").arg(toQString(std::string(lastWord(definition))));
+    work.mergeKey = mergeKey;
+    work.loaded = m_document.loaded();
+    if (Status done = copyDefinition(work, definition); !done) return done.error();
+    if (Status done = finish(work, {}); !done) return done.error();
+    m_notice = work.notices.join(u"; "_qs);
+    return work.copies.at(definition);
 }
 
 Result<std::string> StructureEdits::copyConfig(const std::string& path, const std::string& mergeKey) {
@@ -344,6 +409,7 @@ Result<std::string> StructureEdits::copyConfig(const std::string& path, const st
     work.mergeKey = mergeKey;
     if (mergeKey.empty()) none.selects = {work.copies.at(from)};
     if (Status done = finish(work, none); !done) return done.error();
+    m_notice = work.notices.join(u"; "_qs);
     return work.copies.at(from);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Edits that insert, remove, move or rename blocks. For a config with several users the user decides whether the config
-// itself or a copy is changed; the decision is kept per config until the window closes. A config installed with Trundle is
-// always copied.
+// itself or a copy is changed; the decision is kept per config until the window closes. Configs, materials, surfaces, antenna
+// patterns and Params installed with Trundle are always copied.
 
 #include <functional>
 #include <map>
@@ -55,7 +55,8 @@ public:
     /// Applies a fix of a diagnostic of the document's current texts. A config installed with Trundle gets a copy for the opened file,
     /// in which the fix is made.
     Status applyFix(const Fix& fix);
-    /// Sets values, each where it is to be written; refused as a whole if one is invalid. Configs installed with Trundle are copied.
+    /// Sets values, each where it is to be written; refused as a whole if one is invalid. What is installed with Trundle
+    /// is copied.
     Status setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey);
     /// Where a value of this path would be written; see project/edits/edit_target.h.
     [[nodiscard]] EditTarget targetOf(const std::string& propertyPath);
@@ -75,16 +76,19 @@ private:
     Status advance(const std::shared_ptr<PendingEdit>& work);
     Status ask(const std::shared_ptr<PendingEdit>& work, const Part& config);
     [[nodiscard]] Status copy(PendingEdit& work, const Part& config);
+    /// A shipped material, surface, antenna pattern or Param, and the shipped configs that use it.
+    [[nodiscard]] Status copyDefinition(PendingEdit& work, const std::string& definition);
+    [[nodiscard]] Result<std::string> copyDefinition(const std::string& definition, const std::string& mergeKey);
     [[nodiscard]] Result<bool> expand(PendingEdit& work, const Part& config);
     Status finish(PendingEdit& work, const EditPlan& plan);
     [[nodiscard]] Status reload(PendingEdit& work, const EditPlan& plan);
-    [[nodiscard]] std::vector<const Part*> copyUsers(const PendingEdit& work, const Part& config) const;
     [[nodiscard]] QString shown(const std::string& file) const;
 
     Document& m_document;
     ShareQuestionHandler m_questionHandler;
     ConfigUsers m_users;
-    std::string m_gesture;                                  ///< merge key that m_targets and m_copies belong to
+    std::string m_gesture;                                  ///< merge key that m_targets, m_copies and m_notice belong to
+    QString m_notice;                                       ///< which copies were made; empty: none
     std::map<std::string, std::string> m_targets, m_copies; ///< requested value path -> path that is set; config -> copy
     std::map<std::string, ShareChoice> m_chosen;            ///< by file and name of the config
 };

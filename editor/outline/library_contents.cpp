@@ -14,6 +14,7 @@
 #include "editor/outline/library_panel.h"
 #include "editor/outline/library_pictures.h"
 #include "editor/outline/object_edits.h"
+#include "model/passive_objects.h"
 #include "project/edits/insert_positions.h"
 #include "project/loading/search.h"
 
@@ -41,11 +42,7 @@ void LibraryPanel::readFolders() {
     const std::string project = open ? canonicalPath(m_document.loaded()->projectFolder) : std::string();
     const std::string opened = open ? canonicalPath(m_document.loaded()->paths[0]) : std::string();
     m_readOf = lastWritten();
-    m_ownPictures.clear();
-    if (open)
-        for (const Part* config : m_document.loaded()->outline->configs.all())
-            if (config->file == 0 && config->block && config->block->name)
-                m_ownPictures.emplace(config->name, pictureOfConfig(*m_document.loaded()->trees[0], *config->block));
+    m_ownPictures.clear(); // renewed by ownConfigs()
     ++m_reading;
     m_pool.start(
         [this, reading = ++m_readings, project, opened, configs = m_configs, resources = m_resources, modules = m_modules] {
@@ -81,22 +78,24 @@ QDateTime LibraryPanel::lastWritten() const {
 }
 
 /// Configs of the opened file, and of files not saved yet: they need no import.
-std::vector<LibraryItem> LibraryPanel::ownConfigs() const {
+std::vector<LibraryItem> LibraryPanel::ownConfigs() {
     std::vector<LibraryItem> items;
     if (!m_document.isOpen()) return items;
     for (const Part* config : m_document.loaded()->outline->configs.all()) {
         const QString file = QString::fromStdString(m_document.loaded()->paths.at(config->file));
         if (config->file != 0 && QFileInfo::exists(file)) continue;
-        const bool robot = config->kind->name == "RobotConfig";
+        const bool robot = config->kind->name == "RobotConfig", movable = isPassiveConfig(*config);
         LibraryItem item;
-        item.section = robot ? LibrarySection::Robots : LibrarySection::Arenas;
+        item.section = movable ? LibrarySection::Objects : robot ? LibrarySection::Robots : LibrarySection::Arenas;
         item.title = QString::fromStdString(config->name);
         item.help = config->file == 0 ? tr("Described in this file")
                                       : tr("Described in %1, which is not saved yet").arg(QFileInfo(file).fileName());
-        item.icon = robot ? QStringLiteral("kind-robot") : QStringLiteral("kind-static");
+        item.icon = QString::fromLatin1(movable ? "kind-object" : robot ? "kind-robot" : "kind-static");
         item.kind = robot ? "Robot" : "Static";
-        item.text =
-            item.kind + " " + (robot ? "robot0" : nameFor(config->name)) + " { Config=" + config->name + " Pos=0,0,0 HPR=0,0,0 }";
+        item.text = item.kind + " " + (robot && !movable ? "robot0" : nameFor(config->name)) + " { Config=" + config->name +
+                    " Pos=0,0,0 HPR=0,0,0 }";
+        if (config->file == 0 && config->block->name && !m_ownPictures.contains(config->name))
+            m_ownPictures.emplace(config->name, pictureOfConfig(*m_document.loaded()->trees[0], *config->block));
         if (const auto picture = m_ownPictures.find(config->name); picture != m_ownPictures.end()) item.picture = picture->second;
         item.folder = std::filesystem::path(m_document.loaded()->paths[0]).parent_path().string();
         items.push_back(std::move(item));

@@ -71,6 +71,14 @@ bool holdsPlane(const BlockItem& config) {
     });
 }
 
+/// Whether a RobotConfig has bodies alone: a movable object. One with imports in its block may have more.
+bool hasOnlyBodies(const BlockItem& config) {
+    return config.type.text == "RobotConfig" && std::ranges::none_of(config.items, [](const Item& item) {
+               const auto* block = item.as<BlockItem>();
+               return item.as<ImportItem>() || (block && block->type.text != "Body");
+           });
+}
+
 bool isPlaced(const BlockItem& block) {
     const std::string& type = block.type.text;
     return type == "Robot" || type == "Static" || type == "Grid" || type == "Scatter";
@@ -96,13 +104,14 @@ std::string copiedText(const ConfigFile& file, const BlockItem& config) {
 }
 
 LibraryItem itemOf(const ConfigFile& file, const BlockItem& block) {
-    const bool robot = block.type.text == "RobotConfig", object = file.import.find("objects/") != std::string::npos;
+    const bool movable = hasOnlyBodies(block), robot = block.type.text == "RobotConfig",
+               object = movable || file.import.find("objects/") != std::string::npos;
     const std::string& config = block.name->text;
     LibraryItem item;
     item.section = object ? LibrarySection::Objects : robot ? LibrarySection::Robots : LibrarySection::Arenas;
     item.title = titled(config);
     if (file.configs.size() == 1) item.help = titled(firstComment(file.tree));
-    item.icon = robot ? QStringLiteral("kind-robot") : QStringLiteral("kind-static");
+    item.icon = QString::fromLatin1(movable ? "kind-object" : robot ? "kind-robot" : "kind-static");
     item.kind = robot ? "Robot" : "Static";
     const std::string before = file.places ? copiedText(file, block) : std::string();
     item.text = before + item.kind + " " + (robot && !object ? "robot0" : nameFor(config)) + " { Config=" + config +

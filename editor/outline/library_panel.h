@@ -60,7 +60,7 @@ private:
     void step(std::size_t from, int by);
     [[nodiscard]] std::string textOf(const LibraryItem& item) const;
     [[nodiscard]] std::string fittedTo(const LibraryItem& item) const;
-    [[nodiscard]] std::vector<LibraryItem> ownConfigs() const;
+    [[nodiscard]] std::vector<LibraryItem> ownConfigs();
     [[nodiscard]] const Kind* kindOf(const std::string& name) const;
 
     Document& m_document;
@@ -73,8 +73,9 @@ private:
     std::vector<Section> m_sections;
     QLineEdit* m_search = nullptr;
     QToolButton* m_asList = nullptr;
-    std::vector<LibraryItem> m_found;                 ///< from files
-    std::map<std::string, std::string> m_ownPictures; ///< of configs of the opened file, at the last reading of folders
+    std::vector<LibraryItem> m_found; ///< from files
+    std::map<std::string, std::string>
+        m_ownPictures; ///< of configs of the opened file, when first seen after the last reading of folders
     std::vector<Kind> m_moduleKinds;
     std::shared_ptr<const Registry> m_registry; ///< of the kinds shown
     std::vector<std::string> m_ownNames;        ///< of the opened file's configs shown

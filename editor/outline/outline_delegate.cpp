@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPixmapCache>
+#include <QTreeView>
 
 #include "editor/outline/outline_model.h"
 #include "editor/widgets/plain_text.h"
@@ -79,6 +80,19 @@ void OutlineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     else paintMark(*painter, ground, index);
 }
 
+/// The text of a row without visible marks continues over the columns of the marks.
+static int widthOfUnusedMarks(const QStyleOptionViewItem& option, const QModelIndex& index) {
+    const auto* tree = qobject_cast<const QTreeView*>(option.widget);
+    if (!tree || (option.state & (QStyle::State_MouseOver | QStyle::State_Selected))) return 0;
+    int width = 0;
+    for (const int column : {int(OutlineModel::VisibleColumn), int(OutlineModel::LockedColumn)}) {
+        const int mark = index.siblingAtColumn(column).data(OutlineModel::MarkRole).toInt();
+        if (mark != OutlineModel::NoMark && mark != OutlineModel::Unmarked) return 0;
+        width += tree->columnWidth(column);
+    }
+    return width;
+}
+
 void OutlineDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const bool selected = option.state & QStyle::State_Selected;
     const bool faint = index.data(OutlineModel::FaintRole).toBool();
@@ -96,7 +110,8 @@ void OutlineDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& o
 
     int right = paintBadge(painter, rest, rest.right(), index.data(OutlineModel::WarningsRole).toInt(), ink(Ink::Warning));
     right = paintBadge(painter, rest, right, index.data(OutlineModel::ErrorsRole).toInt(), ink(Ink::Error));
-    rest.setRight(right);
+    rest.setRight(right == rest.right() ? right + widthOfUnusedMarks(option, index)
+                                        : right); // a label with a count stays in place
 
     painter.save();
     const QString name = index.data().toString(), detail = index.data(OutlineModel::DetailRole).toString();

@@ -6,6 +6,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/structure_edits.h"
+#include "model/dotted_path.h"
 #include "project/edits/edit_target.h"
 #include "project/loading/search.h"
 
@@ -31,12 +32,17 @@ QString overrideWords(const FieldValue& value) {
 
 QString targetWords(const ObjectValues& object, Document& document) {
     const Part *config = object.config(), *instance = object.instance();
-    if (!config || !object.kind()) return {};
-    const QString name = QString::fromStdString(config->name);
     const LoadedProject& loaded = object.loaded();
     const auto fileOf = [&](FileId file) { return QString::fromStdString(document.shown(loaded.paths.at(file))); };
-    if (isShippedFile(loaded, config->file) && !instance)
-        return QObject::tr("%1 came with Trundle and is read-only: a change makes a copy of it in %2.").arg(name, fileOf(0));
+    const std::string definition = shippedDefinitionAt(loaded, object.path());
+    const bool isShippedConfig = config && !instance && isShippedFile(loaded, config->file);
+    if (isShippedConfig || !definition.empty()) {
+        const std::string name = definition.empty() ? config->name : std::string(lastWord(definition));
+        return QObject::tr("%1 came with Trundle and is read-only: a change makes a copy of it in %2.")
+            .arg(QString::fromStdString(name), fileOf(0));
+    }
+    if (!config || !object.kind()) return {};
+    const QString name = QString::fromStdString(config->name);
     if (!instance) {
         const std::size_t instances = instancesOf(loaded, *config).size();
         return instances < 2 ? QString() : QObject::tr("A change here is for all %1 instances of %2.").arg(instances).arg(name);

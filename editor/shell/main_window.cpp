@@ -45,6 +45,7 @@
 #include "editor/text/text_panel.h"
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/theme.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {
@@ -195,7 +196,12 @@ void MainWindow::connectPanels() {
         edits->setInsertionPoint([this] { return m_viewport->insertionPoint(); });
     connect(m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
-    connect(m_document, &Document::selectionRequested, m_selection, [this](const auto& paths) { m_selection->set(paths); });
+    connect(m_document, &Document::selectionRequested, m_selection, [this](const auto& paths) {
+        if (!paths.empty()) return m_selection->set(paths);
+        std::vector<std::string> left = m_selection->paths();
+        std::erase_if(left, [this](const std::string& path) { return !placeOf(*m_document->loaded(), path); });
+        m_selection->set(left);
+    });
     connect(m_document, &Document::notice, m_status, &StatusLine::refuse);
     connect(m_document, &Document::diskChanged, this, &MainWindow::askAboutDiskChange);
     connect(m_document, &Document::opened, this, &MainWindow::offerRecovery, Qt::QueuedConnection);

@@ -30,6 +30,7 @@
 #include "editor/shell/saved_window_state.h"
 #include "editor/shell/status_line.h"
 #include "editor/text/text_panel.h"
+#include "editor/viewport/view/view.h"
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
@@ -83,7 +84,9 @@ void MainWindow::showHelp() {
 void MainWindow::showText(bool shown) {
     // At least one of the two is shown.
     if (!shown) m_viewport->show();
+    const bool hadFocus = m_text->isAncestorOf(QApplication::focusWidget());
     m_text->setVisible(shown);
+    if (!shown && hadFocus) m_viewport->current().setFocus(); // else a value of Properties would get the next keys
     m_actions->at("view.text").setChecked(shown);
     m_actions->at("view.viewport").setChecked(m_viewport->isVisibleTo(m_work));
 }

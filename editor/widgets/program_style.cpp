@@ -1,6 +1,8 @@
 #include "editor/widgets/program_style.h"
 
+#include <QDockWidget>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <QStyleFactory>
 
@@ -43,6 +45,15 @@ QIcon ProgramStyle::standardIcon(StandardPixmap which, const QStyleOption* optio
     case SP_MessageBoxCritical: return inkedIcon(QStringLiteral("message-critical"), Ink::Error);
     default: return QProxyStyle::standardIcon(which, option, widget);
     }
+}
+
+void ProgramStyle::drawItemText(QPainter* painter, const QRect& rect, int flags, const QPalette& palette, bool enabled,
+                                const QString& text, QPalette::ColorRole role) const {
+    const auto* dock = dynamic_cast<const QDockWidget*>(painter->device());
+    const QFont before = painter->font();
+    if (dock) painter->setFont(dock->font());
+    QProxyStyle::drawItemText(painter, rect, flags, palette, enabled, text, role);
+    if (dock) painter->setFont(before);
 }
 
 void ProgramStyle::polish(QWidget* widget) {

@@ -68,6 +68,19 @@ std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& co
     return instances;
 }
 
+std::string shippedDefinitionAt(const LoadedProject& loaded, const std::string& path) {
+    const Outline& outline = *loaded.outline;
+    const std::optional<ObjectLocation> place = placeOf(loaded, path);
+    if (!place) // an object may have the name of a Param
+        for (const SourceParam& param : outline.params)
+            if (param.name->text == path) return isShippedFile(loaded, param.file) ? path : std::string();
+    if (!place || !place->part || place->instance || !isShippedFile(loaded, place->part->file)) return {};
+    const Part& top = place->above.empty() ? *place->part : *place->above.front();
+    const NameSpace* space = top.kind ? outline.spaceOf(*top.kind) : nullptr;
+    const bool isDefinition = space == &outline.materials || space == &outline.surfaces || space == &outline.patterns;
+    return space && isDefinition ? pathOfConfig(top) : std::string();
+}
+
 EditTarget targetOfStructure(const LoadedProject& loaded, const Part& config, const Part* instance, ConfigUsers& users) {
     EditTarget target;
     target.path = pathOfConfig(config);
@@ -84,14 +97,19 @@ EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propert
     EditTarget target;
     target.path = propertyPath;
     const std::string key(lastWord(propertyPath));
-    if (key == propertyPath) return target;
+    if (key == propertyPath) {
+        target.definition = shippedDefinitionAt(loaded, propertyPath);
+        target.isShipped = !target.definition.empty();
+        return target;
+    }
     const std::optional<ObjectLocation> place = placeOf(loaded, withoutLastWord(propertyPath));
     if (!place || !place->part || place->member) return target;
     target.file = place->part->file;
     const Part* top = place->above.empty() ? place->part : place->above.front();
     if (!place->instance) {
         if (top->is(Role::Config)) target.config = top;
-        target.isShipped = target.config && isShippedFile(loaded, target.file);
+        if (!target.config) target.definition = shippedDefinitionAt(loaded, std::string(withoutLastWord(propertyPath)));
+        target.isShipped = isShippedFile(loaded, target.file) && (target.config || !target.definition.empty());
         return target;
     }
     target.instance = place->instance;
@@ -116,6 +134,24 @@ std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const Edi
     std::vector<const Part*> changed;
     for (const Part* config : loaded.outline->configs.all())
         if (isChanged(*config, plan.edits)) changed.push_back(config);
+    return changed;
+}
+
+std::vector<std::string> definitionsChangedBy(const LoadedProject& loaded, const EditPlan& plan) {
+    const Outline& outline = *loaded.outline;
+    std::vector<std::string> changed;
+    for (const NameSpace* space : {&outline.materials, &outline.surfaces, &outline.patterns})
+        for (const Part* part : space->all())
+            if (isShippedFile(loaded, part->file) && isChanged(*part, plan.edits)) changed.push_back(pathOfConfig(*part));
+    for (const SourceParam& param : outline.params) {
+        const auto here = plan.edits.find(param.file);
+        if (here == plan.edits.end() || !isShippedFile(loaded, param.file)) continue;
+        const TextRange text{param.name->range.begin, param.value->range.end};
+        if (std::ranges::any_of(here->second, [&](const TextEdit& edit) {
+                return text.begin <= edit.range.range.begin && edit.range.range.end <= text.end;
+            }))
+            changed.push_back(param.name->text);
+    }
     return changed;
 }
 

@@ -4,7 +4,8 @@
 // A value changed on an instance becomes an override of that instance, unless its config is defined in the same file and this is
 // its only instance: then the config is changed. A value that the instance already overrides is changed in the override. A change
 // of structure (insert, remove, move, rename) is made in the config itself. If the config has other users, the user of the editor
-// chooses between changing all of them and making a copy. A config shipped with the program is read-only: it is always copied.
+// chooses between changing all of them and making a copy. A config shipped with the program is read-only: it is always copied, and
+// so are materials, surfaces, antenna patterns and Params.
 
 #include <functional>
 #include <set>
@@ -23,6 +24,7 @@ struct EditTarget {
     const Part* instance = nullptr; ///< the instance that the path leads through; nullptr: none
     bool isOverride = false;        ///< the instance sets the value instead of its config
     bool isShipped = false;         ///< the change would be made in a shipped file other than the opened file
+    std::string definition;         ///< shipped, contains the value, and is no config: see shippedDefinitionAt(); empty: none
     std::size_t instances = 0;      ///< number of instances of the config in this load
     std::vector<std::string> users; ///< files of the project that place the config; set only if a config would be changed
 };
@@ -31,6 +33,10 @@ struct EditTarget {
 [[nodiscard]] bool isShippedFile(const LoadedProject& loaded, FileId file);
 /// The Robots, Statics, Grids and Scatters of a load that use a config, in text order.
 [[nodiscard]] std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config);
+
+/// The path of the material, surface, antenna pattern or top-level Param of a shipped file that a path leads to: "Material.red",
+/// "side". Empty for everything else.
+[[nodiscard]] std::string shippedDefinitionAt(const LoadedProject& loaded, const std::string& path);
 
 /// The target of a value edit under this path ("robot0.leftMotor.Resistance"). A path that leads nowhere is returned unchanged.
 [[nodiscard]] EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propertyPath, ConfigUsers& users);
@@ -52,6 +58,9 @@ struct EditTarget {
 /// The configs whose contents a plan changes, each once.
 [[nodiscard]] std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan);
 
+/// The shipped definitions whose contents a plan changes, see shippedDefinitionAt().
+[[nodiscard]] std::vector<std::string> definitionsChangedBy(const LoadedProject& loaded, const EditPlan& plan);
+
 /// Writes a copy of a config under a free name before the first of `instances`, which use the copy from then on; they must be in
 /// one file. Without instances the copy is added at the end of the opened file. Comments and layout are kept; files that the
 /// config imports or names by a relative path are also found from the new location. Imports in its block from one of the files
@@ -59,6 +68,13 @@ struct EditTarget {
 [[nodiscard]] Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config,
                                               const std::vector<const Part*>& instances,
                                               const std::set<std::string>& inlined = {});
+
+/// Writes a copy of a shipped definition (a path from shippedDefinitionAt()) under a free name before the first block of the opened
+/// file, whose references then lead to the copy. So do those in shipped configs with instances in the opened file: the plan changes
+/// such configs, which must be copied first. `selects` is the path of the copy.
+[[nodiscard]] Result<EditPlan> planCopyDefinition(const LoadedProject& loaded, const std::string& definition);
+/// The user's own files, other than the opened one, that refer to a definition: planCopyDefinition() leaves them unchanged.
+[[nodiscard]] std::vector<FileId> otherFilesUsing(const LoadedProject& loaded, const std::string& definition);
 
 /// Replaces the imports in the block of a config by their text where they lead to one of the files `inlined` (absolute), directly or
 /// through other such files, so that the text can be edited in the config's own file. Empty if none

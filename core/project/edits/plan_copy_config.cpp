@@ -1,7 +1,7 @@
-// needs        a config and the instances that are to use a copy of it
+// needs        a config and the instances that are to use a copy of it, or a material, surface, antenna pattern or Param
 // assumptions  names in the config resolve wherever the copy is; only file paths are relative to the folder of the file
 // method       the block's text, with its name and file paths changed, is inserted before the first instance, and the Config of
-//             each instance is set
+//             each instance is set; of another definition before the first block, and the references to it are changed
 // data         edits of the block have offsets relative to its first byte
 
 #include <algorithm>
@@ -49,10 +49,77 @@ std::uint32_t commentAbove(const Tree& tree, std::uint32_t at) {
     }
 }
 
-class ConfigCopy {
+/// Adds a text before a block of a file and the comments above it, or at the end of the file.
+void addBefore(const LoadedProject& loaded, const Part* block, FileId file, const std::string& text, EditBuilder& sheet) {
+    if (!block) return sheet.addItem(file, nullptr, text);
+    const Tree& tree = *loaded.trees[file];
+    const std::uint32_t at = commentAbove(tree, block->range.range.begin);
+    const std::string lineEnd = editStyle(tree).lineEnd;
+    const std::string_view bytes = tree.source().bytes();
+    const bool first =
+        at == 0 || bytes[at - 1] == '\n' || bytes[at - 1] == '\r' || (at == 3 && bytes.starts_with("\xEF\xBB\xBF"));
+    std::string out = first ? "" : lineEnd;
+    for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
+    sheet.add({{file, {at, at}}, out + lineEnd + lineEnd});
+}
+
+/// The first block of the opened file; nullptr if it has no blocks.
+const Part* firstBlock(const LoadedProject& loaded) {
+    const Part* first = nullptr;
+    for (const auto& part : loaded.outline->parts)
+        if (part->file == 0 && (!first || part->range.range.begin < first->range.range.begin)) first = part.get();
+    return first;
+}
+
+std::string commentOfCopy(const LoadedProject& loaded, const std::string& name, FileId from) {
+    return "// A copy of " + name + " in " + shownInProject(loaded.paths[from], loaded.projectFolder) +
+           ", for this file alone.\n";
+}
+
+/// Whether a reference to a shipped definition is changed into one to its copy in the opened file.
+bool usesCopy(const LoadedProject& loaded, const NameReference& reference) {
+    if (!reference.name.known()) return false;
+    if (reference.name.file == 0) return true;
+    if (!isShippedFile(loaded, reference.name.file)) return false;
+    const std::vector<const Part*>& configs = loaded.outline->configs.all();
+    return std::ranges::any_of(configs, [&](const Part* config) {
+        return isWithin(reference.name, config->range) &&
+               std::ranges::any_of(instancesOf(loaded, *config), [](const Part* instance) { return instance->file == 0; });
+    });
+}
+
+bool declares(const Part& part, const std::string& param) {
+    return part.param(param) || std::ranges::any_of(part.parts, [&](const Part& inner) { return declares(inner, param); });
+}
+
+Result<EditPlan> planCopyParam(const LoadedProject& loaded, const SourceParam& param) {
+    const Outline& outline = *loaded.outline;
+    const auto isTaken = [&](const std::string& name) {
+        return std::ranges::any_of(outline.params, [&](const SourceParam& p) { return p.name->text == name; }) ||
+               std::ranges::any_of(outline.parts, [&](const auto& part) { return declares(*part, name); });
+    };
+    std::string name;
+    for (int number = 2; name.empty() || isTaken(name); ++number) name = param.name->text + std::to_string(number);
+    EditBuilder sheet(loaded);
+    const std::string_view value = loaded.trees[param.file]->source().slice(param.value->range);
+    addBefore(loaded, firstBlock(loaded), 0,
+              commentOfCopy(loaded, param.name->text, param.file) + "Param " + name + " = " + std::string(value), sheet);
+    for (const NameReference& reference : referencesIn(loaded))
+        if (reference.param && &reference.param->name == param.name && usesCopy(loaded, reference))
+            sheet.add({reference.name, name});
+    return sheet.plan({name});
+}
+
+const SourceParam* paramAt(const LoadedProject& loaded, const std::string& path) {
+    const auto& params = loaded.outline->params;
+    const auto found = std::ranges::find_if(params, [&](const SourceParam& p) { return p.name->text == path; });
+    return found == params.end() ? nullptr : &*found;
+}
+
+class BlockCopy {
 public:
-    ConfigCopy(const LoadedProject& loaded, const Part& config, std::vector<const Part*> instances,
-               const std::set<std::string>& inlined)
+    BlockCopy(const LoadedProject& loaded, const Part& config, std::vector<const Part*> instances,
+              const std::set<std::string>& inlined)
         : m_loaded(loaded), m_config(config), m_instances(std::move(instances)), m_inlined(inlined), m_sheet(loaded) {
         std::stable_sort(m_instances.begin(), m_instances.end(),
                          [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
@@ -68,6 +135,18 @@ public:
             const SourceAssignment* a = instance->assignments.find("Config");
             if (a && a->file == m_home) m_sheet.add(editSetValue(*m_loaded.trees[m_home], *a->value, name));
         }
+        if (Status status = import(); !status.ok()) return status.error();
+        return m_sheet.plan({m_config.kind->name + "." + name});
+    }
+
+    /// A material, surface or antenna pattern, for the references in the opened file.
+    Result<EditPlan> planDefinition() {
+        const std::string name = UsedNames(m_loaded, nullptr, m_config.kind).take(m_config.name);
+        const Result<std::string> text = block(name);
+        if (!text.ok()) return text.error();
+        writeBeforeBlocks(text.value());
+        for (const NameReference& reference : referencesIn(m_loaded))
+            if (reference.target == m_config.block && usesCopy(m_loaded, reference)) m_sheet.add({reference.name, name});
         if (Status status = import(); !status.ok()) return status.error();
         return m_sheet.plan({m_config.kind->name + "." + name});
     }
@@ -98,9 +177,7 @@ private:
         if (!text.ok()) return text.error();
         const std::size_t indent = indentOfLine(m_loaded.trees[whole.file]->source().bytes(), whole.range.begin).size();
         std::string from;
-        if (whole.file != m_home)
-            from = "// A copy of " + m_config.name + " in " + shownInProject(m_loaded.paths[whole.file], m_loaded.projectFolder) +
-                   ", for this file alone.\n";
+        if (whole.file != m_home) from = commentOfCopy(m_loaded, m_config.name, whole.file);
         return from + dedented(text.value(), indent);
     }
 
@@ -196,17 +273,9 @@ private:
     }
 
     void write(const std::string& text) {
-        if (m_instances.empty()) return m_sheet.addItem(m_home, nullptr, text);
-        const Tree& tree = *m_loaded.trees[m_home];
-        const std::uint32_t at = commentAbove(tree, m_instances.front()->range.range.begin);
-        const std::string lineEnd = editStyle(tree).lineEnd;
-        const std::string_view bytes = tree.source().bytes();
-        const bool first =
-            at == 0 || bytes[at - 1] == '\n' || bytes[at - 1] == '\r' || (at == 3 && bytes.starts_with("\xEF\xBB\xBF"));
-        std::string out = first ? "" : lineEnd;
-        for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
-        m_sheet.add({{m_home, {at, at}}, out + lineEnd + lineEnd});
+        addBefore(m_loaded, m_instances.empty() ? nullptr : m_instances.front(), m_home, text, m_sheet);
     }
+    void writeBeforeBlocks(const std::string& text) { addBefore(m_loaded, firstBlock(m_loaded), m_home, text, m_sheet); }
 
     /// Imports the definitions that the block uses, unless they are already imported.
     Status import() {
@@ -241,7 +310,7 @@ private:
 } // namespace
 
 Result<EditPlan> planExpandImports(const LoadedProject& loaded, const Part& config, const std::set<std::string>& inlined) {
-    return ConfigCopy(loaded, config, {}, inlined).expand();
+    return BlockCopy(loaded, config, {}, inlined).expand();
 }
 
 Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config, const std::vector<const Part*>& instances,
@@ -251,7 +320,27 @@ Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config,
         if (isShippedFile(loaded, instance->file))
             return Error{Code::FileUnwritable, instance->title() + " is in " + loaded.trees[instance->file]->source().path() +
                                                    ", which came with the program and is read-only; place one in your own file"};
-    return ConfigCopy(loaded, config, instances, inlined).plan();
+    return BlockCopy(loaded, config, instances, inlined).plan();
+}
+
+Result<EditPlan> planCopyDefinition(const LoadedProject& loaded, const std::string& definition) {
+    if (const SourceParam* param = paramAt(loaded, definition)) return planCopyParam(loaded, *param);
+    const std::optional<ObjectLocation> place = placeOf(loaded, definition);
+    if (!place || !place->part || !place->part->block->name) return Error{Code::NoSuchPath, "there is no " + definition};
+    return BlockCopy(loaded, *place->part, {}, {}).planDefinition();
+}
+
+std::vector<FileId> otherFilesUsing(const LoadedProject& loaded, const std::string& definition) {
+    const SourceParam* param = paramAt(loaded, definition);
+    const std::optional<ObjectLocation> place = param ? std::nullopt : placeOf(loaded, definition);
+    const BlockItem* block = place && place->part ? place->part->block : nullptr;
+    std::set<FileId> files;
+    for (const NameReference& reference : referencesIn(loaded)) {
+        const bool isUse = param ? reference.param && &reference.param->name == param->name : block && reference.target == block;
+        const FileId file = reference.name.file;
+        if (isUse && reference.name.known() && file != 0 && !isShippedFile(loaded, file)) files.insert(file);
+    }
+    return {files.begin(), files.end()};
 }
 
 } // namespace trundle

@@ -31,6 +31,10 @@ double distanceTo(const QPolygonF& line, const QPointF& p) {
 
 QPolygonF square(const QPointF& at, double half) { return QRectF(at.x() - half, at.y() - half, 2 * half, 2 * half); }
 
+QPolygonF diamond(const QPointF& at, double half) {
+    return QPolygonF{{at.x() - half, at.y()}, {at.x(), at.y() - half}, {at.x() + half, at.y()}, {at.x(), at.y() + half}};
+}
+
 } // namespace
 
 Gizmo::Gizmo(Tool tool, const GizmoPose& place, const Projector& project) : m_place(place), m_project(project) {
@@ -119,9 +123,14 @@ void Gizmo::addSize(int axis, int side) {
     const Vec3 along = side * m_place.axes.col(axis);
     if (std::abs(along.dot(m_place.forward)) > kAlongSight) return;
     const auto from = m_project(m_place.origin),
-               to = m_project(m_place.origin + (m_place.half[axis] + 26 * m_place.metresPerPixel) * along);
+               to = m_project(m_place.origin + (m_place.half[axis] + m_place.margin + 26 * m_place.metresPerPixel) * along);
     if (!from || !to || QLineF(*from, *to).length() < 8) return;
-    m_shapes.push_back({{Handle::Kind::Size, axis, side}, axisColour(axis), {QPolygonF{*from, *to}}, {}, square(*to, 5.5), *to});
+    // The line of a layout's extent ends at its edge, so that it does not cover the handles of the first member.
+    const auto start = m_place.layout ? m_project(m_place.origin + (m_place.half[axis] + m_place.margin) * along) : from;
+    if (!start) return;
+    const Handle handle{Handle::Kind::Size, axis, side, m_place.layout};
+    const QPolygonF face = m_place.layout ? diamond(*to, 7.5) : square(*to, 5.5);
+    m_shapes.push_back({handle, axisColour(axis), {QPolygonF{*start, *to}}, {}, face, *to});
 }
 
 Handle Gizmo::hit(const QPointF& at) const {

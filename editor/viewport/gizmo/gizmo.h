@@ -21,8 +21,9 @@ namespace trundle {
 struct Handle {
     enum class Kind { None, Axis, Plane, Screen, Ring, Size };
     Kind kind = Kind::None;
-    int axis = 0; ///< 0 x, 1 y, 2 z
-    int side = 1; ///< for Size: 1 on the positive side of the axis, -1 on the negative side
+    int axis = 0;        ///< 0 x, 1 y, 2 z
+    int side = 1;        ///< for Size: 1 on the positive side of the axis, -1 on the negative side
+    bool layout = false; ///< for Size: of the extent of a whole Grid or Scatter
     bool operator==(const Handle&) const = default;
     explicit operator bool() const { return kind != Kind::None; }
 };
@@ -50,6 +51,8 @@ struct GizmoPose {
     Mat3 axes = Mat3::Identity();  ///< columns, unit, right-handed
     Vec3 half = Vec3::Zero();      ///< m, half the extent of the scaled object; 0: cannot be scaled along that axis
     std::array<SizeName, 3> sizes; ///< one per axis that can be scaled
+    bool layout = false;           ///< the sizes are those of a whole Grid or Scatter
+    double margin = 0;             ///< m, added to `half` for the position of the handles
     double metresPerPixel = 0.01;  ///< at the origin
     Vec3 forward = Vec3::UnitY();  ///< the camera's viewing direction, at the origin
 };

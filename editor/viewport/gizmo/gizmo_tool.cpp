@@ -57,13 +57,25 @@ TransformSelection* GizmoTool::held() {
     return m_held->empty() ? nullptr : m_held.get();
 }
 
-std::optional<GizmoPose> GizmoTool::place() {
+std::optional<GizmoPose> GizmoTool::place(bool layout) {
     const ViewSettings& settings = m_view.context().settings;
     const Tool tool = settings.tool();
     if (tool != Tool::Move && tool != Tool::Rotate && tool != Tool::Scale) return std::nullopt;
     TransformSelection* held = m_dragged ? m_dragged.get() : this->held();
     if (!held) return std::nullopt;
     GizmoPose place;
+    if (layout) {
+        const LayoutExtent* extent = tool == Tool::Scale ? held->layoutExtent() : nullptr;
+        if (!extent) return std::nullopt;
+        place.layout = true;
+        place.axes = extent->axes().rotation.toRotationMatrix();
+        place.origin = extent->centre();
+        place.half = extent->half();
+        place.sizes = extent->sizeNames();
+        place.margin = held->memberReach();
+        addSight(place);
+        return place;
+    }
     const bool local = settings.axes() == AxesOf::Local || tool == Tool::Scale;
     if (local) place.axes = held->pivot().rotation.toRotationMatrix();
     else if (settings.axes() == AxesOf::Parent) place.axes = held->pivotFrame().rotation.toRotationMatrix();
@@ -74,16 +86,20 @@ std::optional<GizmoPose> GizmoTool::place() {
         place.sizes = held->sizeNames();
         if (place.half.isZero()) return std::nullopt;
     }
+    addSight(place);
+    return place;
+}
+
+void GizmoTool::addSight(GizmoPose& place) const {
     const ViewCamera& camera = m_view.camera().free();
     place.metresPerPixel = camera.metresPerPixel(m_view.widget().width(), place.origin);
     const Vec3 sight = place.origin - m_view.camera().view().eye;
     place.forward = camera.isParallel() || sight.norm() < 1e-9 ? camera.forward() : sight.normalized();
-    return place;
 }
 
-std::optional<Gizmo> GizmoTool::gizmo(bool asShown) {
-    std::optional<GizmoPose> at = place();
-    if (!at) return std::nullopt;
+std::optional<Gizmo> GizmoTool::gizmo(bool asShown, bool layout) {
+    std::optional<GizmoPose> at = place(layout);
+    if (!at || (m_drag && m_drag->handle().layout != layout)) return std::nullopt;
     if (m_drag && m_drag->handle().kind != Handle::Kind::Ring) at->origin = m_drag->motion() * m_startPlace.origin;
     if (m_drag && m_drag->handle().kind == Handle::Kind::Size) at->half += m_drag->amount();
     return Gizmo(m_view.context().settings.tool(), *at,
@@ -91,17 +107,23 @@ std::optional<Gizmo> GizmoTool::gizmo(bool asShown) {
 }
 
 std::optional<QPointF> GizmoTool::spot(const Handle& handle) {
-    const auto gizmo = this->gizmo(false);
+    const auto gizmo = this->gizmo(false, handle.layout);
     return gizmo ? gizmo->spot(handle) : std::nullopt;
+}
+
+Handle GizmoTool::hit(const QPointF& at) {
+    for (const bool layout : {false, true})
+        if (const auto gizmo = this->gizmo(false, layout))
+            if (const Handle handle = gizmo->hit(at)) return handle;
+    return {};
 }
 
 bool GizmoTool::press(const Pointer& pointer) {
     if (pointer.button != Qt::LeftButton) return false;
-    const auto gizmo = this->gizmo(false);
-    const Handle handle = gizmo ? gizmo->hit(pointer.at) : Handle{};
+    const Handle handle = hit(pointer.at);
     if (!handle) return false;
     m_mergeKey = "gizmo " + std::to_string(m_view.context().document.revision());
-    m_startPlace = *place();
+    m_startPlace = *place(handle.layout);
     m_dragged = std::make_unique<TransformSelection>(m_view.context(), purpose());
     m_drag = std::make_unique<GizmoDrag>(handle, m_startPlace, m_view.camera().rayAt(pointer.at), pointer.at);
     const QString title = m_dragged->title();
@@ -140,10 +162,10 @@ void GizmoTool::apply() {
     cost.start();
     const bool toggled = m_pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
     const Fineness fine = fineness(!m_drag->typed().empty() || m_view.context().settings.snaps() != toggled);
-    const Status done =
-        m_drag->handle().kind == Handle::Kind::Size
-            ? m_dragged->resize(m_drag->amount(), m_drag->isOneSided() ? m_drag->handle().side : 0, m_name, m_mergeKey, fine)
-            : m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine);
+    const int side = m_drag->isOneSided() ? m_drag->handle().side : 0;
+    const Status done = m_drag->handle().kind != Handle::Kind::Size ? m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine)
+                        : m_drag->handle().layout ? m_dragged->resizeLayout(m_drag->amount(), side, m_name, m_mergeKey, fine)
+                                                  : m_dragged->resize(m_drag->amount(), side, m_name, m_mergeKey, fine);
     if (!done) m_view.hints().setHint(QString::fromStdString(done.error().message));
     // In a large experiment an edit takes long; the pause keeps the window responsive.
     m_pace.start(std::max(kLeastPaceMs, int(cost.elapsed())));
@@ -182,8 +204,7 @@ void GizmoTool::cancel() {
 }
 
 bool GizmoTool::hover(const Pointer& pointer) {
-    const auto gizmo = this->gizmo(false);
-    const Handle hot = gizmo ? gizmo->hit(pointer.at) : Handle{};
+    const Handle hot = hit(pointer.at);
     if (!(hot == m_hot)) {
         m_hot = hot;
         m_view.widget().update();
@@ -235,8 +256,8 @@ bool GizmoTool::nudge(const QKeyEvent& event) {
 }
 
 void GizmoTool::paint(QPainter& painter) {
-    const auto gizmo = this->gizmo(true);
-    if (gizmo) gizmo->paint(painter, m_hot, m_drag != nullptr);
+    for (const bool layout : {false, true})
+        if (const auto gizmo = this->gizmo(true, layout)) gizmo->paint(painter, m_hot, m_drag != nullptr);
 }
 
 } // namespace trundle

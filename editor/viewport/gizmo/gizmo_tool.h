@@ -33,8 +33,11 @@ public:
 private:
     [[nodiscard]] TransformSelection::Operation purpose() const;
     [[nodiscard]] TransformSelection* held();
-    [[nodiscard]] std::optional<GizmoPose> place();
-    [[nodiscard]] std::optional<Gizmo> gizmo(bool asShown);
+    /// `layout`: of the handles for the extent of a whole Grid or Scatter.
+    [[nodiscard]] std::optional<GizmoPose> place(bool layout);
+    [[nodiscard]] std::optional<Gizmo> gizmo(bool asShown, bool layout);
+    [[nodiscard]] Handle hit(const QPointF& at);
+    void addSight(GizmoPose& place) const; ///< what depends on the camera
     void apply();
     void showStatus();
     bool nudge(const QKeyEvent& event);

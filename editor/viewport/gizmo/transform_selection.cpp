@@ -27,6 +27,18 @@ bool isInside(const std::string& path, const std::string& other) { return path !
 
 std::array<double, 3> arrayOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+std::array<SizeName, 3> sizeNamesOf(GeomShape shape) {
+    const QString size = QStringLiteral("Size "), radius = QStringLiteral("Radius"), length = QStringLiteral("Length");
+    switch (shape) {
+    case GeomShape::Box: return {{{size + u'x'}, {size + u'y'}, {size + u'z'}}};
+    case GeomShape::Heightfield: return {{{size + u'x'}, {size + u'y'}, {size + u'z', 1, Sides::Middle}}};
+    case GeomShape::Sphere: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}}};
+    case GeomShape::Cylinder:
+    case GeomShape::Capsule: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {length}}};
+    default: return {};
+    }
+}
+
 } // namespace
 
 TransformSelection::TransformSelection(const ViewContext& context, Operation purpose)
@@ -90,8 +102,16 @@ void TransformSelection::take(const std::string& path) {
 void TransformSelection::addSizes(const std::string& path) {
     Item& item = m_items.back();
     const std::vector<ObjectRef> members = item.object ? std::vector<ObjectRef>() : m_context.world.objectsOf(path);
-    if (!members.empty()) item.world = m_context.world.poseOf(members.front()); // the handles of the first member scale all
-    else if (!item.object || (item.object->kind != ObjectKind::Robot && item.object->kind != ObjectKind::Static)) return;
+    m_layoutExtent.reset();
+    if (!members.empty()) {
+        const auto textOfKey = [&](const std::string& key) { return textOf(path + "." + key); };
+        m_layoutExtent = LayoutExtent::of(*m_context.document.loaded(), *placeOf(*m_context.document.loaded(), path), textOfKey);
+        m_layoutItem = {item};
+        m_memberReach = 0.5 * m_context.world.boundsOf(members.front()).size().head<2>().maxCoeff();
+        item.world = m_context.world.poseOf(members.front()); // the handles of the first member scale all
+    }
+    if (members.empty() && (!item.object || (item.object->kind != ObjectKind::Robot && item.object->kind != ObjectKind::Static)))
+        return;
     item.sizes = ParamSizes::of(*m_context.document.loaded(), path);
     const std::string shape = item.sizes ? item.sizes->onlyShape() : std::string();
     if (shape.empty()) return;
@@ -208,6 +228,7 @@ Vec3 TransformSelection::sizeCentre() const {
 }
 
 QString TransformSelection::sizeRefusal() const {
+    if (m_layoutExtent && !m_items.empty() && halfExtent().isZero()) return {}; // it has handles of its own
     return !m_items.empty() && m_items.back().sizes ? m_items.back().sizes->refusal() : QString();
 }
 
@@ -240,15 +261,7 @@ std::array<SizeName, 3> TransformSelection::sizeNames() const {
     }
     const auto& object = m_items.back().object;
     const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
-    const QString size = QStringLiteral("Size "), radius = QStringLiteral("Radius"), length = QStringLiteral("Length");
-    switch (geom ? geom->shape : GeomShape::Plane) {
-    case GeomShape::Box: return {{{size + u'x'}, {size + u'y'}, {size + u'z'}}};
-    case GeomShape::Heightfield: return {{{size + u'x'}, {size + u'y'}, {size + u'z', 1, Sides::Middle}}};
-    case GeomShape::Sphere: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}}};
-    case GeomShape::Cylinder:
-    case GeomShape::Capsule: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {length}}};
-    default: return {};
-    }
+    return geom ? sizeNamesOf(geom->shape) : std::array<SizeName, 3>();
 }
 
 void TransformSelection::follow(Item& item, const Vec3& before, const Vec3& after, int side,
@@ -288,6 +301,18 @@ Status TransformSelection::resize(const Vec3& growth, int side, const QString& n
         else if (const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr)
             resizeGeom(item, *geom, growth, side, fineness.lengthM, edits);
     }
+    return apply(edits, name, mergeKey);
+}
+
+Status TransformSelection::resizeLayout(const Vec3& growth, int side, const QString& name, const std::string& mergeKey,
+                                        Fineness fineness) {
+    if (!m_layoutExtent) return {};
+    const LayoutExtent::Change change = m_layoutExtent->grown(growth, side, fineness.lengthM);
+    Item& item = m_layoutItem.front();
+    std::vector<ValueEdit> edits{{item.path + "." + change.key, change.text}};
+    Pose local = item.local;
+    local.position += item.local.rotation * change.shift;
+    for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
     return apply(edits, name, mergeKey);
 }
 

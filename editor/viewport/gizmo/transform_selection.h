@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "editor/document/document.h"
+#include "editor/viewport/gizmo/layout_extent.h"
 #include "editor/viewport/gizmo/param_sizes.h"
 #include "scene/queries/object_index.h"
 
@@ -59,6 +60,12 @@ public:
     /// instances, the Params that set the extents are changed.
     Status resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, Fineness fineness);
 
+    /// The extent of the Grid or Scatter selected last, for Scale; nullptr without one.
+    [[nodiscard]] const LayoutExtent* layoutExtent() const { return m_layoutExtent ? &*m_layoutExtent : nullptr; }
+    [[nodiscard]] double memberReach() const { return m_memberReach; } ///< m, of a member from its centre, in the plane
+    /// Grows that extent: Spacing and, so that the other side stays, Pos; or Area. Arguments as for resize().
+    Status resizeLayout(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, Fineness fineness);
+
     [[nodiscard]] bool isRunning() const { return m_running; }
 
 private:
@@ -88,6 +95,9 @@ private:
     const ViewContext& m_context;
     std::shared_ptr<const ObjectIndex> m_objects;
     std::vector<Item> m_items;
+    std::optional<LayoutExtent> m_layoutExtent;
+    double m_memberReach = 0;
+    std::vector<Item> m_layoutItem;                 // its Grid or Scatter, one element
     std::vector<ValueEdit> m_last;                  // edits of the last successful call
     std::map<std::string, std::string> m_sizeTexts; // by path, as written before the first resize()
     QString m_refusal;

@@ -307,36 +307,61 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(shipped), kept);
     }
 
-    /// Materials, surfaces and other definitions of shipped imported files can only be changed as text; the message says why.
-    void shippedFilesAreReadOnly() {
+    /// Materials and surfaces of shipped files are copied, and with them the shipped configs that use them.
+    void shippedDefinitionsAreCopied() {
         const DocumentFixture fixture;
-        const std::string main =
-            fixture.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
+        const std::string text = "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n"
+                                 "Robot s { Config=SimpleRobot chassis.bumper.Material=lightgrey }\n",
+                          main = fixture.write("configs/mine.sim", text), colour = "Material.lightgrey.ColorRGB";
         Document d(*m_application);
         QVERIFY(d.open(main).ok());
-        QSignalSpy refused(&d, &Document::refused);
-        int tried = 0;
-        const auto isRefused = [&](const Status& done) {
-            const QString words = refused.isEmpty() ? QString() : refused.takeLast().at(0).toString();
-            return !done.ok() && !d.isModified() && d.history().entries().empty() && words.contains(u"read-only"_qs) &&
-                   words.contains(u"mine.sim"_qs);
+        const Asked asked(d, ShareChoice::ChangeForAll);
+        QSignalSpy notices(&d, &Document::notice), refused(&d, &Document::refused);
+        bool isShown = false; // the status line removes a notice at the next change
+        connect(&d, &Document::changed, this, [&] { isShown = false; });
+        connect(&d, &Document::notice, this, [&] { isShown = true; });
+        const auto isCopied = [&](const std::string& block, const std::string& use) {
+            const std::string now = *d.text(main);
+            const bool fits = isShown && messages(*d.loaded()).empty() && holds(now, block.c_str()) && holds(now, use.c_str()) &&
+                              holds(now, "Robot r { Config=SimpleRobot2 }") && d.history().entries().size() == 1 &&
+                              d.modifiedFiles() == std::vector<std::string>{main} && asked.questions.empty();
+            if (!fits) qWarning("%s%s", messages(*d.loaded()).c_str(), now.c_str());
+            d.undo();
+            return fits && *d.text(main) == text && holds(reportOf(notices), "read-only");
         };
-        const auto loaded = d.loaded();
-        for (const Part* part : loaded->outline->materials.all()) {
-            if (!isShippedFile(*loaded, part->file)) continue;
-            ++tried;
-            QVERIFY(isRefused(d.setValues(u"Set"_qs, {{"Material." + part->name + ".ColorRGB", "1,0,1"}})));
-            QVERIFY(isRefused(d.setValues(u"Drag"_qs, {{"Material." + part->name + ".ColorRGB", "1,0,1"}}, "drag")));
-            QVERIFY(isRefused(d.structure().rename(u"Rename"_qs, "Material." + part->name, "Mine")));
-            QVERIFY(isRefused(d.apply(u"Remove"_qs, planRemove(*d.loaded(), {"Material." + part->name}))) ||
-                    !planRemove(*loaded, {"Material." + part->name}).ok()); // something refers to it
-        }
-        for (const Part* part : loaded->outline->surfaces.all())
-            if (isShippedFile(*loaded, part->file)) {
-                ++tried;
-                QVERIFY(isRefused(d.setValues(u"Set"_qs, {{"Surface." + part->name + ".Friction", "0.1"}})));
-            }
-        QVERIFY(tried > 2);
+        QCOMPARE(why(d.setValues(u"Set"_qs, {{colour, "0,0.9,0"}})), "");
+        QVERIFY(isCopied("Material lightgrey2 { ColorRGB=0,0.9,0 }", "chassis.bumper.Material=lightgrey2"));
+        for (const char* green : {"0,0.7,0", "0,0.8,0"}) QVERIFY(d.setValues(u"Drag"_qs, {{colour, green}}, "drag").ok());
+        QVERIFY(isCopied("Material lightgrey2 { ColorRGB=0,0.8,0 }", "Mass=2.0  Material=lightgrey2"));
+        QCOMPARE(why(d.structure().rename(u"Rename"_qs, "Material.lightgrey", "paint")), "");
+        QVERIFY(isCopied("Material paint {", "chassis.bumper.Material=paint"));
+        QVERIFY(d.setValues(u"Set"_qs, {{"Surface.plastic.Friction", "0.3"}}).ok());
+        QVERIFY(isCopied("Surface plastic2 { Friction=0.3", "Material=lightgrey  Surface=plastic2"));
+        QVERIFY(!d.setValues(u"Set"_qs, {{colour, "7"}}).ok()); // invalid: without a copy, too
+        QVERIFY(!d.isModified());
+        QVERIFY(!d.apply(u"Remove"_qs, planRemove(*d.loaded(), {"Material.concrete"})).ok());
+        QVERIFY(refused.takeLast().at(0).toString().contains(u"read-only"_qs));
+    }
+
+    void shippedParamsAreCopied() {
+        const DocumentFixture fixture;
+        fixture.write("configs/shipped/hall.sim", "Param wide = 3 // m\nStaticConfig Hall { Box b { Size=$wide,1,1 } }\n");
+        fixture.write("configs/own.sim", "#import shipped/hall.sim\nStaticConfig Own { Box b { Size=$wide,1,1 } }\n");
+        const std::string main = fixture.write("configs/mine.sim", "#import shipped/hall.sim\n#import own.sim\n"
+                                                                   "Param far = $(wide+1)\nStatic hall { Config=Hall }\n"
+                                                                   "Static own { Config=Own Pos=$far,0,0 }\n");
+        OtherShipment application(*m_application, fixture.path("configs/shipped"));
+        Document d(application);
+        QVERIFY(d.open(main).ok());
+        QSignalSpy notices(&d, &Document::notice);
+        QCOMPARE(why(d.setValues(u"Set"_qs, {{"wide", "5"}})), "");
+        QVERIFY2(!d.loaded()->diagnostics.hasErrors() && holds(*d.text(main), "Param wide2 = 5\n"), d.text(main)->c_str());
+        const auto& statics = d.loaded()->experiment->statics;
+        QCOMPARE(statics.at(0).geoms->at(0).size.x(), 5.0);
+        QCOMPARE(statics.at(1).pose.position.x(), 6.0);
+        QCOMPARE(statics.at(1).geoms->at(0).size.x(), 3.0); // a file of one's own that other experiments may use
+        QVERIFY(holds(reportOf(notices), "own.sim does not use"));
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
     }
 
     /// A rename also changes texts of the project that the experiment does not load: one entry, one undo.

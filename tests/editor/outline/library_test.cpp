@@ -8,6 +8,7 @@
 #include <QMimeData>
 
 #include "app/locations.h"
+#include "editor/document/structure_edits.h"
 #include "editor/outline/block_mime.h"
 #include "editor/outline/library_items.h"
 #include "editor/outline/library_model.h"
@@ -268,10 +269,21 @@ void LibraryTest::drawsPictures() {
     QVERIFY(s.filled());
     QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
     const QImage cube =
-        s.row(LibrarySection::Robots, "Cube").data(LibraryModel::PictureRole).value<QPixmap>().toImage().scaled(64, 44);
+        s.row(LibrarySection::Objects, "Cube").data(LibraryModel::PictureRole).value<QPixmap>().toImage().scaled(64, 44);
     QVERIFY(!cube.isNull());
     const QColor middle = cube.pixelColor(32, 22);
     QVERIFY2(middle.red() > 2 * middle.blue(), qPrintable(middle.name()));
+
+    // One that an edit made has a picture before it is saved. With a joint it is a robot.
+    QVERIFY(s.document.structure().rename(QStringLiteral("Rename"), "RobotConfig.Cube", "Lump").ok());
+    QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
+    QVERIFY(s.row(LibrarySection::Objects, "Lump").data(LibraryModel::PictureRole).isValid());
+    QVERIFY(s.document
+                .apply({}, planInsert(*s.document.loaded(), "RobotConfig.Lump",
+                                      "Body c { Sphere s { Radius=0.1 Mass=1 } }\n"
+                                      "Hinge h { Parent=b Child=c Axis=0,0,1 }"))
+                .ok());
+    QVERIFY(s.row(LibrarySection::Robots, "Lump").isValid() && !s.row(LibrarySection::Objects, "Lump").isValid());
 }
 
 void LibraryTest::showsFirstSteps() {

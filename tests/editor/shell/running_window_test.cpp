@@ -9,6 +9,8 @@
 
 #include "editor/outline/object_marks.h"
 #include "editor/shell/window_fixture.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/view/viewport_panel.h"
@@ -157,8 +159,11 @@ private Q_SLOTS:
 
     void runLayoutCentresView() {
         QVERIFY(m_window->text().isVisible());
+        m_window->text().page()->edit().setFocus();
+        EVENTUALLY(m_window->text().hasKeyboard());
         m_window->actions().at("view.layoutRun").trigger();
         QVERIFY(m_window->viewport().isVisible() && !m_window->text().isVisible());
+        QVERIFY(m_window->viewport().isAncestorOf(QApplication::focusWidget())); // keys do not go to Properties
         QVERIFY(!m_window->actions().at("view.text").isChecked());
         m_window->actions().at("view.layoutEdit").trigger();
         QVERIFY(m_window->text().isVisible());

@@ -108,6 +108,20 @@ private Q_SLOTS:
         QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("rover.sim")});
     }
 
+    /// The selection stays, except for what an edit inserts, renames or removes.
+    void anEditKeepsTheSelection() {
+        const auto apply = [this](const StructureEdits::Plan& plan) {
+            return document().structure().apply(QStringLiteral("Edit"), {}, plan).ok();
+        };
+        QVERIFY(document().setValues(QStringLiteral("Set"), {{"robot0.b.hull.Mass", "2"}}, {}).ok());
+        m_window->selection().set({"robot1", "robot0"});
+        const std::vector<std::string> both = m_window->selection().paths();
+        QVERIFY(apply([](const auto& loaded, const auto&) { return planPushOverride(loaded, "robot0.b.hull.Mass"); }));
+        QCOMPARE(m_window->selection().paths(), both);
+        QVERIFY(apply([](const auto& loaded, const auto&) { return planRemove(loaded, {"robot0"}); }));
+        QCOMPARE(m_window->selection().paths(), std::vector<std::string>{"robot1"});
+    }
+
 private:
     [[nodiscard]] Document& document() { return m_window->document(); }
     [[nodiscard]] QString path(const char* name) const {

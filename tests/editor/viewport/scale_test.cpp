@@ -81,6 +81,63 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), text);
     }
 
+    void aLayoutHasHandlesForItsExtent_data() {
+        QTest::addColumn<QByteArray>("layout");
+        QTest::addColumn<int>("side");
+        QTest::addColumn<Vec3>("by");
+        QTest::addColumn<bool>("alt");
+        QTest::addColumn<QByteArray>("after");
+        const QByteArray grid = "Grid balls { Config=Ball Pos=0,0,0.1 Count=3,2 Spacing=";
+        QTest::newRow("Grid") << grid + "0.5,0.4 }" << 1 << Vec3(0.4, 0, 0) << false
+                              << QByteArray("Pos=0.2,0,0.1 Count=3,2 Spacing=0.7,0.4 }");
+        QTest::newRow("its other side") << grid + "0.5,0.4 }" << -1 << Vec3(-0.4, 0, 0) << false
+                                        << QByteArray("Pos=-0.2,0,0.1 Count=3,2 Spacing=0.7,0.4 }");
+        QTest::newRow("both sides") << grid + "0.5,0.4 }" << 1 << Vec3(0.2, 0, 0) << true
+                                    << QByteArray("Pos=0,0,0.1 Count=3,2 Spacing=0.7,0.4 }");
+        QTest::newRow("one number") << grid + "0.5 }" << 1 << Vec3(0.4, 0, 0) << false
+                                    << QByteArray("Pos=0.2,0,0.1 Count=3,2 Spacing=0.7,0.5 }");
+        QTest::newRow("in centimetres") << grid + "50 cm,0.4 }" << 1 << Vec3(0.4, 0, 0) << false
+                                        << QByteArray("Spacing=70 cm,0.4 }");
+        QTest::newRow("turned") << QByteArray("Grid balls { Config=Ball Pos=0,0,0.1 HPR=90,0,0 Count=3 Spacing=0.3 }") << 1
+                                << Vec3(0, 0.2, 0) << false << QByteArray("Pos=0,0.1,0.1 HPR=90,0,0 Count=3 Spacing=0.4 }");
+        const QByteArray scatter = "Scatter balls { Config=Ball Pos=0,0,0.1 Count=3 Area=-0.6,-0.6,0.6,0.6 }";
+        QTest::newRow("Scatter") << scatter << 1 << Vec3(0.4, 0, 0) << false << QByteArray("Area=-0.6,-0.6,1,0.6 }");
+        QTest::newRow("below") << scatter << -1 << Vec3(-0.4, 0, 0) << false << QByteArray("Area=-1,-0.6,0.6,0.6 }");
+        QTest::newRow("both edges") << scatter << 1 << Vec3(0.1, 0, 0) << true << QByteArray("Area=-0.7,-0.6,0.7,0.6 }");
+    }
+    /// Beside those of the first member: Spacing of a Grid, whose other side stays, and Area of a Scatter.
+    void aLayoutHasHandlesForItsExtent() {
+        QFETCH(QByteArray, layout);
+        QFETCH(int, side);
+        QFETCH(Vec3, by);
+        QFETCH(bool, alt);
+        QFETCH(QByteArray, after);
+        const QByteArray text = "RobotConfig Ball {\n  Body b { Sphere s { Radius=0.05 Mass=1 } }\n}\n" + layout + "\n";
+        open(text);
+        take("balls", "tool.scale");
+        m_window->panel->settings().setSteps(0.1, 15);
+        const Handle handle{Handle::Kind::Size, 0, side, true};
+        if (alt) { // pressed without it, since Alt and the left button orbit
+            const Vec3 edge(0.6, 0, 0.1);
+            const QPointF from = m_window->view().tools().gizmo().spot(handle).value(),
+                          to = from + *m_window->view().camera().pixelOf(edge + by) - *m_window->view().camera().pixelOf(edge);
+            m_window->press(from);
+            m_window->move(to, Qt::AltModifier, Qt::LeftButton);
+            QTRY_VERIFY2(m_window->text().contains(after), m_window->text().constData());
+            m_window->release(to, Qt::LeftButton, Qt::AltModifier);
+        } else {
+            dragBy(handle, by, Qt::NoModifier, {0, 0, 0.1});
+        }
+        QVERIFY2(m_window->text().contains(after), m_window->text().constData());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 2, 1, true})); // the layout is flat
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), text);
+        QVERIFY(m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0})); // of the first member
+        m_window->trigger("tool.move");
+        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0, 1, true}));
+    }
+
     void paramsAreSizedWhateverTheirFormulaAndUnit_data() {
         QTest::addColumn<QByteArray>("config"); // of Thing; a drag makes it 0.2 m longer along its x axis
         QTest::addColumn<QByteArray>("own");    // values that the instance sets before

@@ -3,9 +3,13 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
 #include <QMessageBox>
 #include <QPainter>
 #include <QProgressBar>
@@ -13,6 +17,8 @@
 #include <QSettings>
 #include <QStandardItemModel>
 #include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <QtTest>
 
 #include "editor/widgets/controls.h"
@@ -187,6 +193,59 @@ private Q_SLOTS:
         QCOMPARE(fixed.font().family(), monospaceFont().family());
         applyTheme(*qApp, ThemeKind::Light);
         QCOMPARE(fixed.font().pixelSize(), 13);
+    }
+
+    void theFocusIsSeen_data() {
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+    void theFocusIsSeen() {
+        QFETCH(bool, dark);
+        applyTheme(*qApp, dark ? ThemeKind::Dark : ThemeKind::Light);
+        QWidget window;
+        QVBoxLayout column(&window);
+        QPushButton push(QStringLiteral("Save"));
+        QToolButton tool;
+        QCheckBox check(QStringLiteral("Snap"));
+        QLineEdit other;
+        for (QWidget* each : std::initializer_list<QWidget*>{&other, &push, &tool, &check}) column.addWidget(each);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        for (QWidget* each : std::initializer_list<QWidget*>{&push, &tool, &check}) {
+            other.setFocus();
+            const QImage without = each->grab().toImage();
+            each->setFocus();
+            QVERIFY(each->hasFocus());
+            QVERIFY2(each->grab().toImage() != without, each->metaObject()->className());
+        }
+        applyTheme(*qApp, ThemeKind::Light);
+    }
+
+    /// Also of docks that exist already.
+    void titlesOfDocksFollowTheFont() {
+        applyTheme(*qApp, ThemeKind::Light);
+        QMainWindow window;
+        const auto titleOf = [&window](QDockWidget& dock) {
+            window.resize(400, 300);
+            window.show();
+            QApplication::processEvents();
+            return dock.grab(QRect(0, 0, 120, 30)).toImage();
+        };
+        auto* dock = new QDockWidget(QStringLiteral("Scene"), &window);
+        dock->setWidget(new QLabel);
+        window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+        const QImage before = titleOf(*dock);
+        applyTheme(*qApp, ThemeKind::Light, {18, 13});
+        const QImage after = titleOf(*dock);
+        QVERIFY(after != before);
+        delete dock;
+        dock = new QDockWidget(QStringLiteral("Scene"), &window); // created with the new font
+        dock->setWidget(new QLabel);
+        window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+        QCOMPARE(after, titleOf(*dock));
+        applyTheme(*qApp, ThemeKind::Light);
     }
 
     void preferencesAreKept() {
