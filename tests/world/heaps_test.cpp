@@ -84,9 +84,9 @@ private Q_SLOTS:
         }
         qInfo("%d robots: pitch %.2f degrees, depth %.1f mm, rise %.1f mm", robots, worst.pitch, 1e3 * worst.depth,
               1e3 * worst.rise);
-        if (tick > 0.02 || robots > 100) return; // only that no joint tears
-        QVERIFY(worst.pitch < 2); // 1 is wanted: few get above it, and for a moment
-        QVERIFY(worst.depth < 0.015); // bumpers catch tyres from behind
+        if (tick > 0.02) return; // only that no joint tears
+        QVERIFY(worst.pitch < 1);
+        QVERIFY(worst.depth < 0.015);
     }
 
     /// As many from the left as from the right: nobody gets anywhere.
@@ -123,7 +123,7 @@ private Q_SLOTS:
         QTest::addColumn<bool>("braked");
         QTest::addColumn<double>("tick");
         for (const double tick : {0.005, 0.01, 0.03})
-            for (const int pushed : {3, 5, 8}) {
+            for (const int pushed : {1, 2, 3, 5, 8}) {
                 if (tick < 0.02) // one blow at 30 ms costs the exact solver itself 10 % and more
                     QTest::addRow("%d that roll, %g ms", pushed, 1e3 * tick) << pushed << false << tick;
                 QTest::addRow("%d braked, %g ms", pushed, 1e3 * tick) << pushed << true << tick;

@@ -31,8 +31,11 @@ void ClusterSolver::step(double h, SolverPlan& plan) {
     ++m_tick;
 }
 
-void ClusterSolver::stepAgain(double h, SolverPlan& plan) {
+void ClusterSolver::takeBack() const {
     for (std::uint32_t i = 0; i < m_objects.bodies.size(); ++i) restore(i);
+}
+
+void ClusterSolver::stepAgain(double h, SolverPlan& plan) {
     --m_tick; // the same random numbers
     run(h, plan);
     ++m_tick;

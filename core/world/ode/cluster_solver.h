@@ -20,7 +20,9 @@ public:
 
     /// One tick. Contact rows of all but the iterated clusters are there.
     void step(double h, SolverPlan& plan);
-    /// The same tick once more, with contact rows as they are now.
+    /// The bodies are as they were before the step.
+    void takeBack() const;
+    /// Then the same tick once more, with contact rows as they are now.
     void stepAgain(double h, SolverPlan& plan);
     [[nodiscard]] std::span<const RawState> before() const { return m_saved; } ///< by body: before the last step
 

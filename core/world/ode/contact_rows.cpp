@@ -53,8 +53,9 @@ void ContactRows::fillSurface(const OdeContact& c, double h, dContact& out) cons
     const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
     dSurfaceParameters& s = out.surface;
     std::memset(&s, 0, sizeof s);
+    const Vec3 point = c.raised == 0 ? vec(c.position) : Vec3(vec(c.position) - c.raised * m_settings.gravity.normalized());
     for (int k = 0; k < 3; ++k) {
-        out.geom.pos[k] = c.position[k];
+        out.geom.pos[k] = point[k];
         out.geom.normal[k] = c.normal[k];
     }
     out.geom.depth = c.depth;
@@ -67,7 +68,6 @@ void ContactRows::fillSurface(const OdeContact& c, double h, dContact& out) cons
         out.geom.depth = 0;
     }
     if (!(law.along > 0) && !(law.across > 0)) return;
-    const Vec3 point = vec(c.position);
     fillFriction(c, law, m_objects.pointVelocity(g1, point) - m_objects.pointVelocity(g2, point), h, out);
 }
 
@@ -95,6 +95,7 @@ FrictionLaw ContactRows::frictionLaw(const OdeContact& c) const {
     const Vec3 normal = vec(c.normal);
     const SurfaceSpec &s1 = m_settings.surfaces[m_geoms[c.first].surface], &s2 = m_settings.surfaces[m_geoms[c.second].surface];
     const double least = std::min(s1.friction, s2.friction);
+    if (c.level) return {normal, normal.cross(m_settings.gravity).normalized(), least, 0};
     if (!s1.friction2 && !s2.friction2) return {normal, Vec3::Zero(), least, least};
     const FrictionLaw a = ownFriction(c.first, normal), b = ownFriction(c.second, -normal);
     const FrictionLaw &own = s1.friction2 ? a : b, &other = s1.friction2 ? b : a;

@@ -16,10 +16,14 @@ constexpr double kRelaxed = 0.7;    // of Gauss-Seidel: the groups give less tha
 constexpr double kRest = 1e-4;      // m: how deep what rests against each other is
 constexpr double kClosing = 0.05;   // share of the rest of the depth, per tick
 constexpr double kFloor = 0.7;      // cosine between its normal and the vertical
-constexpr double kTipping = 0.1;    // share of the torque that would lift a group off the floor
+constexpr double kStanding = 0.8;   // share of the torque that would lift a group off the floor
 constexpr double kSteadyLoad = 0.7; // share of the load before
 
 } // namespace
+
+Vec3 HeapForces::forceOf(const Push& p, double h) {
+    return (p.normal.impulse * p.normal.way + p.across.impulse * p.across.way) / h;
+}
 
 void HeapForces::forget(Run bodies) {
     for (std::uint32_t i = bodies.begin; i < std::min<std::size_t>(bodies.end, m_expected.size()); ++i) m_expected[i] = {};
@@ -34,8 +38,8 @@ std::uint32_t HeapForces::groupIndex(std::uint32_t group) {
     return m_indexOf[group];
 }
 
-void HeapForces::apply(double h, std::span<const OdeContact> contacts, std::span<const OdeBody> bodies,
-                       std::span<const OdeGeom> geoms, const BodyClusters& clusters, std::span<dJointFeedback> feedbacks) {
+void HeapForces::apply(double h, std::span<OdeContact> contacts, std::span<const OdeBody> bodies, std::span<const OdeGeom> geoms,
+                       const BodyClusters& clusters, std::span<dJointFeedback> feedbacks) {
     gather(contacts, bodies, geoms, clusters);
     measure(bodies, clusters);
     for (Push& push : m_pushes) prepare(push, contacts[push.contact], geoms, h);
@@ -51,47 +55,102 @@ void HeapForces::apply(double h, std::span<const OdeContact> contacts, std::span
     ++m_tick;
 }
 
-/// At the height where they touch, as far as that lifts no body: how a push is spread over the height of a contact is not known here.
-void HeapForces::push(double h, std::span<const OdeContact> contacts, std::span<const OdeBody> bodies,
-                      std::span<const OdeGeom> geoms, std::span<dJointFeedback> feedbacks) {
-    const auto forceOf = [h](const Push& p) {
-        return Vec3((p.normal.impulse * p.normal.way + p.across.impulse * p.across.way) / h);
-    };
-    const auto heightOn = [](const Group& g, const Vec3& at) { return g.floor.dot(at - g.centre); };
-    for (const Push& p : m_pushes) {
-        if (p.kind != Kind::Wall) continue;
-        Group& g = m_groups[p.first];
-        const double load = contacts[p.contact].load;
-        g.load += load;
-        if (g.load > 0) g.held += load / g.load * (heightOn(g, vec(contacts[p.contact].position)) - g.held);
-    }
-    for (const Push& p : m_pushes) {
-        if (p.kind != Kind::Pair) continue;
-        const Vec3 at = vec(contacts[p.contact].position), force = forceOf(p);
-        Group &a = m_groups[p.first], &b = m_groups[p.second];
-        a.tip += (heightOn(a, at) - a.held) * a.floor.cross(force);
-        b.tip -= (heightOn(b, at) - b.held) * b.floor.cross(force);
-    }
+/// At one height for all pushes on a group, as far as that lifts nothing, and without rolling its wheels on each other.
+void HeapForces::push(double h, std::span<OdeContact> contacts, std::span<const OdeBody> bodies, std::span<const OdeGeom> geoms,
+                      std::span<dJointFeedback> feedbacks) {
+    findHeights(h, contacts, bodies, geoms);
     const auto give = [&](const Group& g, std::uint32_t geom, const Vec3& at, const Vec3& force) {
-        dBodyAddForceAtPos(bodies[geoms[geom].body].id, force.x(), force.y(), force.z(), at.x(), at.y(), at.z());
-        const double most = kTipping * m_settings.gravity.norm() * std::sqrt(g.mass * g.inertia), tip = g.tip.norm();
-        if (tip <= most) return;
-        const Vec3 against = (most / tip - 1) * (heightOn(g, at) - g.held) * g.floor.cross(force);
-        dBodyAddTorque(bodies[g.heaviest].id, against.x(), against.y(), against.z());
+        const OdeBody& body = bodies[geoms[geom].body];
+        const double own = heightOn(g, vec(body.p));
+        const Vec3 place = at - (heightOn(g, at) - own) * g.floor, torque = (g.height - own) * g.floor.cross(force);
+        dBodyAddForceAtPos(body.id, force.x(), force.y(), force.z(), place.x(), place.y(), place.z());
+        dBodyAddTorque(bodies[g.heaviest].id, torque.x(), torque.y(), torque.z());
     };
     for (const Push& p : m_pushes) {
         if (p.kind != Kind::Pair) continue;
         const OdeContact& c = contacts[p.contact];
-        const Vec3 force = forceOf(p);
+        const Vec3 force = forceOf(p, h);
         give(m_groups[p.first], c.first, vec(c.position), force);
         give(m_groups[p.second], c.second, vec(c.position), -force);
         feedbacks[p.contact] = {};
         Vec3::Map(feedbacks[p.contact].f1) = force;
         Vec3::Map(feedbacks[p.contact].f2) = -force;
     }
+    for (Group& g : m_groups) {
+        findTip(g, h);
+        const Vec3 against = (std::min(1.0, kStanding * standing(g)) - 1) * g.floor.cross(g.tip);
+        dBodyAddTorque(bodies[g.heaviest].id, against.x(), against.y(), against.z());
+    }
 }
 
-void HeapForces::gather(std::span<const OdeContact> contacts, std::span<const OdeBody> bodies, std::span<const OdeGeom> geoms,
+double HeapForces::heightOn(const Group& g, const Vec3& at) { return g.floor.dot(at - g.centre); }
+
+/// All that pushes a group does so at one height, since how a push is spread over the height of a contact is not known: the mean of
+/// theirs, or that of an axle whose wheel touches a wall. Its walls are taken to hold it there.
+void HeapForces::findHeights(double h, std::span<OdeContact> contacts, std::span<const OdeBody> bodies,
+                             std::span<const OdeGeom> geoms) {
+    const auto add = [](Group& g, const Vec3& at, const Vec3& force) {
+        g.pushing += force;
+        g.load += force.norm();
+        if (g.load > 0) g.height += force.norm() / g.load * (heightOn(g, at) - g.height);
+    };
+    const Vec3 up = -m_settings.gravity.normalized();
+    m_feet.clear();
+    for (const Push& p : m_pushes) {
+        const Vec3 at = vec(contacts[p.contact].position), force = forceOf(p, h);
+        Group& g = m_groups[p.first];
+        if (p.kind == Kind::Wall) g.walled = true;
+        if (p.kind == Kind::Floor) {
+            m_feet.push_back({at - g.centre, force, p.friction / h, g.feet});
+            g.feet = static_cast<std::uint32_t>(m_feet.size() - 1);
+        }
+        if (p.kind != Kind::Pair) continue;
+        add(g, at, force);
+        add(m_groups[p.second], at, -force);
+    }
+    for (const Push& p : m_pushes) {
+        const std::uint32_t body = geoms[contacts[p.contact].first].body;
+        if (p.kind == Kind::Wall && body != m_groups[p.first].heaviest)
+            m_groups[p.first].height = heightOn(m_groups[p.first], vec(bodies[body].p));
+    }
+    for (const Push& p : m_pushes) {
+        OdeContact& c = contacts[p.contact];
+        if (p.kind != Kind::Wall) continue;
+        const Group& g = m_groups[p.first];
+        c.raised = (g.height - heightOn(g, vec(c.position))) / g.floor.dot(up);
+    }
+}
+
+/// What all forces do to it: the floor's grip is what its rows found and what else moved the group. Walls take what the floor does not.
+void HeapForces::findTip(Group& g, double h) const {
+    double most = 0, feet = 0, low = 0;
+    Vec3 grip = g.mass * (g.pushed / h - m_settings.gravity + m_settings.gravity.dot(g.floor) * g.floor);
+    for (std::uint32_t i = g.feet; i != kNone; i = m_feet[i].next) {
+        grip += m_feet[i].force;
+        most += m_feet[i].most;
+        low += (m_feet[i].arm.dot(g.floor) - low) / ++feet;
+    }
+    if (grip.norm() > most) grip *= most / grip.norm();
+    g.tip = low * grip + g.height * (g.walled ? Vec3(-grip) : g.pushing);
+}
+
+/// How much of `tip` would lift it: where the floor's load would have to act is beyond the line between any two of its contacts.
+double HeapForces::standing(const Group& g) const {
+    const double weight = -g.mass * m_settings.gravity.dot(g.floor);
+    const Vec3 way = g.tip / weight;
+    const auto beside = [&](const Vec3& arm) { return g.floor.dot(way.cross(arm)); };
+    double most = 0;
+    for (std::uint32_t a = g.feet; a != kNone; a = m_feet[a].next)
+        for (std::uint32_t b = m_feet[a].next; b != kNone; b = m_feet[b].next) {
+            const double left = beside(m_feet[a].arm), right = beside(m_feet[b].arm);
+            if (left * right > 0 || left == right) continue;
+            const Vec3 between = (left * m_feet[b].arm - right * m_feet[a].arm) / (left - right);
+            most = std::max(most, way.dot(between) / way.squaredNorm());
+        }
+    return most;
+}
+
+void HeapForces::gather(std::span<OdeContact> contacts, std::span<const OdeBody> bodies, std::span<const OdeGeom> geoms,
                         const BodyClusters& clusters) {
     m_pushes.clear();
     m_groups.clear();
@@ -106,11 +165,12 @@ void HeapForces::gather(std::span<const OdeContact> contacts, std::span<const Od
         push.second = groupIndex(clusters.groupOf(geoms[contacts[i].second].body));
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) { // what holds them
-        const OdeContact& c = contacts[i];
+        OdeContact& c = contacts[i];
         const std::uint32_t index = m_indexOf[clusters.groupOf(geoms[c.first].body)];
         if (geoms[c.second].body != kNone || index == kNone) continue;
         const double up = -vec(c.normal).dot(m_settings.gravity.normalized());
         if (up > kFloor) m_groups[index].floor += vec(c.normal);
+        c.level = up <= kFloor;
         Push& push = m_pushes.emplace_back();
         push.contact = i;
         push.kind = up > kFloor ? Kind::Floor : Kind::Wall;

@@ -45,6 +45,7 @@ void OdeDynamics::solve(double h) {
     while (m_settings.solver != SolverChoice::Quick &&
            m_impacts.needRepeat(m_contacts.all, m_contacts.feedbacks, m_objects.bodies, m_objects.geoms, m_solver.before())) {
         m_rows.clear();
+        m_solver.takeBack(); // rows depend on the velocities
         m_rows.make(m_contacts, h);
         m_solver.stepAgain(h, m_plan);
     }

@@ -121,6 +121,8 @@ struct OdeContact {
     double friction = 0;   ///< of a blow and what goes with it: the smaller of both surfaces'
     double loadNow = -1;   ///< N in the last solution of this tick, which bounds friction in the next one; negative: none
     bool outside = false;  ///< pushes by HeapForces, not by rows of the solver
+    double raised = 0;     ///< m: how much higher its rows act than it is
+    bool level = false;    ///< of a wall and what HeapForces pushes: friction acts in the plane of the floor alone
     bool iterated = false; ///< of a cluster that is iterated
     // Of the contact of the last tick that this one continues (ContactMemory):
     std::uint32_t ticks = 0;      ///< that it has lasted

@@ -1,7 +1,8 @@
 #pragma once
 // Which solver takes what, tick by tick: each cluster by itself, so that a body without contacts is solved the same whatever happens
-// elsewhere. Small clusters are exact. In a large one the robots, and what stands on the floor beside them, push each other through
-// HeapForces; what then still hangs together is exact if it is small, else iterated in short steps.
+// elsewhere. A robot with what it touches is exact. Robots that touch each other, and what stands on the floor beside them, push each
+// other through HeapForces, but for arms among up to three robots; what then still hangs together is exact if it is small, else
+// iterated in short steps.
 
 #include <span>
 #include <vector>
@@ -12,7 +13,7 @@ namespace trundle {
 
 class SolverPlan {
 public:
-    void setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints) { m_clusters.setUp(bodies, joints); }
+    void setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints);
     /// Marks the contacts: `outside`, `iterated`.
     void make(SolverChoice choice, const Vec3& up, std::span<OdeContact> contacts, std::span<const OdeGeom> geoms);
     /// Once the contacts between bodies are known to matter: a solver failed.
@@ -34,7 +35,9 @@ private:
 
     BodyClusters m_clusters;
     std::vector<std::uint32_t> m_iterated;
-    std::vector<bool> m_stands; ///< by group
+    std::vector<bool> m_stands;  ///< by group
+    std::vector<bool> m_carries; ///< by body: itself or what it carries touches the floor
+    std::vector<std::uint32_t> m_parents;
     bool m_found = false, m_hasOutside = false;
     std::uint32_t m_largest = 0, m_largestName = 0;
 };
