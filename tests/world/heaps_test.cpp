@@ -84,8 +84,8 @@ private Q_SLOTS:
         }
         qInfo("%d robots: pitch %.2f degrees, depth %.1f mm, rise %.1f mm", robots, worst.pitch, 1e3 * worst.depth,
               1e3 * worst.rise);
-        if (tick > 0.02) return; // only that no joint tears
         QVERIFY(worst.pitch < 1);
+        if (tick > 0.02) return; // 12 mm go by in a tick before anything touches
         QVERIFY(worst.depth < 0.015);
     }
 
