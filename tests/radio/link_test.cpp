@@ -38,6 +38,23 @@ class LinkTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    /// No link beyond the range reaches the power, with the best draw of shadowing and the best of a second ray; just inside one may.
+    void noLinkIsBeyondTheRange() {
+        const auto rangeOf = [](const MediumSettings& settings) { return LinkModel(settings).range(0, -90); };
+        MediumSettings ideal, shadowed, steep;
+        shadowed.shadowing = 8;
+        steep.shadowing = 8;
+        steep.model = PropagationModel::LogDistance;
+        steep.exponent = 3.5;
+        const double lossAtOne = 20 * std::log10(4 * M_PI / wavelength(ideal.frequency));
+        QVERIFY(std::abs(rangeOf(ideal) / std::pow(10, (90 - lossAtOne) / 20) - 1) < 1e-6);
+        QVERIFY(std::abs(rangeOf(shadowed) / std::pow(10, (90 + 4 * 8 - lossAtOne) / 20) - 1) < 1e-6); // drawn up to 4 sigma
+        QVERIFY(std::abs(rangeOf(steep) / std::pow(10, (90 + 4 * 8 - lossAtOne) / 35) - 1) < 1e-6);
+        MediumSettings ground = ideal;
+        ground.model = PropagationModel::TwoRay;
+        QVERIFY(rangeOf(ground) > 1.99 * rangeOf(ideal)); // two rays in phase: twice the field
+    }
+
     void turnedAntennasMatchTheClosedForm() {
         std::mt19937_64 random(20261122);
         const auto lobe = std::make_shared<const AntennaPattern>(AntennaPattern::of(AntennaModel::Cosine));

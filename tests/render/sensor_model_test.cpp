@@ -90,6 +90,19 @@ private Q_SLOTS:
         QVERIFY(image.pixels[3 * 7] == 0 && image.pixels[3 * 8] == 200);
     }
 
+    /// Between four pixels: more of those that are nearer, across and down.
+    void aLensMixesNeighbours() {
+        Image drawn{2, 2, std::vector<std::uint8_t>(12, 0)};
+        drawn.pixels[3] = 100;     // right above
+        drawn.pixels[3 * 2] = 200; // left below
+        LensMap lens;
+        lens.width = lens.height = 2;
+        lens.sources.assign(kPixels, LensMap::Source{0.75f, 1.25f}); // a quarter to the right, three quarters down
+        const CameraImage image = applySensorModel(camera(CameraMode::Colour, 0), lens, drawn);
+        QCOMPARE(int(image.pixels[0]), int(std::lround(0.25 * 0.25 * 100 + 0.75 * 0.75 * 200)));
+        QCOMPARE(int(image.pixels[1]), 0);
+    }
+
     /// Another camera, seed or image has other errors; the same has the same.
     void noiseIsOfOneCameraSeedAndImage() {
         const auto noisy = [](CameraMode mode, const char* path, std::uint64_t seed, std::uint64_t tick) {

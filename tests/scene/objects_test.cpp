@@ -4,6 +4,7 @@
 #include <random>
 
 #include "render/sample_experiment.h"
+#include "scene/queries/camera_model.h"
 #include "scene/queries/framing.h"
 #include "scene/queries/ghosts.h"
 #include "scene/queries/ray_cast.h"
@@ -155,6 +156,48 @@ private Q_SLOTS:
         check("follow", origin.position, 0);
         check("chase", origin.position, 0.7);
         QVERIFY(!namedView(*experiment, "other", poses));
+    }
+
+    /// Bodies are counted through all robots, also those without a camera.
+    void camerasAreOnTheBodiesOfTheirRobots() {
+        auto experiment = std::make_shared<ExperimentSpec>();
+        for (const char* name : {"one", "two", "three"}) {
+            auto config = std::make_shared<RobotConfigSpec>();
+            config->bodies.resize(2);
+            config->bodies[0].name = "base";
+            config->bodies[1].name = "mast";
+            for (const char* body : {"mast", "base"}) {
+                ComponentSpec camera;
+                camera.kind = "Camera";
+                camera.name = std::string("on_") + body;
+                camera.values["Body"] = {{PropertyType::Reference, {}, {body}}, {}, Origin::Config};
+                if (std::string(name) != "two") config->devices.push_back(camera);
+            }
+            RobotSpec robot;
+            robot.name = name;
+            robot.config = config;
+            experiment->robots.push_back(robot);
+        }
+        std::map<std::string, std::size_t> bodies;
+        for (const CameraModel& camera : camerasOf(*experiment)) bodies[camera.path] = camera.body;
+        const std::map<std::string, std::size_t> expected{
+            {"one/on_base", 0}, {"one/on_mast", 1}, {"three/on_base", 4}, {"three/on_mast", 5}};
+        QVERIFY(bodies == expected);
+    }
+
+    /// A room around a robot is in the picture as a whole, of a landscape only what is near the robot.
+    void defaultViewShowsTheRoom() {
+        for (const auto& [side, isWhole] : {std::pair{4.0, true}, {400.0, false}}) {
+            const auto experiment = sampleExperiment({1, 0.7, true, side});
+            const CameraView view = defaultView(*experiment, startPoses(*experiment), 400, 300);
+            bool isShown = true;
+            for (const Vec3& corner : {Vec3(1, 1, 0), Vec3(-1, 1, 0), Vec3(1, -1, 0), Vec3(-1, -1, 0)}) {
+                const auto at = project(view, 400, 300, 0.49 * side * corner);
+                isShown = isShown && at && at->x > 0 && at->x < 400 && at->y > 0 && at->y < 300;
+            }
+            QCOMPARE(isShown, isWhole);
+            QVERIFY(view.eye.norm() < 15);
+        }
     }
 
     /// Random rays: hits on exact shapes agree with hits on the drawn triangles.
