@@ -35,6 +35,35 @@ double sine(double degrees) {
     return std::sin(degrees * std::numbers::pi / 180);
 }
 
+/// An element that is written out; of others only where it is.
+GivenElement literalOf(const Element& element, FileId file) {
+    GivenElement given;
+    given.range = {file, element.range};
+    switch (element.kind) {
+    case Element::Kind::Number:
+        given.kind = GivenElement::Kind::Number;
+        given.number = element.number;
+        given.unit = element.unit;
+        if (!element.unit.empty()) given.unitRange = {file, element.unitRange};
+        break;
+    case Element::Kind::Word:
+        given.kind = GivenElement::Kind::Word;
+        given.text = element.text;
+        break;
+    case Element::Kind::String:
+        given.kind = GivenElement::Kind::String;
+        given.text = element.text;
+        break;
+    case Element::Kind::Boolean:
+        given.kind = GivenElement::Kind::Boolean;
+        given.boolean = element.boolean;
+        break;
+    case Element::Kind::ParamRef:
+    case Element::Kind::Expression: break;
+    }
+    return given;
+}
+
 } // namespace
 
 void ParamScope::declare(const std::vector<SourceParam>& params) {
@@ -94,45 +123,9 @@ void Evaluator::checkAll(ParamScope& scope) {
 }
 
 bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scope, GivenValue& out) {
-    GivenElement given;
-    given.range = {file, element.range};
-    switch (element.kind) {
-    case Element::Kind::Number:
-        given.kind = GivenElement::Kind::Number;
-        given.number = element.number;
-        given.unit = element.unit;
-        if (!element.unit.empty()) given.unitRange = {file, element.unitRange};
-        break;
-    case Element::Kind::Word:
-        given.kind = GivenElement::Kind::Word;
-        given.text = element.text;
-        break;
-    case Element::Kind::String:
-        given.kind = GivenElement::Kind::String;
-        given.text = element.text;
-        break;
-    case Element::Kind::Boolean:
-        given.kind = GivenElement::Kind::Boolean;
-        given.boolean = element.boolean;
-        break;
-    case Element::Kind::ParamRef: {
-        const GivenValue* value = paramValue(element.text, given.range, scope);
-        if (!value) return false;
-        out.fromParam = true;
-        if (out.elements.size() + value->elements.size() > kMaxElements) {
-            m_diagnostics.error(Code::WrongCount, given.range, "the list grows beyond 100000 elements");
-            return false;
-        }
-        for (GivenElement e : value->elements) {
-            if (!e.source.known()) e.source = e.range;
-            e.range = given.range;
-            e.unitRange = {};
-            e.literal = false;
-            out.elements.push_back(std::move(e));
-        }
-        return true;
-    }
-    case Element::Kind::Expression: {
+    if (element.kind == Element::Kind::ParamRef) return addParam(element.text, {file, element.range}, scope, out);
+    GivenElement given = literalOf(element, file);
+    if (element.kind == Element::Kind::Expression) {
         if (!element.expression) return false; // reported by the parser
         const std::optional<Amount> result = amount(*element.expression, file, scope);
         if (!result) return false;
@@ -141,10 +134,27 @@ bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scop
         given.number = result->value;
         given.unit = result->unit;
         given.literal = false;
-        break;
-    }
     }
     out.elements.push_back(std::move(given));
+    return true;
+}
+
+/// All elements of a Param, which may be a list.
+bool Evaluator::addParam(std::string_view name, SourceRange place, ParamScope& scope, GivenValue& out) {
+    const GivenValue* value = paramValue(name, place, scope);
+    if (!value) return false;
+    out.fromParam = true;
+    if (out.elements.size() + value->elements.size() > kMaxElements) {
+        m_diagnostics.error(Code::WrongCount, place, "the list grows beyond 100000 elements");
+        return false;
+    }
+    for (GivenElement e : value->elements) {
+        if (!e.source.known()) e.source = e.range;
+        e.range = place;
+        e.unitRange = {};
+        e.literal = false;
+        out.elements.push_back(std::move(e));
+    }
     return true;
 }
 

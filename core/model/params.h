@@ -64,6 +64,7 @@ private:
         std::string unit;
     };
     bool addElement(const Element& element, FileId file, ParamScope& scope, GivenValue& out);
+    bool addParam(std::string_view name, SourceRange place, ParamScope& scope, GivenValue& out);
     [[nodiscard]] const GivenValue* paramValue(std::string_view name, SourceRange place, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> amount(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> paramAmount(const Expression& e, FileId file, ParamScope& scope);

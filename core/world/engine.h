@@ -163,8 +163,6 @@ public:
     /// Largest number of contacts in a cluster that the exact solver has solved because of Solver = exact; counted only above
     /// kExactClusterMax.
     [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
-    /// Number of solver messages about singular systems; 0 in a healthy world.
-    [[nodiscard]] virtual std::uint64_t solverWarnings() const = 0;
     /// Bodies times ticks in which one moved farther than it is thick, so that its path was searched for scenery.
     [[nodiscard]] virtual std::uint64_t sweptBodies() const = 0;
     /// Geoms of two actors that passed through each other within a tick; once for two actors, the first 20.

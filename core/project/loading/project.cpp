@@ -30,6 +30,21 @@ Result<std::string> readTable(const std::string& path) {
     return text;
 }
 
+/// Where imported files are looked for, in this order.
+std::vector<std::string> importFolders(const std::string& projectFolder, const ProjectOptions& options) {
+    std::vector<std::string> folders{projectFolder};
+    folders.insert(folders.end(), options.includeFolders.begin(), options.includeFolders.end());
+    folders.push_back(options.shippedConfigs);
+    return folders;
+}
+
+/// The same for textures and meshes.
+std::vector<std::string> pictureFolders(std::vector<std::string> folders, const ProjectOptions& options) {
+    if (options.resources.empty()) return folders;
+    for (const char* below : {"", "/textures", "/meshes"}) folders.push_back(options.resources + below);
+    return folders;
+}
+
 /// Removes repeated errors: a wrong Param is reported once, however many properties use it.
 std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
     std::map<std::tuple<Code, SourceRange>, std::size_t> first; // index in kept
@@ -166,17 +181,10 @@ Result<Project::Attempt> Project::attempt(const std::string& path, std::size_t m
     Attempt attempt;
     auto loaded = std::make_shared<LoadedProject>();
     loaded->projectFolder = projectFolderOf(path);
-    std::vector<std::string> folders{loaded->projectFolder};
-    folders.insert(folders.end(), m_options.includeFolders.begin(), m_options.includeFolders.end());
-    folders.push_back(m_options.shippedConfigs);
-    loaded->importFolders = folders;
+    loaded->importFolders = importFolders(loaded->projectFolder, m_options);
     if (!m_options.shippedConfigs.empty()) loaded->shippedConfigs = canonicalPath(m_options.shippedConfigs);
-    const FileSearch imports(folders, &m_options.texts);
-    const std::vector<std::string> importable = folders;
-    if (!m_options.resources.empty()) {
-        for (const char* below : {"", "/textures", "/meshes"}) folders.push_back(m_options.resources + below);
-    }
-    const FileSearch pictures(folders);
+    const FileSearch imports(loaded->importFolders, &m_options.texts);
+    const FileSearch pictures(pictureFolders(loaded->importFolders, m_options));
 
     Diagnostics& diagnostics = attempt.diagnostics;
     Loader loader(
@@ -209,7 +217,7 @@ Result<Project::Attempt> Project::attempt(const std::string& path, std::size_t m
     loaded->experiment = std::move(experiment);
     attempt.said = diagnostics.all();
     offerModules(*loaded, m_catalog, attempt.said);
-    offerImports(*loaded, imports, importable, attempt.said);
+    offerImports(*loaded, imports, loaded->importFolders, attempt.said);
     attempt.limitedFile = loader.limitedFile();
     attempt.loaded = std::move(loaded);
     return attempt;

@@ -23,7 +23,6 @@ public:
     [[nodiscard]] Quat turnedFreely(const Quat& rotation, const Vec3& momentum, double h) const;
     /// How the rate changes in `h` seconds by the midpoint rule, times the inertia; all in the body's axes.
     [[nodiscard]] Vec3 changeByMidpoint(const Vec3& rate, double h) const;
-    [[nodiscard]] const Mat3& tensor() const { return m_tensor; }
 
 private:
     Mat3 m_tensor = Mat3::Identity(), m_inverse = Mat3::Identity();

@@ -45,7 +45,6 @@ void OdeEngine::findContacts() {
 
 std::optional<EngineFault> OdeEngine::step(double h) {
     if (m_fault) return m_fault;
-    const std::uint64_t before = odeMessages();
     try {
         prepareThread();
         m_dynamics.prepare();
@@ -60,7 +59,6 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         m_world.abandonThreading();
         m_fault = interruptedFault(m_objects);
     }
-    m_solverWarnings += odeMessages() - before;
     return m_fault;
 }
 

@@ -45,7 +45,6 @@ public:
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_dynamics.solver().quickTicks(); }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_dynamics.solver().rescuedTicks(); }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_dynamics.largestExactCluster(); }
-    [[nodiscard]] std::uint64_t solverWarnings() const override { return m_solverWarnings; }
     [[nodiscard]] std::uint64_t sweptBodies() const override { return m_sweep.count(); }
     [[nodiscard]] std::span<const IndexPair> passages() const override { return m_sweep.passages(); }
 
@@ -66,7 +65,6 @@ private:
     OdeSweep m_sweep{m_settings, m_objects, m_dynamics.rotation(), m_search, m_collider};
     RayCaster m_rays{m_objects};
     mutable ContactsByGeom m_byGeom;
-    std::uint64_t m_solverWarnings = 0;
     std::optional<EngineFault> m_fault;
 };
 
