@@ -55,6 +55,7 @@ struct Bench {
         layout->add("robot0/motor/count", "", SignalType::Integer, SignalDirection::Output);
         layout->add("robot0/motor/hot", "", SignalType::Boolean, SignalDirection::Output);
         layout->add("robot0/motor/ranges", "m", SignalType::Real, SignalDirection::Output, 360);
+        layout->add("robot0/motor/six", "m", SignalType::Real, SignalDirection::Output, 6); // the most that is shown whole
         layout->add("robot0/motor/odometry", "", SignalType::Real, SignalDirection::Output, 3);
         layout->add("robot0/brain/charge", "J", SignalType::Real, SignalDirection::Output);
         if (!registry->add(motorKind())) qFatal("no kind");
@@ -156,7 +157,8 @@ private Q_SLOTS:
         QCOMPARE(
             b.read("robot0.motor"),
             std::string("voltage = 6.000 V; current = 12.35 mA; count = 123456789; hot = true; ranges = 0.000, 0.000, 0.000, "
-                        "0.000, 0.000, 0.000, … m; odometry x, y = 0.000, 0.000 m; odometry heading = 90.00 °"));
+                        "0.000, 0.000, 0.000, … m; six = 0.000, 0.000, 0.000, 0.000, 0.000, 0.000 m; odometry x, y = 0.000, "
+                        "0.000 m; odometry heading = 90.00 °"));
         const auto& values = b.objects->read("robot0.motor", b.snapshot);
         QVERIFY(values[0].commanded && !values[1].commanded);
         QCOMPARE(values[1].signal, std::string("robot0/motor/current"));
