@@ -148,7 +148,7 @@ bool BoxSolver::solveInside(const BoxProblem& problem, unsigned rows) {
     if (!m_matrix.eliminate(last)) return false;
     m_packed.assign(TileMatrix::padded(last + 1), 0);
     m_packed[last] = -1;
-    m_matrix.solveBack(last, m_packed.data());
+    m_matrix.solveBack(0, last, m_packed.data());
     for (unsigned a = 0; a < count; ++a) m_x[m_inside[a]] = m_packed[a];
     return true;
 }

@@ -9,28 +9,63 @@ namespace trundle {
 
 namespace {
 
-constexpr unsigned kFewRows = 48; // that many are a full matrix, and their order does not matter
+constexpr unsigned kFewRows = 48;    // that many are a full matrix, and their order does not matter
+constexpr unsigned kFewBounded = 14; // with more some mostly are at their bounds
+constexpr double kHuge = 1e300;
 
 } // namespace
 
 bool RowSolver::solve(const IslandRows& island, double* pairs) {
     sort(island);
-    place();
-    if (island.rows > kFewRows) {
+    const bool full = island.rows <= kFewRows;
+    if (full && m_bounded.size() <= kFewBounded && solveInside(island, pairs)) return true;
+    place(TileMatrix::padded(static_cast<unsigned>(m_free.size())));
+    if (!full) {
         findPattern(island);
         order();
     }
     if (!eliminate(island, pairs)) return false;
-    pack();
-    if (!solveBounded(island)) return false;
+    pack(full);
     const auto bounded = static_cast<unsigned>(m_bounded.size());
     m_x.assign(TileMatrix::padded(m_begin + bounded + 1), 0);
-    for (unsigned i = 0; i < bounded; ++i) m_x[m_begin + i] = m_box.solution()[i];
     m_x[m_begin + bounded] = -1; // the right side, as a row
-    m_matrix.solveBack(m_begin, m_x.data());
+    if (!solveBounded(island)) return false;
+    m_matrix.solveBack(0, m_begin, m_x.data());
+    return write(island, pairs);
+}
+
+bool RowSolver::write(const IslandRows& island, double* pairs) const {
     for (unsigned i = 0; i < island.rows; ++i)
         if (!std::isfinite(m_x[m_places[i]])) return false;
     for (unsigned i = 0; i < island.rows; ++i) pairs[2 * i + 1] = m_x[m_places[i]];
+    return true;
+}
+
+/// As it mostly is with robots that drive: all rows are inside their bounds, and one elimination says so. False where some are not.
+bool RowSolver::solveInside(const IslandRows& island, double* pairs) {
+    place(static_cast<unsigned>(m_free.size()));
+    const unsigned last = island.rows, noFriction = m_begin + m_frictionBegin;
+    m_matrix.start(last + 1, true);
+    fillFull(island);
+    double* const right = m_matrix.rowOf(last);
+    for (unsigned i = 0; i < last; ++i) right[m_places[i] * TileMatrix::kTile] = pairs[2 * i];
+    right[last * TileMatrix::kTile] = kHuge; // it is eliminated with its tile
+    if (!m_matrix.eliminate(TileMatrix::padded(last + 1))) return false;
+    m_x.assign(TileMatrix::padded(last + 1), 0);
+    m_x[last] = -1;
+    if (m_frictionBegin < m_bounded.size()) {
+        m_matrix.solveBack(m_begin / TileMatrix::kTile * TileMatrix::kTile, noFriction, m_x.data());
+        if (!isInside(m_frictionBegin)) return false;
+        boundFriction(island);
+    }
+    m_matrix.solveBack(0, last, m_x.data());
+    return isInside(static_cast<unsigned>(m_bounded.size())) && write(island, pairs);
+}
+
+/// The first so many of the bounded rows.
+bool RowSolver::isInside(unsigned bounded) const {
+    for (unsigned i = 0; i < bounded; ++i)
+        if (!(m_low[i] <= m_x[m_begin + i] && m_x[m_begin + i] <= m_high[i])) return false;
     return true;
 }
 
@@ -47,6 +82,25 @@ void RowSolver::sort(const IslandRows& island) {
     m_frictionBegin = static_cast<unsigned>(m_bounded.size());
     for (unsigned i = 0; island.normals && i < island.rows; ++i)
         if (island.normals[i] >= 0) m_bounded.push_back(i);
+    bound(island);
+}
+
+void RowSolver::bound(const IslandRows& island) {
+    m_low.resize(m_bounded.size());
+    m_high.resize(m_bounded.size());
+    for (unsigned i = 0; i < m_bounded.size(); ++i) {
+        m_low[i] = island.bounds[2 * m_bounded[i]];
+        m_high[i] = island.bounds[2 * m_bounded[i] + 1];
+    }
+}
+
+/// Of friction, from the solution without any.
+void RowSolver::boundFriction(const IslandRows& island) {
+    for (unsigned i = m_frictionBegin; i < m_bounded.size(); ++i) {
+        const double load = m_x[m_places[static_cast<unsigned>(island.normals[m_bounded[i]])]];
+        m_high[i] = load == 0 ? 0 : std::abs(island.bounds[2 * m_bounded[i] + 1] * load);
+        m_low[i] = -m_high[i];
+    }
 }
 
 void RowSolver::findPattern(const IslandRows& island) {
@@ -63,10 +117,10 @@ void RowSolver::findPattern(const IslandRows& island) {
     }
 }
 
-/// Where each row stands in the matrix: first the free ones, then the bounded ones.
-void RowSolver::place() {
+/// Where each row stands in the matrix: first the free ones, then from `begin` on the bounded ones.
+void RowSolver::place(unsigned begin) {
     m_places.resize(m_free.size() + m_bounded.size());
-    m_begin = TileMatrix::padded(static_cast<unsigned>(m_free.size()));
+    m_begin = begin;
     for (unsigned i = 0; i < m_free.size(); ++i) m_places[m_free[i]] = i;
     for (unsigned i = 0; i < m_bounded.size(); ++i) m_places[m_bounded[i]] = m_begin + i;
 }
@@ -89,14 +143,18 @@ void RowSolver::order() {
 }
 
 void RowSolver::fillFull(const IslandRows& island) {
+    constexpr unsigned kStep = TileMatrix::kTile;
+    const auto free = static_cast<unsigned>(m_free.size());
+    const unsigned inPlace = free > 0 && m_free.back() + 1 == free ? free : 0; // as ODE has them
+    const unsigned* const places = m_places.data();
     for (unsigned i = 0; i < island.rows; ++i) {
         const double* const from = island.matrix + std::size_t(i) * island.stride;
-        const unsigned here = m_places[i];
+        const unsigned here = places[i], plain = std::min(inPlace, i + 1);
         double* const row = m_matrix.rowOf(here);
-        for (unsigned j = 0; j <= i; ++j) {
-            const unsigned there = m_places[j];
-            if (there <= here) row[there * TileMatrix::kTile] = from[j];
-            else m_matrix.rowOf(there)[here * TileMatrix::kTile] = from[j];
+        for (unsigned j = 0; j < plain; ++j) row[j * kStep] = from[j];
+        for (unsigned j = plain; j <= i; ++j) {
+            const unsigned there = places[j];
+            *(there <= here ? row + there * kStep : m_matrix.rowOf(there) + here * kStep) = from[j];
         }
     }
 }
@@ -125,36 +183,34 @@ bool RowSolver::eliminate(const IslandRows& island, const double* pairs) {
 }
 
 /// What remains for the bounded rows.
-void RowSolver::pack() {
+void RowSolver::pack(bool full) {
     const auto bounded = static_cast<unsigned>(m_bounded.size());
     m_rest.resize(std::size_t(bounded) * bounded);
     m_right.resize(bounded);
-    for (unsigned i = 0; i < bounded; ++i) {
-        for (unsigned j = 0; j <= i; ++j)
-            m_rest[std::size_t(i) * bounded + j] = m_rest[std::size_t(j) * bounded + i] = m_matrix.at(m_begin + i, m_begin + j);
-        m_right[i] = m_matrix.at(m_begin + bounded, m_begin + i);
-    }
+    const auto pack = [&](auto&& at) {
+        for (unsigned i = 0; i < bounded; ++i) {
+            for (unsigned j = 0; j <= i; ++j)
+                m_rest[std::size_t(i) * bounded + j] = m_rest[std::size_t(j) * bounded + i] = at(m_begin + i, m_begin + j);
+            m_right[i] = at(m_begin + bounded, m_begin + i);
+        }
+    };
+    if (full) pack([this](unsigned row, unsigned column) { return m_matrix.atInFull(row, column); });
+    else pack([this](unsigned row, unsigned column) { return m_matrix.at(row, column); });
 }
 
 bool RowSolver::solveBounded(const IslandRows& island) {
     const auto bounded = static_cast<unsigned>(m_bounded.size());
-    m_low.resize(bounded);
-    m_high.resize(bounded);
-    m_box.start(bounded);
-    for (unsigned i = 0; i < bounded; ++i) {
-        m_low[i] = island.bounds[2 * m_bounded[i]];
-        m_high[i] = island.bounds[2 * m_bounded[i] + 1];
-    }
     const BoxProblem problem{m_rest.data(), bounded, m_right, m_low, m_high};
-    if (!m_box.solve(problem, m_frictionBegin)) return false;
+    m_box.start(bounded);
+    const auto solve = [&](unsigned rows) {
+        if (!m_box.solve(problem, rows)) return false;
+        std::copy_n(m_box.solution().begin(), rows, m_x.begin() + m_begin);
+        return true;
+    };
+    if (!solve(m_frictionBegin)) return false;
     if (m_frictionBegin == bounded) return true;
-    for (unsigned i = m_frictionBegin; i < bounded; ++i) {
-        const unsigned place = m_places[static_cast<unsigned>(island.normals[m_bounded[i]])] - m_begin;
-        const double load = m_box.solution()[place];
-        m_high[i] = load == 0 ? 0 : std::abs(m_high[i] * load);
-        m_low[i] = -m_high[i];
-    }
-    return m_box.solve(problem, bounded);
+    boundFriction(island);
+    return solve(bounded);
 }
 
 } // namespace trundle

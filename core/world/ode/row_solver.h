@@ -28,13 +28,18 @@ public:
 
 private:
     void sort(const IslandRows& island);
-    void place();
+    void bound(const IslandRows& island);
+    [[nodiscard]] bool solveInside(const IslandRows& island, double* pairs);
+    [[nodiscard]] bool isInside(unsigned bounded) const;
+    void place(unsigned begin);
     void findPattern(const IslandRows& island);
     void order();
     void fillFull(const IslandRows& island);
     void fillSparse(const IslandRows& island);
     [[nodiscard]] bool eliminate(const IslandRows& island, const double* pairs);
-    void pack();
+    void pack(bool full);
+    void boundFriction(const IslandRows& island);
+    [[nodiscard]] bool write(const IslandRows& island, double* pairs) const;
     [[nodiscard]] bool solveBounded(const IslandRows& island);
 
     std::vector<unsigned> m_free, m_bounded; ///< rows; of the bounded ones friction comes last

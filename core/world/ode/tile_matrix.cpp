@@ -146,8 +146,8 @@ bool TileMatrix::eliminate(unsigned rows) {
     return hasFours ? eliminateInFours(data, rows / kTile) : eliminateAnywhere(data, rows / kTile);
 }
 
-void TileMatrix::solveBack(unsigned rows, double* x) const {
-    for (unsigned column = rows / kTile; column-- > 0;) {
+void TileMatrix::solveBack(unsigned begin, unsigned end, double* x) const {
+    for (unsigned column = padded(end) / kTile; column-- > begin / kTile;) {
         Column sums[kTile] = {};
         for (unsigned row = column + 1; row < m_rows; ++row) {
             if (!isFilled(row, column)) continue;
@@ -162,7 +162,7 @@ void TileMatrix::solveBack(unsigned rows, double* x) const {
         }
         const double* const tile = m_tiles.data() + (rowStart(column) + column) * kArea;
         double* const here = x + std::size_t(column) * kTile;
-        for (unsigned j = kTile; j-- > 0;) {
+        for (unsigned j = std::min(kTile, end - column * kTile); j-- > 0;) {
             double sum = (sums[j][0] + sums[j][1]) + (sums[j][2] + sums[j][3]);
             for (unsigned i = j + 1; i < kTile; ++i) sum -= tile[j * kTile + i] * here[i];
             here[j] = sum * tile[j * kTile + j];

@@ -23,14 +23,16 @@ public:
     }
     /// Of a full matrix: where a row begins; its next column is `kTile` values on.
     [[nodiscard]] double* rowOf(unsigned row) { return m_tiles.data() + indexOf(row, 0); }
+    [[nodiscard]] double atInFull(unsigned row, unsigned column) const { return m_tiles[indexOf(row, column)]; }
     [[nodiscard]] double at(unsigned row, unsigned column) const {
         return isFilled(row / kTile, column / kTile) ? m_tiles[indexOf(row, column)] : 0;
     }
     /// Eliminates the first rows (a multiple of the tile): the rest becomes what remains of it. False where that is not positive
     /// definite.
     [[nodiscard]] bool eliminate(unsigned rows);
-    /// Of all rows eliminated: x such that the factor, transposed, times x is zero there, with x given in the rest.
-    void solveBack(unsigned rows, double* x) const;
+    /// Of rows eliminated: x such that the factor, transposed, times x is zero there, with x given from `end` on. `begin`: a multiple of
+    /// the tile.
+    void solveBack(unsigned begin, unsigned end, double* x) const;
 
     /// How the loops over tiles see it.
     struct Data {
