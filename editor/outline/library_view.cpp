@@ -13,7 +13,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kCell = 96, kCellHeight = 84, kRow = 44; // at the default font
+constexpr int kCell = 90, kCellHeight = 84, kRow = 44; // at the default font
 constexpr int kPad = 4, kIconSize = 28, kDraggedSize = 24;
 constexpr QSize kListPicture(72, 34);
 
