@@ -175,15 +175,21 @@ private Q_SLOTS:
     void ignoresTroubleFarAway_data() {
         QTest::addColumn<QString>("trouble");
         QTest::addColumn<bool>("first");
+        QTest::addColumn<bool>("quick");
         for (const char* trouble : {"jam", "pile", "knot", "swing"})
             for (const bool first : {false, true})
-                QTest::addRow("%s, %s", trouble, first ? "first" : "last") << QString(trouble) << first;
+                QTest::addRow("%s, %s", trouble, first ? "first" : "last") << QString(trouble) << first << false;
+        for (const char* trouble : {"jam", "pile"})
+            for (const bool first : {false, true})
+                QTest::addRow("%s, %s, quick", trouble, first ? "first" : "last") << QString(trouble) << first << true;
     }
     void ignoresTroubleFarAway() {
         QFETCH(QString, trouble);
         QFETCH(bool, first);
+        QFETCH(bool, quick);
         const auto scene = [&](bool troubled) {
             Scene all = r0Scene();
+            if (quick) all.spec->settings.solver = SolverChoice::Quick;
             all.scenery({plane("floor", {}, 1)});
             const auto quiet = [&] {
                 all.robot("lone", at(0, -3, 0, degrees(20, 0, 0)), r0());

@@ -7,6 +7,7 @@
 #include "base/rng.h"
 #include "world/ode/ode_fault.h"
 #include "world/ode/ode_math.h"
+#include "world/ode/random_order.h"
 
 namespace trundle {
 
@@ -56,10 +57,8 @@ bool ClusterSolver::isQuick(std::uint32_t body) const {
     return m_allQuick || std::binary_search(m_quick.begin(), m_quick.end(), body);
 }
 
-/// The same for all that is solved by itself in a tick: who else there is must not matter. ODE's stream belongs to the process.
-void ClusterSolver::seed() const {
-    dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) & 0xffffffffu));
-}
+/// The same for all that is solved by itself in a tick: who else there is must not matter.
+void ClusterSolver::seed() const { seedOrders(randomBits(m_settings.seed, 0, m_tick, 0)); }
 
 void ClusterSolver::stepAllQuickly(double h) {
     seed();
