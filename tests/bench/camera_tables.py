@@ -35,7 +35,7 @@ def pictures(programs, options, results, page):
             failed.append(f"cameras of {width} x {height}: {ratio:.2f} times the bare loop's time, at most {RATIO} is wanted")
     header = ["picture", "wanted [1/s]", "pictures/s", "one picture [ms]", "bare OSG loop [ms]", "ratio", "one tick of 51 robots [ms]", "of the time, a picture in every tick [%]", "bytes unlike the bare loop's [%]"]
     report.write_csv(os.path.join(results, "cameras.csv"), header, rows)
-    report.put(page, "cameras", report.markdown(header, rows))
+    report.put_table(page, "cameras", header, rows)
     return failed
 
 
@@ -56,7 +56,7 @@ def swarms(programs, options, results, page):
         rows.append(row)
     header = ["robots with a camera, 10 pictures/s each", *(f"real-time factor, {name}" for name in series)]
     report.write_csv(os.path.join(results, "camera_robots.csv"), header, rows)
-    report.put(page, "camera-robots", report.markdown(header, rows))
+    report.put_table(page, "camera-robots", header, rows)
     with open(os.path.join(results, "camera_robots.svg"), "w", encoding="utf-8") as file:
         file.write(svg_plot.log_plot("Robots with cameras: real-time factor, 10 pictures/s each", "robots", "real-time factor", series))
     return []

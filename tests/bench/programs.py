@@ -1,8 +1,10 @@
 """Runs the measured programs and reads what they say."""
 
+import contextlib
 import json
 import os
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -42,6 +44,32 @@ class Programs:
         words = [self.bare, "-n", str(count), "-nx", str(columns), "-ny", str(rows), "-t", str(seconds)]
         return {key: float(value) for key, value in re.findall(r"(\w+)=(\S+)", _output(words))}
 
+    def tick_cost(self, path, ticks, robots):
+        """Processor time of the product, us per robot and tick, without start and load; and its memory at the end of the run, kB."""
+        def run(duration):
+            with processor_time() as time_taken:
+                answer = self.run(path, "--duration", str(duration))
+            return time_taken[0], answer["peak_memory_kb"]
+        whole, memory = run(ticks / 100)
+        return 1e6 * (whole - run(0.01)[0]) / (ticks - 1) / robots, memory
+
+    def bare_cost(self, count, columns, rows, ticks):
+        """The same of the bare loop, and its contacts per robot and tick."""
+        def run(duration):
+            with processor_time() as time_taken:
+                answer = self.bare_run(count, columns, rows, duration)
+            return time_taken[0], answer
+        whole, answer = run(ticks / 100)
+        return 1e6 * (whole - run(0.01)[0]) / (ticks - 1) / count, answer["kb"], answer["contacts_per_robot"]
+
+    def peer_cost(self, program, count, ticks):
+        """The same of a reference program that takes odebench's options."""
+        def run(duration):
+            with processor_time() as time_taken:
+                self.peer_run(program, count, duration)
+            return time_taken[0]
+        return 1e6 * (run(ticks / 100) - run(0.01)) / (ticks - 1) / count
+
     def camera(self, path, camera, pictures):
         """Seconds that pictures take; a JSON object of [10 %, median, mean]."""
         return json.loads(_output([self.camera_bench, path, camera, str(pictures)]))
@@ -68,6 +96,17 @@ class Programs:
         """A reference program that takes odebench's options and prints RTF=<number>."""
         words = [program, "-n", str(count), "-broad", "grid", "-solver", "step", "-maxc", "2", "-t", str(seconds)]
         return float(re.search(r"RTF=(\S+)", _output(words)).group(1))
+
+
+@contextlib.contextmanager
+def processor_time():
+    """Gives a list whose only value is, after the block, what the programs that ended in it used: s."""
+    def used():
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return usage.ru_utime + usage.ru_stime
+    taken, before = [0.0], used()
+    yield taken
+    taken[0] = used() - before
 
 
 def _output(words, environment=None):

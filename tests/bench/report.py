@@ -1,8 +1,11 @@
 """CSV files, and Markdown tables between markers of RESULTS.md."""
 
 import csv
+import datetime
 import os
 import re
+
+_loads = []  # since the section began
 
 
 def write_csv(path, header, rows):
@@ -17,6 +20,25 @@ def markdown(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(lines)
+
+
+def begin_section():
+    """From here on the machine's load is noted below each table."""
+    _loads[:] = [os.getloadavg()[0]]
+
+
+def sample_load():
+    _loads.append(os.getloadavg()[0])
+
+
+def _load_note():
+    sample_load()
+    return f"\n\n{datetime.date.today()}, load average {min(_loads):.1f} to {max(_loads):.1f} on {os.cpu_count()} cores." if _loads else ""
+
+
+def put_table(path, name, header, rows):
+    """The table, and how busy the machine was while it was measured."""
+    put(path, name, markdown(header, rows) + _load_note())
 
 
 def put(path, name, text):

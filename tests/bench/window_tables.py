@@ -15,7 +15,7 @@ def measure(programs, options, results, page):
 
     def table(name, header, rows):
         report.write_csv(os.path.join(results, f"window_{name}.csv"), header, rows)
-        report.put(page, f"window-{name}", report.markdown(header, rows))
+        report.put_table(page, f"window-{name}", header, rows)
 
     for part in (answers, gaps, starts, frames):
         failed += part(programs, options, table)
