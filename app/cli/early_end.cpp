@@ -92,7 +92,7 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
     out.add(",\n  \"robots\": {");
     const EarlyPoses* poses = facts.poses.load();
     if (poses) out.add(poses->members.data(), poses->members.size());
-    out.add("},\n  \"objects\": null,\n  \"robots_time_s\": ");
+    out.add("},\n  \"objects\": null,\n  \"ended\": null,\n  \"robots_time_s\": ");
     if (poses) out.add(poses->timeS);
     else out.add("null");
     out.add(",\n  \"diagnostics\": [");

@@ -62,6 +62,17 @@ Json objectsJson(const World& world) {
     return names;
 }
 
+/// Robots and objects that ended by a fault of their own while the run continued.
+Json endsJson(const World& world) {
+    Json ends = Json::array();
+    for (const auto& [robot, fault] : world.robotFaults().ends)
+        ends.push_back({{"robot", world.experiment().robots[robot].name},
+                        {"body", fault.body},
+                        {"reason", fault.reason},
+                        {"time", fault.time}});
+    return ends;
+}
+
 Json finishJson(const RunFinish* finish) {
     if (!finish) return nullptr;
     return {{"robot", finish->robot}, {"controller", finish->controller}, {"reason", finish->reason}, {"time", finish->time}};
@@ -90,6 +101,7 @@ std::string runJson(const RunReport& report) {
     json["finished"] = finishJson(report.runner ? report.runner->finished() : nullptr);
     json["robots"] = world ? robotsJson(*world) : Json::object();
     json["objects"] = world ? objectsJson(*world) : Json::array();
+    json["ended"] = world ? endsJson(*world) : Json::array();
     json["diagnostics"] = diagnosticsJson(report.diagnostics, report.sources);
     if (!report.unreadable.empty()) json["diagnostics"][0]["file"] = report.unreadable;
     return jsonText(json);

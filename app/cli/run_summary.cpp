@@ -96,6 +96,16 @@ std::string robotRows(const RunReport& report, const World& world) {
            worstDriveRow(report.drives, robots);
 }
 
+std::string endRows(const World& world) {
+    std::string text;
+    const auto& ends = world.robotFaults().ends;
+    for (std::size_t i = 0; i < ends.size() && i < kMaxListed; ++i)
+        text += row(i == 0 ? "ended" : "", ends[i].fault.body + " at t = " + shortText(ends[i].fault.time, 9) +
+                                               " s: " + cleanLine(ends[i].fault.reason));
+    if (ends.size() > kMaxListed) text += row("", "and " + std::to_string(ends.size() - kMaxListed) + " more");
+    return text;
+}
+
 std::string solverRows(const World& world) {
     std::string text;
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
@@ -140,6 +150,7 @@ std::string runSummary(const RunReport& report) {
     if (world.ticks() > 0 && report.wallS > 0)
         text += row("took", shortText(report.wallS) + " s, " + shortText(simulated / report.wallS) + " x real time");
     if (!world.experiment().robots.empty()) text += robotRows(report, world);
+    text += endRows(world);
     text += solverRows(world);
     text += logRows(report.runner->logFiles());
     if (const std::string counts = countText(report.diagnostics); !counts.empty()) text += row("messages", counts);

@@ -19,6 +19,7 @@ public:
     void rows(const World& world, double time, std::string& csv) override {
         CsvWriter out(csv);
         for (const std::size_t robot : m_robots) {
+            if (hasEnded(world, robot)) continue;
             const RobotEnergy energy = world.robotEnergy(robot);
             out.cell(time).cell(world.experiment().robots[robot].name);
             out.cell(energy.kinetic).cell(energy.potential).cell(energy.kinetic + energy.potential);

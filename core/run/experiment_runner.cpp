@@ -49,34 +49,6 @@ void ExperimentRunner::reportDropped() {
     }
 }
 
-/// The exact solver's time grows with the cube of the number of connected contacts: warns the user who selected it.
-void ExperimentRunner::warnOfCluster() {
-    m_reportedCluster = true;
-    const SettingsSpec& settings = experiment().settings;
-    Diagnostic d{Severity::Warning, Code::BigCluster, "", settings.solverRange, {}, {}, {}};
-    d.message = "at t = " + numberText(tickTime(m_world->ticks(), settings.tick)) + " s " +
-                std::to_string(m_world->largestExactCluster()) +
-                " contacts hang together; Solver = exact gets very slow with so many, auto takes the quick solver then";
-    if (d.range.known()) d.fixes.push_back({"auto", {{d.range, "auto"}}});
-    m_warnings.push_back(std::move(d));
-}
-
-void ExperimentRunner::warnOfPassages(const SweepReport& report) {
-    const double tick = experiment().settings.tick;
-    for (; m_reportedPassages < report.passed.size(); ++m_reportedPassages) {
-        const auto& [first, second] = report.passed[m_reportedPassages];
-        m_warnings.push_back({Severity::Warning,
-                              Code::PassedThrough,
-                              "at t = " + numberText(tickTime(m_world->ticks(), tick)) + " s " + first + " passed through " +
-                                  second + ": fast bodies stop at the scenery, but not at each other. A Tick below " +
-                                  numberText(tick) + " s or larger bodies help",
-                              {},
-                              {},
-                              {},
-                              {}});
-    }
-}
-
 Status ExperimentRunner::fail(const Error& error, SourceRange range) {
     if (!m_failure) m_failure = Diagnostic{Severity::Error, error.code, error.message, range, {}, {}, {}};
     return error;
@@ -218,7 +190,7 @@ Status ExperimentRunner::think() {
     const std::uint64_t tick = m_world->ticks();
     const double time = m_world->time();
     for (Controller& controller : m_controllers) {
-        if (!controller.schedule.due(tick) || controller.held) continue;
+        if (!controller.schedule.due(tick) || controller.held || hasEnded(*m_world, controller.robot)) continue;
         const double sinceLast = controller.called ? time - controller.lastTime : 0;
         controller.lastTime = time;
         controller.called = true;
@@ -255,8 +227,7 @@ Status ExperimentRunner::tick() {
         return fail(done.error(), fault ? fault->range : SourceRange{});
     }
     m_cameras.afterTick();
-    if (!m_reportedCluster && m_world->largestExactCluster() > 0) warnOfCluster();
-    warnOfPassages(m_world->sweeps());
+    m_worldWarnings.update(*m_world, m_warnings);
     if (m_reportsDropped.due(m_world->ticks())) reportDropped();
     if (Status done = writeLogs(); !done) return done;
     closeFinish();

@@ -10,6 +10,7 @@
 #include "run/log_folder.h"
 #include "run/runner.h"
 #include "run/schedule.h"
+#include "run/world_warnings.h"
 
 namespace trundle {
 
@@ -60,8 +61,6 @@ private:
     void warnOfLost(const ComponentSpec& log, const std::string& fileName, const Error& error);
     void addMessage(const std::string& who, int severity, const std::string& text);
     void reportDropped();
-    void warnOfCluster();
-    void warnOfPassages(const SweepReport& report);
     Status fail(const Error& error, SourceRange range);
 
     void applyCommands();
@@ -91,8 +90,8 @@ private:
     std::string m_rows;
     std::size_t m_pictures = 0;           // number of saved pictures
     std::set<std::string> m_reportedLost; // log name and cause of left-out pictures, already reported
-    std::size_t m_reportedPassages = 0;
-    bool m_reportedCluster = false, m_reportedNoPictures = false, m_reportedLostPicture = false;
+    WorldWarnings m_worldWarnings;
+    bool m_reportedNoPictures = false, m_reportedLostPicture = false;
     bool m_finished = false;
 };
 

@@ -21,6 +21,7 @@ public:
     void rows(const World& world, double time, std::string& csv) override {
         CsvWriter out(csv);
         for (const std::size_t robot : m_robots) {
+            if (hasEnded(world, robot)) continue;
             const Pose pose = world.reportedPose(robot);
             const Vec3 hpr = hprFromRotation(pose.rotation).unaryExpr(&readableDegrees);
             out.cell(time).cell(world.experiment().robots[robot].name);

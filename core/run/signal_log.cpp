@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "run/csv.h"
 #include "run/log.h"
 #include "run/log_choice.h"
@@ -10,7 +12,10 @@ namespace {
 class SignalLog final : public Log {
 public:
     explicit SignalLog(const std::vector<const SignalEntry*>& signals) {
-        for (const SignalEntry* entry : signals) m_columns.emplace_back(*entry);
+        for (const SignalEntry* entry : signals) {
+            m_columns.emplace_back(*entry);
+            m_robots.push_back(entry->path.substr(0, entry->path.find('/')));
+        }
     }
 
     void header(std::string& csv) const override {
@@ -22,17 +27,26 @@ public:
     }
 
     void rows(const World& world, double time, std::string& csv) override {
-        m_numbers.clear();
-        for (const SignalColumns& columns : m_columns) columns.read(world.block().slots(), m_numbers);
         CsvWriter out(csv);
         out.cell(time);
-        for (const double number : m_numbers) out.cell(number);
+        for (std::size_t i = 0; i < m_columns.size(); ++i) {
+            m_numbers.clear();
+            m_columns[i].read(world.block().slots(), m_numbers);
+            const bool ended = hasEnded(world, m_robots[i]);
+            for (const double number : m_numbers) ended ? out.cell("") : out.cell(number);
+        }
         out.endRow();
     }
 
 private:
+    [[nodiscard]] static bool hasEnded(const World& world, const std::string& robot) {
+        const auto isRobot = [&](const RobotEnd& end) { return world.experiment().robots[end.robot].name == robot; };
+        return std::ranges::any_of(world.robotFaults().ends, isRobot);
+    }
+
     std::vector<SignalColumns> m_columns;
-    std::vector<double> m_numbers; // reused to avoid allocations
+    std::vector<std::string> m_robots; ///< whose signals they are
+    std::vector<double> m_numbers;     // reused to avoid allocations
 };
 
 } // namespace

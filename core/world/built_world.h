@@ -14,6 +14,7 @@
 
 #include "world/device_texts.h"
 #include "world/robot_signals.h"
+#include "world/world_fault.h"
 #include "world/world_radio.h"
 
 namespace trundle {
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] const SignalBlock& block() const override { return *m_block; }
     [[nodiscard]] Status tick() override;
     [[nodiscard]] const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
+    [[nodiscard]] const RobotFaultReport& robotFaults() const override { return m_robotFaults.report(); }
     [[nodiscard]] std::uint64_t ticks() const override { return m_ticks; }
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_engine->quickTicks(); }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_engine->rescuedTicks(); }
@@ -54,6 +56,7 @@ private:
     // world_tick.cpp
     [[nodiscard]] Status advance();
     [[nodiscard]] std::optional<EngineFault> stepEngine();
+    [[nodiscard]] Status endRobots();
     void publish();
 
     // world_state.cpp
@@ -78,6 +81,7 @@ private:
 
     std::uint64_t m_ticks = 0;
     std::optional<Fault> m_fault;
+    RobotFaults m_robotFaults;
     Code m_faultCode = Code::BlowUp;
     mutable std::vector<WorldContact> m_contacts;
     mutable bool m_contactsReady = false;

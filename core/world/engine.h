@@ -108,10 +108,24 @@ struct RayHit {
     GeomHandle geom;
 };
 
-/// Why a step failed. The engine cannot be used any more.
+/// Why a step failed, after which the engine cannot be used any more, or why an actor ended.
 struct EngineFault {
     BodyHandle body; ///< invalid if the whole world is affected
     std::string reason;
+};
+
+/// Of the whole run.
+struct EngineSweeps {
+    std::uint64_t bodies =
+        0; ///< times ticks in which one moved farther than it is thick, so that its path was searched for scenery
+    /// Geoms of two actors that passed through each other within a tick; once for two actors, the first 20.
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> passages;
+};
+
+/// Faults of single actors.
+struct ActorFaultReport {
+    std::span<const EngineFault> ended;        ///< one for each that has ended, in this order: it stays there and touches nothing
+    std::span<const EngineFault> closedJoints; ///< the first joint of each actor that a tick tore open and that was closed again
 };
 
 class Engine {
@@ -163,10 +177,8 @@ public:
     /// Largest number of contacts in a cluster that the exact solver has solved because of Solver = exact; counted only above
     /// kExactClusterMax.
     [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
-    /// Bodies times ticks in which one moved farther than it is thick, so that its path was searched for scenery.
-    [[nodiscard]] virtual std::uint64_t sweptBodies() const = 0;
-    /// Geoms of two actors that passed through each other within a tick; once for two actors, the first 20.
-    [[nodiscard]] virtual std::span<const std::pair<std::uint32_t, std::uint32_t>> passages() const = 0;
+    [[nodiscard]] virtual EngineSweeps sweeps() const = 0;
+    [[nodiscard]] virtual ActorFaultReport faults() const = 0;
 };
 
 /// The rigid-body engine (ODE).

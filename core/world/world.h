@@ -50,6 +50,19 @@ struct Fault {
     SourceRange range; ///< the name of the body or device in the text
 };
 
+/// A robot or object that ended by a fault of its own: it stays where it was, touches nothing, and its controller and devices are
+/// not called any more. All others continue.
+struct RobotEnd {
+    std::size_t robot = 0;
+    Fault fault;
+};
+
+/// Faults of single robots, while the run continues.
+struct RobotFaultReport {
+    std::vector<RobotEnd> ends;      ///< in the order in which they ended
+    std::vector<Fault> closedJoints; ///< that a tick tore open and that were closed again: the first of each robot, at most 20
+};
+
 /// Bodies that move farther in a tick than they are thick.
 struct SweepReport {
     std::uint64_t bodies = 0;                                ///< times ticks, whose paths were searched for scenery
@@ -69,9 +82,12 @@ public:
     [[nodiscard]] virtual SignalBlock& block() = 0;
     [[nodiscard]] virtual const SignalBlock& block() const = 0;
 
-    /// Runs act, collide, step, sense, publish. After a fault the world cannot be stepped again: E501 names body and time.
+    /// Runs act, collide, step, sense, publish. After a fault() the world cannot be stepped again: E501 names body and time.
     [[nodiscard]] virtual Status tick() = 0;
     [[nodiscard]] virtual const Fault* fault() const = 0;
+
+    /// A world in which no robot is left has a fault() too.
+    [[nodiscard]] virtual const RobotFaultReport& robotFaults() const;
 
     [[nodiscard]] virtual std::uint64_t ticks() const = 0;
     [[nodiscard]] double time() const { return static_cast<double>(ticks()) * experiment().settings.tick; }
@@ -113,5 +129,7 @@ public:
     /// Sets the listener; texts printed while the world was built are passed to it at once.
     virtual void setDeviceText(DeviceText text) = 0;
 };
+
+[[nodiscard]] bool hasEnded(const World& world, std::size_t robot);
 
 } // namespace trundle

@@ -146,4 +146,10 @@ const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
     return nullptr;
 }
 
+void WorldDevices::end(std::uint32_t robot) {
+    const auto isOfRobot = [robot](const Call& call) { return call.device->robot == robot; };
+    std::erase_if(m_acting, isOfRobot);
+    std::erase_if(m_sensing, isOfRobot);
+}
+
 } // namespace trundle

@@ -6,8 +6,8 @@
 
 #include "base/diagnostic.h"
 #include "signals/layout.h"
-#include "world/world_device.h"
 #include "world/world.h"
+#include "world/world_device.h"
 
 namespace trundle {
 
@@ -29,6 +29,9 @@ public:
     // The calls of a tick, after `ticks` of them. The device that failed, nullptr if none: its `failure` says why.
     [[nodiscard]] const Device* act(std::uint64_t ticks) { return callAll(ticks, true); }
     [[nodiscard]] const Device* sense(std::uint64_t ticks) { return callAll(ticks, false); }
+
+    /// The devices of a robot are not called any more.
+    void end(std::uint32_t robot);
 
     [[nodiscard]] const DeviceList& list() const { return m_devices; }
 

@@ -83,8 +83,8 @@ const std::vector<WorldContact>& BuiltWorld::contacts() const {
 }
 
 SweepReport BuiltWorld::sweeps() const {
-    SweepReport report{m_engine->sweptBodies(), {}};
-    for (const auto& [first, second] : m_engine->passages())
+    SweepReport report{m_engine->sweeps().bodies, {}};
+    for (const auto& [first, second] : m_engine->sweeps().passages)
         report.passed.emplace_back(m_objects.geomPath(first), m_objects.geomPath(second));
     return report;
 }
@@ -102,6 +102,8 @@ Status BuiltWorld::place(const std::string& name, const Pose& pose) {
     const BuiltRobot* robot = m_objects.findRobot(name);
     if (!robot) return Error{Code::UnknownReference, "there is no robot " + name};
     if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
+    if (hasEnded(*this, static_cast<std::size_t>(robot - m_objects.robots().data())))
+        return Error{Code::OutOfRange, name + " has ended and stays where it is until the run starts again"};
     m_engine->moveActor(robot->handles.actor, pose * framePose(*robot).inverse());
     return {};
 }
@@ -125,12 +127,8 @@ Status BuiltWorld::setProperty(const std::string& path, const std::string& prope
 }
 
 Status BuiltWorld::stopAt(const EngineFault& fault) {
-    const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
-    const bool known = fault.body.valid() && m_objects.isBody(fault.body.index);
-    return stop(known ? Code::BlowUp : Code::EngineFault,
-                {known ? m_objects.bodyPaths()[fault.body.index] : "", time,
-                 fault.reason + "; " + faultAdvice(fault.body, m_objects, *m_engine, m_experiment->settings.tick),
-                 known ? m_objects.bodyRange(fault.body.index) : SourceRange{}});
+    const double tick = m_experiment->settings.tick, end = static_cast<double>(m_ticks + 1) * tick;
+    return stop(fault.body.valid() ? Code::BlowUp : Code::EngineFault, faultFrom(fault, m_objects, *m_engine, tick, end));
 }
 
 Status BuiltWorld::stopAt(const Device& failed) {

@@ -16,6 +16,7 @@ Status BuiltWorld::advance() {
     m_radio.advance(end);
     m_contactsReady = false;
     if (const auto fault = stepEngine()) return stopAt(*fault);
+    if (const Status ended = endRobots(); !ended) return ended;
     ++m_ticks;
     m_radio.place();
     publish(); // before sense, so that devices can read the state signals of this tick
@@ -26,6 +27,14 @@ Status BuiltWorld::advance() {
 std::optional<EngineFault> BuiltWorld::stepEngine() {
     const MonitoredCall call(*m_calls, m_solver, "step");
     return m_engine->step(m_experiment->settings.tick);
+}
+
+/// Those with a fault of their own in this tick.
+Status BuiltWorld::endRobots() {
+    const double tick = m_experiment->settings.tick, end = static_cast<double>(m_ticks + 1) * tick;
+    const auto ended = m_robotFaults.update(m_objects, *m_engine, tick, end);
+    for (const RobotEnd& robot : ended) m_devices.end(static_cast<std::uint32_t>(robot.robot));
+    return ended.empty() || !m_robotFaults.isOver(m_objects) ? Status{} : stop(Code::BlowUp, ended.back().fault);
 }
 
 void BuiltWorld::publish() {

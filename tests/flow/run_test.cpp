@@ -26,6 +26,7 @@ private Q_SLOTS:
     void seedAndSetReachTheExperiment();
     void exitCodesOfSeveralFiles();
     void quickSolverTakesWhatTheExactOneCannot();
+    void anEndedObjectLeavesTheOthersRunning();
     void aControllerEndsTheRun_data();
     void aControllerEndsTheRun();
     void theThesisExperimentRuns();
@@ -57,9 +58,9 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QCOMPARE(error.error, QJsonParseError::NoError);
     QStringList keys = json.keys();
     keys.sort();
-    QStringList expected{"ticks",         "simulated_s", "wall_s",      "real_time_factor", "peak_memory_kb",
-                         "state_hash",    "quick_ticks", "interrupted", "robots",           "diagnostics",
-                         "rescued_ticks", "finished",    "objects"};
+    QStringList expected{"ticks",       "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash",
+                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks",  "finished",
+                         "objects",     "ended"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);
@@ -198,6 +199,41 @@ void RunFlowTest::quickSolverTakesWhatTheExactOneCannot() {
     const Outcome reported = cli({"run", knot, "--duration", "0.1"});
     QVERIFY2(reported.out.contains("solved by the quick solver") && reported.out.contains("repeated with softer constraints"),
              shown(reported));
+}
+
+/// A stone falls from 30 km and is too fast after 20.4 s; the robot drives on. The summary, the JSON, the messages and the logs show it.
+void RunFlowTest::anEndedObjectLeavesTheOthersRunning() {
+    const QString path = m_folder.filePath("stone.sim"), logs = m_folder.filePath("stone_logs");
+    QVERIFY(writeFile(
+        path, "Tick=0.02 Duration=21\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+              "#loadModule controllers/linear_motion\nStatic floor { Config=OpenFloor }\n"
+              "RobotConfig Stone { Body body { Sphere s { Radius=0.1 Mass=1 } } }\nRobot stone { Config=Stone Pos=3,0,30000 }\n"
+              "Robot robot0 { Config=SimpleRobot LinearMotion brain { Distance=0.5 Speed=0.2 } }\n"
+              "PoseLog path { Interval=7 }\nSignalLog s { Signals=stone/pose,robot0/pose Interval=7 }\n"));
+    const QStringList command{"run", path, "--log-dir", logs, "-I", configPath("")};
+    const Outcome json = cli(command + QStringList{"--json"});
+    QVERIFY2(json.code == 0, shown(json));
+    const QJsonObject result = QJsonDocument::fromJson(json.out).object();
+    QCOMPARE(result["ticks"].toInt(), 1050);
+    const QJsonArray ended = result["ended"].toArray();
+    QCOMPARE(ended.size(), 1);
+    QCOMPARE(ended[0].toObject()["robot"].toString(), QStringLiteral("stone"));
+    QCOMPARE(ended[0].toObject()["body"].toString(), QStringLiteral("stone/body"));
+    QVERIFY2(qAbs(ended[0].toObject()["time"].toDouble() - 20.4) < 0.021, shown(json));
+    int warnings = 0;
+    for (const QJsonValue& message : result["diagnostics"].toArray()) warnings += message.toObject()["code"] == "E501";
+    QCOMPARE(warnings, 1);
+    const Outcome plain = cli(command);
+    QVERIFY2(QRegularExpression("ended +stone/body at t = 20.4 s: it moves at 200").match(plain.out).hasMatch(), shown(plain));
+    QVERIFY2(plain.err.contains("stone has ended, all others continue"), shown(plain));
+    const auto linesOf = [&](const char* name) {
+        QFile file(logs + "/" + name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n') : QList<QByteArray>();
+    };
+    const auto poses = linesOf("path.csv"), signalRows = linesOf("s.csv");
+    QCOMPARE(poses.size(), 1 + 3 * 2 + 1); // at 0, 7 and 14 s both, at 21 s the robot alone
+    QVERIFY(poses.back().startsWith("21,robot0,"));
+    QVERIFY2(signalRows.back().startsWith("21,,,,,,,0."), signalRows.back().constData());
 }
 
 void RunFlowTest::aControllerEndsTheRun_data() {

@@ -35,6 +35,7 @@ public:
     Pose robotPose(std::size_t robot) const override { return {{time(), static_cast<double>(robot), 0}, Quat::Identity()}; }
     RobotEnergy robotEnergy(std::size_t) const override { return {0.5, 2}; }
     const std::vector<WorldContact>& contacts() const override { return touching; }
+    const RobotFaultReport& robotFaults() const override { return faults; }
     Status push(const std::string& body, const Vec3&, const Vec3&) override { return take("push " + body); }
     Status place(const std::string& robot, const Pose&) override { return take("place " + robot); }
     Status setSurface(const SurfaceSpec& surface) override { return take("surface " + surface.name); }
@@ -48,6 +49,7 @@ public:
     std::vector<WorldContact> touching;
     std::size_t cluster = 0;
     SweepReport swept;
+    RobotFaultReport faults;
     DeviceText say;
 
 private:

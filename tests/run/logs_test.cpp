@@ -62,6 +62,16 @@ private Q_SLOTS:
                              "0.5,robot0/chassis/bumper,arena/north,1,2,3,0,-1,0,0.001,5,1.5,0,-2\n"));
         QVERIFY(csvOf(world, logSpec("ContactLog", "c", {})).find("robot1/wheel/tyre") != std::string::npos);
     }
+    /// Rows of a robot that has ended are left out, and its signals are empty.
+    void logsOfEndedRobots() {
+        FakeWorld world(experimentOf({"robot0", "robot1"}));
+        world.faults.ends = {{0, {"robot0/chassis", 0.25, "torn", {}}}};
+        const auto lines = [&](const ComponentSpec& spec) { return QString::fromStdString(csvOf(world, spec)).split(u'\n'); };
+        const auto poses = lines(logSpec("PoseLog", "p", {})), energies = lines(logSpec("EnergyLog", "e", {}));
+        QVERIFY(poses.size() == 3 && poses[1].startsWith("0.5,robot1,"));
+        QVERIFY(energies.size() == 3 && energies[1].startsWith("0.5,robot1,"));
+        QCOMPARE(lines(logSpec("SignalLog", "s", {{"Signals", textValue({"*/arm/position"})}}))[1], QStringLiteral("0.5,,0"));
+    }
     void aSignalLogConvertsAnglesAndSpreadsPoses() {
         FakeWorld world(experimentOf({"robot0"}));
         world.block().slots()[world.layout().find("robot0/arm/position")->offset] = 1.5707963267948966;

@@ -213,31 +213,10 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
 
 void ClusterSolver::save() {
     m_saved.resize(m_objects.bodies.size());
-    for (std::size_t i = 0; i < m_saved.size(); ++i) {
-        const OdeBody& b = m_objects.bodies[i];
-        RawState& s = m_saved[i];
-        std::memcpy(s.p, b.p, sizeof s.p);
-        std::memcpy(s.r, b.r, sizeof s.r);
-        std::memcpy(s.q, b.q, sizeof s.q);
-        std::memcpy(s.v, b.v, sizeof s.v);
-        std::memcpy(s.w, b.w, sizeof s.w);
-        std::memcpy(s.force, dBodyGetForce(b.id), sizeof s.force);
-        std::memcpy(s.torque, dBodyGetTorque(b.id), sizeof s.torque);
-    }
+    for (std::size_t i = 0; i < m_saved.size(); ++i) m_saved[i] = rawState(m_objects.bodies[i]);
 }
 
-/// Writes through ODE's const pointers, because its setters change the last bits.
-void ClusterSolver::restore(std::uint32_t body) const {
-    const OdeBody& b = m_objects.bodies[body];
-    const RawState& s = m_saved[body];
-    std::memcpy(const_cast<dReal*>(b.p), s.p, sizeof s.p);
-    std::memcpy(const_cast<dReal*>(b.r), s.r, sizeof s.r);
-    std::memcpy(const_cast<dReal*>(b.q), s.q, sizeof s.q);
-    std::memcpy(const_cast<dReal*>(b.v), s.v, sizeof s.v);
-    std::memcpy(const_cast<dReal*>(b.w), s.w, sizeof s.w);
-    dBodySetForce(b.id, s.force[0], s.force[1], s.force[2]);
-    dBodySetTorque(b.id, s.torque[0], s.torque[1], s.torque[2]);
-}
+void ClusterSolver::restore(std::uint32_t body) const { setRawState(m_objects.bodies[body], m_saved[body]); }
 
 void ClusterSolver::enableOnly(BodyClusters& clusters, std::span<const std::uint32_t> names) {
     for (const std::uint32_t name : names)

@@ -43,7 +43,7 @@ void ContactSearch::find(std::vector<OdeContact>& contacts) {
     std::size_t pair = 0;
     for (std::uint32_t a = 0; a < m_objects.actors.size(); ++a) {
         const OdeActor& actor = m_objects.actors[a];
-        if (actor.geoms.begin == actor.geoms.end) {
+        if (actor.geoms.begin == actor.geoms.end || actor.ended) {
             while (pair < m_pairs.size() && m_pairs[pair].first == a) ++pair;
             continue;
         }
@@ -52,6 +52,7 @@ void ContactSearch::find(std::vector<OdeContact>& contacts) {
             if (m_objects.boxes[first].touches(m_objects.boxes[second])) m_collider.meet(first, second, contacts);
         for (; pair < m_pairs.size() && m_pairs[pair].first == a; ++pair) {
             const OdeActor& partner = m_objects.actors[m_pairs[pair].second];
+            if (partner.ended) continue;
             for (std::uint32_t i = actor.geoms.begin; i < actor.geoms.end; ++i) {
                 if (!m_objects.boxes[i].touches(m_objects.actorBoxes[m_pairs[pair].second])) continue;
                 for (std::uint32_t k = partner.geoms.begin; k < partner.geoms.end; ++k)

@@ -1,7 +1,5 @@
 #include "world/ode/ode_engine.h"
 
-#include "world/ode/state_check.h"
-
 namespace trundle {
 
 Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings) {
@@ -52,9 +50,12 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         m_search.findForStep(m_contacts.all);
         m_rows.update(h, m_contacts.all, m_objects.geoms, m_settings.errorReduction);
         m_dynamics.step(h);
-        m_fault = findFault(m_objects, m_rows, m_dynamics.solver());
-        if (!m_fault) m_sweep.run(h, m_contacts.all);
-        if (!m_fault) publish(h);
+        const std::size_t ended = m_faults.ended().size();
+        m_faults.check();
+        for (const EngineFault& fault : m_faults.ended().subspan(ended))
+            m_dynamics.forget(m_objects.bodies[fault.body.index].actor);
+        m_sweep.run(h, m_contacts.all);
+        publish(h);
     } catch (const OdeFault&) {
         m_world.abandonThreading();
         m_fault = interruptedFault(m_objects);

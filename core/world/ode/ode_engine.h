@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "world/ode/actor_builder.h"
+#include "world/ode/actor_faults.h"
 #include "world/ode/contacts_by_geom.h"
 #include "world/ode/ode_dynamics.h"
 #include "world/ode/ode_sweep.h"
@@ -45,8 +46,8 @@ public:
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_dynamics.solver().quickTicks(); }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_dynamics.solver().rescuedTicks(); }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_dynamics.largestExactCluster(); }
-    [[nodiscard]] std::uint64_t sweptBodies() const override { return m_sweep.count(); }
-    [[nodiscard]] std::span<const IndexPair> passages() const override { return m_sweep.passages(); }
+    [[nodiscard]] EngineSweeps sweeps() const override { return {m_sweep.count(), m_sweep.passages()}; }
+    [[nodiscard]] ActorFaultReport faults() const override { return {m_faults.ended(), m_faults.closed()}; }
 
 private:
     void applyWrites();
@@ -63,6 +64,7 @@ private:
     ContactSearch m_search{m_settings, m_objects, m_collider};
     OdeDynamics m_dynamics{m_settings, m_world, m_objects, m_contacts};
     OdeSweep m_sweep{m_settings, m_objects, m_dynamics.rotation(), m_search, m_collider};
+    ActorFaults m_faults{m_objects, m_rows, m_dynamics.solver()};
     RayCaster m_rays{m_objects};
     mutable ContactsByGeom m_byGeom;
     std::optional<EngineFault> m_fault;

@@ -1,6 +1,6 @@
 #include "world/ode/ode_objects.h"
-
 #include <cmath>
+#include <cstring>
 
 #include "world/ode/ode_fault.h"
 
@@ -42,6 +42,28 @@ void OdeObjects::publish(std::uint32_t index) {
     s.rotation = quat(b.q);
     s.angular = vec(b.w);
     s.linear = vec(b.v) - s.angular.cross(lever);
+}
+
+RawState rawState(const OdeBody& b) {
+    RawState s;
+    std::memcpy(s.p, b.p, sizeof s.p);
+    std::memcpy(s.r, b.r, sizeof s.r);
+    std::memcpy(s.q, b.q, sizeof s.q);
+    std::memcpy(s.v, b.v, sizeof s.v);
+    std::memcpy(s.w, b.w, sizeof s.w);
+    std::memcpy(s.force, dBodyGetForce(b.id), sizeof s.force);
+    std::memcpy(s.torque, dBodyGetTorque(b.id), sizeof s.torque);
+    return s;
+}
+
+void setRawState(const OdeBody& b, const RawState& s) {
+    std::memcpy(const_cast<dReal*>(b.p), s.p, sizeof s.p);
+    std::memcpy(const_cast<dReal*>(b.r), s.r, sizeof s.r);
+    std::memcpy(const_cast<dReal*>(b.q), s.q, sizeof s.q);
+    std::memcpy(const_cast<dReal*>(b.v), s.v, sizeof s.v);
+    std::memcpy(const_cast<dReal*>(b.w), s.w, sizeof s.w);
+    dBodySetForce(b.id, s.force[0], s.force[1], s.force[2]);
+    dBodySetTorque(b.id, s.torque[0], s.torque[1], s.torque[2]);
 }
 
 } // namespace trundle

@@ -46,4 +46,8 @@ struct OdeObjects {
     void publish(std::uint32_t body);
 };
 
+[[nodiscard]] RawState rawState(const OdeBody& body);
+/// Writes through ODE's const pointers, because its setters change the last bits.
+void setRawState(const OdeBody& body, const RawState& state);
+
 } // namespace trundle

@@ -74,6 +74,7 @@ struct OdeActor {
     Run bodies, geoms, joints;
     double mass = 0, stiffness = kContactStiffness, damping = kContactDamping; ///< of its contacts
     bool jointed = false;
+    bool ended = false; ///< stays where it is and touches nothing (ActorFaults)
     std::vector<IndexPair> selfPairs; ///< geoms that may touch each other
 };
 

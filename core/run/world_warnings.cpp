@@ -1,0 +1,57 @@
+#include "run/world_warnings.h"
+
+#include "run/schedule.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+namespace {
+
+Diagnostic warningOf(Code code, std::string message, SourceRange range) {
+    return {Severity::Warning, code, std::move(message), range, {}, {}, {}};
+}
+
+/// The exact solver's time grows with the cube of the number of connected contacts: for the user who selected it.
+Diagnostic clusterWarning(const World& world, const std::string& time) {
+    const SourceRange range = world.experiment().settings.solverRange;
+    Diagnostic d = warningOf(Code::BigCluster,
+                             "at t = " + time + " s " + std::to_string(world.largestExactCluster()) +
+                                 " contacts hang together; Solver = exact gets very slow with so many, auto takes the quick "
+                                 "solver then",
+                             range);
+    if (range.known()) d.fixes.push_back({"auto", {{range, "auto"}}});
+    return d;
+}
+
+} // namespace
+
+void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings) {
+    const std::string tick = numberText(world.experiment().settings.tick),
+                      time = numberText(tickTime(world.ticks(), world.experiment().settings.tick));
+    if (!m_cluster && world.largestExactCluster() > 0) warnings.push_back(clusterWarning(world, time));
+    m_cluster = world.largestExactCluster() > 0;
+    const SweepReport sweeps = world.sweeps();
+    for (; m_passages < sweeps.passed.size(); ++m_passages) {
+        const auto& [first, second] = sweeps.passed[m_passages];
+        warnings.push_back(warningOf(Code::PassedThrough,
+                                     "at t = " + time + " s " + first + " passed through " + second +
+                                         ": fast bodies stop at the scenery, but not at each other. A Tick below " + tick +
+                                         " s or larger bodies help",
+                                     {}));
+    }
+    for (; m_closedJoints < world.robotFaults().closedJoints.size(); ++m_closedJoints) {
+        const Fault& fault = world.robotFaults().closedJoints[m_closedJoints];
+        warnings.push_back(warningOf(Code::BlowUp,
+                                     fault.body + " at t = " + time + " s: " + fault.reason +
+                                         " and was closed again; a Tick below " + tick + " s keeps it closed",
+                                     fault.range));
+    }
+    for (; m_ends < world.robotFaults().ends.size(); ++m_ends) {
+        const auto& [robot, fault] = world.robotFaults().ends[m_ends];
+        warnings.push_back(warningOf(Code::BlowUp,
+                                     fault.body + " stopped at t = " + time + " s: " + fault.reason + ". " +
+                                         world.experiment().robots[robot].name + " has ended, all others continue",
+                                     fault.range));
+    }
+}
+
+} // namespace trundle
