@@ -42,18 +42,6 @@ const Part* NameSpace::add(const Part& part) {
     return nullptr;
 }
 
-std::vector<std::string> partNames(const Part& part) {
-    std::vector<std::string> names;
-    for (const Part& inner : part.parts) {
-        if (!inner.name.empty()) names.push_back(inner.name);
-    }
-    for (const SourceParam& p : part.params) names.push_back(p.name->text);
-    if (part.kind) {
-        for (const Property& p : part.kind->properties) names.push_back(p.name);
-    }
-    return names;
-}
-
 std::vector<std::string> propertyNames(const Kind& kind) {
     std::vector<std::string> names;
     for (const Property& p : kind.properties) names.push_back(p.name);

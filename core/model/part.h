@@ -48,8 +48,6 @@ private:
     std::unordered_map<std::string_view, const Part*> m_byName;
 };
 
-/// Names of the parts, Params and properties of a part.
-[[nodiscard]] std::vector<std::string> partNames(const Part& part);
 [[nodiscard]] std::vector<std::string> propertyNames(const Kind& kind);
 [[nodiscard]] const char* roleName(Role role);
 /// Limits the effort for suggestions: after this many messages they are not useful, and computing them would take minutes.
