@@ -230,6 +230,55 @@ private Q_SLOTS:
         QCOMPARE(x > 0.45, drives);
         if (!drives) QVERIFY(std::abs(x) < 0.05);
     }
+
+    void alongAWall_data() {
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<double>("angle");
+        for (const double tick : {0.005, 0.01, 0.03})
+            for (const double angle : {5, 10, 15, 30}) QTest::addRow("%g degrees, %g ms", angle, 1e3 * tick) << tick << angle;
+    }
+    /// A robot whose tyres stand flush with its hull drives against a wall. Its front corner, `ahead` of the axle and `aside`, meets the
+    /// wall first: below an angle whose tangent is (ahead - mu aside) / (aside + mu ahead) that turns it along the wall, and it goes on at
+    /// the speed of its wheels; above it the robot turns nose-on and stays.
+    void alongAWall() {
+        QFETCH(double, tick);
+        QFETCH(double, angle);
+        constexpr double ahead = 0.11, aside = 0.14, mu = 0.3, speed = 0.4, radius = 0.05, width = 0.03;
+        const bool slides = angle < std::atan((ahead - mu * aside) / (aside + mu * ahead)) * 180 / kPi;
+        auto config = std::make_shared<RobotConfigSpec>(*r0());
+        const Vec3 hull(0.30, 2 * aside, 0.10), centre(0.06 + ahead - 0.15, 0, 0.09);
+        config->bodies[0].mass = massOfBox(2.1, hull, centre);
+        config->bodies[0].geoms = {box("hull", hull, {centre, Quat::Identity()}, 3),
+                                   sphere("slider", 0.02, at(-0.1, 0, 0.02), 2)};
+        for (const int wheel : {1, 2}) {
+            const Vec3 hub(0.06, (wheel == 1 ? 1 : -1) * (aside - width / 2), radius);
+            BodySpec& body = config->bodies[std::size_t(wheel)];
+            body.pose.position = config->joints[std::size_t(wheel - 1)].anchor = hub;
+            body.mass = massOfCylinder(0.15, radius, width, rotationFromHpr(degrees(0, 0, 90)));
+            body.geoms[0].radius = radius;
+            body.geoms[0].length = width;
+        }
+        Scene scene = r0Scene(tick);
+        scene.scenery({plane("floor", {}, 1), box("wall", {20, 0.1, 1}, at(8, 0.55, 0.5), 3)});
+        scene.robot("r", at(0, 0.25, 0, degrees(angle, 0, 0)), config);
+        auto world = scene.build();
+        QVERIFY(world);
+        const auto drive = [&](double seconds) {
+            for (long i = std::lround(seconds / tick); i > 0; --i) {
+                for (const char* motor : {"r/leftMotor", "r/rightMotor"}) command(*world, motor, speed / radius, 1 / 0.18, 3.6);
+                if (!world->tick()) return false;
+            }
+            return true;
+        };
+        QVERIFY(drive(9));
+        const double from = world->robotPose(0).position.x(), since = world->time();
+        QVERIFY(drive(3));
+        const double along = (world->robotPose(0).position.x() - from) / (world->time() - since),
+                     heading = hprFromRotation(world->robotPose(0).rotation).x() * 180 / kPi;
+        qInfo("%.4f m/s along the wall, heading %.2f degrees", along, heading);
+        QVERIFY(slides ? std::abs(along - speed) < 0.01 : std::abs(along) < 0.01);
+        QVERIFY(slides ? std::abs(heading) < 0.5 : std::abs(heading - 90) < 1);
+    }
 };
 
 QTEST_APPLESS_MAIN(DrivingTest)
