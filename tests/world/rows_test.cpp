@@ -222,6 +222,34 @@ private Q_SLOTS:
         QVERIFY(!solved);
     }
 
+    /// So are rows with nothing on the diagonal, in islands of any size.
+    void refusesZeroOnTheDiagonal() {
+        for (const int bodies : {3, 60}) {
+            Island island(Tree::Chain, bodies, 0, 0, 1);
+            island.matrix(0, 0) = 0;
+            bool solved = true;
+            (void)solutionOf(island, solved);
+            QVERIFY(!solved);
+        }
+    }
+
+    /// A heap in which the sides of the rows do not settle is left to ODE, whose work for one row at a time is less.
+    void leavesHeapsToOde() {
+        Scene scene;
+        const std::uint32_t wood = scene.surface(0.5);
+        scene.spec->settings.solver = SolverChoice::Exact;
+        scene.scenery({plane("floor", {}, wood)});
+        for (int i = 0; i < 8; ++i) {
+            const double x = 0.102 * (i % 2), y = 0.102 * (i / 2 % 2), shift = 0.05 * (i / 4);
+            scene.loose("crate" + std::to_string(i), at(x + shift, y + shift, 0.05 + 0.1 * (i / 4)),
+                        massOfBox(1, Vec3::Constant(0.1)), {box("crate", Vec3::Constant(0.1), {}, wood)});
+        }
+        auto world = scene.build();
+        const SolvedIslands before = solvedIslands();
+        QVERIFY(run(*world, 0.3));
+        QVERIFY(solvedIslands().leftToOde > before.leftToOde);
+    }
+
     /// ODE calls it for every island, and its own solver is not needed.
     void takesThePlaceOfOdes() {
         Scene scene = r0Scene();

@@ -9,9 +9,10 @@ namespace {
 
 constexpr int kSweeps = 3, kManySweeps = 100;
 constexpr unsigned kRounds = 50;
-constexpr int kTries = 3;           // rounds without fewer rows that are wrong
-constexpr unsigned kFewRows = 64;   // that many are a full matrix
-constexpr double kRounding = 1e-13; // of the sum of what is added: less of either sign is zero
+constexpr int kTries = 3;                 // rounds without fewer rows that are wrong
+constexpr unsigned kFewRows = 64;         // that many are a full matrix
+constexpr unsigned kMostDescending = 100; // each step is a whole elimination; of more rows ODE changes one with less work
+constexpr double kRounding = 1e-13;       // of the sum of what is added: less of either sign is zero
 
 } // namespace
 
@@ -41,6 +42,7 @@ bool BoxSolver::solve(const BoxProblem& problem, unsigned rows) {
         least = std::min(least, wrong);
         std::copy_n(m_next.begin(), rows, m_sides.begin());
     }
+    if (rows > kMostDescending) return false;
     guess(problem, rows, kManySweeps);
     return descend(problem, rows);
 }

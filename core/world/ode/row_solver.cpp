@@ -130,7 +130,8 @@ void RowSolver::order() {
     const auto free = static_cast<unsigned>(m_free.size());
     const unsigned words = (free + 63) / 64;
     m_freePattern.assign(std::size_t(free) * words, 0);
-    for (unsigned i = 0; i < free; ++i)
+    for (unsigned i = 0; i < free; ++i) {
+        m_freePattern[std::size_t(i) * words + i / 64] |= std::uint64_t(1) << i % 64; // also where the value is zero
         for (unsigned w = 0; w < m_words; ++w)
             for (std::uint64_t bits = m_pattern[std::size_t(m_free[i]) * m_words + w]; bits; bits &= bits - 1) {
                 const unsigned j = m_places[w * 64 + static_cast<unsigned>(std::countr_zero(bits))];
@@ -138,6 +139,7 @@ void RowSolver::order() {
                 m_freePattern[std::size_t(i) * words + j / 64] |= std::uint64_t(1) << j % 64;
                 m_freePattern[std::size_t(j) * words + i / 64] |= std::uint64_t(1) << i % 64;
             }
+    }
     unsigned next = 0;
     for (const unsigned i : m_order.find(m_freePattern, free, words)) m_places[m_free[i]] = next++;
 }
