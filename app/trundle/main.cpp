@@ -21,6 +21,7 @@
 #include "crash/crash_watch.h"
 #include "crash/exit_hook.h"
 #include "editor/shell/main_window.h"
+#include "editor/shell/project_questions.h"
 #include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
 #include "project/journal/state_folder.h"
@@ -81,7 +82,7 @@ std::shared_ptr<const std::atomic<bool>> endOnRequest() {
 /// picture, which must not contain them.
 void reportCrashes(trundle::MainWindow& window, bool shows) {
     const std::string folder = trundle::userStateFolder() + "/crashes";
-    if (shows) window.showCrashReports(QString::fromStdString(folder));
+    if (shows) window.questions().showCrashReports(QString::fromStdString(folder));
     std::error_code failed; // then a crash is reported on standard error only
     std::filesystem::create_directories(folder, failed);
     trundle::keepCrashReport((folder + "/" + std::to_string(QCoreApplication::applicationPid()) + ".txt").c_str());

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFileInfo>
 
+#include "editor/shell/work_area.h"
 #include "editor/widgets/actions.h"
 #include "project/objects/object_location.h"
 #include "trundle/problem.h"
@@ -15,10 +16,11 @@ static constexpr int kNoRun = 1, kRunCutShort = 3; // documented in --help
 ScreenshotRunner::ScreenshotRunner(MainWindow& window, const WindowOptions& options) : m_window(window), m_options(options) {
     m_look.setInterval(10);
     if (m_options.quit) { // no user is present to read a message in the window
-        disconnect(&m_window.document(), &Document::openFailed, nullptr, nullptr);
-        connect(&m_window.document(), &Document::openFailed, this, [this](const QString& path, const QString& reason) {
-            refuse(reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason));
-        });
+        disconnect(&m_window.document().opening(), &ProjectOpening::failed, nullptr, nullptr);
+        connect(&m_window.document().opening(), &ProjectOpening::failed, this,
+                [this](const QString& path, const QString& reason) {
+                    refuse(reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason));
+                });
     }
     connect(&m_window.session().messages(), &RunMessages::refused, this, &ScreenshotRunner::reportNoRun);
     connect(&m_window.session(), &RunSession::ended, this, &ScreenshotRunner::runEnded);
@@ -40,9 +42,9 @@ void ScreenshotRunner::next() {
         m_step = Step::Opening;
         break;
     case Step::Opening:
-        if (m_window.document().isOpening()) return;
+        if (m_window.document().opening().isOpening()) return;
         if (!select()) return;
-        m_window.useView(m_options.view);
+        m_window.work().useView(m_options.view);
         m_step = m_options.runFor && m_window.document().isOpen() ? Step::Run : Step::Draw;
         break;
     case Step::Run:
@@ -86,9 +88,9 @@ void ScreenshotRunner::runEnded(const Diagnostic& reason) {
     const QString why = QString::fromStdString(codeName(reason.code) + ": " + reason.message);
     const RunSession& session = m_window.session();
     if (!session.results().layout) return reportEnd(QStringLiteral("%1 did not run: %2").arg(m_options.open, why), kNoRun);
-    reportEnd(
-        QStringLiteral("the run of %1 ended at t = %2 s: %3").arg(m_options.open, QString::number(session.results().end->time), why),
-        kRunCutShort);
+    reportEnd(QStringLiteral("the run of %1 ended at t = %2 s: %3")
+                  .arg(m_options.open, QString::number(session.results().end->time), why),
+              kRunCutShort);
 }
 
 bool ScreenshotRunner::select() {
@@ -112,7 +114,8 @@ bool ScreenshotRunner::runDone() const {
 }
 
 bool ScreenshotRunner::isStuck() const {
-    return m_window.session().responses().seconds() > kTimeoutS && !m_window.session().responses().unresponsiveController().isEmpty();
+    return m_window.session().responses().seconds() > kTimeoutS &&
+           !m_window.session().responses().unresponsiveController().isEmpty();
 }
 
 void ScreenshotRunner::take() {

@@ -44,7 +44,7 @@ CamerasPanel::CamerasPanel(Document& document, RunSession& session, RenderServic
     m_feed = new CameraFeed(render, *m_wall, this);
     connect(m_feed, &CameraFeed::shown, this, &CamerasPanel::pictureShown);
     connect(m_feed, &CameraFeed::saved, this, [this](const QString& path, const QString& failure) {
-        const QString file = QString::fromStdString(m_document.shown(path.toStdString()));
+        const QString file = QString::fromStdString(m_document.texts().shown(path.toStdString()));
         Q_EMIT messageRequested(failure.isEmpty() ? tr("Wrote %1").arg(file) : failure);
     });
     connect(m_mode, &QComboBox::currentIndexChanged, this, [this] {

@@ -23,8 +23,8 @@ HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, &HistoryPanel::goTo);
-    connect(&m_document, &Document::historyChanged, this, &HistoryPanel::fillRows);
-    connect(&m_document, &Document::modifiedChanged, this, &HistoryPanel::fillRows);
+    connect(&m_document.edits(), &DocumentEdits::historyChanged, this, &HistoryPanel::fillRows);
+    connect(&m_document.texts(), &DocumentTexts::modifiedChanged, this, &HistoryPanel::fillRows);
     connect(&m_document, &Document::opened, this, [this] {
         m_saved = -1;
         fillRows();
@@ -39,9 +39,9 @@ void HistoryPanel::changeEvent(QEvent* event) {
 
 /// Finds the row of the saved state. There is none if edits since the last save replaced that state.
 void HistoryPanel::findSaved() {
-    const int now = static_cast<int>(m_document.history().position());
-    if (m_document.isOpen() && !m_document.isModified() && !m_document.isNew()) m_saved = now;
-    else if (m_saved == now || m_saved > static_cast<int>(m_document.history().entries().size())) m_saved = -1;
+    const int now = static_cast<int>(m_document.edits().history().position());
+    if (m_document.isOpen() && !m_document.texts().isModified() && !m_document.isNew()) m_saved = now;
+    else if (m_saved == now || m_saved > static_cast<int>(m_document.edits().history().entries().size())) m_saved = -1;
 }
 
 void HistoryPanel::fillRows() {
@@ -49,9 +49,9 @@ void HistoryPanel::fillRows() {
     const QSignalBlocker quiet(m_list);
     QPixmap nothing(16, 16);
     nothing.fill(Qt::transparent);
-    const auto& entries = m_document.history().entries();
+    const auto& entries = m_document.edits().history().entries();
     const int rows = m_document.isOpen() ? static_cast<int>(entries.size()) + 1 : 0;
-    const int now = static_cast<int>(m_document.history().position());
+    const int now = static_cast<int>(m_document.edits().history().position());
     while (m_list->count() > rows) delete m_list->takeItem(m_list->count() - 1);
     for (int row = 0; row < rows; ++row) {
         const QString name = row == 0 ? tr("Opened") : entries[static_cast<std::size_t>(row - 1)].name;
@@ -68,7 +68,7 @@ void HistoryPanel::fillRows() {
 }
 
 void HistoryPanel::goTo(int row) {
-    if (row >= 0) m_document.moveTo(static_cast<std::size_t>(row));
+    if (row >= 0) m_document.edits().moveTo(static_cast<std::size_t>(row));
     fillRows(); // restores the selection if the document did not move
 }
 

@@ -54,7 +54,7 @@ ProjectRename::ProjectRename(Document& document, std::string path, const std::st
             m_complete = false;
             break;
         }
-        const Result<std::shared_ptr<const LoadedProject>> other = document.loadedFrom(file);
+        const Result<std::shared_ptr<const LoadedProject>> other = document.loading().from(file);
         const Result<FilePlans> plan = other ? planOutside(*other.value(), probe) : Result<FilePlans>(other.error());
         if (!plan || plan.value().empty()) continue;
         m_others.push_back(other.value());
@@ -78,13 +78,13 @@ Result<ProjectRename::FilePlans> ProjectRename::planOutside(const LoadedProject&
 Status ProjectRename::apply(const QString& title, const std::string& name, bool everywhere) {
     const LoadedProject& loaded = *m_document.loaded();
     const Result<EditPlan> own = planRename(loaded, m_path, name);
-    if (!own || !everywhere || m_others.empty()) return m_document.apply(title, own);
+    if (!own || !everywhere || m_others.empty()) return m_document.edits().apply(title, own);
     FilePlans all = byPath(loaded, own.value().edits);
     for (const auto& other : m_others) {
         const Result<FilePlans> plan = planOutside(*other, name);
         if (!plan)
-            return m_document.apply(title,
-                                    Error{plan.error().code, m_document.shown(other->paths[0]) + ": " + plan.error().message});
+            return m_document.edits().apply(
+                title, Error{plan.error().code, m_document.texts().shown(other->paths[0]) + ": " + plan.error().message});
         for (const auto& [file, edits] : plan.value())
             for (const TextEdit& edit : edits)
                 if (std::ranges::none_of(all[file], [&](const TextEdit& e) { return e.range.range == edit.range.range; }))
@@ -92,12 +92,12 @@ Status ProjectRename::apply(const QString& title, const std::string& name, bool 
     }
     FileTexts texts;
     for (const auto& [file, edits] : all) {
-        if (Status added = m_document.addText(file); !added) return m_document.apply(title, added.error());
-        Result<std::string> bytes = applyEdits(*m_document.text(file), edits);
-        if (!bytes) return m_document.apply(title, bytes.error());
+        if (Status added = m_document.edits().addText(file); !added) return m_document.edits().apply(title, added.error());
+        Result<std::string> bytes = applyEdits(*m_document.texts().text(file), edits);
+        if (!bytes) return m_document.edits().apply(title, bytes.error());
         texts.emplace(file, std::make_shared<const std::string>(std::move(bytes).value()));
     }
-    return m_document.replaceTexts(title, texts, own.value().selects);
+    return m_document.edits().replaceTexts(title, texts, own.value().selects);
 }
 
 } // namespace trundle

@@ -93,10 +93,12 @@ struct StructureEdits::PendingEdit {
     }
 };
 
-QString StructureEdits::shown(const std::string& file) const { return toQString(m_document.shown(file)); }
+Status StructureEdits::refuse(const Error& error) { return m_document.edits().apply({}, error); }
+
+QString StructureEdits::shown(const std::string& file) const { return toQString(m_document.texts().shown(file)); }
 
 Status StructureEdits::apply(const QString& name, const std::vector<std::string>& paths, Plan plan, const std::string& mergeKey) {
-    if (!m_document.isOpen() || m_document.isReadOnly()) return m_document.edit({}, {}); // reports why it is refused
+    if (!m_document.isOpen() || m_document.access().isReadOnly()) return m_document.edits().edit({}, {}); // reports why
     const auto work = startEdit(name, paths, std::move(plan));
     work->mergeKey = mergeKey;
     return advance(work);
@@ -117,18 +119,18 @@ Status StructureEdits::applyFix(const Fix& fix) {
     const QString name = QObject::tr("Fix: %1").arg(QString::fromStdString(fix.title));
     const auto found = m_document.loaded();
     const auto isShipped = [&](const TextEdit& edit) { return isShippedFile(*found, edit.range.file); };
-    if (!m_document.isOpen() || std::ranges::none_of(fix.edits, isShipped)) return m_document.edit(name, editsOf(fix));
+    if (!m_document.isOpen() || std::ranges::none_of(fix.edits, isShipped)) return m_document.edits().edit(name, editsOf(fix));
     return apply(name, {}, [found, fix](const LoadedProject& loaded, const PathMapping& renamed) {
         return planFix(*found, fix, loaded, renamed);
     });
 }
 
 Status StructureEdits::rename(const QString& name, const std::string& path, const std::string& to) {
-    if (!m_document.isOpen()) return m_document.edit({}, {}); // reports why it is refused
+    if (!m_document.isOpen()) return m_document.edits().edit({}, {}); // reports why it is refused
     const auto place = placeOf(*m_document.loaded(), path);
     const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
     const bool isCopied = (top && top->is(Role::Config)) || !shippedDefinitionAt(*m_document.loaded(), path).empty();
-    if (m_document.isReadOnly() || !isCopied) return renameEverywhere(name, path, to);
+    if (m_document.access().isReadOnly() || !isCopied) return renameEverywhere(name, path, to);
     auto work = startEdit(name, {path}, [path, to](const LoadedProject& loaded, const PathMapping& renamed) {
         return planRename(loaded, renamed(path), to);
     });
@@ -138,7 +140,7 @@ Status StructureEdits::rename(const QString& name, const std::string& path, cons
 }
 
 Status StructureEdits::renameEverywhere(const QString& name, const std::string& path, const std::string& to) {
-    if (m_document.isReadOnly()) return m_document.edit({}, {}); // reports who has the project
+    if (m_document.access().isReadOnly()) return m_document.edits().edit({}, {}); // reports who has the project
     const LoadedProject& loaded = *m_document.loaded();
     std::string declared = path; // other texts may not have the instance that the path leads through
     if (auto place = placeOf(loaded, path); place && place->part) {
@@ -147,7 +149,7 @@ Status StructureEdits::renameEverywhere(const QString& name, const std::string& 
     }
     ProjectRename rename(m_document, declared, std::string(lastWord(declared)));
     const std::vector<ProjectRename::Use> uses = rename.usesOutside();
-    if (uses.empty()) return m_document.apply(name, planRename(loaded, path, to));
+    if (uses.empty()) return m_document.edits().apply(name, planRename(loaded, path, to));
     if (Status done = rename.apply(name, to, true); !done) return done;
     QStringList files;
     for (const ProjectRename::Use& use : uses) files += QObject::tr("%1 (%2)").arg(shown(use.file), QString::number(use.count));
@@ -163,11 +165,11 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
     for (int copies = 0; copies < kMaxCopies; ++copies) {
         const LoadedProject& loaded = *work->loaded;
         Result<EditPlan> plan = work->plan(loaded, [&work](const std::string& path) { return work->renamed(path); });
-        if (!plan) return m_document.apply(work->name, plan);
+        if (!plan) return m_document.edits().apply(work->name, plan);
         if (const std::vector<std::string> shipped = definitionsChangedBy(loaded, plan.value()); !shipped.empty()) {
             if (work->copies.contains(shipped.front()))
-                return m_document.apply({}, Error{Code::WrongPlace, shipped.front() + " is changed by this as well as its copy"});
-            if (Status done = copyDefinition(*work, shipped.front()); !done) return m_document.apply({}, done.error());
+                return refuse({Code::WrongPlace, shipped.front() + " is changed by this as well as its copy"});
+            if (Status done = copyDefinition(*work, shipped.front()); !done) return refuse(done.error());
             continue;
         }
         const Part* next = nullptr;
@@ -181,23 +183,23 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
         for (const auto& [file, edits] : plan.value().edits) work->changed.insert(loaded.paths[file]);
         const std::string key = keyOf(loaded, *next);
         if (work->copies.contains(pathOfConfig(*next)))
-            return m_document.apply({}, Error{Code::WrongPlace, next->title() + " is changed by this as well as its copy; "
-                                                                                "change it for all instead"});
+            return refuse(
+                {Code::WrongPlace, next->title() + " is changed by this as well as its copy; change it for all instead"});
         const EditTarget target = targetOfStructure(loaded, *next, nullptr, m_users);
         const bool isOwn = std::ranges::none_of(target.users, [&](const std::string& user) { return user != loaded.paths[0]; }) &&
                            next->file == 0 && work->copyUsers(*next).size() == target.instances;
         const auto known = m_chosen.find(key);
         if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
-            if (Status done = copy(*work, *next); !done) return m_document.apply({}, done.error());
+            if (Status done = copy(*work, *next); !done) return refuse(done.error());
         } else if (isOwn || known != m_chosen.end() || !m_questionHandler) {
             const Result<bool> expanded = expand(*work, *next);
-            if (!expanded) return m_document.apply({}, expanded.error());
+            if (!expanded) return refuse(expanded.error());
             if (!expanded.value()) work->decided.insert(key);
         } else {
             return ask(work, *next);
         }
     }
-    return m_document.apply({}, Error{Code::EditRefused, "this changes too many configs at once"});
+    return refuse(Error{Code::EditRefused, "this changes too many configs at once"});
 }
 
 Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part& config) {
@@ -302,7 +304,7 @@ Status StructureEdits::reload(PendingEdit& work, const EditPlan& plan) {
         if (!bytes) return bytes.error();
         work.texts.insert_or_assign(work.loaded->paths[file], std::make_shared<const std::string>(std::move(bytes).value()));
     }
-    Result<std::shared_ptr<const LoadedProject>> loaded = m_document.loadedWith(work.texts);
+    Result<std::shared_ptr<const LoadedProject>> loaded = m_document.loading().with(work.texts);
     if (!loaded) return loaded.error();
     work.loaded = std::move(loaded).value();
     return {};
@@ -310,23 +312,22 @@ Status StructureEdits::reload(PendingEdit& work, const EditPlan& plan) {
 
 Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
     if (work.texts.empty() && work.applyWithoutCopies) return work.applyWithoutCopies();
-    if (work.texts.empty()) return m_document.apply(work.name, plan, work.mergeKey);
-    const std::vector<std::string> selects = plan.selects;
-    if (Status read = reload(work, plan); !read) return m_document.apply({}, read.error());
-    EditPlan all{{}, selects};
+    if (work.texts.empty()) return m_document.edits().apply(work.name, plan, work.mergeKey);
+    if (Status read = reload(work, plan); !read) return refuse(read.error());
+    EditPlan all{{}, plan.selects};
     const std::vector<std::string>& paths = m_document.loaded()->paths;
     for (const auto& [path, after] : work.texts) {
         const auto file = static_cast<FileId>(std::ranges::find(paths, path) - paths.begin());
-        if (file == paths.size()) return m_document.apply({}, Error{Code::EditRefused, path + " is no file of this project"});
-        const TextSplice splice = spliceBetween(*m_document.text(path), *after);
+        if (file == paths.size()) return refuse(Error{Code::EditRefused, path + " is no file of this project"});
+        const TextSplice splice = spliceBetween(*m_document.texts().text(path), *after);
         const auto begin = static_cast<std::uint32_t>(splice.at), end = begin + static_cast<std::uint32_t>(splice.removed.size());
         if (!splice.empty()) all.edits[file].push_back({{file, {begin, end}}, splice.inserted});
     }
-    return m_document.apply(work.name, all, work.mergeKey);
+    return m_document.edits().apply(work.name, all, work.mergeKey);
 }
 
 Status StructureEdits::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
-    if (const Status may = m_document.checkEditable(); !may) return m_document.apply(name, may.error());
+    if (const Status may = m_document.access().checkEditable(); !may) return m_document.edits().apply(name, may.error());
     std::vector<std::string> asked;
     for (const ValueEdit& value : values) asked.push_back(value.path.text());
     // All steps of a drag use the copy made under its merge key.
@@ -334,16 +335,16 @@ Status StructureEdits::setValues(const QString& name, const std::vector<ValueEdi
         mergeKey.empty() && std::ranges::any_of(asked, [&](const std::string& path) { return targetOf(path).isShipped; });
     const std::string key = copies ? "copy " + std::to_string(m_document.revision()) : mergeKey;
     const Result<std::vector<std::string>> paths = pathsForValues(asked, key);
-    if (!paths) return m_document.apply(name, paths.error());
+    if (!paths) return m_document.edits().apply(name, paths.error());
     std::vector<ValueEdit> targets;
     for (std::size_t i = 0; i < values.size(); ++i) targets.push_back({paths.value()[i], values[i].value});
     const Result<FileEdits> edits = editsForValues(*m_document.loaded(), targets);
     // Loads once, with the values applied: a drag does this on every step.
-    const Status done = edits ? m_document.edit(name, edits.value(), key, reasonAgainst) : m_document.apply(name, edits.error());
+    const Status done = edits ? m_document.edits().edit(name, edits.value(), key, reasonAgainst) : refuse(edits.error());
     if (done && !m_notice.isEmpty()) Q_EMIT m_document.notice(m_notice); // after each step of a drag, since a change removes it
     if (key == mergeKey) return done;
-    if (!done) m_document.discardMerge(key);
-    m_document.endMerge();
+    if (!done) m_document.edits().discardMerge(key);
+    m_document.edits().endMerge();
     if (done) Q_EMIT m_document.selectionRequested({std::string(withoutLastWord(paths.value()[0]))});
     return done;
 }
@@ -354,7 +355,7 @@ EditTarget StructureEdits::targetOf(const std::string& propertyPath) {
 
 Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vector<std::string>& asked,
                                                                 const std::string& mergeKey) {
-    if (m_gesture != mergeKey || !m_document.history().canDiscardMerge(mergeKey))
+    if (m_gesture != mergeKey || !m_document.edits().history().canDiscardMerge(mergeKey))
         m_targets.clear(), m_copies.clear(), m_notice.clear();
     m_gesture = mergeKey;
     std::vector<std::string> paths;

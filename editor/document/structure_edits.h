@@ -57,7 +57,7 @@ public:
     Status applyFix(const Fix& fix);
     /// Sets values, each where it is to be written; refused as a whole if one is invalid. What is installed with Trundle
     /// is copied.
-    Status setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey);
+    Status setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey = {});
     /// Where a value of this path would be written; see project/edits/edit_target.h.
     [[nodiscard]] EditTarget targetOf(const std::string& propertyPath);
     /// The paths where these values are set: decided once for all steps of a drag, which have the same merge key. Configs
@@ -83,6 +83,7 @@ private:
     Status finish(PendingEdit& work, const EditPlan& plan);
     [[nodiscard]] Status reload(PendingEdit& work, const EditPlan& plan);
     [[nodiscard]] QString shown(const std::string& file) const;
+    Status refuse(const Error& error); ///< reports it; the document does not change
 
     Document& m_document;
     ShareQuestionHandler m_questionHandler;

@@ -51,9 +51,9 @@ LibraryPanel::LibraryPanel(Document& document, Selection& selection, Application
     connect(m_pictures, &LibraryPictures::drawn, m_model, &LibraryModel::setPicture);
     connect(&document, &Document::opened, this, &LibraryPanel::readFolders);
     connect(&document, &Document::changed, this, &LibraryPanel::showItems);
-    connect(&document, &Document::modifiedChanged, this, [this] {
+    connect(&document.texts(), &DocumentTexts::modifiedChanged, this, [this] {
         // Unmodified again: after undo or save the files on disk may have changed.
-        if (m_document.isOpen() && !m_document.isModified() && lastWritten() != m_readOf) readFolders();
+        if (m_document.isOpen() && !m_document.texts().isModified() && lastWritten() != m_readOf) readFolders();
     });
     readFolders();
     showItems();

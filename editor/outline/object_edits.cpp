@@ -75,7 +75,7 @@ Status ObjectEdits::refuse(const QString& reason) {
 
 Status ObjectEdits::checkChangeable(const std::vector<std::string>& paths, const QString& verb) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
-    if (m_document.isReadOnly()) return m_document.edit({}, {}); // reports who has the project
+    if (m_document.access().isReadOnly()) return m_document.edits().edit({}, {}); // reports who has the project
     if (paths.empty()) return refuse(tr("select an object to %1 first").arg(verb));
     for (const std::string& path : paths)
         if (m_marks.isLocked(path)) return refuse(tr("%1 is locked; unlock it to %2 it").arg(toQString(path), verb));
@@ -147,7 +147,7 @@ bool ObjectEdits::canPaste() const {
 Result<Blocks> ObjectEdits::read(const QMimeData& mime) const {
     const std::string& folder = m_document.loaded()->projectFolder;
     return blocksIn(mime, [&](const std::string& file) {
-        return m_document.isSample(file) || (!folder.empty() && file.starts_with(folder + "/"));
+        return m_document.texts().isSample(file) || (!folder.empty() && file.starts_with(folder + "/"));
     });
 }
 
@@ -209,8 +209,8 @@ Status ObjectEdits::insertFree(const QString& name, const std::optional<Vec3>& n
     const Status done = insert(key);
     if (done)
         if (const std::vector<ValueEdit> edits = freePlaces(*before, *m_document.loaded(), near); !edits.empty())
-            (void)m_document.setValues(name, edits, key);
-    m_document.endMerge();
+            (void)m_document.structure().setValues(name, edits, key);
+    m_document.edits().endMerge();
     return done;
 }
 
@@ -253,7 +253,8 @@ Status ObjectEdits::insertObject(const Kind& geom) {
     Result<EditPlan> plan = planInsert(*m_document.loaded(), {}, blocks.value().text);
     if (plan) plan.value().selects.erase(plan.value().selects.begin(), plan.value().selects.end() - 1); // not the config
     const QString title = tr("Add %1 Object").arg(toQString(geom.name));
-    return insertFree(title, insertionPoint(), [&](const std::string& key) { return m_document.apply(title, plan, key); });
+    return insertFree(title, insertionPoint(),
+                      [&](const std::string& key) { return m_document.edits().apply(title, plan, key); });
 }
 
 Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
@@ -265,7 +266,7 @@ Status ObjectEdits::move(const std::vector<std::string>& paths, const std::strin
         return parentOf(loaded, path) == parent && (file == kNoFile || blockOf(loaded, path).file == file);
     });
     const QString where = !parent.empty()   ? toQString(lastName(parent))
-                          : file != kNoFile ? toQString(m_document.shown(loaded.paths.at(file)))
+                          : file != kNoFile ? toQString(m_document.texts().shown(loaded.paths.at(file)))
                                             : tr("the top level");
     const QString title = stays ? tr("Reorder %1").arg(named(objects)) : tr("Move %1 to %2").arg(named(objects), where);
     std::vector<std::string> touched = objects;
@@ -282,8 +283,8 @@ Status ObjectEdits::replaceBySingles(const std::string& path) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const auto place = placeOf(*m_document.loaded(), path);
     const std::string layout = place && place->instance ? place->instance->name : path;
-    return m_document.apply(tr("Replace %1 by single robots").arg(toQString(layout)),
-                            planReplaceBySingles(*m_document.loaded(), layout));
+    return m_document.edits().apply(tr("Replace %1 by single robots").arg(toQString(layout)),
+                                    planReplaceBySingles(*m_document.loaded(), layout));
 }
 
 void ObjectEdits::removeSelected() {

@@ -66,8 +66,8 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
     connect(m_name, &ValueField::refusedChanged, m_name, &QWidget::setToolTip);
     connect(m_singles, &QPushButton::clicked, this, [this] {
         const std::string path = m_object;
-        const Status done =
-            m_document.apply(tr("Replace %1 by single robots").arg(toQString(path)), planReplaceBySingles(*m_document.loaded(), path));
+        const Status done = m_document.edits().apply(tr("Replace %1 by single robots").arg(toQString(path)),
+                                                     planReplaceBySingles(*m_document.loaded(), path));
         if (!done) m_singles->setToolTip(toQString(done.error().message));
     });
 }

@@ -33,7 +33,7 @@ QString overrideWords(const FieldValue& value) {
 QString targetWords(const ObjectValues& object, Document& document) {
     const Part *config = object.config(), *instance = object.instance();
     const LoadedProject& loaded = object.loaded();
-    const auto fileOf = [&](FileId file) { return QString::fromStdString(document.shown(loaded.paths.at(file))); };
+    const auto fileOf = [&](FileId file) { return QString::fromStdString(document.texts().shown(loaded.paths.at(file))); };
     const std::string definition = shippedDefinitionAt(loaded, object.path());
     const bool isShippedConfig = config && !instance && isShippedFile(loaded, config->file);
     if (isShippedConfig || !definition.empty()) {

@@ -276,9 +276,9 @@ void PropertiesPanel::addRow(const Row& row, EditorKind kind, Section& section) 
         m_current = id;
         showHelp();
     });
-    connect(widget, &PropertyRow::scrubEnded, this, [this] { m_document.endMerge(); });
+    connect(widget, &PropertyRow::scrubEnded, this, [this] { m_document.edits().endMerge(); });
     connect(widget, &PropertyRow::scrubCancelled, this,
-            [this, widget] { m_document.discardMerge("scrub " + widget->row().first().path); });
+            [this, widget] { m_document.edits().discardMerge("scrub " + widget->row().first().path); });
     connect(widget, &PropertyRow::resetRequested, this, [this, id, widget] {
         const Setter set = widget->row().set; // a copy: the change below replaces the row
         showFailure(id, set([](const FieldValue&) { return std::string(); }, {}));
@@ -340,7 +340,7 @@ void PropertiesPanel::setAsText(const std::string& id) {
 }
 
 void PropertiesPanel::jump(const SourceRange& place) {
-    const std::vector<std::string> files = m_document.files();
+    const std::vector<std::string> files = m_document.texts().files();
     if (place.known() && place.file < files.size()) Q_EMIT jumpTo(files[place.file], place);
 }
 

@@ -42,7 +42,7 @@ void addValueActions(QMenu& menu, const Row& row, Document& document, const RowA
     if (row.first().origin == ValueOrigin::Config)
         add(menu, "rowPull", QObject::tr("Override here"), [path, &document, actions] {
             const Result<EditPlan> plan = planPullOverride(*document.loaded(), path);
-            actions.failed(plan ? document.edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
+            actions.failed(plan ? document.edits().edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
                                 : Status(plan.error()));
         });
 }

@@ -147,14 +147,15 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
             return planReset(loaded, paths);
         };
         if (copies) return document.structure().apply(QObject::tr("Reset %1").arg(what), {}, plan, mergeKey);
-        return document.edit(QObject::tr("Reset %1").arg(what), planReset(*document.loaded(), resets).value().edits, mergeKey);
+        return document.edits().edit(QObject::tr("Reset %1").arg(what), planReset(*document.loaded(), resets).value().edits,
+                                     mergeKey);
     }
     if (edits.empty()) return {};
     const QString value = values.size() == 1 ? toQString(edits[0].value.text()).simplified() : QString();
     constexpr int kLongest = 24;
     const QString name = value.isEmpty() || value.size() > kLongest ? QObject::tr("Set %1").arg(what)
                                                                     : QObject::tr("Set %1 to %2").arg(what, value);
-    return document.setValues(name, edits, mergeKey);
+    return document.structure().setValues(name, edits, mergeKey);
 }
 
 QString nowText(const RunSession& session, const std::string& robot, bool position) {

@@ -35,7 +35,7 @@ bool ControllerCommands::reject(const QString& reason) {
 /// Edits modules, which are not objects: the selection is kept.
 bool ControllerCommands::edit(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {
     if (!plan) return reject(QString::fromStdString(plan.error().message));
-    return m_document.edit(name, plan.value().edits, mergeKey).ok(); // the document reports a failure
+    return m_document.edits().edit(name, plan.value().edits, mergeKey).ok(); // the document reports a failure
 }
 
 void ControllerCommands::applyTrust() {
@@ -86,7 +86,8 @@ bool ControllerCommands::load(const QString& library) {
     if (!found) return reject(QString::fromStdString(found.error().message));
     const std::string& path = found.value().library;
     if (!isTrusted(QString::fromStdString(path))) return false;
-    const std::string written = writtenFor(path, *m_document.loaded(), m_session.source().application().locations().modules, m_given);
+    const std::string written =
+        writtenFor(path, *m_document.loaded(), m_session.source().application().locations().modules, m_given);
     for (const ModuleInfo& module : modules())
         if (module.library == path) return reject(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
     if (!edit(tr("Load Module %1").arg(QString::fromStdString(written)), planLoadModule(*m_document.loaded(), written)))
@@ -110,7 +111,7 @@ bool ControllerCommands::unload(const ModuleInfo& module) {
 
 void ControllerCommands::reload() {
     m_session.reset();
-    if (m_document.isOpen()) m_document.readAgain();
+    if (m_document.isOpen()) m_document.loading().readAgain();
 }
 
 bool ControllerCommands::assign(const std::vector<std::string>& robots, const ControllerChoice& choice) {
@@ -120,18 +121,19 @@ bool ControllerCommands::assign(const std::vector<std::string>& robots, const Co
             ? tr("Assign %1 to %2").arg(QString::fromStdString(choice.kind.name), QString::fromStdString(robots[0]))
             : tr("Assign %1").arg(QString::fromStdString(choice.kind.name));
     const std::string key = "assign " + choice.kind.name;
-    m_document.endMerge();
+    m_document.edits().endMerge();
     if (!choice.module.empty() && !edit(name, planLoadModule(*m_document.loaded(), choice.module), key)) return false;
     const Kind* kind = m_document.loaded()->registry->find(choice.kind.name);
-    const bool done = m_document.apply(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key).ok();
-    if (!done) m_document.discardMerge(key); // undo the #loadModule if the assignment failed
-    m_document.endMerge();
+    const bool done =
+        m_document.edits().apply(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key).ok();
+    if (!done) m_document.edits().discardMerge(key); // undo the #loadModule if the assignment failed
+    m_document.edits().endMerge();
     return done;
 }
 
 bool ControllerCommands::unassign(const std::vector<std::string>& robots) {
     if (!m_document.loaded()) return false;
-    return m_document.apply(tr("Remove Controller"), planUnassign(*m_document.loaded(), robots)).ok();
+    return m_document.edits().apply(tr("Remove Controller"), planUnassign(*m_document.loaded(), robots)).ok();
 }
 
 } // namespace trundle

@@ -140,7 +140,7 @@ QWidget* ControllersPanel::makeModules() {
     connect(m_modules, &QTreeWidget::currentItemChanged, this, &ControllersPanel::showButtons);
     connect(m_modules, &QTreeWidget::itemActivated, this, [this] {
         const ModuleInfo* module = currentModule();
-        if (module && module->range.known()) Q_EMIT jumpTo(m_document.files().at(module->range.file), module->range);
+        if (module && module->range.known()) Q_EMIT jumpTo(m_document.texts().files().at(module->range.file), module->range);
     });
     return withTools(m_modules, {load, reload, m_unload, m_trust});
 }

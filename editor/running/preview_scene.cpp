@@ -75,7 +75,7 @@ std::shared_ptr<const LoadedProject> PreviewScene::show(const Document& document
     const std::vector<const Part*> configs = loaded ? configsWithoutInstances(*loaded) : std::vector<const Part*>();
     if (configs.empty()) return m_shown;
     OpenOptions options = document.options();
-    for (const std::string& file : document.files()) options.texts.emplace(file, document.text(file));
+    for (const std::string& file : document.texts().files()) options.texts.emplace(file, document.texts().text(file));
     const std::string root = loaded->paths[0] + ".preview";
     options.texts.insert_or_assign(root, std::make_shared<const std::string>(placing(loaded->paths[0], configs)));
     options.previous = before;

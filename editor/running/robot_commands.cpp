@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "editor/document/document.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/pose_overlay.h"
 #include "editor/running/run_edits.h"
 #include "editor/running/run_messages.h"
@@ -129,7 +130,7 @@ void RobotCommands::keepPoses() {
         return;
     }
     const StartPoses kept = posesNow();
-    if (const Status done = m_document.setValues(tr("Keep Poses as Start"), kept.values); !done)
+    if (const Status done = m_document.structure().setValues(tr("Keep Poses as Start"), kept.values); !done)
         m_messages.refuse(QString::fromStdString(done.error().message));
     else if (!kept.leftOut.isEmpty())
         Q_EMIT m_document.notice(tr("Poses saved, except of %1: new or renamed since the run started.").arg(kept.leftOut));

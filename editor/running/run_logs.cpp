@@ -34,7 +34,7 @@ void RunLogs::forget() {
 /// writable, for experiments not saved yet, and for read-only windows, since another window writes the project's logs.
 LogLocation RunLogs::location() const {
     const std::string& project = m_document.loaded()->projectFolder;
-    if (!m_document.isNew() && !m_document.isReadOnly() && QFileInfo(QString::fromStdString(project)).isWritable())
+    if (!m_document.isNew() && !m_document.access().isReadOnly() && QFileInfo(QString::fromStdString(project)).isWritable())
         return defaultLogs(project, m_document.path());
     if (!m_own.empty()) return m_own;
     const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -43,7 +43,7 @@ LogLocation RunLogs::location() const {
 
 /// Two windows may have unsaved experiments of the same name: each takes a folder that does not exist yet.
 void RunLogs::takeOwn() {
-    if (!m_own.empty() || (!m_document.isNew() && !m_document.isReadOnly())) return;
+    if (!m_own.empty() || (!m_document.isNew() && !m_document.access().isReadOnly())) return;
     const LogLocation first = location();
     std::error_code failed;
     if (first.empty()) return;

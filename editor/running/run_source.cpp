@@ -28,7 +28,7 @@ QString RunSource::nothingToRun() const {
     const QString why = tr("There is nothing to run: this file describes %1 and places nothing. To run it, import the file in an "
                            "experiment and drag it in from the Library.")
                             .arg(names.join(QStringLiteral(", ")));
-    return m_document.isSample(m_document.path()) ? why + tr(" Its card on the Welcome page does that.") : why;
+    return m_document.texts().isSample(m_document.path()) ? why + tr(" Its card on the Welcome page does that.") : why;
 }
 
 QString RunSource::refusal() const {
@@ -64,7 +64,7 @@ bool RunSource::describesOnly() const {
 
 void RunSource::readRebuiltModules() {
     if (const auto& loaded = m_document.loaded(); loaded && descriptionChanged(*loaded->experiment, *loaded->registry))
-        m_document.readAgain();
+        m_document.loading().readAgain();
 }
 
 } // namespace trundle

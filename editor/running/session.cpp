@@ -274,7 +274,7 @@ void RunSession::reportLogs() {
     if (const QString finish = m_active.finishText(); !finish.isEmpty()) addConsoleLine(TRUNDLE_INFO, finish);
     else if (!end.failure) addConsoleLine(TRUNDLE_INFO, tr("finished at t = %1 s").arg(end.time));
     QStringList files;
-    for (const std::string& file : end.logFiles) files.append(QString::fromStdString(m_document.shown(file)));
+    for (const std::string& file : end.logFiles) files.append(QString::fromStdString(m_document.texts().shown(file)));
     if (files.empty()) return;
     addConsoleLine(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
     m_logs->written(); // a controller may have opened the first log

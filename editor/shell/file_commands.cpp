@@ -43,7 +43,7 @@ FileCommands::FileCommands(QWidget& window, Document& document, Actions& actions
 }
 
 void FileCommands::close() {
-    if (confirmClose()) m_document.close();
+    if (confirmClose()) m_document.opening().close();
 }
 
 QMenu* FileCommands::makeRecentMenu() {
@@ -61,7 +61,7 @@ QMenu* FileCommands::makeRecentMenu() {
 
 bool FileCommands::open(const QString& path) {
     if (!confirmClose()) return false;
-    m_document.openLater(path.toStdString());
+    m_document.opening().openLater(path.toStdString());
     showOpening(path);
     return true;
 }
@@ -76,7 +76,7 @@ void FileCommands::showOpening(const QString& path) {
     m_progress->setMinimumDuration(500);
     m_progress->setValue(0); // starts the timer of the minimum duration
     connect(m_progress, &QProgressDialog::canceled, this, [this] {
-        m_document.cancelOpening();
+        m_document.opening().cancel();
         m_progress->deleteLater();
     });
     connect(&m_document, &Document::opened, m_progress, &QObject::deleteLater);
@@ -101,7 +101,7 @@ void FileCommands::newFrom(const char* templateName) {
 void FileCommands::makeNew(const QString& subject, const QByteArray& text) {
     const QString name = tr("untitled %1").arg(subject).replace(QLatin1Char(' '), QLatin1Char('_'));
     report(tr("The template could not be opened"),
-           m_document.openNew((name + QStringLiteral(".sim")).toStdString(), text.toStdString()));
+           m_document.opening().openNew((name + QStringLiteral(".sim")).toStdString(), text.toStdString()));
 }
 
 void FileCommands::tryOut(const QString& path) {
@@ -139,8 +139,8 @@ void FileCommands::choose() {
 bool FileCommands::save() {
     m_flush();
     if (!m_document.isOpen()) return true;
-    if (m_document.isNew() || m_document.isSample(m_document.path())) return saveAs();
-    const Status status = m_document.save();
+    if (m_document.isNew() || m_document.texts().isSample(m_document.path())) return saveAs();
+    const Status status = m_document.saving().save();
     report(tr("Not saved"), status);
     return status.ok();
 }
@@ -149,13 +149,13 @@ bool FileCommands::saveAs() {
     m_flush();
     if (!m_document.isOpen()) return true;
     QString start = QString::fromStdString(m_document.path());
-    if (m_document.isNew() || m_document.isSample(m_document.path())) {
+    if (m_document.isNew() || m_document.texts().isSample(m_document.path())) {
         const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
         start = (QFileInfo(documents).isDir() ? documents : QDir::homePath()) + QLatin1Char('/') + QFileInfo(start).fileName();
     }
     const QString path = askWhereToSave(&m_window, tr("Save As"), start, tr(kFilter), QStringLiteral("sim"));
     if (path.isEmpty()) return false;
-    const Status status = m_document.saveAs(path.toStdString());
+    const Status status = m_document.saving().saveAs(path.toStdString());
     report(tr("Not saved"), status);
     if (status.ok()) addRecentFile(path);
     return status.ok();
@@ -163,7 +163,7 @@ bool FileCommands::saveAs() {
 
 bool FileCommands::confirmClose() {
     m_flush();
-    if (!m_document.isOpen() || !m_document.isModified()) return true;
+    if (!m_document.isOpen() || !m_document.texts().isModified()) return true;
     const QStringList names = unsavedFiles(m_document);
     QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
                          names.size() == 1 ? tr("Save the changes in %1?").arg(names.front())

@@ -59,7 +59,7 @@ private:
         const auto plan = planned();
         m_group->setEnabled(plan.ok());
         m_file->setText(plan ? trGroup("Saved as %1 with the experiment. It is in the Library from then on.")
-                                   .arg(QString::fromStdString(m_document.shown(plan.value().file)))
+                                   .arg(QString::fromStdString(m_document.texts().shown(plan.value().file)))
                              : QString::fromStdString(plan.error().message));
     }
     void group() {
@@ -81,7 +81,7 @@ private:
 
 void askForGroup(QWidget* parent, Document& document, const std::vector<std::string>& paths, const std::string& shippedConfigs) {
     if (!document.isOpen()) return;
-    if (document.isNew() || document.isSample(document.path()))
+    if (document.isNew() || document.texts().isSample(document.path()))
         return Q_EMIT document.refused(trGroup("A piece is a file beside the experiment: save the experiment first."));
     const std::string name = freeGroupName(*document.loaded(), shippedConfigs);
     if (const auto plan = planGroup(*document.loaded(), paths, name, shippedConfigs); !plan)

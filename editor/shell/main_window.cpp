@@ -4,9 +4,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QFileInfo>
-#include <QMenuBar>
-#include <QMessageBox>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -25,24 +22,27 @@
 #include "editor/running/console_panel.h"
 #include "editor/running/controller_commands.h"
 #include "editor/running/controllers_panel.h"
-#include "editor/running/keyboard_drive.h"
 #include "editor/running/run_status.h"
 #include "editor/running/transport_bar.h"
 #include "editor/shell/action_table.h"
-#include "editor/shell/command_palette.h"
+#include "editor/shell/camera_commands.h"
+#include "editor/shell/edit_commands.h"
 #include "editor/shell/file_commands.h"
 #include "editor/shell/file_drop.h"
-#include "editor/shell/group_dialog.h"
+#include "editor/shell/help_commands.h"
 #include "editor/shell/help_panel.h"
-#include "editor/shell/menus.h"
 #include "editor/shell/preferences_dialog.h"
+#include "editor/shell/project_questions.h"
 #include "editor/shell/recent_files.h"
+#include "editor/shell/run_commands.h"
 #include "editor/shell/saved_window_state.h"
-#include "editor/shell/share_dialog.h"
 #include "editor/shell/status_line.h"
 #include "editor/shell/unsaved_files.h"
 #include "editor/shell/welcome_page.h"
+#include "editor/shell/window_menus.h"
+#include "editor/shell/work_area.h"
 #include "editor/text/text_panel.h"
+#include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/theme.h"
 #include "project/objects/object_location.h"
@@ -92,11 +92,11 @@ MainWindow::MainWindow(Application& application, RenderService* render, const Lo
     makePanels(application, render, places);
     makeDocks();
     makeToolBars();
+    connectDocument();
     connectPanels();
     connectActions();
-    connectCameras(application, render);
+    makeCommands(application, render, places);
     showDocument();
-    QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // recovers new texts that were never saved
 }
 
 MainWindow::~MainWindow() {
@@ -114,12 +114,7 @@ void MainWindow::makePanels(Application& application, RenderService* render, con
     m_viewport = new ViewportPanel(*m_document, *m_selection, *m_session, render, *m_actions);
     m_text = new TextPanel(*m_document, *m_selection, *m_actions);
     m_text->setFolders({{places.configs}, {places.resources}, {places.modules}});
-    m_work = new QSplitter(Qt::Horizontal);
-    m_work->setObjectName(QStringLiteral("work"));
-    m_work->addWidget(m_viewport);
-    m_work->addWidget(m_text);
-    m_work->setChildrenCollapsible(false);
-    m_work->setSizes({1000, 1000});
+    m_work = new WorkArea(*m_viewport, *m_text, *m_actions);
     m_pages->addWidget(m_welcome);
     m_pages->addWidget(m_work);
     setCentralWidget(m_pages);
@@ -184,17 +179,15 @@ void MainWindow::makeToolBars() {
     connect(new RunStatus(*m_session, this), &RunStatus::changed, m_status, &StatusLine::setRunText);
 }
 
-void MainWindow::connectPanels() {
-    connect(m_document, &Document::aboutToOpen, this, [this] { showPages(true); });
+void MainWindow::connectDocument() {
+    connect(&m_document->opening(), &ProjectOpening::aboutToOpen, this, [this] { showPages(true); });
     const auto notOpened = [this] { showPages(m_document->isOpen()); };
-    connect(m_document, &Document::openingCancelled, this, notOpened);
-    connect(m_document, &Document::openFailed, this, notOpened);
+    connect(&m_document->opening(), &ProjectOpening::cancelled, this, notOpened);
+    connect(&m_document->opening(), &ProjectOpening::failed, this, notOpened);
     connect(m_document, &Document::opened, this, &MainWindow::showDocument);
     connect(m_document, &Document::opened, this, [this] { m_problemsMayCome = true; });
     connect(m_document, &Document::changed, this, &MainWindow::raiseProblemsOnce); // emitted after opened()
-    for (ObjectEdits* edits : {m_edits, &m_library->edits()})
-        edits->setInsertionPoint([this] { return m_viewport->insertionPoint(); });
-    connect(m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
+    connect(&m_document->texts(), &DocumentTexts::modifiedChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
     connect(m_document, &Document::selectionRequested, m_selection, [this](const auto& paths) {
         if (!paths.empty()) return m_selection->set(paths);
@@ -203,31 +196,21 @@ void MainWindow::connectPanels() {
         m_selection->set(left);
     });
     connect(m_document, &Document::notice, m_status, &StatusLine::refuse);
-    connect(m_document, &Document::diskChanged, this, &MainWindow::askAboutDiskChange);
-    connect(m_document, &Document::opened, this, &MainWindow::offerRecovery, Qt::QueuedConnection);
     connect(m_document, &Document::opened, m_console, &ConsolePanel::clear); // its messages refer to the previous project
-    connect(m_document, &Document::openFailed, m_files, &FileCommands::reportNotOpened);
-    connect(m_document, &Document::readOnlyChanged, this, &MainWindow::showReadOnly);
-    connect(&m_session->messages(), &RunMessages::refused, m_status, &StatusLine::refuse);
-    connect(&m_session->messages(), &RunMessages::refused, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
-    connect(&m_session->messages(), &RunMessages::problemsChanged, this, [this] {
-        if (m_session->results().built) m_problems->setRunProblems(m_session->messages().problems(), m_session->results().built);
-        else m_problems->clearRunProblems();
-    });
-    connect(m_session, &RunSession::ended, this, [this] {
-        m_layouts->raise(QStringLiteral("problems"));
-        if (!m_session->results().end || m_session->results().end->body.empty()) return;
-        std::string body = m_session->results().end->body;
-        std::ranges::replace(body, '/', '.');
-        m_selection->select(body);
-    });
+    connect(&m_document->opening(), &ProjectOpening::failed, m_files, &FileCommands::reportNotOpened);
+    m_questions = new ProjectQuestions(*this, *m_document, *m_files);
+}
+
+void MainWindow::connectPanels() {
+    for (ObjectEdits* edits : {m_edits, &m_library->edits()})
+        edits->setInsertionPoint([this] { return m_viewport->views().insertionPoint(); });
     connect(m_welcome, &WelcomePage::openRequested, m_files, &FileCommands::open);
     connect(m_welcome, &WelcomePage::tryRequested, m_files, &FileCommands::tryOut);
     connect(m_problems, &ProblemsPanel::countsChanged, m_status, &StatusLine::setProblems);
     m_status->setProblems(m_problems->errors(), m_problems->warnings());
     connect(m_status, &StatusLine::problemsRequested, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
     connect(m_outline, &OutlinePanel::jumpTo, this, [this](const std::string& file, TextRange block) {
-        showText(true);
+        m_work->showText(true);
         m_text->revealBlock(file, block);
     });
     const auto go = [this](const std::string& file, const SourceRange& range) { showPlace(file, range.range); };
@@ -239,80 +222,59 @@ void MainWindow::connectPanels() {
     connect(m_controllers, &ControllersPanel::attentionRequested, this,
             [this] { m_layouts->raise(QStringLiteral("controllers")); });
     connect(m_marks, &ObjectMarks::hiddenChanged, this, [this] {
-        m_viewport->setHidden({m_marks->hidden().begin(), m_marks->hidden().end()});
+        m_viewport->world().setHidden({m_marks->hidden().begin(), m_marks->hidden().end()});
     });
     connect(m_marks, &ObjectMarks::lockedChanged, this, [this] {
-        m_viewport->setLocked({m_marks->locked().begin(), m_marks->locked().end()});
+        m_viewport->world().setLocked({m_marks->locked().begin(), m_marks->locked().end()});
     });
     connect(m_text, &TextPanel::messageRequested, m_status, &StatusLine::refuse);
     connect(m_radios, &RadiosPanel::messageRequested, m_status, &StatusLine::refuse);
-    m_document->structure().setShareQuestionHandler(
-        [this](const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
-            askAboutSharedConfig(this, question, answer);
-        });
+    connect(m_cameras, &CamerasPanel::messageRequested, m_status, &StatusLine::refuse);
+    connect(m_cameras, &CamerasPanel::lookThroughRequested, this, [this](const std::string& camera) {
+        m_work->showViewport(true);
+        m_viewport->views().current().camera().lookThrough(camera);
+    });
+    connect(m_outline, &OutlinePanel::lookThroughRequested, this, [this](const std::string& path) {
+        m_work->showViewport(true);
+        m_viewport->views().lookThrough(path);
+    });
     m_files->setFlush([this] { m_text->flush(); });
     m_text->installEventFilter(this);
     new FileDrop(*this, [this](const QString& path) { m_files->open(path); });
 }
 
+void MainWindow::makeCommands(Application& application, RenderService* render, const Locations& places) {
+    auto* insert = new InsertMenu(*m_document, *m_selection, *m_edits, this);
+    new WindowMenus(*this, *m_actions, {*m_files, *m_controllers, *m_layouts, *insert});
+    new EditCommands(*this, *m_actions, {*m_document, *m_selection, *m_edits, *m_outline, *m_text, *m_work, *m_layouts},
+                     places.configs);
+    new RunCommands(*this, *m_actions, {*m_session, *m_selection, *m_viewport, *m_problems, *m_layouts, *m_status});
+    new CameraCommands(*this, *m_actions, {application, *m_document, *m_session, *m_viewport, *m_status, render});
+    new HelpCommands(*this, *m_actions, {*m_document, *m_selection, *m_text, *m_help, *m_layouts});
+}
+
 void MainWindow::connectActions() {
     const auto on = [this](const char* id, auto what) { connect(&m_actions->at(id), &QAction::triggered, this, what); };
-    m_menus = buildMenus(*menuBar(), *m_actions);
-    m_menus.at(QStringLiteral("File"))->insertMenu(&m_actions->at("file.openSample"), m_files->makeRecentMenu());
-    m_menus.at(QStringLiteral("Controllers"))->insertMenu(&m_actions->at("controllers.assign"), m_controllers->recentMenu());
-    m_menus.at(QStringLiteral("View"))->insertMenu(m_menus.at(QStringLiteral("View/Layout"))->menuAction(), m_layouts->menu());
-    (new InsertMenu(*m_document, *m_selection, *m_edits, this))->attach(*m_menus.at(QStringLiteral("Insert")));
     on("file.quit", [this] { close(); });
-    on("edit.undo", [this] { m_text->flush(), m_document->undo(); });
-    on("edit.redo", [this] { m_text->flush(), m_document->redo(); });
-    on("edit.palette", [this] { openPalette(); });
     on("edit.preferences", [this] {
         PreferencesDialog dialog(*m_actions, this);
         connect(&dialog, &PreferencesDialog::changed, this, &MainWindow::applyPreferences);
         dialog.exec();
         m_controllers->commands().applyTrust();
     });
-    on("view.text", [this](bool shown) { showText(shown); });
     on("view.theme", [this](bool dark) { setDarkTheme(dark); });
     on("view.layoutEdit", [this] { setLayout(Layout::Edit); });
     on("view.layoutRun", [this] { setLayout(Layout::Run); });
     on("view.layoutReset", [this] {
         m_layouts->resetCurrent();
-        showText(m_layouts->current() == Layout::Edit);
-        showViewport(true);
-    });
-    connectLogs();
-    on("help.guide", [this] { showHelp(); });
-    on("help.about", [this] { showAbout(); });
-    const Preferences preferences = loadPreferences();
-    applyPreferences(preferences, preferences);
-    m_actions->at("view.text").setChecked(true);
-    on("view.viewport", [this](bool shown) { showViewport(shown); });
-    m_actions->at("view.viewport").setChecked(true);
-    for (const char* id :
-         {"edit.cut", "edit.copy", "edit.paste", "edit.delete", "edit.duplicate", "edit.rename", "edit.selectAll", "edit.find"})
-        on(id, [this, id] { doEdit(id); });
-    on("edit.group",
-       [this] { askForGroup(this, *m_document, m_selection->paths(), m_session->source().application().locations().configs); });
-    on("edit.filter", [this] {
-        m_layouts->raise(QStringLiteral("scene"));
-        m_outline->focusFilter();
+        m_work->showText(m_layouts->current() == Layout::Edit);
+        m_work->showViewport(true);
     });
     on("problems.next", [this] { m_problems->goTo(1); });
     on("problems.previous", [this] { m_problems->goTo(-1); });
     on("problems.fix", [this] { m_problems->fixCurrent(); });
-    for (const char* id : {"edit.findInFiles", "edit.replace"}) on(id, [this] { showText(true); });
-    new KeyboardDrive(*m_session, *m_selection, *m_actions, *this); // child of the window
-    on("sim.drive", [this](bool drives) {
-        if (!drives) return;
-        m_viewport->current().setFocus(); // in a text editor the arrows move the caret
-        m_status->refuse(tr("The arrow keys steer the selected robot while it runs, with Shift twice as fast."));
-    });
-    on("sim.run", [this] { // the arrow keys should drive the robot, not edit the last row
-        if (m_actions->at("sim.drive").isChecked()) m_viewport->current().setFocus();
-    });
-    connect(m_document, &Document::historyChanged, this, &MainWindow::showUndo);
-    showUndo();
+    const Preferences preferences = loadPreferences();
+    applyPreferences(preferences, preferences);
 }
 
 /// Shows the main page with docks and tool bars, or the Welcome page.
@@ -337,7 +299,7 @@ void MainWindow::showDocument() {
 void MainWindow::showTitle() {
     if (!m_document->isOpen()) return setWindowTitle(tr("Trundle"));
     setWindowTitle(trundle::windowTitle(*m_document));
-    setWindowModified(m_document->isModified() || m_document->isNew());
+    setWindowModified(m_document->texts().isModified() || m_document->isNew());
 }
 
 } // namespace trundle

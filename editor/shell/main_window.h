@@ -1,12 +1,10 @@
 #pragma once
 // The main window: creates and connects the panels. Only this class uses all of them.
 
-#include <map>
 #include <memory>
 
 #include <QLabel>
 #include <QMainWindow>
-#include <QSplitter>
 #include <QStackedWidget>
 
 #include "editor/document/document.h"
@@ -28,6 +26,7 @@ class LibraryPanel;
 class ObjectEdits;
 class OutlinePanel;
 class ProblemsPanel;
+class ProjectQuestions;
 class PropertiesPanel;
 class RadiosPanel;
 class RenderService;
@@ -38,8 +37,7 @@ class TransportBar;
 class ViewportPanel;
 class WelcomePage;
 class SavedWindowState;
-
-struct Kind;
+class WorkArea;
 
 class MainWindow final : public QMainWindow {
     Q_OBJECT
@@ -54,23 +52,17 @@ public:
     [[nodiscard]] Actions& actions() { return *m_actions; }
     [[nodiscard]] ViewportPanel& viewport() { return *m_viewport; }
     [[nodiscard]] TextPanel& text() { return *m_text; }
+    [[nodiscard]] WorkArea& work() { return *m_work; }
+    [[nodiscard]] ProjectQuestions& questions() { return *m_questions; }
 
     /// Asks about unsaved changes, then opens. False if the user cancelled.
     bool open(const QString& path);
     /// For running the viewport is in the centre; for editing the text is shown as before.
     void setLayout(Layout layout);
-    /// Shows or hides the text next to the viewport.
-    void showText(bool shown);
-    void showHelp();
-    [[nodiscard]] const Kind* kindForHelp();
-    /// "perspective", "top", "front", "side", "follow", "chase", or "text": the text alone. "" does nothing.
-    void useView(const QString& name);
     /// Everything visible is up to date. For tests and screenshots.
     [[nodiscard]] bool isSettled() const;
     /// Restores and saves hidden and locked objects, cameras, overlays and snap steps per experiment.
     void rememberViews();
-    /// Shows and removes the reports of windows that crashed, in `folder`; see keepCrashReport().
-    void showCrashReports(const QString& folder);
     /// Recent files and the size and docks of this window are not saved.
     void disableSettings();
     /// Saves the settings and closes the project. The window must not be used afterwards.
@@ -85,28 +77,17 @@ private:
     void makePanels(Application& application, RenderService* render, const Locations& places);
     void makeDocks();
     void makeToolBars();
+    void makeCommands(Application& application, RenderService* render, const Locations& places);
+    void connectDocument();
     void connectPanels();
     void connectActions();
     void showPages(bool work);
     void showDocument();
     void showTitle();
-    void connectLogs();
     void raiseProblemsOnce();
     void showPlace(const std::string& file, TextRange range);
-    void showViewport(bool shown);
-    void doEdit(const char* id);
-    [[nodiscard]] QList<QAction*> insertActions();
-    void showUndo();
-    void connectCameras(Application& application, RenderService* render);
-    [[nodiscard]] QString pictureFile(const QString& ending) const;
-    void askAboutDiskChange(const QString& file);
-    void offerRecovery();
-    void reportJournals();
-    void showReadOnly(const QString& holder);
     void setDarkTheme(bool dark);
     void applyPreferences(const Preferences& before, const Preferences& now);
-    void openPalette();
-    void showAbout();
 
     std::unique_ptr<Actions> m_actions;
     Document* m_document;
@@ -115,10 +96,11 @@ private:
     ObjectMarks* m_marks;
     ObjectEdits* m_edits;
     FileCommands* m_files = nullptr;
+    ProjectQuestions* m_questions = nullptr;
     Layouts* m_layouts = nullptr;
 
     QStackedWidget* m_pages = nullptr;
-    QSplitter* m_work = nullptr;
+    WorkArea* m_work = nullptr;
     WelcomePage* m_welcome = nullptr;
     ViewportPanel* m_viewport = nullptr;
     TextPanel* m_text = nullptr;
@@ -135,9 +117,7 @@ private:
     TransportBar* m_transport = nullptr;
     StatusLine* m_status = nullptr;
     SavedWindowState* m_memory = nullptr;
-    bool m_savesSettings = true, m_textForEditing = true, m_problemsMayCome = false;
-    QString m_reportedJournals; ///< the last message of reportJournals()
-    std::map<QString, QMenu*> m_menus;
+    bool m_savesSettings = true, m_problemsMayCome = false;
 };
 
 } // namespace trundle

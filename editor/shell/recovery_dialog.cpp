@@ -79,7 +79,7 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
 void RecoveryDialog::show(int row) {
     if (row < 0 || row >= int(m_found.size())) return m_preview->clear();
     const Recovery& recovery = m_found[std::size_t(row)];
-    const std::vector<std::string> outside = filesOutside(recovery, m_document.foldersOf(recovery.project));
+    const std::vector<std::string> outside = filesOutside(recovery, m_document.recovery().foldersOf(recovery.project));
     const auto isOutside = [&](const std::string& path) { return std::ranges::find(outside, path) != outside.end(); };
     const auto heading = [](const std::string& path) { return shownLine(path).toHtmlEscaped(); };
     QString html = QStringLiteral("<p>%1</p><ul>")
@@ -97,8 +97,9 @@ void RecoveryDialog::show(int row) {
     html += QStringLiteral("</ul>");
     for (const auto& [path, recovered] : recovery.files) {
         html += QStringLiteral("<p style='font-weight:600'>%1</p>").arg(heading(path));
-        html += isOutside(path) ? diffAsHtml(diffLines(recovered.base, recovered.text)) // its file is not read
-                                : diffAsHtml(diffLines(onDisk(path).toStdString(), Document::recoveredText(path, recovered)));
+        html += isOutside(path)
+                    ? diffAsHtml(diffLines(recovered.base, recovered.text)) // its file is not read
+                    : diffAsHtml(diffLines(onDisk(path).toStdString(), DocumentRecovery::recoveredText(path, recovered)));
     }
     m_preview->setHtml(html);
 }
@@ -106,8 +107,8 @@ void RecoveryDialog::show(int row) {
 void RecoveryDialog::restore() {
     const int row = m_list->currentRow();
     if (row < 0) return;
-    if (m_document.isReplacedBy(m_found[std::size_t(row)]) && !m_confirmClose()) return;
-    if (const Status done = m_document.recover(m_found[std::size_t(row)]); !done) {
+    if (m_document.recovery().isReplacedBy(m_found[std::size_t(row)]) && !m_confirmClose()) return;
+    if (const Status done = m_document.recovery().recover(m_found[std::size_t(row)]); !done) {
         QMessageBox::warning(this, tr("Not restored"), QString::fromStdString(done.error().message));
         return;
     }

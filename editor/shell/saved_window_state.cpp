@@ -142,7 +142,7 @@ void SavedWindowState::restore() {
         const auto camera = cameraFrom(kept.value(view + QStringLiteral("camera")).toList());
         if (camera && kind >= 0 && kind <= int(ViewKind::Chase)) viewStates.push_back({ViewKind(kind), *camera});
     }
-    if (viewStates.size() == 4) m_viewport.setViewStates(viewStates, kept.value(QStringLiteral("views"), 1).toInt());
+    if (viewStates.size() == 4) m_viewport.views().setViewStates(viewStates, kept.value(QStringLiteral("views"), 1).toInt());
     m_marks.setHidden(hidden, true);
     m_marks.setLocked(locked, true);
     m_viewport.pinned().setPins(pins);
@@ -156,8 +156,8 @@ void SavedWindowState::save() const {
     kept.setValue(QStringLiteral("hidden"), listOf(m_marks.hidden()));
     kept.setValue(QStringLiteral("locked"), listOf(m_marks.locked()));
     kept.setValue(QStringLiteral("pins"), listOf(m_viewport.pinned().pins()));
-    kept.setValue(QStringLiteral("views"), m_viewport.viewCount());
-    const std::vector<ViewState> viewStates = m_viewport.viewStates();
+    kept.setValue(QStringLiteral("views"), m_viewport.views().viewCount());
+    const std::vector<ViewState> viewStates = m_viewport.views().viewStates();
     for (std::size_t i = 0; i < viewStates.size(); ++i) {
         const QString view = QStringLiteral("view%1/").arg(i);
         kept.setValue(view + QStringLiteral("kind"), int(viewStates[i].kind));

@@ -44,7 +44,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
         m_refused.clear();
         refresh();
     });
-    connect(&document, &Document::modifiedChanged, this, &StatusLine::refresh);
+    connect(&document.texts(), &DocumentTexts::modifiedChanged, this, &StatusLine::refresh);
     refresh();
 }
 
@@ -66,7 +66,7 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 
 void StatusLine::refresh() {
     if (!m_document.isOpen()) return; // only the bar is hidden; QStatusBar hides its labels itself while it shows a message
-    m_file->setText(QString::fromStdString(m_document.shown(m_document.path())));
+    m_file->setText(QString::fromStdString(m_document.texts().shown(m_document.path())));
     m_file->setToolTip(QString::fromStdString(m_document.path()));
     const QStringList unsaved = unsavedFiles(m_document);
     m_saved->setText(unsaved.isEmpty() ? painted(tr("saved"), Ink::Faint)
@@ -84,7 +84,7 @@ void StatusLine::setLogs(const QString& folder) {
 }
 
 void StatusLine::showLogs() {
-    const QString shown = QString::fromStdString(m_document.shown(m_logFolder.toStdString()));
+    const QString shown = QString::fromStdString(m_document.texts().shown(m_logFolder.toStdString()));
     m_logs->setText(m_logFolder.isEmpty() ? QString() : painted(tr("logs in %1").arg(shown), Ink::Accent));
     m_logs->setToolTip(m_logFolder.isEmpty() ? QString() : tr("Open %1").arg(m_logFolder));
 }

@@ -15,8 +15,9 @@ QString tr(const char* text, int count) { return QCoreApplication::translate("Un
 QStringList unsavedFiles(const Document& document) {
     QStringList names;
     if (!document.isOpen()) return names;
-    for (const std::string& file : document.modifiedFiles()) names += QString::fromStdString(document.shown(file));
-    const QString opened = QString::fromStdString(document.shown(document.path()));
+    for (const std::string& file : document.texts().modifiedFiles())
+        names += QString::fromStdString(document.texts().shown(file));
+    const QString opened = QString::fromStdString(document.texts().shown(document.path()));
     if (document.isNew() && !names.contains(opened)) names.prepend(opened);
     return names;
 }
@@ -29,7 +30,7 @@ QString listed(const QStringList& names, qsizetype most) {
 
 QString windowTitle(const Document& document) {
     const QStringList unsaved = unsavedFiles(document);
-    const QString opened = QString::fromStdString(document.shown(document.path()));
+    const QString opened = QString::fromStdString(document.texts().shown(document.path()));
     QString title = QFileInfo(opened).fileName();
     bool marked = unsaved.isEmpty() || unsaved.front() == opened;
     if (marked) title += QStringLiteral("[*]");

@@ -29,7 +29,7 @@ FilePage::FilePage(Document& document, std::string file, QWidget* parent)
     setFocusProxy(m_edit);
     m_edit->setObjectName(QStringLiteral("textEdit"));
     m_edit->setFrameStyle(QFrame::NoFrame);
-    m_edit->setAccessibleName(QString::fromStdString(m_document.shown(m_file)));
+    m_edit->setAccessibleName(QString::fromStdString(m_document.texts().shown(m_file)));
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] { flush(); });
     connect(m_edit, &CodeEdit::actionBegins, this, [this] { m_typing.beginAction(); });
@@ -59,7 +59,7 @@ void FilePage::abandon() {
 }
 
 void FilePage::start() {
-    m_base = m_document.text(m_file);
+    m_base = m_document.texts().text(m_file);
     showText();
     readWays();
     showProblems();
@@ -87,7 +87,7 @@ void FilePage::showText() {
             setFocus();
         });
     }
-    if (m_notice) m_notice->setSize(QString::fromStdString(m_document.shown(m_file)), size);
+    if (m_notice) m_notice->setSize(QString::fromStdString(m_document.texts().shown(m_file)), size);
     const bool experiment = id() != kNoFile || m_file.ends_with(".sim") || m_file.ends_with(".txt"); // or a module's source
     m_edit->setPlain(size.isLarge() || !experiment);
     m_edit->load(m_shown ? text : std::string_view());
@@ -112,7 +112,7 @@ FileId FilePage::id() const {
 void FilePage::setFile(const std::string& file) {
     m_file = file;
     m_typing = TypingMerger(file);
-    m_base = m_document.text(file);
+    m_base = m_document.texts().text(file);
 }
 
 void FilePage::readWays() {
@@ -125,7 +125,7 @@ void FilePage::readWays() {
 bool FilePage::flush() {
     if (m_flushing || !m_typing.pending()) return true;
     m_timer.stop();
-    if (m_document.isOpening() || m_edit->isComposing()) { // edits are refused, or the text is not final
+    if (m_document.opening().isOpening() || m_edit->isComposing()) { // edits are refused, or the text is not final
         m_timer.start(kWait);
         return false;
     }
@@ -138,7 +138,7 @@ bool FilePage::flush() {
         for (TypingMerger::Entry& entry : m_typing.take(m_edit->bytes())) {
             const QString name = nameOf(entry, before);
             before = entry.bytes;
-            taken = taken && m_document.replaceText(name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
+            taken = taken && m_document.edits().replaceText(name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
         }
     }
     m_cost = static_cast<int>(clock.elapsed());
@@ -163,7 +163,7 @@ QString FilePage::nameOf(const TypingMerger::Entry& entry, const std::string& be
 
 void FilePage::follow() {
     if (m_flushing) return;
-    const std::shared_ptr<const std::string> now = m_document.text(m_file);
+    const std::shared_ptr<const std::string> now = m_document.texts().text(m_file);
     if (!now || now == m_base) return;
     const std::string shown = m_shown ? m_edit->bytes() : std::string();
     if (m_typing.pending()) { // typing and an external change at the same time: merge

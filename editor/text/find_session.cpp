@@ -81,10 +81,10 @@ void FindSession::updateMatches() {
         return list();
     }
     FilePage* front = m_pages.page();
-    for (const std::string& file : m_document.files()) {
+    for (const std::string& file : m_document.texts().files()) {
         FilePage* page = m_pages.pageOf(file);
         std::vector<TextRange> marks;
-        const auto text = m_document.text(file);
+        const auto text = m_document.texts().text(file);
         const bool shown = page ? page->isTextShown() : text && text->size() <= kLargestFullText;
         if (text && shown && (m_bar.everywhere() || page == front)) {
             for (TextMatch& match : search.in(*text)) {
@@ -105,10 +105,10 @@ void FindSession::searchProject(const TextSearch& search) {
     std::vector<ProjectTexts::Text> texts;
     if (m_bar.everywhere() && !m_document.isNew()) texts = m_project.in(m_document.loaded()->projectFolder);
     else if (front) texts.push_back({front->file(), nullptr});
-    const std::vector<std::string> loaded = m_document.files();
+    const std::vector<std::string> loaded = m_document.texts().files();
     for (ProjectTexts::Text& text : texts) {
         if (std::ranges::find(loaded, text.path) != loaded.end()) continue;
-        if (const auto own = m_document.text(text.path)) text.bytes = own;
+        if (const auto own = m_document.texts().text(text.path)) text.bytes = own;
         if (!text.bytes) continue;
         std::vector<TextRange> marks;
         for (TextMatch& match : search.in(*text.bytes)) {
@@ -138,7 +138,8 @@ void FindSession::list() {
                                      ? *other->second
                                      : loaded.trees[static_cast<std::size_t>(path - loaded.paths.begin())]->source();
         const std::uint32_t line = text.position(found.match.range.begin).line;
-        rows.push_back({found.file, m_document.shown(found.file), line, found.match.range, std::string(text.line(line)), false});
+        rows.push_back(
+            {found.file, m_document.texts().shown(found.file), line, found.match.range, std::string(text.line(line)), false});
     }
     QString title = m_found.empty() ? tr("Nothing found in the project")
                     : files == 1    ? tr("%1 found in one file").arg(m_found.size())
@@ -204,7 +205,7 @@ void FindSession::step(int direction) {
     if (next >= 0) {
         next = (next + direction + total) % total;
     } else { // the selection is not a match: go to the nearest one in this direction
-        std::vector<std::string> files = m_document.files();
+        std::vector<std::string> files = m_document.texts().files();
         for (const FileMatches& f : m_found)
             if (std::find(files.begin(), files.end(), f.file) == files.end()) files.push_back(f.file);
         const auto order = [&](const std::string& file) { return std::find(files.begin(), files.end(), file) - files.begin(); };
@@ -229,12 +230,12 @@ void FindSession::replaceOne() {
     if (at < 0) return step(+1);
     const FileMatches found = m_found[static_cast<std::size_t>(at)];
     FilePage* page = m_pages.page();
-    const auto before = m_document.text(found.file);
+    const auto before = m_document.texts().text(found.file);
     if (!before) return;
     const std::string text = TextSearch(m_bar.searchOptions()).replacement(found.match, m_bar.replacement(), lineEndOf(*before));
     std::string after = *before;
     after.replace(found.match.range.begin, found.match.range.size(), text);
-    if (!m_document.replaceText(tr("Replace"), found.file, std::move(after))) return;
+    if (!m_document.edits().replaceText(tr("Replace"), found.file, std::move(after))) return;
     const auto end = found.match.range.begin + static_cast<std::uint32_t>(text.size());
     page->edit().select({end, end});
     step(+1);
@@ -250,7 +251,7 @@ void FindSession::replaceAll() {
     for (const auto& [file, matches] : byFile) {
         const auto other = m_others.find(file);
         const std::string_view before =
-            other != m_others.end() ? other->second->bytes() : std::string_view(*m_document.text(file));
+            other != m_others.end() ? other->second->bytes() : std::string_view(*m_document.texts().text(file));
         const std::string lineEnd = lineEndOf(before);
         std::string after;
         std::size_t at = 0;
@@ -263,7 +264,7 @@ void FindSession::replaceAll() {
         texts.emplace(file, std::make_shared<const std::string>(std::move(after)));
     }
     const int total = static_cast<int>(m_found.size());
-    if (texts.empty() || !m_document.replaceTexts(tr("Replace All"), texts)) return;
+    if (texts.empty() || !m_document.edits().replaceTexts(tr("Replace All"), texts)) return;
     m_bar.showStatus(tr("%n replaced", nullptr, total));
 }
 

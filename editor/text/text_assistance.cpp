@@ -126,7 +126,7 @@ void TextAssistance::showUses(std::uint32_t offset) {
     for (const SourceRange& use : uses) {
         const SourceText& text = loaded.trees[use.file]->source();
         const std::uint32_t line = text.position(use.range.begin).line;
-        rows.push_back({loaded.paths[use.file], m_document.shown(loaded.paths[use.file]), line, use.range,
+        rows.push_back({loaded.paths[use.file], m_document.texts().shown(loaded.paths[use.file]), line, use.range,
                         std::string(text.line(line)), given && given->place == use});
     }
     const QString name = QString::fromStdString(given ? given->name : std::string());
@@ -162,7 +162,7 @@ void TextAssistance::offerOthers(const ProjectRename& renaming) {
     QStringList lines;
     for (const ProjectRename::Use& use : renaming.usesOutside()) {
         uses += static_cast<int>(use.count);
-        lines += tr("%1: %2").arg(QString::fromStdString(m_document.shown(use.file)), QString::number(use.count));
+        lines += tr("%1: %2").arg(QString::fromStdString(m_document.texts().shown(use.file)), QString::number(use.count));
     }
     if (!renaming.isComplete())
         lines += tr("Others were not read: the project has more than %1 files that import it").arg(ProjectRename::kMaxTexts);
@@ -170,7 +170,7 @@ void TextAssistance::offerOthers(const ProjectRename& renaming) {
     const QString where =
         files == 1 ? tr("Also in %1, which is not loaded (%2)") : tr("Also in %1 files that are not loaded (%2)");
     const QString of =
-        files == 1 ? QString::fromStdString(m_document.shown(renaming.usesOutside()[0].file)) : QString::number(files);
+        files == 1 ? QString::fromStdString(m_document.texts().shown(renaming.usesOutside()[0].file)) : QString::number(files);
     m_rename->offerOthers(where.arg(of, QString::number(uses)), lines.join(QLatin1Char('\n')));
 }
 
@@ -231,7 +231,7 @@ void TextAssistance::formatText() {
     if (broken) return showMessage(tr("Fix the errors first; text with syntax errors cannot be formatted"));
     const std::string before = page->edit().bytes();
     const std::size_t signs = signsBefore(before, page->edit().caret());
-    if (!m_document.replaceText(tr("Format"), page->file(), format(tree))) return;
+    if (!m_document.edits().replaceText(tr("Format"), page->file(), format(tree))) return;
     const auto caret = static_cast<std::uint32_t>(placeBehind(page->edit().bytes(), signs));
     page->edit().select({caret, caret});
 }

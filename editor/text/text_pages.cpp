@@ -92,8 +92,8 @@ void TextPages::closeAll() {
 }
 
 void TextPages::showOpened() {
-    m_opened = m_document.files().front();
-    m_historyAt = m_document.history().position();
+    m_opened = m_document.texts().files().front();
+    m_historyAt = m_document.edits().history().position();
     addPage(m_opened);
     setCurrentIndex(0);
     showTitles();
@@ -101,18 +101,18 @@ void TextPages::showOpened() {
 
 void TextPages::follow() {
     if (!m_document.isOpen() || m_opened.empty()) return;
-    const std::string opened = m_document.files().front();
+    const std::string opened = m_document.texts().files().front();
     if (opened != m_opened) { // saved under another name
         if (FilePage* page = pageOf(m_opened)) page->setFile(opened);
         m_opened = opened;
     }
-    const History& history = m_document.history();
+    const History& history = m_document.edits().history();
     m_stepping =
         history.position() != m_historyAt && (history.position() < m_historyAt || history.entries().size() == m_historySize);
     m_historyAt = history.position();
     m_historySize = history.entries().size();
     for (FilePage* page : pages()) {
-        if (!m_document.text(page->file())) {
+        if (!m_document.texts().text(page->file())) {
             removePage(*page);
             continue;
         }
@@ -166,8 +166,9 @@ void TextPages::connectPage(FilePage& page) {
 FilePage* TextPages::openFile(const std::string& file) {
     FilePage* page = pageOf(file);
     if (!page) { // also for a text that is not imported
-        if (const Status added = m_document.addText(file); !added) Q_EMIT refused(QString::fromStdString(added.error().message));
-        if (m_document.text(file)) page = addPage(file);
+        if (const Status added = m_document.edits().addText(file); !added)
+            Q_EMIT refused(QString::fromStdString(added.error().message));
+        if (m_document.texts().text(file)) page = addPage(file);
     }
     if (page) setCurrentWidget(page);
     return page;
@@ -188,22 +189,22 @@ void TextPages::removePage(FilePage& page) {
 
 /// Opens a tab for every modified file, and closes those of files that no longer exist; one that the user closes stays closed until the next edit.
 void TextPages::showModified() {
-    const std::vector<std::string> modified = m_document.modifiedFiles();
+    const std::vector<std::string> modified = m_document.texts().modifiedFiles();
     for (const std::string& file : modified)
         if (!m_opened.empty() && !std::ranges::count(m_modified, file) && !pageOf(file)) addPage(file);
     m_modified = modified;
     for (FilePage* page : pages()) // an edit that created a file may be undone; not while its text is being typed
-        if (m_document.isRemoved(page->file()) && page->file() != m_opened && !page->edit().hasFocus()) removePage(*page);
+        if (m_document.texts().isRemoved(page->file()) && page->file() != m_opened && !page->edit().hasFocus()) removePage(*page);
     showTitles();
 }
 
 void TextPages::showTitles() {
     for (FilePage* page : pages()) {
         const int tab = indexOf(page);
-        const bool modified = m_document.isModified(page->file());
+        const bool modified = m_document.texts().isModified(page->file());
         QString title = page->file() == m_opened ? nameOf(m_document.path()) : nameOf(page->file());
         setTabText(tab, withoutMnemonics(modified ? title + QLatin1Char('*') : title));
-        QString tip = QString::fromStdString(m_document.shown(page->file()));
+        QString tip = QString::fromStdString(m_document.texts().shown(page->file()));
         if (modified) tip += QLatin1Char('\n') + tr("Unsaved changes");
         setTabToolTip(tab, tip);
     }
@@ -211,8 +212,8 @@ void TextPages::showTitles() {
 
 void TextPages::fillFileMenu(QMenu& menu) {
     menu.clear();
-    for (const std::string& file : m_document.files()) {
-        menu.addAction(withoutMnemonics(QString::fromStdString(m_document.shown(file))), this, [this, file] {
+    for (const std::string& file : m_document.texts().files()) {
+        menu.addAction(withoutMnemonics(QString::fromStdString(m_document.texts().shown(file))), this, [this, file] {
             if (FilePage* page = openFile(file)) page->setFocus();
         });
     }

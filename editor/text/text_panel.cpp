@@ -57,7 +57,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     connect(&m_document, &Document::changed, this, &TextPanel::onChanged);
     m_finding =
         new FindSession(m_document, *m_pages, *m_bar, *m_found, this); // connected after the pages: it marks their new texts
-    connect(&m_document, &Document::modifiedChanged, m_pages, &TextPages::showModified);
+    connect(&m_document.texts(), &DocumentTexts::modifiedChanged, m_pages, &TextPages::showModified);
     connect(&m_selection, &Selection::changed, this, &TextPanel::onSelectionChanged);
     addCommands();
     onOpened();
@@ -217,11 +217,11 @@ void TextPanel::addCommands() {
     };
     m_commands->inText("edit.undo", [this] {
         flush();
-        m_document.undo();
+        m_document.edits().undo();
     });
     m_commands->inText("edit.redo", [this] {
         flush();
-        m_document.redo();
+        m_document.edits().redo();
     });
     m_commands->inText("edit.cut", withEdit([](CodeEdit& edit) { edit.cut(); }));
     m_commands->inText("edit.copy", withEdit([](CodeEdit& edit) { edit.copy(); }));

@@ -33,7 +33,7 @@ bool isDrawnAlike(const ChangeSet& changes) {
 } // namespace
 
 ViewportScene::ViewportScene(Document& document, RunSession& session, RenderService* render, QObject* parent)
-    : QObject(parent), m_document(document), m_session(session), m_render(render) {
+    : QObject(parent), m_document(document), m_session(session), m_render(render), m_dragged(render) {
     connect(&m_document, &Document::changed, this, [this](const ChangeSet& changes) {
         m_drawnAlike = m_experiment && changes.before() && changes.before()->experiment == m_experiment && isDrawnAlike(changes);
         updateScene();
@@ -48,7 +48,6 @@ ViewportScene::ViewportScene(Document& document, RunSession& session, RenderServ
 }
 
 ViewportScene::~ViewportScene() {
-    removeDraggedScene();
     if (m_render && m_scene != SceneId::None) m_render->removeScene(m_scene);
 }
 
@@ -73,10 +72,11 @@ void ViewportScene::updateScene() {
     m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
     if (m_render && !(m_drawnAlike && m_scene != SceneId::None)) {
         const SceneId before = m_scene;
-        m_scene = m_render->addScene(experiment, runs ? nullptr : ghosts());
+        m_ghosts = runs ? nullptr : ghosts();
+        m_scene = m_render->addScene(experiment, m_ghosts);
         if (before != SceneId::None) m_render->removeScene(before);
     }
-    if (m_dragged) addDraggedScene();
+    m_dragged.setWorld(m_experiment, m_ghosts);
     listHidden();
     Q_EMIT replaced();
 }
@@ -188,62 +188,6 @@ void ViewportScene::setHidden(std::vector<std::string> paths) {
 void ViewportScene::setLocked(std::vector<std::string> paths) {
     m_locked = std::move(paths);
     Q_EMIT marked();
-}
-
-void ViewportScene::showDragged(std::shared_ptr<const ExperimentSpec> thing) {
-    m_dragged = std::move(thing);
-    m_draggedPose.reset();
-    if (m_dragged) addDraggedScene();
-    else removeDraggedScene();
-    Q_EMIT draggedMoved();
-}
-
-void ViewportScene::moveDragged(const std::optional<Pose>& pose) {
-    m_draggedPose = pose;
-    Q_EMIT draggedMoved();
-}
-
-std::shared_ptr<const BodyPoses> ViewportScene::drawnPoses() const {
-    if (!m_draggedPose || !isDragging()) return m_poses;
-    auto all = std::make_shared<BodyPoses>(*m_poses);
-    for (const Pose& body : m_draggedBodies) all->push_back(*m_draggedPose * body);
-    return all;
-}
-
-/// Builds a scene with the dragged objects as an additional last robot, so that moving them only changes poses.
-void ViewportScene::addDraggedScene() {
-    removeDraggedScene();
-    if (!m_render || !m_experiment) return;
-    auto drawn = std::make_shared<ExperimentSpec>(*m_experiment);
-    const auto materials = static_cast<std::uint32_t>(drawn->materials.size());
-    drawn->materials.insert(drawn->materials.end(), m_dragged->materials.begin(), m_dragged->materials.end());
-    m_draggedBodies.clear();
-    const auto body = [&](const std::vector<GeomSpec>& geoms, const Pose& pose) {
-        BodySpec one;
-        one.name = "body" + std::to_string(m_draggedBodies.size());
-        one.pose = pose;
-        for (GeomSpec geom : geoms) {
-            if (geom.shape == GeomShape::Plane) continue; // it would hide the scene
-            geom.material += materials;
-            one.geoms.push_back(std::move(geom));
-        }
-        m_draggedBodies.push_back(pose);
-        return one;
-    };
-    auto config = std::make_shared<RobotConfigSpec>();
-    for (const RobotSpec& robot : m_dragged->robots)
-        for (const BodySpec& each : robot.config->bodies) config->bodies.push_back(body(each.geoms, robot.pose * each.pose));
-    for (const StaticSpec& fixed : m_dragged->statics) config->bodies.push_back(body(*fixed.geoms, fixed.pose));
-    RobotSpec dragged;
-    dragged.name = ".dragged"; // cannot occur in a text
-    dragged.config = std::move(config);
-    drawn->robots.push_back(std::move(dragged));
-    m_draggedScene = m_render->addScene(std::move(drawn), m_running ? nullptr : ghosts());
-}
-
-void ViewportScene::removeDraggedScene() {
-    if (m_render && isDragging()) m_render->removeScene(m_draggedScene);
-    m_draggedScene = SceneId::None;
 }
 
 void ViewportScene::listHidden() {

@@ -8,6 +8,7 @@
 
 #include <QObject>
 
+#include "editor/viewport/context/dragged_object.h"
 #include "render/service.h"
 #include "scene/queries/camera_model.h"
 #include "scene/queries/object_index.h"
@@ -50,15 +51,8 @@ public:
     /// Visible objects along a ray, nearest first; locked ones only if `alsoLocked`.
     [[nodiscard]] std::vector<RayHit> hitsAlong(const ViewRay& ray, bool alsoLocked = false) const;
 
-    /// Draws a dragged object in addition to the scene, at the pose of moveDragged(). It cannot be picked or measured. Null:
-    /// removes it.
-    void showDragged(std::shared_ptr<const ExperimentSpec> thing);
-    /// World pose of its origin; nullopt: hidden.
-    void moveDragged(const std::optional<Pose>& pose);
-    [[nodiscard]] const std::optional<Pose>& dragged() const { return m_draggedPose; }
-    /// Scene for image requests: scene() or the one with the dragged object; poses accordingly.
-    [[nodiscard]] SceneId drawnScene() const { return m_draggedPose && isDragging() ? m_draggedScene : m_scene; }
-    [[nodiscard]] std::shared_ptr<const BodyPoses> drawnPoses() const;
+    [[nodiscard]] DraggedObject& dragged() { return m_dragged; }
+    [[nodiscard]] const DraggedObject& dragged() const { return m_dragged; }
 
     /// Paths of hidden objects; their parts are hidden too.
     void setHidden(std::vector<std::string> paths);
@@ -72,29 +66,23 @@ Q_SIGNALS:
     void replaced(); ///< another experiment, with new poses
     void posed();    ///< same experiment, new poses
     void marked();   ///< hidden or locked objects changed
-    void draggedMoved();
 
 private:
     void updateScene();
     void updatePoses();
     void listHidden();
-    [[nodiscard]] bool isDragging() const { return m_draggedScene != SceneId::None; }
-    void addDraggedScene();
-    void removeDraggedScene();
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> ghosts() const;
     [[nodiscard]] bool holds(const std::vector<std::string>& marks, const ObjectRef& object) const;
 
     Document& m_document;
     RunSession& m_session;
     RenderService* m_render;
-    std::shared_ptr<const ExperimentSpec> m_experiment;
+    DraggedObject m_dragged;
+    std::shared_ptr<const ExperimentSpec> m_experiment, m_ghosts; // shown
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;
     std::vector<CameraModel> m_cameras;
-    SceneId m_scene = SceneId::None, m_draggedScene = SceneId::None;
-    std::shared_ptr<const ExperimentSpec> m_dragged;
-    std::vector<Pose> m_draggedBodies; // relative to its origin
-    std::optional<Pose> m_draggedPose;
+    SceneId m_scene = SceneId::None;
     mutable std::optional<Bounds> m_bounds; // computed on demand
     bool m_drawnAlike = false;              // during an edit: the images do not change
     bool m_running = false;

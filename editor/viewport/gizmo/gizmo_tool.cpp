@@ -132,7 +132,7 @@ bool GizmoTool::press(const Pointer& pointer) {
                                                  : tr("Move %1").arg(title);
     m_hot = handle;
     m_pointer = pointer;
-    m_view.context().document.endMerge();
+    m_view.context().document.edits().endMerge();
     m_view.widget().update();
     return true;
 }
@@ -186,7 +186,7 @@ void GizmoTool::showStatus() {
 void GizmoTool::release(const Pointer& pointer) {
     if (m_pending) apply();
     m_pace.stop();
-    m_view.context().document.endMerge();
+    m_view.context().document.edits().endMerge();
     m_drag.reset();
     m_dragged.reset();
     m_held.reset();
@@ -199,7 +199,7 @@ void GizmoTool::release(const Pointer& pointer) {
 void GizmoTool::cancel() {
     m_pending = false;
     if (m_dragged && m_dragged->isRunning()) (void)m_dragged->move(Pose{}, m_name, m_mergeKey);
-    m_view.context().document.discardMerge(m_mergeKey);
+    m_view.context().document.edits().discardMerge(m_mergeKey);
     release({});
 }
 

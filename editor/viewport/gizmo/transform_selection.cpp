@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/session.h"
 #include "editor/viewport/context/view_context.h"
 #include "editor/viewport/context/viewport_scene.h"
@@ -178,7 +179,7 @@ std::vector<ValueEdit> TransformSelection::editsOf(Item& item, const Pose& local
 Status TransformSelection::apply(const std::vector<ValueEdit>& edits, const QString& name, const std::string& mergeKey) {
     const auto same = [](const ValueEdit& a, const ValueEdit& b) { return a.path == b.path && a.value == b.value; };
     if (edits.empty() || std::equal(edits.begin(), edits.end(), m_last.begin(), m_last.end(), same)) return {};
-    Status done = m_context.document.setValues(name, edits, mergeKey);
+    Status done = m_context.document.structure().setValues(name, edits, mergeKey);
     if (done) m_last = edits;
     return done;
 }
@@ -218,7 +219,7 @@ Status TransformSelection::moveEach(const std::vector<Vec3>& offsets, const QStr
         local.position += item.frame.rotation.conjugate() * offsets[i];
         for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
     }
-    m_context.document.endMerge();
+    m_context.document.edits().endMerge();
     return apply(edits, name, {});
 }
 

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QPainter>
 #include <QWidget>
 
+#include "editor/document/document.h"
 #include "editor/running/session.h"
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/widgets/theme.h"
 #include "model/dotted_path.h"
+#include "project/edits/path_after_edit.h"
 
 namespace trundle {
 namespace {
@@ -197,6 +200,25 @@ void paintMore(QPainter& painter, std::size_t hidden, double y) {
 }
 
 } // namespace
+
+PinnedValues::PinnedValues(Document& document) : m_document(document) {
+    // Delayed: another slot of opened() may still save the pins of the previous experiment.
+    connect(&document, &Document::opened, this, [this] { m_isOtherProject = true; });
+    connect(&document, &Document::changed, this, &PinnedValues::follow);
+}
+
+/// Objects may have been renamed or removed.
+void PinnedValues::follow(const ChangeSet& changes) {
+    if (std::exchange(m_isOtherProject, false)) setPins({}), m_valid = nullptr;
+    const auto now = m_document.isOpen() && !m_document.loaded()->diagnostics.hasErrors() ? m_document.loaded() : nullptr;
+    if (!now) return; // a block whose text is being typed may be back soon
+    const auto before = std::exchange(m_valid, now);
+    if (before && before == changes.before() && now == changes.after() && !changes.changesObjects()) return;
+    std::vector<Pin> pins;
+    for (const Pin& pin : m_pins)
+        if (const auto path = pathAfterEdit(before ? *before : *now, *now, pin.path)) pins.push_back({*path, pin.position});
+    setPins(std::move(pins));
+}
 
 std::vector<std::string> PinnedValues::paths() const {
     std::vector<std::string> paths;

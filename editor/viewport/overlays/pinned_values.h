@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +13,9 @@ class QPainter;
 
 namespace trundle {
 
+struct LoadedProject;
+class ChangeSet;
+class Document;
 class ToolView;
 
 /// An object whose values are displayed over the 3D view.
@@ -28,7 +32,8 @@ struct Pin {
 class PinnedValues final : public QObject {
     Q_OBJECT
 public:
-    using QObject::QObject;
+    /// Follows the renames of the document, which must outlive this object; another project starts without pins.
+    explicit PinnedValues(Document& document);
 
     [[nodiscard]] const std::vector<Pin>& pins() const { return m_pins; }
     [[nodiscard]] std::vector<std::string> paths() const;
@@ -38,19 +43,17 @@ public:
     void setPins(std::vector<Pin> pins);
     /// Moves a label; `position` as in Pin.
     void move(const std::string& path, const std::optional<QPointF>& position);
-    /// Gives each pin the path that `pathNow` returns for its own, and removes those for which it returns nothing.
-    template <class PathNow> void follow(const PathNow& pathNow) {
-        std::vector<Pin> pins;
-        for (const Pin& pin : m_pins)
-            if (const std::optional<std::string> path = pathNow(pin.path)) pins.push_back({*path, pin.position});
-        setPins(std::move(pins));
-    }
 
 Q_SIGNALS:
     void changed();
 
 private:
+    void follow(const ChangeSet& changes);
+
+    Document& m_document;
     std::vector<Pin> m_pins;
+    std::shared_ptr<const LoadedProject> m_valid; // texts without errors in which the paths were last valid
+    bool m_isOtherProject = false;                // another experiment was opened, but is not displayed yet
 };
 
 /// The label of a pin on the screen.

@@ -156,7 +156,7 @@ void makeGrid(const ViewContext& context, const ArrayCopy& copy) {
         edits.push_back(
             {{part.file, {open, open}}, assignment("Pos", pos) + assignment("Count", count) + assignment("Spacing", spacing)});
     }
-    (void)context.document.edit(trArrange("Array copy of %1").arg(QString::fromStdString(path)), {{part.file, edits}});
+    (void)context.document.edits().edit(trArrange("Array copy of %1").arg(QString::fromStdString(path)), {{part.file, edits}});
 }
 
 } // namespace
@@ -211,7 +211,7 @@ void copyInRows(const ViewContext& context, const ArrayCopy& copy) {
         if (place && !place->member) continue;
         return refuse(context, trArrange("%1 has no text of its own to copy.").arg(QString::fromStdString(path)));
     }
-    context.document.endMerge();
+    context.document.edits().endMerge();
     const QString title = originals.size() == 1 ? trArrange("Array copy of %1").arg(QString::fromStdString(originals.front()))
                                                 : trArrange("Array copy of %1 objects").arg(originals.size());
     (void)context.document.structure().apply(title, originals,

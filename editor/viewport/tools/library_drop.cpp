@@ -91,7 +91,7 @@ LibraryDrop::LibraryDrop(ToolView& view, const QMimeData& data, bool shown)
 }
 
 LibraryDrop::~LibraryDrop() {
-    if (m_shown) m_view.context().world.showDragged(nullptr);
+    if (m_shown) m_view.context().world.dragged().show(nullptr);
 }
 
 std::optional<LibraryDrop::DraggedContent> LibraryDrop::draggedContentOf(const QMimeData& data) {
@@ -132,7 +132,7 @@ void LibraryDrop::load() {
     if (before.empty() && !hasConfig(*treeOf(text)))
         before = "#import \"" + std::filesystem::path(opened).filename().string() + "\"\n";
     OpenOptions options = document.options();
-    for (const std::string& file : document.files()) options.texts.emplace(file, document.text(file));
+    for (const std::string& file : document.texts().files()) options.texts.emplace(file, document.texts().text(file));
     options.texts.insert_or_assign(opened + ".dropped", std::make_shared<const std::string>(before + text + "\n"));
     options.meshesLater = true;
     const auto loaded = m_view.context().session.source().application().open(opened + ".dropped", options);
@@ -144,7 +144,7 @@ void LibraryDrop::load() {
             for (const GeomSpec& geom : body.geoms) m_geoms.push_back({geom, robot.pose * body.pose});
     for (const StaticSpec& fixed : m_thing->statics)
         for (const GeomSpec& geom : *fixed.geoms) m_geoms.push_back({geom, fixed.pose});
-    if (m_shown) m_view.context().world.showDragged(m_thing);
+    if (m_shown) m_view.context().world.dragged().show(m_thing);
 }
 
 LibraryDrop::Ground LibraryDrop::groundAt(const QPointF& at) const {
@@ -190,7 +190,7 @@ void LibraryDrop::hover(const QPointF& at) {
     if (!m_shown || !m_thing) return;
     Ground ground = groundAt(at);
     const bool fits = isWorldObject() || findOwner(ground);
-    m_view.context().world.moveDragged(fits ? std::optional(Pose{placeOn(ground), ground.frame.rotation}) : std::nullopt);
+    m_view.context().world.dragged().moveTo(fits ? std::optional(Pose{placeOn(ground), ground.frame.rotation}) : std::nullopt);
 }
 
 void LibraryDrop::refuse(const QString& why) { Q_EMIT m_view.context().document.refused(why); }
@@ -228,8 +228,8 @@ void LibraryDrop::dropController(const Ground& ground) {
     const RobotSpec* robot = hit ? m_view.context().world.objects()->robotOf(hit->geom) : nullptr;
     if (!robot) return refuse(trDrop("A controller drives a robot: drop it onto one."));
     Document& document = m_view.context().document;
-    (void)document.apply(trDrop("Insert %1").arg(QString::fromStdString(m_content->kind)),
-                         planInsert(*document.loaded(), robot->name, m_content->text, m_content->imports));
+    (void)document.edits().apply(trDrop("Insert %1").arg(QString::fromStdString(m_content->kind)),
+                                 planInsert(*document.loaded(), robot->name, m_content->text, m_content->imports));
 }
 
 /// Assigns the material to the shape under the cursor. The material is added by importing its file, or as a block of its own.
@@ -243,11 +243,12 @@ bool LibraryDrop::dropMaterial(const Ground& ground) {
     const std::string key = "drop " + std::to_string(document.revision());
     const QString title = trDrop("Use material %1").arg(QString::fromStdString(block->name->text));
     if (!document.loaded()->outline->materials.find(block->name->text) &&
-        !document.apply(title, planInsert(*document.loaded(), {}, m_content->text, m_content->imports), key))
+        !document.edits().apply(title, planInsert(*document.loaded(), {}, m_content->text, m_content->imports), key))
         return true;
     const std::string path = m_view.context().world.objects()->pathOf(hit->geom);
-    if (!document.setValues(title, {{path + ".Material", block->name->text}}, key)) document.discardMerge(key);
-    document.endMerge();
+    if (!document.structure().setValues(title, {{path + ".Material", block->name->text}}, key))
+        document.edits().discardMerge(key);
+    document.edits().endMerge();
     return true;
 }
 

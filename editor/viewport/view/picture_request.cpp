@@ -55,11 +55,12 @@ PictureRequest pictureRequest(const ToolView& view, bool fine, bool software) {
     // The image size is limited; beyond it one image pixel covers several screen pixels.
     const double scale =
         std::min(widget.devicePixelRatioF(), kMaxPixels / double(std::max({1, widget.width(), widget.height()})));
-    r.scene = world.drawnScene();
+    const DraggedObject& dragged = world.dragged();
+    r.scene = dragged.isDrawn() ? dragged.scene() : world.scene();
     r.view = view.camera().view();
     r.width = std::uint32_t(std::clamp(int(std::lround(widget.width() * scale)), 1, int(kMaxPixels)));
     r.height = std::uint32_t(std::clamp(int(std::lround(widget.height() * scale)), 1, int(kMaxPixels)));
-    r.poses = world.drawnPoses();
+    r.poses = dragged.isDrawn() ? dragged.posesWith(*world.poses()) : world.poses();
     r.samples = fine || !software ? 4 : 1;
     r.yields = fine;
     addOverlays(r, view.context(), fine || !software);

@@ -36,7 +36,7 @@ void View::connectContext() {
     connect(&m_context.world, &ViewportScene::replaced, this, &View::redraw);
     connect(&m_context.world, &ViewportScene::posed, this, &View::redraw);
     connect(&m_context.world, &ViewportScene::marked, this, &View::redraw);
-    connect(&m_context.world, &ViewportScene::draggedMoved, this, &View::redraw);
+    connect(&m_context.world.dragged(), &DraggedObject::moved, this, &View::redraw);
     connect(&m_context.settings, &ViewSettings::changed, this, &View::redraw);
     connect(&m_context.settings, &ViewSettings::changed, this, qOverload<>(&View::update)); // handles need no new image
     connect(&m_context.selection, &Selection::changed, this, &View::redraw);

@@ -113,7 +113,7 @@ void ViewCorner::addNamedViews(QMenu& menu) {
     connect(make, &QAction::triggered, this, [this] {
         Document& document = m_view.context().document;
         if (document.isOpen())
-            (void)document.apply(tr("Make View"), planInsert(*document.loaded(), {}, m_view.camera().viewBlockText()));
+            (void)document.edits().apply(tr("Make View"), planInsert(*document.loaded(), {}, m_view.camera().viewBlockText()));
     });
     connect(&menu, &QMenu::aboutToShow, this, [this, views, make] {
         views->clear();

@@ -166,7 +166,7 @@ void BenchWindow::trigger(const char* action) {
 
 void BenchWindow::open(const QString& file) {
     act([&] { window->open(file); });
-    until("the file is open", [this] { return window->document().isOpen() && !window->document().isOpening(); });
+    until("the file is open", [this] { return window->document().isOpen() && !window->document().opening().isOpening(); });
     untilSettled();
     if (window->document().loaded()->diagnostics.hasErrors()) {
         std::fprintf(stderr, "window_bench: %s has errors\n", qPrintable(file));
@@ -174,7 +174,7 @@ void BenchWindow::open(const QString& file) {
     }
 }
 
-View& BenchWindow::view() { return window->viewport().current(); }
+View& BenchWindow::view() { return window->viewport().views().current(); }
 CodeEdit& BenchWindow::text() { return window->text().page()->edit(); }
 QTreeView& BenchWindow::tree() { return *window->findChild<QTreeView*>(QStringLiteral("outlineTree")); }
 

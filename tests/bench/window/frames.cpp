@@ -7,6 +7,7 @@
 
 #include "base/platform/thread_priority.h"
 #include "bench/window/bench_window.h"
+#include "editor/shell/work_area.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/view/view.h"
 #include "editor/viewport/view/viewport_panel.h"
@@ -105,7 +106,7 @@ struct Times {
 QJsonObject measureFrames(const QString& file, double seconds) {
     BenchWindow w;
     w.open(file);
-    w.act([&] { w.window->showText(false); });
+    w.act([&] { w.window->work().showText(false); });
     w.sizeView(1280, 720);
     View& view = w.view();
     const QSize size = view.size();

@@ -72,7 +72,8 @@ QJsonObject measureGaps(const QString& file) {
         for (int i = 0; i < kDrags; ++i) drag(w);
         w.untilSettled();
     });
-    if (document.history().position() != kDrags) qFatal("%d drags made %d entries", kDrags, int(document.history().position()));
+    if (document.edits().history().position() != kDrags)
+        qFatal("%d drags made %d entries", kDrags, int(document.edits().history().position()));
     phases.add("undo and redo", [&] {
         for (const char* action : {"edit.undo", "edit.redo", "edit.undo"})
             for (int i = 0; i < kDrags; ++i) {
@@ -97,7 +98,7 @@ QJsonObject measureGaps(const QString& file) {
         w.wait(700);
         w.untilSettled();
     });
-    if (document.isModified()) qFatal("it was not saved");
+    if (document.texts().isModified()) qFatal("it was not saved");
     phases.add("run, from F5 on", [&] {
         w.trigger("sim.run");
         w.until("it runs", [&] { return session.results().time() > 0; });
@@ -120,7 +121,7 @@ QJsonObject measureGaps(const QString& file) {
     });
     const double worked = residentMb();
     phases.add("close", [&] {
-        w.act([&] { document.close(); });
+        w.act([&] { document.opening().close(); });
         w.wait(300);
     });
     return {{QStringLiteral("phases"), phases.all()},

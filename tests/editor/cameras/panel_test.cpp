@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "editor/cameras/camera_window.h"
+#include "editor/document/structure_edits.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -46,9 +47,9 @@ private Q_SLOTS:
         QVERIFY(coloursIn(m_window->tile("robot0/eye")->picture.image) > 8);
         const QImage before = m_window->tile("robot0/eye")->picture.image;
         // An edit changes the image without a run.
-        QVERIFY(m_window->document.setValues(QStringLiteral("Turn"), {{"robot0.HPR", "40, 0, 0"}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("Turn"), {{"robot0.HPR", "40, 0, 0"}}).ok());
         EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image != before);
-        m_window->document.undo();
+        m_window->document.edits().undo();
         EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image == before);
     }
 
@@ -198,7 +199,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->cameras.chosen(), std::vector<std::string>{"robot1/eye"});
         QVERIFY(!m_window->tile("robot0/eye"));
         // The chosen cameras stay after an edit.
-        QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "-1.2, 0, 0"}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "-1.2, 0, 0"}}).ok());
         QCOMPARE(m_window->cameras.chosen(), std::vector<std::string>{"robot1/eye"});
         list->item(1)->setCheckState(Qt::Unchecked);
         auto* facts = m_window->cameras.findChild<QLabel*>(QStringLiteral("cameraFacts"));

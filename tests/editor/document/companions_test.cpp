@@ -36,10 +36,10 @@ private Q_SLOTS:
 
     void copiesMeshes() {
         Document d(*m_application);
-        QVERIFY(d.open(m_thing).ok());
+        QVERIFY(d.opening().open(m_thing).ok());
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         const std::string target = m_fixture->path("far/thing.sim");
-        const Result<Companions> along = d.companionsAt(target);
+        const Result<Companions> along = d.saving().companionsAt(target);
         QVERIFY(along.ok());
         QCOMPARE(along.value().files,
                  (std::vector{m_fixture->path("configs/common/other.obj"), m_fixture->path("configs/things/parts/thing.obj")}));
@@ -47,29 +47,29 @@ private Q_SLOTS:
         QVERIFY(!fs::exists(target)); // companionsAt() writes nothing
 
         QSignalSpy notice(&d, &Document::notice);
-        QCOMPARE(why(d.saveAs(target)), "");
+        QCOMPARE(why(d.saving().saveAs(target)), "");
         QCOMPARE(bytesOf(m_fixture->path("far/parts/thing.obj")), kTetrahedron);
         QCOMPARE(bytesOf(m_fixture->path("far/other.obj")), kTetrahedron);
         std::string expected = kThing; // only paths that led out of the folder change
         expected.replace(expected.find("\"../common/other.obj\""), 21, "\"other.obj\"");
         QCOMPARE(bytesOf(target), expected);
-        QVERIFY(!d.isModified());
+        QVERIFY(!d.texts().isModified());
         QVERIFY(holds(reportOf(notice), "parts/thing.obj"));
         fs::remove_all(m_fixture->path("configs"));
         Document again(*m_application);
-        QVERIFY(again.open(target).ok());
+        QVERIFY(again.opening().open(target).ok());
         QVERIFY2(messages(*again.loaded()).empty(), messages(*again.loaded()).c_str());
-        d.undo(); // the changed paths are an ordinary edit
-        QVERIFY(d.isModified());
-        QCOMPARE(*d.text(target), kThing);
+        d.edits().undo(); // the changed paths are an ordinary edit
+        QVERIFY(d.texts().isModified());
+        QCOMPARE(*d.texts().text(target), kThing);
     }
 
     void inTheSameProjectTheyStay() {
         Document d(*m_application);
-        QVERIFY(d.open(m_thing).ok());
+        QVERIFY(d.opening().open(m_thing).ok());
         const std::string target = m_fixture->path("configs/copy.sim");
-        QVERIFY(d.companionsAt(target).value().empty());
-        QCOMPARE(why(d.saveAs(target)), "");
+        QVERIFY(d.saving().companionsAt(target).value().empty());
+        QCOMPARE(why(d.saving().saveAs(target)), "");
         QVERIFY(!fs::exists(m_fixture->path("configs/parts")));
         QVERIFY2(holds(bytesOf(target), "File=\"things/parts/thing.obj\""), bytesOf(target).c_str());
         EVENTUALLY(!d.loaded()->pending);
@@ -79,8 +79,8 @@ private Q_SLOTS:
     void copiesMeshesOfImportedText() {
         Document d(*m_application);
         const std::string main = m_fixture->write("configs/main2.sim", "#import things/thing.sim\nTick = 0.01\n");
-        QVERIFY(d.open(main).ok());
-        QCOMPARE(why(d.saveAs(m_fixture->path("far/main2.sim"))), "");
+        QVERIFY(d.opening().open(main).ok());
+        QCOMPARE(why(d.saving().saveAs(m_fixture->path("far/main2.sim"))), "");
         QVERIFY(fs::exists(m_fixture->path("far/things/parts/thing.obj")));
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
@@ -88,16 +88,16 @@ private Q_SLOTS:
 
     void noOtherFileIsOverwritten() {
         Document d(*m_application);
-        QVERIFY(d.open(m_thing).ok());
+        QVERIFY(d.opening().open(m_thing).ok());
         const std::string taken = m_fixture->write("far/parts/thing.obj", "v 0 0 0\n");
-        const Status saved = d.saveAs(m_fixture->path("far/thing.sim"));
+        const Status saved = d.saving().saveAs(m_fixture->path("far/thing.sim"));
         QVERIFY(!saved.ok());
         QVERIFY2(holds(why(saved), "far/parts/thing.obj"), why(saved).c_str());
         QCOMPARE(bytesOf(taken), "v 0 0 0\n");
         QVERIFY(!fs::exists(m_fixture->path("far/thing.sim")) && !fs::exists(m_fixture->path("far/other.obj")));
         QCOMPARE(d.path(), m_thing);
         m_fixture->write("far/parts/thing.obj", kTetrahedron); // the same bytes, so it is not copied
-        QCOMPARE(why(d.saveAs(m_fixture->path("far/thing.sim"))), "");
+        QCOMPARE(why(d.saving().saveAs(m_fixture->path("far/thing.sim"))), "");
     }
 
     void copiesGltfBuffers() {
@@ -105,8 +105,8 @@ private Q_SLOTS:
         m_fixture->write("configs/scan.gltf",
                          R"({"asset":{"version":"2.0"},"buffers":[{"uri":"bits/scan.bin","byteLength":4}]})");
         m_fixture->write("configs/bits/scan.bin", "1234");
-        QVERIFY(d.open(m_fixture->write("configs/scan.sim", "StaticConfig S { Mesh m { File=scan.gltf } }\n")).ok());
-        QCOMPARE(why(d.saveAs(m_fixture->path("far/scan.sim"))), "");
+        QVERIFY(d.opening().open(m_fixture->write("configs/scan.sim", "StaticConfig S { Mesh m { File=scan.gltf } }\n")).ok());
+        QCOMPARE(why(d.saving().saveAs(m_fixture->path("far/scan.sim"))), "");
         QVERIFY(fs::exists(m_fixture->path("far/scan.gltf")));
         QCOMPARE(bytesOf(m_fixture->path("far/bits/scan.bin")), "1234");
     }
@@ -124,10 +124,12 @@ private Q_SLOTS:
             fs::copy_file(std::string(TRUNDLE_BINARY_DIR "/tests/modules/controllers/libgood.so") + end, library + end);
         const std::string text = "#loadModule mine/good // beside\n#loadModule controllers/linear_motion\n";
         Document d(*m_application);
-        QVERIFY(d.open(m_fixture->write("configs/driven.sim", text)).ok()); // its folder is not trusted; it is copied anyway
+        QVERIFY(d.opening()
+                    .open(m_fixture->write("configs/driven.sim", text))
+                    .ok()); // its folder is not trusted; it is copied anyway
         const std::string target = m_fixture->path("far/driven.sim");
-        QCOMPARE(d.companionsAt(target).value().modules, std::vector{library});
-        QCOMPARE(why(d.saveAs(target, copied ? ModuleCopies::Make : ModuleCopies::Name)), "");
+        QCOMPARE(d.saving().companionsAt(target).value().modules, std::vector{library});
+        QCOMPARE(why(d.saving().saveAs(target, copied ? ModuleCopies::Make : ModuleCopies::Name)), "");
         QCOMPARE(fs::exists(m_fixture->path("far/mine/libgood.so")), copied);
         QCOMPARE(fs::exists(m_fixture->path("far/mine/libgood.so.kinds.json")), copied);
         std::string expected = text;
@@ -144,8 +146,8 @@ private Q_SLOTS:
 
     void aSampleNeedsNothingOfItsFolder() {
         Document d(*m_application);
-        QVERIFY(d.open(TRUNDLE_SOURCE_DIR "/configs/experiments/linear_motion.sim").ok());
-        QVERIFY(d.companionsAt(m_fixture->path("far/mine.sim")).value().empty());
+        QVERIFY(d.opening().open(TRUNDLE_SOURCE_DIR "/configs/experiments/linear_motion.sim").ok());
+        QVERIFY(d.saving().companionsAt(m_fixture->path("far/mine.sim")).value().empty());
     }
 
 private:

@@ -52,7 +52,7 @@ struct Heard {
 /// As printed by the program.
 std::size_t hashOf(const Document& document) {
     std::string all;
-    for (const std::string& file : document.files()) all += *document.text(file) + '\0';
+    for (const std::string& file : document.texts().files()) all += *document.texts().text(file) + '\0';
     return std::hash<std::string>()(all);
 }
 
@@ -103,11 +103,11 @@ private Q_SLOTS:
 private:
     /// Opens the experiment after the kill and restores its journal, if one is offered.
     static void restore(Document& document, const DocumentFixture& fixture, bool& isOffered) {
-        QVERIFY(document.open(fixture.main).ok());
-        const std::vector<Recovery> found = document.recoveries();
+        QVERIFY(document.opening().open(fixture.main).ok());
+        const std::vector<Recovery> found = document.recovery().recoveries();
         QVERIFY(found.size() <= 1);
         isOffered = !found.empty();
-        if (isOffered) QCOMPARE(why(document.recover(found[0])), "");
+        if (isOffered) QCOMPARE(why(document.recovery().recover(found[0])), "");
         QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
     }
 
@@ -131,7 +131,7 @@ private:
             if (edit.texts == hashOf(document)) kept = edit.number;
         const int old = heard.old();
         QVERIFY2(kept >= old, qPrintable(QStringLiteral("edit %1 of two seconds before is lost, %2 is kept").arg(old).arg(kept)));
-        QCOMPARE(why(document.save()), "");
+        QCOMPARE(why(document.saving().save()), "");
         QCOMPARE(bytesOf(fixture.path("configs/robots/cart.sim")), cart); // its instance has a copy
         copied += holds(bytesOf(fixture.main), "RobotConfig Cart2");
         changedForAll += bytesOf(fixture.robot) != kRover;
@@ -153,7 +153,7 @@ private:
         restore(document, fixture, isOffered);
         if (QTest::currentTestFailed()) return;
         offered += isOffered;
-        QCOMPARE(why(document.save()), "");
+        QCOMPARE(why(document.saving().save()), "");
         const bool isGrouped = bytesOf(fixture.main) != text;
         QVERIFY(!isGrouped || holds(bytesOf(piece), "StaticConfig Piece"));
         QVERIFY(!std::filesystem::exists(piece) || holds(bytesOf(piece), "StaticConfig Piece")); // never an empty file
@@ -173,16 +173,16 @@ private:
         const int old = heard.old();
 
         Document document(*m_application);
-        QVERIFY(document.open(fixture.main).ok());
-        QVERIFY(!document.isReadOnly()); // the lock of a killed process is not valid
-        const std::vector<Recovery> found = document.recoveries();
+        QVERIFY(document.opening().open(fixture.main).ok());
+        QVERIFY(!document.access().isReadOnly()); // the lock of a killed process is not valid
+        const std::vector<Recovery> found = document.recovery().recoveries();
         QVERIFY(found.size() <= 1);
         int kept = onDisk;
         if (!found.empty()) {
             ++offered;
             const std::string text = found[0].files.at(fixture.main).text;
             QVERIFY2(numberOf(text) >= 0, "the journal is torn");
-            QVERIFY(document.recover(found[0]).ok());
+            QVERIFY(document.recovery().recover(found[0]).ok());
             kept = std::max(kept, numberOf(text));
         }
         QVERIFY2(kept >= old, qPrintable(QStringLiteral("edit %1 of two seconds before is lost, %2 is kept").arg(old).arg(kept)));

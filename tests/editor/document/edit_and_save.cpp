@@ -39,9 +39,9 @@ bool group(Document& document) {
 }
 
 bool groupOrUndo(Document& document, std::mt19937& random) {
-    if (random() % 3 == 0) return document.save().ok();
-    if (document.history().canUndo()) return document.undo(), true;
-    return document.history().canRedo() ? (document.redo(), true) : group(document);
+    if (random() % 3 == 0) return document.saving().save().ok();
+    if (document.edits().history().canUndo()) return document.edits().undo(), true;
+    return document.edits().history().canRedo() ? (document.edits().redo(), true) : group(document);
 }
 
 /// The first question about Cart is answered with a copy, all others with a change for all.
@@ -54,11 +54,12 @@ void answerQuestions(Document& document) {
 bool changeConfigs(Document& document, std::mt19937& random, int number) {
     const std::string robot = random() % 2 ? "robot0" : "robot1", name = "part" + std::to_string(number);
     switch (random() % 8) {
-    case 0: return document.save().ok();
+    case 0: return document.saving().save().ok();
     case 1:
-    case 2: return document.undo(), true;
-    case 3: return document.redo(), true;
-    case 4: return document.setValues(u"Set"_qs, {{robot + ".chassis.hull.Mass", std::to_string(number % 9 + 1)}}).ok();
+    case 2: return document.edits().undo(), true;
+    case 3: return document.edits().redo(), true;
+    case 4:
+        return document.structure().setValues(u"Set"_qs, {{robot + ".chassis.hull.Mass", std::to_string(number % 9 + 1)}}).ok();
     default:
         return document.structure()
             .apply(u"Insert"_qs, {robot},
@@ -71,7 +72,7 @@ bool changeConfigs(Document& document, std::mt19937& random, int number) {
 
 std::size_t hashOf(const Document& document) {
     std::string all;
-    for (const std::string& file : document.files()) all += *document.text(file) + '\0';
+    for (const std::string& file : document.texts().files()) all += *document.texts().text(file) + '\0';
     return std::hash<std::string>()(all);
 }
 
@@ -84,7 +85,7 @@ int main(int argc, char** argv) {
     const bool pieces = what == "pieces", configs = what == "configs";
     const std::unique_ptr<Application> trundleApplication = makeApplication();
     Document document(*trundleApplication);
-    if (!document.open(argv[1])) return 1;
+    if (!document.opening().open(argv[1])) return 1;
     std::mt19937 random(static_cast<unsigned>(std::atoi(argv[2])));
     int number = 0;
     answerQuestions(document);
@@ -97,11 +98,11 @@ int main(int argc, char** argv) {
             if (!groupOrUndo(document, random)) std::_Exit(5);
             std::printf("edit %d\n", ++number);
         } else if (random() % 60 == 0 && number > 0) {
-            if (!document.save()) std::_Exit(3);
+            if (!document.saving().save()) std::_Exit(3);
             std::printf("saved %d\n", number);
         } else {
             ++number;
-            if (!document.replaceText(u"Typing"_qs, document.path(), textOf(number, random))) std::_Exit(4);
+            if (!document.edits().replaceText(u"Typing"_qs, document.path(), textOf(number, random))) std::_Exit(4);
             std::printf("edit %d\n", number);
         }
         std::fflush(stdout);

@@ -10,6 +10,7 @@
 
 #include "base/platform/process_identity.h"
 #include "editor/document/found_journals.h"
+#include "editor/document/structure_edits.h"
 #include "project/journal/journal_record.h"
 #include "project/journal/state_folder.h"
 #include "sample_document.h"
@@ -232,19 +233,19 @@ private Q_SLOTS:
         attack.prepare(place);
         const auto before = place.state();
         Document document(*m_application);
-        QCOMPARE(why(document.open(place.fixture.main)), "");
+        QCOMPARE(why(document.opening().open(place.fixture.main)), "");
         QCOMPARE(!journalsNotRead(document).isEmpty(), attack.reported);
-        const std::vector<Recovery> found = document.recoveries();
+        const std::vector<Recovery> found = document.recovery().recoveries();
         QCOMPARE(found.size(), attack.offer == Offer::None ? 0u : 1u);
         for (const Recovery& recovery : found) {
-            const Status done = document.recover(recovery);
+            const Status done = document.recovery().recover(recovery);
             QCOMPARE(done.ok(), attack.offer == Offer::OwnFileOnly);
             if (!done)
                 QVERIFY2(done.error().message.find("outside the project") != std::string::npos, done.error().message.c_str());
         }
-        for (const std::string& file : document.files()) QVERIFY2(file.starts_with(place.project + "/"), file.c_str());
-        QCOMPARE(document.isModified(), attack.offer == Offer::OwnFileOnly);
-        QCOMPARE(why(document.save()), "");
+        for (const std::string& file : document.texts().files()) QVERIFY2(file.starts_with(place.project + "/"), file.c_str());
+        QCOMPARE(document.texts().isModified(), attack.offer == Offer::OwnFileOnly);
+        QCOMPARE(why(document.saving().save()), "");
         QCOMPARE(place.state(), before);
         QCOMPARE(bytesOf(place.fixture.main),
                  attack.offer == Offer::OwnFileOnly ? std::string(kMain) + "Seed = 9\n" : std::string(kMain));
@@ -257,10 +258,10 @@ private Q_SLOTS:
         place.put(place.own, place.forged(place.bashrc).bytes());
         Document document(*m_application);
         QSignalSpy noticed(&document, &Document::notice);
-        QVERIFY(document.open(place.fixture.main).ok());
-        const Recovery recovery = document.recoveries().at(0);
-        QCOMPARE(filesOutside(recovery, document.foldersOf(recovery.project)), std::vector<std::string>{place.bashrc});
-        QVERIFY(document.recover(recovery).ok());
+        QVERIFY(document.opening().open(place.fixture.main).ok());
+        const Recovery recovery = document.recovery().recoveries().at(0);
+        QCOMPARE(filesOutside(recovery, document.recovery().foldersOf(recovery.project)), std::vector<std::string>{place.bashrc});
+        QVERIFY(document.recovery().recover(recovery).ok());
         QVERIFY(noticed.front().front().toString().contains(QString::fromStdString(place.bashrc)));
         QVERIFY(fs::exists(place.own));
         QCOMPARE(bytesOf(place.own), place.forged(place.bashrc).bytes());
@@ -275,9 +276,9 @@ private Q_SLOTS:
         OpenOptions options;
         options.includes = {place.outside};
         document.setOptions(options);
-        QVERIFY(document.open(place.fixture.main).ok());
-        QCOMPARE(why(document.recover(document.recoveries().at(0))), "");
-        QCOMPARE(why(document.save()), "");
+        QVERIFY(document.opening().open(place.fixture.main).ok());
+        QCOMPARE(why(document.recovery().recover(document.recovery().recoveries().at(0))), "");
+        QCOMPARE(why(document.saving().save()), "");
         QCOMPARE(bytesOf(part), "Seed = 5\n");
     }
 
@@ -286,13 +287,13 @@ private Q_SLOTS:
         for (const bool there : {true, false}) {
             const Place place;
             Document document(*m_application);
-            QVERIFY(document.open(place.fixture.main).ok());
-            QVERIFY(document.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+            QVERIFY(document.opening().open(place.fixture.main).ok());
+            QVERIFY(document.structure().setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
             fs::remove(place.fixture.main);
             if (there) place.fixture.write("outside/copy.sim", kMain); // the same bytes, so that no external change is detected
             fs::create_symlink(place.outside + "/copy.sim", place.fixture.main);
             const auto before = place.state();
-            QVERIFY(!document.save().ok());
+            QVERIFY(!document.saving().save().ok());
             QCOMPARE(place.state(), before);
         }
     }
@@ -302,7 +303,7 @@ private Q_SLOTS:
         const Place place;
         place.put(place.inProject, place.forged(place.bashrc).bytes());
         Document document(*m_application);
-        QVERIFY(document.open(place.fixture.main).ok());
+        QVERIFY(document.opening().open(place.fixture.main).ok());
         const QString reportOf = journalsNotRead(document);
         QVERIFY2(reportOf.contains(QString::fromStdString(fs::path(place.inProject).parent_path().string())),
                  qPrintable(reportOf));
@@ -312,8 +313,8 @@ private Q_SLOTS:
         fs::create_directories(fs::path(place.own).parent_path());
         fs::rename(place.inProject, place.own);
         QVERIFY(journalsNotRead(document).isEmpty());
-        QVERIFY(document.recover(document.recoveries().at(0)).ok());
-        QVERIFY(document.isModified());
+        QVERIFY(document.recovery().recover(document.recovery().recoveries().at(0)).ok());
+        QVERIFY(document.texts().isModified());
     }
 
 private:

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QTest>
 
+#include "editor/document/structure_edits.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -49,27 +50,27 @@ private Q_SLOTS:
         const DocumentFixture fixture;
         CountingApplication application;
         Document d(application);
-        QVERIFY(d.open(fixture.write("configs/many.sim", text)).ok());
+        QVERIFY(d.opening().open(fixture.write("configs/many.sim", text)).ok());
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
         application.loads = 0;
         QElapsedTimer clock;
         clock.start();
         constexpr int kSteps = 20;
         for (int i = 1; i <= kSteps; ++i) {
-            QVERIFY(d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "0." + std::to_string(i) + ",0,0"}}, "drag").ok());
+            QVERIFY(d.structure().setValues(u"Move robot1"_qs, {{"robot1.Pos", "0." + std::to_string(i) + ",0,0"}}, "drag").ok());
             QCOMPARE(application.loads, i);
             QCOMPARE(d.loaded()->parses, 1u);
         }
         qInfo("%d robots: %.1f ms a step", robots, double(clock.nsecsElapsed()) / 1e6 / kSteps);
-        QVERIFY(!d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "0,0"}}, "drag").ok());
+        QVERIFY(!d.structure().setValues(u"Move robot1"_qs, {{"robot1.Pos", "0,0"}}, "drag").ok());
         QCOMPARE(application.loads, kSteps + 1); // one load, to find that the value is invalid
-        QVERIFY(!d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "}"}}, "drag").ok());
-        QVERIFY(!d.setValues(u"Move nobody"_qs, {{"nobody.Pos", "0,0,0"}}, "drag").ok());
+        QVERIFY(!d.structure().setValues(u"Move robot1"_qs, {{"robot1.Pos", "}"}}, "drag").ok());
+        QVERIFY(!d.structure().setValues(u"Move nobody"_qs, {{"nobody.Pos", "0,0,0"}}, "drag").ok());
         QCOMPARE(application.loads, kSteps + 1); // an edit of an unknown object, or one that does not parse, causes no load
-        d.discardMerge("drag");
+        d.edits().discardMerge("drag");
         QCOMPARE(application.loads, kSteps + 2);
-        QCOMPARE(*d.text(d.path()), text);
-        QVERIFY(!d.isModified());
+        QCOMPARE(*d.texts().text(d.path()), text);
+        QVERIFY(!d.texts().isModified());
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "editor/document/structure_edits.h"
 #include "eventually.h"
 #include "sample_document.h"
 
@@ -80,16 +81,16 @@ private Q_SLOTS:
 
     void loadsTypedMesh() {
         Document d(*m_application);
-        QVERIFY(d.open(m_fixture->main).ok());
-        QCOMPARE(why(d.replaceText(u"Type"_qs, m_fixture->main, withMesh("cube.obj"))), "");
+        QVERIFY(d.opening().open(m_fixture->main).ok());
+        QCOMPARE(why(d.edits().replaceText(u"Type"_qs, m_fixture->main, withMesh("cube.obj"))), "");
         QVERIFY(d.loaded()->pending);
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         const TriangleMesh* mesh = meshOf(*d.loaded());
         QVERIFY(mesh);
-        QCOMPARE(d.history().entries().size(), 1u);
+        QCOMPARE(d.edits().history().entries().size(), 1u);
         const std::uint64_t revision = d.revision();
-        QCOMPARE(why(d.setValues(u"Move"_qs, {{"thing.Pos", "1,0,0"}})), "");
+        QCOMPARE(why(d.structure().setValues(u"Move"_qs, {{"thing.Pos", "1,0,0"}})), "");
         QVERIFY(!d.loaded()->pending); // cached
         QCOMPARE(meshOf(*d.loaded()), mesh);
         QCOMPARE(d.revision(), revision + 1);
@@ -100,18 +101,18 @@ private Q_SLOTS:
             m_fixture->write("configs/ball.sim", "Tick = 0.01\nRobotConfig Ball { Body b { Mesh shape { File=cube.obj Scale=2 "
                                                  "Density=1 } } }\nRobot r { Config=Ball }\n");
         Document d(*m_application);
-        QVERIFY(d.open(file).ok());
+        QVERIFY(d.opening().open(file).ok());
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         const auto before = d.loaded();
-        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         const BodySpec &old = before->experiment->robots[0].config->bodies[0],
                        &now = d.loaded()->experiment->robots[0].config->bodies[0];
         QVERIFY(old.geoms[0].mesh && old.geoms[0].mesh == now.geoms[0].mesh); // scaled only once
         QVERIFY(old.geoms[0].hull && old.geoms[0].hull == now.geoms[0].hull);
         QCOMPARE(now.mass.mass, 8.0);
-        QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.Ball.b.shape.Scale", "1,2,3"}}).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"RobotConfig.Ball.b.shape.Scale", "1,2,3"}}).ok());
         QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].mass.mass, 6.0);
-        d.undo();
+        d.edits().undo();
         QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].mass.mass, 8.0);
     }
 
@@ -119,19 +120,19 @@ private Q_SLOTS:
         m_fixture->write("configs/other.obj", kCube);
         m_fixture->write("configs/broken.obj", "this is no mesh");
         Document d(*m_application);
-        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
-        QCOMPARE(why(d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "other.obj"}})), "");
+        QVERIFY(d.opening().open(m_fixture->path("configs/thing.sim")).ok());
+        QCOMPARE(why(d.structure().setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "other.obj"}})), "");
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
-        QCOMPARE(why(d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "broken.obj"}})), "");
+        QCOMPARE(why(d.structure().setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "broken.obj"}})), "");
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY(holds(messages(*d.loaded()), "broken.obj"));
-        QVERIFY(!d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "missing.obj"}}).ok());
+        QVERIFY(!d.structure().setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "missing.obj"}}).ok());
     }
 
     void aMeshThatChangesOnTheDiskIsReadAgain() {
         Document d(*m_application);
-        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
+        QVERIFY(d.opening().open(m_fixture->path("configs/thing.sim")).ok());
         QVERIFY(meshOf(*d.loaded()));
         QCOMPARE(highest(*d.loaded()), 1.0);
         std::string higher = kCube;
@@ -139,18 +140,18 @@ private Q_SLOTS:
         m_fixture->write("configs/cube.obj", higher);
         EVENTUALLY_EQUAL(highest(*d.loaded()), 3.0);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
-        QVERIFY(!d.isModified());
-        QVERIFY(d.history().entries().empty());
+        QVERIFY(!d.texts().isModified());
+        QVERIFY(d.edits().history().entries().empty());
         // Replaced by rename, as most programs save.
         m_fixture->write("configs/new.obj", kCube);
         std::filesystem::rename(m_fixture->path("configs/new.obj"), m_fixture->path("configs/cube.obj"));
         EVENTUALLY_EQUAL(highest(*d.loaded()), 1.0);
-        QVERIFY(!d.isModified());
+        QVERIFY(!d.texts().isModified());
     }
 
     void reportsMissingAndReturnedMesh() {
         Document d(*m_application);
-        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
+        QVERIFY(d.opening().open(m_fixture->path("configs/thing.sim")).ok());
         std::filesystem::remove(m_fixture->path("configs/cube.obj"));
         EVENTUALLY(holds(messages(*d.loaded()), "cube.obj"));
         m_fixture->write("configs/cube.obj", kCube);
@@ -165,7 +166,7 @@ private Q_SLOTS:
             "configs/hills.sim",
             "StaticConfig Hills { Heightfield hill { File=hill.pgm Size=1,1,1 } }\nStatic hills { Config=Hills }\n");
         Document d(*m_application);
-        QVERIFY(d.open(file).ok());
+        QVERIFY(d.opening().open(file).ok());
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         const auto top = [&] {
             const auto& statics = d.loaded()->experiment->statics;
@@ -179,7 +180,7 @@ private Q_SLOTS:
 
     void loadsAppearingImport() {
         Document d(*m_application);
-        QVERIFY(d.open(m_fixture->write("configs/waits.sim", "#import later.sim\n")).ok());
+        QVERIFY(d.opening().open(m_fixture->write("configs/waits.sim", "#import later.sim\n")).ok());
         QVERIFY(holds(messages(*d.loaded()), "later.sim"));
         m_fixture->write("configs/later.sim", "Tick = 0.02\n");
         EVENTUALLY_EQUAL(d.loaded()->experiment->settings.tick, 0.02);
@@ -188,11 +189,11 @@ private Q_SLOTS:
 
     void survivesClosingWhileMeshLoads() {
         Document d(*m_application);
-        QVERIFY(d.open(m_fixture->main).ok());
-        QVERIFY(d.replaceText(u"Type"_qs, m_fixture->main, withMesh("cube.obj")).ok());
-        d.close();
-        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
-        QVERIFY(d.replaceText(u"Type"_qs, d.path(), withMesh("cube.obj") + "// more\n").ok());
+        QVERIFY(d.opening().open(m_fixture->main).ok());
+        QVERIFY(d.edits().replaceText(u"Type"_qs, m_fixture->main, withMesh("cube.obj")).ok());
+        d.opening().close();
+        QVERIFY(d.opening().open(m_fixture->path("configs/thing.sim")).ok());
+        QVERIFY(d.edits().replaceText(u"Type"_qs, d.path(), withMesh("cube.obj") + "// more\n").ok());
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }

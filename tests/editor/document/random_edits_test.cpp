@@ -34,8 +34,8 @@ public:
         case 1: return setValue();
         case 2: return type();
         case 3: return plan();
-        case 4: return m_document.undo();
-        case 5: return m_document.redo();
+        case 4: return m_document.edits().undo();
+        case 5: return m_document.edits().redo();
         case 6: return leap();
         case 7:
         case 8: return changeStructure();
@@ -45,7 +45,7 @@ public:
 
     /// Undoes until the text has no errors, so that edits other than typing are possible.
     void undoErrors() {
-        while (m_document.loaded()->diagnostics.hasErrors() && m_document.history().canUndo()) m_document.undo();
+        while (m_document.loaded()->diagnostics.hasErrors() && m_document.edits().history().canUndo()) m_document.edits().undo();
     }
 
     /// Makes an edit that creates a file.
@@ -79,7 +79,7 @@ private:
                                              {"robot7.Pos", "0,0,0"}};
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
-        (void)m_document.setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path.text());
+        (void)m_document.structure().setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path.text());
     }
 
     /// Through an instance, in the config, or in a copy of the config that an earlier edit made.
@@ -106,35 +106,35 @@ private:
 
     void type() {
         const std::string file = below(2) ? m_fixture.main : m_fixture.robot;
-        std::string text = *m_document.text(file);
+        std::string text = *m_document.texts().text(file);
         const std::vector<std::string> bits{"x",    " ",  "{",  "}",          "\n", "// word", "Robot r { Config=Rover }\n",
                                             "\xff", "\r", "\"", "#import a\n"};
         const std::size_t at = below(text.size() + 1);
         if (below(3) == 0) text.erase(at, below(5));
         else text.insert(at, bits[below(bits.size())]);
-        (void)m_document.replaceText(u"Typing"_qs, file, std::move(text), below(2) ? "typing " + file : "");
+        (void)m_document.edits().replaceText(u"Typing"_qs, file, std::move(text), below(2) ? "typing " + file : "");
         // Errors in the text prevent the other edits, so most are undone at once.
-        if (m_document.loaded()->diagnostics.hasErrors() && below(4) != 0) m_document.undo();
+        if (m_document.loaded()->diagnostics.hasErrors() && below(4) != 0) m_document.edits().undo();
     }
 
     void plan() {
         EditPlan plan;
-        for (FileId file = 0; file < m_document.files().size(); ++file) {
+        for (FileId file = 0; file < m_document.texts().files().size(); ++file) {
             if (file > 0 && below(2)) continue;
-            const auto size = static_cast<std::uint32_t>(m_document.text(m_document.files()[file])->size());
+            const auto size = static_cast<std::uint32_t>(m_document.texts().text(m_document.texts().files()[file])->size());
             plan.edits[file].push_back({{file, {size, size}}, "// planned " + std::to_string(below(100)) + "\n"});
             if (below(2)) plan.edits[file].push_back({{file, {0, 0}}, "// first\n"});
         }
-        (void)m_document.apply(u"Plan"_qs, plan);
+        (void)m_document.edits().apply(u"Plan"_qs, plan);
     }
 
     /// Undoes or redoes a few entries: most edits are undone at the end.
     void leap() {
-        const std::size_t at = m_document.history().position() + below(9);
-        m_document.moveTo(at < 4 ? 0 : at - 4);
+        const std::size_t at = m_document.edits().history().position() + below(9);
+        m_document.edits().moveTo(at < 4 ? 0 : at - 4);
     }
 
-    void save() { (void)m_document.save(); }
+    void save() { (void)m_document.saving().save(); }
 
     Document& m_document;
     const DocumentFixture& m_fixture;
@@ -159,7 +159,7 @@ private Q_SLOTS:
         const int edits = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 1000 : 100;
         const DocumentFixture fixture;
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         RandomEdits random(d, fixture, seed);
         for (int i = 0; i < edits; ++i) {
             if (i % 10 == 0) random.undoErrors();
@@ -167,14 +167,14 @@ private Q_SLOTS:
             else random.oneEdit();
             bool isModified = false;
             for (const std::string& file : random.created) {
-                isModified = isModified || d.isModified(file);
+                isModified = isModified || d.texts().isModified(file);
                 QVERIFY(!std::filesystem::exists(file) || !bytesOf(file).empty());
             }
-            for (const std::string& file : {fixture.main, fixture.robot}) isModified = isModified || d.isModified(file);
-            QCOMPARE(d.isModified(), isModified);
+            for (const std::string& file : {fixture.main, fixture.robot}) isModified = isModified || d.texts().isModified(file);
+            QCOMPARE(d.texts().isModified(), isModified);
             std::vector<std::string> files = random.created;
             files.insert(files.end(), {fixture.main, fixture.robot});
-            for (const std::string& file : files) QCOMPARE(d.isModified(file), bytesOf(file) != *d.text(file));
+            for (const std::string& file : files) QCOMPARE(d.texts().isModified(file), bytesOf(file) != *d.texts().text(file));
         }
         QVERIFY(random.structures > 0);
         m_structures += random.structures;
@@ -182,21 +182,21 @@ private Q_SLOTS:
         QVERIFY(!random.answers.empty());
         m_answers.merge(random.answers);
         m_copies += random.copies;
-        d.moveTo(d.history().entries().size());
-        QVERIFY(d.history().entries().size() > 5);
-        const std::string endMain = *d.text(fixture.main), endRobot = *d.text(fixture.robot);
-        while (d.history().canUndo()) d.undo();
-        QCOMPARE(*d.text(fixture.main), kMain);
-        QCOMPARE(*d.text(fixture.robot), kRover);
+        d.edits().moveTo(d.edits().history().entries().size());
+        QVERIFY(d.edits().history().entries().size() > 5);
+        const std::string endMain = *d.texts().text(fixture.main), endRobot = *d.texts().text(fixture.robot);
+        while (d.edits().history().canUndo()) d.edits().undo();
+        QCOMPARE(*d.texts().text(fixture.main), kMain);
+        QCOMPARE(*d.texts().text(fixture.robot), kRover);
         QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
-        while (d.history().canRedo()) d.redo();
-        QCOMPARE(*d.text(fixture.main), endMain);
-        QCOMPARE(*d.text(fixture.robot), endRobot);
+        while (d.edits().history().canRedo()) d.edits().redo();
+        QCOMPARE(*d.texts().text(fixture.main), endMain);
+        QCOMPARE(*d.texts().text(fixture.robot), endRobot);
         QVERIFY(!random.created.empty());
-        d.moveTo(random.below(d.history().entries().size()));
+        d.edits().moveTo(random.below(d.edits().history().entries().size()));
         std::map<std::string, std::string> texts;
         random.created.insert(random.created.end(), {fixture.main, fixture.robot});
-        for (const std::string& file : random.created) texts[file] = *d.text(file);
+        for (const std::string& file : random.created) texts[file] = *d.texts().text(file);
         recoversAll(d, fixture, texts);
     }
 
@@ -217,14 +217,14 @@ private:
         std::error_code none;
         for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
             journals[at->path().string()] = bytesOf(at->path().string());
-        QCOMPARE(journals.empty(), !killed.isModified());
-        killed.close();
+        QCOMPARE(journals.empty(), !killed.texts().isModified());
+        killed.opening().close();
         std::filesystem::create_directories(folder);
         for (const auto& [path, bytes] : journals) std::ofstream(path, std::ios::binary) << bytes;
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
-        for (const Recovery& recovery : d.recoveries()) QCOMPARE(why(d.recover(recovery)), "");
-        QCOMPARE(why(d.save()), "");
+        QVERIFY(d.opening().open(fixture.main).ok());
+        for (const Recovery& recovery : d.recovery().recoveries()) QCOMPARE(why(d.recovery().recover(recovery)), "");
+        QCOMPARE(why(d.saving().save()), "");
         for (const auto& [path, text] : texts) {
             QCOMPARE(bytesOf(path), text);
             if (path != fixture.main) QCOMPARE(std::filesystem::exists(path), !text.empty() || path == fixture.robot);

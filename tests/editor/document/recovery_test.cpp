@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "editor/document/structure_edits.h"
 #include "eventually.h"
 #include "project/journal/state_folder.h"
 #include "sample_document.h"
@@ -22,28 +23,28 @@ private Q_SLOTS:
 
     void journalsEditsWithinTwoSeconds() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_fixture->main).ok());
+        QVERIFY(d.opening().open(m_fixture->main).ok());
         QVERIFY(!fs::exists(journals()));
-        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         QTRY_VERIFY_WITH_TIMEOUT(fs::exists(journals()), 2000);
-        QVERIFY(d.recoveries().empty()); // its own journal is not offered
-        QCOMPARE(why(d.save()), "");
+        QVERIFY(d.recovery().recoveries().empty()); // its own journal is not offered
+        QCOMPARE(why(d.saving().save()), "");
         QVERIFY(!fs::exists(journals()));
-        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.03"}}).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"Tick", "0.03"}}).ok());
         EVENTUALLY(fs::exists(journals()));
-        d.undo();
+        d.edits().undo();
         EVENTUALLY(!fs::exists(journals())); // no unsaved changes
-        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.04"}}).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"Tick", "0.04"}}).ok());
         EVENTUALLY(fs::exists(journals()));
-        d.close(); // the user was asked before close()
+        d.opening().close(); // the user was asked before close()
         QVERIFY(!fs::exists(m_fixture->path("configs/.trundle")));
     }
 
     /// An end request (such as SIGTERM) writes the journal at once, without its delay of half a second.
     void journalsEditsOnEndRequest() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_fixture->main).ok());
-        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        QVERIFY(d.opening().open(m_fixture->main).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         QVERIFY(!fs::exists(journals()));
         QMetaObject::invokeMethod(
             QCoreApplication::instance(), [] { QCoreApplication::exit(143); }, Qt::QueuedConnection);
@@ -55,55 +56,56 @@ private Q_SLOTS:
         leave({m_fixture->main, {}},
               {{m_fixture->main, {kMain, std::string(kMain) + "Seed = 9\n"}}, {m_fixture->robot, {kRover, "Seed=1\n"}}});
         Document& d = *m_document;
-        QVERIFY(d.open(m_fixture->main).ok());
-        const auto found = d.recoveries();
+        QVERIFY(d.opening().open(m_fixture->main).ok());
+        const auto found = d.recovery().recoveries();
         QCOMPARE(found.size(), 1u);
         QCOMPARE(found[0].head.opened, m_fixture->main);
-        QCOMPARE(why(d.recover(found[0])), "");
-        QCOMPARE(*d.text(m_fixture->main), std::string(kMain) + "Seed = 9\n");
-        QCOMPARE(*d.text(m_fixture->robot), "Seed=1\n");
-        QVERIFY(d.isModified());
-        QCOMPARE(d.history().entries().size(), 1u);
-        QVERIFY(d.recoveries().empty());
+        QCOMPARE(why(d.recovery().recover(found[0])), "");
+        QCOMPARE(*d.texts().text(m_fixture->main), std::string(kMain) + "Seed = 9\n");
+        QCOMPARE(*d.texts().text(m_fixture->robot), "Seed=1\n");
+        QVERIFY(d.texts().isModified());
+        QCOMPARE(d.edits().history().entries().size(), 1u);
+        QVERIFY(d.recovery().recoveries().empty());
         QVERIFY(fs::exists(journals())); // now in this document's own journal
-        d.undo();
-        QVERIFY(!d.isModified());
+        d.edits().undo();
+        QVERIFY(!d.texts().isModified());
         QCOMPARE(bytesOf(m_fixture->main), kMain);
     }
 
     void recoversFromTheWelcomePage() {
         leave({m_fixture->main, {}}, {{m_fixture->main, {kMain, "Seed = 9\n"}}});
         Document& d = *m_document;
-        QCOMPARE(why(d.recover(findRecoveries(m_fixture->path("configs")).at(0))), "");
+        QCOMPARE(why(d.recovery().recover(findRecoveries(m_fixture->path("configs")).at(0))), "");
         QCOMPARE(d.path(), m_fixture->main);
-        QCOMPARE(*d.text(m_fixture->main), "Seed = 9\n");
+        QCOMPARE(*d.texts().text(m_fixture->main), "Seed = 9\n");
     }
 
     void recoversOverAnotherText() {
         leave({m_fixture->main, {}}, {{m_fixture->main, {kMain, std::string(kMain) + "Seed = 9\n"}}});
         m_fixture->write("configs/main.sim", std::string("Title=\"T\"\n") + kMain);
         Document& d = *m_document;
-        QVERIFY(d.open(m_fixture->main).ok());
+        QVERIFY(d.opening().open(m_fixture->main).ok());
         const std::string both = std::string("Title=\"T\"\n") + kMain + "Seed = 9\n";
-        QCOMPARE(Document::recoveredText(m_fixture->main, d.recoveries().at(0).files.at(m_fixture->main)), both); // preview
-        QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
-        QCOMPARE(*d.text(m_fixture->main), both);
-        QVERIFY(d.diskChanges().empty());
+        QCOMPARE(DocumentRecovery::recoveredText(m_fixture->main, d.recovery().recoveries().at(0).files.at(m_fixture->main)),
+                 both); // preview
+        QCOMPARE(why(d.recovery().recover(d.recovery().recoveries().at(0))), "");
+        QCOMPARE(*d.texts().text(m_fixture->main), both);
+        QVERIFY(d.disk().conflicts().empty());
     }
 
     void bothChangedTheSameLine() {
         leave({m_fixture->main, {}}, {{m_fixture->main, {"Seed = 1\n", "Seed = 2\n"}}});
         m_fixture->write("configs/main.sim", "Seed = 3\n");
         Document& d = *m_document;
-        QVERIFY(d.open(m_fixture->main).ok());
-        QSignalSpy asked(&d, &Document::diskChanged);
-        QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
+        QVERIFY(d.opening().open(m_fixture->main).ok());
+        QSignalSpy asked(&d.disk(), &ExternalChanges::conflictFound);
+        QCOMPARE(why(d.recovery().recover(d.recovery().recoveries().at(0))), "");
         QCOMPARE(asked.count(), 1);
-        QCOMPARE(*d.text(m_fixture->main), "Seed = 2\n");
-        QCOMPARE(*d.diskChanges().at(m_fixture->main), "Seed = 3\n");
-        QVERIFY(!d.save().ok());
-        QVERIFY(d.resolveDiskChange(m_fixture->main, Document::Resolution::Mine).ok());
-        QCOMPARE(why(d.save()), "");
+        QCOMPARE(*d.texts().text(m_fixture->main), "Seed = 2\n");
+        QCOMPARE(*d.disk().conflicts().at(m_fixture->main), "Seed = 3\n");
+        QVERIFY(!d.saving().save().ok());
+        QVERIFY(d.disk().resolve(m_fixture->main, ExternalChanges::Resolution::Mine).ok());
+        QCOMPARE(why(d.saving().save()), "");
         QCOMPARE(bytesOf(m_fixture->main), "Seed = 2\n");
     }
 
@@ -111,19 +113,19 @@ private Q_SLOTS:
         leave({m_fixture->main, {}}, {{m_fixture->main, {kMain, "Seed = 9\n"}}});
         fs::remove(m_fixture->main);
         Document& d = *m_document;
-        QVERIFY(!d.open(m_fixture->main).ok());
-        QCOMPARE(why(d.recover(findRecoveries(m_fixture->path("configs")).at(0))), "");
-        QCOMPARE(*d.text(m_fixture->main), "Seed = 9\n");
-        QVERIFY(d.isModified());
-        QCOMPARE(why(d.save()), "");
+        QVERIFY(!d.opening().open(m_fixture->main).ok());
+        QCOMPARE(why(d.recovery().recover(findRecoveries(m_fixture->path("configs")).at(0))), "");
+        QCOMPARE(*d.texts().text(m_fixture->main), "Seed = 9\n");
+        QVERIFY(d.texts().isModified());
+        QCOMPARE(why(d.saving().save()), "");
         QCOMPARE(bytesOf(m_fixture->main), "Seed = 9\n");
     }
 
     void restoresNewText() {
         {
             Document lost(*m_application);
-            QVERIFY(lost.openNew("untitled.sim", "Tick = 1 ms\n").ok());
-            QVERIFY(lost.setValues(u"Set"_qs, {{"Tick", "2 ms"}}).ok());
+            QVERIFY(lost.opening().openNew("untitled.sim", "Tick = 1 ms\n").ok());
+            QVERIFY(lost.structure().setValues(u"Set"_qs, {{"Tick", "2 ms"}}).ok());
             const std::string state = m_fixture->path("state");
             EVENTUALLY(!journalsBelow(state).empty());
             const std::string journal = journalsBelow(state)[0];
@@ -134,68 +136,68 @@ private Q_SLOTS:
         fs::create_directories(fs::path(m_journal).parent_path());
         std::ofstream(m_journal, std::ios::binary) << m_kept; // as after a crash
         Document& d = *m_document;
-        const auto found = d.recoveries();
+        const auto found = d.recovery().recoveries();
         QCOMPARE(found.size(), 1u);
         QCOMPARE(found[0].head.name, "untitled.sim");
-        QCOMPARE(why(d.recover(found[0])), "");
+        QCOMPARE(why(d.recovery().recover(found[0])), "");
         QVERIFY(d.isNew());
-        QVERIFY(d.isModified());
-        QCOMPARE(*d.text("untitled.sim"), "Tick = 2 ms\n");
-        QVERIFY(d.recoveries().empty());
+        QVERIFY(d.texts().isModified());
+        QCOMPARE(*d.texts().text("untitled.sim"), "Tick = 2 ms\n");
+        QVERIFY(d.recovery().recoveries().empty());
     }
 
     void secondWindowIsReadOnly() {
         Document& first = *m_document;
         Document second(*m_application);
-        QSignalSpy reported(&second, &Document::readOnlyChanged), refused(&second, &Document::refused);
-        QVERIFY(first.open(m_fixture->main).ok());
-        QCOMPARE(why(second.open(m_fixture->robot)), "");
-        QVERIFY(!first.isReadOnly());
-        QVERIFY(second.isReadOnly());
+        QSignalSpy reported(&second.access(), &ProjectAccess::changed), refused(&second, &Document::refused);
+        QVERIFY(first.opening().open(m_fixture->main).ok());
+        QCOMPARE(why(second.opening().open(m_fixture->robot)), "");
+        QVERIFY(!first.access().isReadOnly());
+        QVERIFY(second.access().isReadOnly());
         QCOMPARE(reported.count(), 1);
         QVERIFY(holds(reportOf(reported), "another window"));
-        QVERIFY(!second.replaceText(u"Type"_qs, m_fixture->robot, "x").ok());
+        QVERIFY(!second.edits().replaceText(u"Type"_qs, m_fixture->robot, "x").ok());
         QCOMPARE(refused.count(), 1);
         // What the first document saves is shown in the second.
-        QVERIFY(first.setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "7"}}).ok());
-        QCOMPARE(why(first.save()), "");
-        EVENTUALLY_EQUAL(*second.text(m_fixture->robot), *first.text(m_fixture->robot));
-        second.editAnyway();
-        QVERIFY(!second.isReadOnly());
-        QCOMPARE(why(second.replaceText(u"Type"_qs, m_fixture->robot, "x")), "");
-        QCOMPARE(why(second.save()), "");
-        first.close();
-        second.close();
-        QVERIFY(second.open(m_fixture->main).ok());
-        QVERIFY(!second.isReadOnly());
+        QVERIFY(first.structure().setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "7"}}).ok());
+        QCOMPARE(why(first.saving().save()), "");
+        EVENTUALLY_EQUAL(*second.texts().text(m_fixture->robot), *first.texts().text(m_fixture->robot));
+        second.access().editAnyway();
+        QVERIFY(!second.access().isReadOnly());
+        QCOMPARE(why(second.edits().replaceText(u"Type"_qs, m_fixture->robot, "x")), "");
+        QCOMPARE(why(second.saving().save()), "");
+        first.opening().close();
+        second.opening().close();
+        QVERIFY(second.opening().open(m_fixture->main).ok());
+        QVERIFY(!second.access().isReadOnly());
     }
 
     void readOnlyWindowEditsAfterOtherCloses() {
         Document& first = *m_document;
         Document second(*m_application);
         QSignalSpy noticed(&second, &Document::notice);
-        QVERIFY(first.open(m_fixture->main).ok());
-        QCOMPARE(why(second.open(m_fixture->robot)), "");
-        QVERIFY(!second.replaceText(u"Type"_qs, m_fixture->robot, "x").ok());
-        first.close();
-        QCOMPARE(why(second.replaceText(u"Type"_qs, m_fixture->robot, "x")), "");
-        QVERIFY(!second.isReadOnly());
+        QVERIFY(first.opening().open(m_fixture->main).ok());
+        QCOMPARE(why(second.opening().open(m_fixture->robot)), "");
+        QVERIFY(!second.edits().replaceText(u"Type"_qs, m_fixture->robot, "x").ok());
+        first.opening().close();
+        QCOMPARE(why(second.edits().replaceText(u"Type"_qs, m_fixture->robot, "x")), "");
+        QVERIFY(!second.access().isReadOnly());
         QCOMPARE(noticed.count(), 1);
-        QCOMPARE(why(second.save()), "");
-        QVERIFY(first.open(m_fixture->main).ok());
-        QVERIFY(first.isReadOnly()); // the second document has the lock now
-        second.close();
-        first.checkExternalChanges(); // the window does this when it is activated
-        QVERIFY(!first.isReadOnly());
+        QCOMPARE(why(second.saving().save()), "");
+        QVERIFY(first.opening().open(m_fixture->main).ok());
+        QVERIFY(first.access().isReadOnly()); // the second document has the lock now
+        second.opening().close();
+        first.disk().check(); // the window does this when it is activated
+        QVERIFY(!first.access().isReadOnly());
     }
 
     void samplesAndNewTextsNeedNoLock() {
         const std::string sample = std::string(TRUNDLE_SOURCE_DIR) + "/configs/experiments/linear_motion.sim";
         Document second(*m_application);
-        QVERIFY(m_document->open(sample).ok() && second.open(sample).ok());
-        QVERIFY(!second.isReadOnly());
-        QVERIFY(m_document->openNew("a.sim", "").ok() && second.openNew("a.sim", "").ok());
-        QVERIFY(!second.isReadOnly());
+        QVERIFY(m_document->opening().open(sample).ok() && second.opening().open(sample).ok());
+        QVERIFY(!second.access().isReadOnly());
+        QVERIFY(m_document->opening().openNew("a.sim", "").ok() && second.opening().openNew("a.sim", "").ok());
+        QVERIFY(!second.access().isReadOnly());
     }
 
 private:

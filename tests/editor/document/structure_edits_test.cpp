@@ -69,7 +69,7 @@ private Q_SLOTS:
         const DocumentFixture fixture;
         fixture.write("configs/other.sim", kOther);
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         const Asked asked(d, ShareChoice::ChangeForAll);
         QVERIFY(insert(d, "robot0").ok());
         QCOMPARE(asked.questions.size(), 1u);
@@ -77,9 +77,9 @@ private Q_SLOTS:
         QCOMPARE(q.config, u"Rover"_qs);
         QCOMPARE(q.file, u"robots/rover.sim"_qs);
         QCOMPARE(q.users, (QStringList{u"main.sim"_qs, u"other.sim"_qs}));
-        QVERIFY(holds(*d.text(fixture.robot), "Body arm"));
-        QCOMPARE(*d.text(fixture.main), kMain);
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.robot});
+        QVERIFY(holds(*d.texts().text(fixture.robot), "Body arm"));
+        QCOMPARE(*d.texts().text(fixture.main), kMain);
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{fixture.robot});
         QVERIFY(insert(d, "robot1").ok()); // once per config
         QCOMPARE(asked.questions.size(), 1u);
     }
@@ -87,13 +87,13 @@ private Q_SLOTS:
     void makesACopy() {
         const DocumentFixture fixture;
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         const Asked asked(d, ShareChoice::MakeCopy);
         QSignalSpy selected(&d, &Document::selectionRequested), notices(&d, &Document::notice);
         QVERIFY(insert(d, "robot0.chassis", "Sphere ball { Radius=0.1 Pos=0,0,0.2 }").ok());
         QCOMPARE(asked.questions.at(0).copyFor, (QStringList{u"robot0"_qs, u"robot1"_qs}));
-        QCOMPARE(*d.text(fixture.robot), kRover);
-        const std::string main = *d.text(fixture.main);
+        QCOMPARE(*d.texts().text(fixture.robot), kRover);
+        const std::string main = *d.texts().text(fixture.main);
         QVERIFY2(holds(main, "RobotConfig Rover2 {\n  Body chassis {"), main.c_str());
         QVERIFY2(holds(main, "// two kilograms"), main.c_str());
         QVERIFY2(holds(main, "Config=Rover2   Pos=0,0,0  // start"), main.c_str());
@@ -101,22 +101,22 @@ private Q_SLOTS:
         QCOMPARE(messages(*d.loaded()), "");
         QCOMPARE(selected.at(0).at(0).value<std::vector<std::string>>(), std::vector<std::string>{"robot0.chassis.ball"});
         QVERIFY2(holds(reportOf(notices), "Rover2"), reportOf(notices).c_str());
-        QCOMPARE(d.history().entries().size(), 1u);
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
-        d.undo();
-        QCOMPARE(*d.text(fixture.main), kMain);
-        QVERIFY(d.modifiedFiles().empty());
+        QCOMPARE(d.edits().history().entries().size(), 1u);
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{fixture.main});
+        d.edits().undo();
+        QCOMPARE(*d.texts().text(fixture.main), kMain);
+        QVERIFY(d.texts().modifiedFiles().empty());
     }
 
     /// A path that starts with the config's own name is mapped to the copy as well.
     void aCopyOfTheConfigByItsOwnPath() {
         const DocumentFixture fixture;
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         const Asked asked(d, ShareChoice::MakeCopy);
         QVERIFY(d.structure().rename(u"Rename"_qs, "RobotConfig.Rover.leftAxle", "axle").ok());
-        QCOMPARE(*d.text(fixture.robot), kRover);
-        QVERIFY(holds(*d.text(fixture.main), "Hinge axle { Parent=chassis"));
+        QCOMPARE(*d.texts().text(fixture.robot), kRover);
+        QVERIFY(holds(*d.texts().text(fixture.main), "Hinge axle { Parent=chassis"));
         QCOMPARE(messages(*d.loaded()), "");
     }
 
@@ -126,12 +126,12 @@ private Q_SLOTS:
         const std::string file =
             fixture.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\nRobot b { Config=Rover }\n");
         Document d(*m_application);
-        QVERIFY(d.open(file).ok());
+        QVERIFY(d.opening().open(file).ok());
         const Asked asked(d, ShareChoice::MakeCopy);
         QVERIFY(insert(d, "b").ok());
         QCOMPARE(asked.questions.at(0).copyFor, QStringList{u"b"_qs});
-        QVERIFY(holds(*d.text(file), "Robot a { Config=Rover }\n"));
-        QVERIFY(holds(*d.text(file), "Robot b { Config=Rover2 }\n"));
+        QVERIFY(holds(*d.texts().text(file), "Robot a { Config=Rover }\n"));
+        QVERIFY(holds(*d.texts().text(file), "Robot b { Config=Rover2 }\n"));
         QVERIFY(insert(d, "b").ok()); // no other instance uses it, so there is no question
         QCOMPARE(asked.questions.size(), 1u);
     }
@@ -139,40 +139,40 @@ private Q_SLOTS:
     void cancelChangesNothing() {
         const DocumentFixture fixture;
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         const Asked asked(d, ShareChoice::Cancel);
         (void)insert(d, "robot0");
         (void)insert(d, "robot0");
         QCOMPARE(asked.questions.size(), 2u); // closing the question cancels the edit
-        QVERIFY(!d.isModified());
-        QVERIFY(d.history().entries().empty());
+        QVERIFY(!d.texts().isModified());
+        QVERIFY(d.edits().history().entries().empty());
     }
 
     /// The texts may have changed before the question is answered.
     void answeredLater() {
         const DocumentFixture fixture;
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         StructureEdits::ShareAnswer answer;
         d.structure().setShareQuestionHandler([&](const ShareQuestion&, const StructureEdits::ShareAnswer& a) { answer = a; });
         QVERIFY(insert(d, "robot0").ok());
-        QVERIFY(!d.isModified());
-        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        QVERIFY(!d.texts().isModified());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         answer(ShareChoice::MakeCopy);
-        QVERIFY(holds(*d.text(fixture.main), "Tick = 0.02"));
-        QVERIFY(holds(*d.text(fixture.main), "RobotConfig Rover2"));
-        QCOMPARE(d.history().entries().size(), 2u);
+        QVERIFY(holds(*d.texts().text(fixture.main), "Tick = 0.02"));
+        QVERIFY(holds(*d.texts().text(fixture.main), "RobotConfig Rover2"));
+        QCOMPARE(d.edits().history().entries().size(), 2u);
     }
 
     void doesNotAskAboutUnsharedConfig() {
         const DocumentFixture fixture;
         const std::string file = fixture.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
         Document d(*m_application);
-        QVERIFY(d.open(file).ok());
+        QVERIFY(d.opening().open(file).ok());
         const Asked asked(d, ShareChoice::Cancel);
         QVERIFY(insert(d, "a").ok());
         QVERIFY(insert(d, "", "Light sun { Mode=sun }").ok());
-        QVERIFY(d.open(fixture.robot).ok()); // other files use it, but main.sim is not loaded here
+        QVERIFY(d.opening().open(fixture.robot).ok()); // other files use it, but main.sim is not loaded here
         QVERIFY(asked.questions.empty());
     }
 
@@ -181,30 +181,30 @@ private Q_SLOTS:
         const std::string main =
             fixture.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
         Document d(*m_application);
-        QVERIFY(d.open(main).ok());
+        QVERIFY(d.opening().open(main).ok());
         const std::string shipped = m_application->locations().configs + "/robots/simple_robot.sim", before = bytesOf(shipped);
-        QVERIFY(d.text(canonicalPath(shipped)));
+        QVERIFY(d.texts().text(canonicalPath(shipped)));
         const Asked asked(d, ShareChoice::ChangeForAll);
         QVERIFY(insert(d, "r").ok());
         QVERIFY(asked.questions.empty());
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{main});
         QCOMPARE(messages(*d.loaded()), "");
-        QVERIFY(holds(*d.text(main), "Robot r { Config=SimpleRobot2 }"));
-        QVERIFY(d.save().ok());
+        QVERIFY(holds(*d.texts().text(main), "Robot r { Config=SimpleRobot2 }"));
+        QVERIFY(d.saving().save().ok());
         QCOMPARE(bytesOf(shipped), before);
         // A value of the config itself is handled in the same way.
         QVERIFY(d.structure().rename(u"Rename"_qs, "RobotConfig.SimpleRobot2", "Mine").ok());
-        QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "0.06"}}).ok());
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
-        QVERIFY(holds(*d.text(main), "Param wheelRadius = 0.06"));
-        const std::size_t entries = d.history().entries().size();
-        QVERIFY(!d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "-6"}}).ok());
-        QCOMPARE(d.history().entries().size(), entries);
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "0.06"}}).ok());
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{main});
+        QVERIFY(holds(*d.texts().text(main), "Param wheelRadius = 0.06"));
+        const std::size_t entries = d.edits().history().entries().size();
+        QVERIFY(!d.structure().setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "-6"}}).ok());
+        QCOMPARE(d.edits().history().entries().size(), entries);
         // A drag makes one copy and one history entry.
         for (const char* radius : {"0.07", "0.08", "0.09"})
-            QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", radius}}, "drag").ok());
-        QCOMPARE(d.history().entries().size(), entries + 1);
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
+            QVERIFY(d.structure().setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", radius}}, "drag").ok());
+        QCOMPARE(d.edits().history().entries().size(), entries + 1);
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{main});
     }
 
     /// A change inside what a config's block imports, for one experiment only.
@@ -215,15 +215,15 @@ private Q_SLOTS:
                           application = fixture.write("configs/robots/parts.sim", kept);
         fixture.write("configs/other.sim", kOther);
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         QCOMPARE(messages(*d.loaded()), "");
         const Asked asked(d, ShareChoice::MakeCopy);
         QCOMPARE(why(insert(d, "robot0.chassis", "Sphere nose { Radius=0.1 Mass=1 }")), "");
         QCOMPARE(messages(*d.loaded()), "");
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
-        QCOMPARE(*d.text(application), kept);
-        QVERIFY2(holds(*d.text(fixture.main), "Sphere nose"), d.text(fixture.main)->c_str());
-        QCOMPARE(d.history().entries().size(), 1u);
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{fixture.main});
+        QCOMPARE(*d.texts().text(application), kept);
+        QVERIFY2(holds(*d.texts().text(fixture.main), "Sphere nose"), d.texts().text(fixture.main)->c_str());
+        QCOMPARE(d.edits().history().entries().size(), 1u);
         QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].geoms.size(), 2u);
     }
 
@@ -247,24 +247,25 @@ private Q_SLOTS:
         for (const int edit : {0, 1, 2, 3}) {
             OtherShipment application(*m_application, fixture.path("configs/shipped"));
             Document d(application);
-            QVERIFY(d.open(fixture.main).ok());
+            QVERIFY(d.opening().open(fixture.main).ok());
             QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
             QSignalSpy notices(&d, &Document::notice);
             if (edit == 0) QCOMPARE(why(insert(d, "robot0.chassis", "Sphere nose { Radius=0.1 Mass=1 }")), "");
             if (edit == 1) QCOMPARE(why(insert(d, "RobotConfig.Rover.chassis", "Sphere nose { Radius=0.1 Mass=1 }")), "");
             if (edit == 2) QCOMPARE(why(d.structure().rename(u"Rename"_qs, "RobotConfig.Rover.chassis", "nose")), "");
-            if (edit == 3) QCOMPARE(why(d.setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "2.5"}})), "");
+            if (edit == 3)
+                QCOMPARE(why(d.structure().setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "2.5"}})), "");
             QCOMPARE(messages(*d.loaded()), "");
-            QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.robot});
-            const std::string text = *d.text(fixture.robot);
+            QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{fixture.robot});
+            const std::string text = *d.texts().text(fixture.robot);
             QVERIFY2(holds(text, "  Body ") && holds(text, "    Box hull") && holds(text, "// The body.") &&
                          holds(text, edit == 3 ? "Mass=2.5" : "nose"),
                      text.c_str());
             QVERIFY2(holds(reportOf(notices), "Rover has its text instead of the import"), reportOf(notices).c_str());
-            QCOMPARE(d.history().entries().size(), 1u);
+            QCOMPARE(d.edits().history().entries().size(), 1u);
             QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
-            d.undo();
-            QVERIFY(holds(*d.text(fixture.robot), "#import " + imported.toStdString() + " // the body"));
+            d.edits().undo();
+            QVERIFY(holds(*d.texts().text(fixture.robot), "#import " + imported.toStdString() + " // the body"));
             QCOMPARE(bytesOf(shipped), kept);
         }
     }
@@ -277,7 +278,7 @@ private Q_SLOTS:
         const std::string shipped = fixture.write("configs/robots/rover.sim", kept);
         OtherShipment application(*m_application, fixture.path("configs/robots"));
         Document d(application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         const Asked asked(d, ShareChoice::ChangeForAll);
         const auto value = static_cast<std::uint32_t>(kept.find("2 kg")),
                    line = static_cast<std::uint32_t>(kept.find("    Body")),
@@ -295,15 +296,15 @@ private Q_SLOTS:
         QCOMPARE(why(d.structure().applyFix(*fixes[0])), "");
         QCOMPARE(messages(*d.loaded()), "");
         QVERIFY(asked.questions.empty());
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
-        QVERIFY2(holds(*d.text(fixture.main),
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{fixture.main});
+        QVERIFY2(holds(*d.texts().text(fixture.main),
                        "RobotConfig Rover2 {\n    // fixed\n  Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=3 }\n"
                        "    Sphere nose { Radius=0.1 Mass=1 } }\n}\n"),
-                 d.text(fixture.main)->c_str());
+                 d.texts().text(fixture.main)->c_str());
         QCOMPARE(d.loaded()->experiment->robots[0].config->name, "Rover2");
-        QCOMPARE(d.history().entries().size(), 1u);
-        d.undo();
-        QCOMPARE(*d.text(fixture.main), kMain);
+        QCOMPARE(d.edits().history().entries().size(), 1u);
+        d.edits().undo();
+        QCOMPARE(*d.texts().text(fixture.main), kMain);
         QCOMPARE(bytesOf(shipped), kept);
     }
 
@@ -314,32 +315,33 @@ private Q_SLOTS:
                                  "Robot s { Config=SimpleRobot chassis.bumper.Material=lightgrey }\n",
                           main = fixture.write("configs/mine.sim", text), colour = "Material.lightgrey.ColorRGB";
         Document d(*m_application);
-        QVERIFY(d.open(main).ok());
+        QVERIFY(d.opening().open(main).ok());
         const Asked asked(d, ShareChoice::ChangeForAll);
         QSignalSpy notices(&d, &Document::notice), refused(&d, &Document::refused);
         bool isShown = false; // the status line removes a notice at the next change
         connect(&d, &Document::changed, this, [&] { isShown = false; });
         connect(&d, &Document::notice, this, [&] { isShown = true; });
         const auto isCopied = [&](const std::string& block, const std::string& use) {
-            const std::string now = *d.text(main);
+            const std::string now = *d.texts().text(main);
             const bool fits = isShown && messages(*d.loaded()).empty() && holds(now, block.c_str()) && holds(now, use.c_str()) &&
-                              holds(now, "Robot r { Config=SimpleRobot2 }") && d.history().entries().size() == 1 &&
-                              d.modifiedFiles() == std::vector<std::string>{main} && asked.questions.empty();
+                              holds(now, "Robot r { Config=SimpleRobot2 }") && d.edits().history().entries().size() == 1 &&
+                              d.texts().modifiedFiles() == std::vector<std::string>{main} && asked.questions.empty();
             if (!fits) qWarning("%s%s", messages(*d.loaded()).c_str(), now.c_str());
-            d.undo();
-            return fits && *d.text(main) == text && holds(reportOf(notices), "read-only");
+            d.edits().undo();
+            return fits && *d.texts().text(main) == text && holds(reportOf(notices), "read-only");
         };
-        QCOMPARE(why(d.setValues(u"Set"_qs, {{colour, "0,0.9,0"}})), "");
+        QCOMPARE(why(d.structure().setValues(u"Set"_qs, {{colour, "0,0.9,0"}})), "");
         QVERIFY(isCopied("Material lightgrey2 { ColorRGB=0,0.9,0 }", "chassis.bumper.Material=lightgrey2"));
-        for (const char* green : {"0,0.7,0", "0,0.8,0"}) QVERIFY(d.setValues(u"Drag"_qs, {{colour, green}}, "drag").ok());
+        for (const char* green : {"0,0.7,0", "0,0.8,0"})
+            QVERIFY(d.structure().setValues(u"Drag"_qs, {{colour, green}}, "drag").ok());
         QVERIFY(isCopied("Material lightgrey2 { ColorRGB=0,0.8,0 }", "Mass=2.0  Material=lightgrey2"));
         QCOMPARE(why(d.structure().rename(u"Rename"_qs, "Material.lightgrey", "paint")), "");
         QVERIFY(isCopied("Material paint {", "chassis.bumper.Material=paint"));
-        QVERIFY(d.setValues(u"Set"_qs, {{"Surface.plastic.Friction", "0.3"}}).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"Surface.plastic.Friction", "0.3"}}).ok());
         QVERIFY(isCopied("Surface plastic2 { Friction=0.3", "Material=lightgrey  Surface=plastic2"));
-        QVERIFY(!d.setValues(u"Set"_qs, {{colour, "7"}}).ok()); // invalid: without a copy, too
-        QVERIFY(!d.isModified());
-        QVERIFY(!d.apply(u"Remove"_qs, planRemove(*d.loaded(), {"Material.concrete"})).ok());
+        QVERIFY(!d.structure().setValues(u"Set"_qs, {{colour, "7"}}).ok()); // invalid: without a copy, too
+        QVERIFY(!d.texts().isModified());
+        QVERIFY(!d.edits().apply(u"Remove"_qs, planRemove(*d.loaded(), {"Material.concrete"})).ok());
         QVERIFY(refused.takeLast().at(0).toString().contains(u"read-only"_qs));
     }
 
@@ -352,16 +354,16 @@ private Q_SLOTS:
                                                                    "Static own { Config=Own Pos=$far,0,0 }\n");
         OtherShipment application(*m_application, fixture.path("configs/shipped"));
         Document d(application);
-        QVERIFY(d.open(main).ok());
+        QVERIFY(d.opening().open(main).ok());
         QSignalSpy notices(&d, &Document::notice);
-        QCOMPARE(why(d.setValues(u"Set"_qs, {{"wide", "5"}})), "");
-        QVERIFY2(!d.loaded()->diagnostics.hasErrors() && holds(*d.text(main), "Param wide2 = 5\n"), d.text(main)->c_str());
+        QCOMPARE(why(d.structure().setValues(u"Set"_qs, {{"wide", "5"}})), "");
+        QVERIFY(!d.loaded()->diagnostics.hasErrors() && holds(*d.texts().text(main), "Param wide2 = 5\n"));
         const auto& statics = d.loaded()->experiment->statics;
         QCOMPARE(statics.at(0).geoms->at(0).size.x(), 5.0);
         QCOMPARE(statics.at(1).pose.position.x(), 6.0);
         QCOMPARE(statics.at(1).geoms->at(0).size.x(), 3.0); // a file of one's own that other experiments may use
         QVERIFY(holds(reportOf(notices), "own.sim does not use"));
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{main});
     }
 
     /// A rename also changes texts of the project that the experiment does not load: one entry, one undo.
@@ -392,22 +394,22 @@ private Q_SLOTS:
         const std::string before = "#import robots/rover.sim\nRobot other { Config=Rover chassis.hull.Mass=3 }\n";
         const std::string file = fixture.write("configs/other.sim", before);
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         const Asked asked(d, ShareChoice::ChangeForAll);
         QSignalSpy notices(&d, &Document::notice);
         QVERIFY(d.structure().rename(u"Rename"_qs, path.toStdString(), to.toStdString()).ok());
-        QVERIFY2(holds(*d.text(fixture.robot), own.toStdString().c_str()), d.text(fixture.robot)->c_str());
-        QVERIFY(d.text(file));
-        QVERIFY2(holds(*d.text(file), other.toStdString().c_str()), d.text(file)->c_str());
+        QVERIFY2(holds(*d.texts().text(fixture.robot), own.toStdString().c_str()), d.texts().text(fixture.robot)->c_str());
+        QVERIFY(d.texts().text(file));
+        QVERIFY2(holds(*d.texts().text(file), other.toStdString().c_str()), d.texts().text(file)->c_str());
         QVERIFY2(holds(reportOf(notices), "other.sim"), reportOf(notices).c_str());
-        QCOMPARE(d.history().entries().size(), 1u);
-        QVERIFY(d.isModified(file));
-        d.undo();
-        QCOMPARE(*d.text(file), before);
-        QCOMPARE(*d.text(fixture.robot), kRover);
-        QVERIFY(!d.isModified());
-        d.redo();
-        QVERIFY(d.save().ok());
+        QCOMPARE(d.edits().history().entries().size(), 1u);
+        QVERIFY(d.texts().isModified(file));
+        d.edits().undo();
+        QCOMPARE(*d.texts().text(file), before);
+        QCOMPARE(*d.texts().text(fixture.robot), kRover);
+        QVERIFY(!d.texts().isModified());
+        d.edits().redo();
+        QVERIFY(d.saving().save().ok());
         QVERIFY(holds(bytesOf(file), other.toStdString().c_str()));
     }
 
@@ -416,27 +418,28 @@ private Q_SLOTS:
         const DocumentFixture fixture;
         const std::string file = fixture.write("configs/other.sim", kOther);
         Document d(*m_application);
-        QVERIFY(d.open(fixture.main).ok());
+        QVERIFY(d.opening().open(fixture.main).ok());
         const Asked asked(d, ShareChoice::MakeCopy);
         QVERIFY(d.structure().rename(u"Rename"_qs, "robot0.chassis", "base").ok());
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{fixture.main});
     }
 
     void valuesGoToTheirTarget() {
         const DocumentFixture fixture;
         const std::string file = fixture.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
         Document d(*m_application);
-        QVERIFY(d.open(file).ok());
-        QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", "3"}}).ok());
-        QVERIFY(holds(*d.text(file), "Mass=3 } } // two kilograms"));
-        QVERIFY(holds(*d.text(file), "Robot a { Config=Rover }\n"));
+        QVERIFY(d.opening().open(file).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"a.chassis.hull.Mass", "3"}}).ok());
+        QVERIFY(holds(*d.texts().text(file), "Mass=3 } } // two kilograms"));
+        QVERIFY(holds(*d.texts().text(file), "Robot a { Config=Rover }\n"));
         // The choice holds for the whole drag.
-        for (const char* mass : {"4", "5"}) QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", mass}}, "drag").ok());
-        QVERIFY(holds(*d.text(file), "Mass=5 } } // two kilograms"));
-        QVERIFY(d.open(fixture.main).ok());
-        QVERIFY(d.setValues(u"Set"_qs, {{"robot1.chassis.hull.Mass", "3"}}).ok());
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
-        QVERIFY(holds(*d.text(fixture.main), "chassis.hull.Mass=3"));
+        for (const char* mass : {"4", "5"})
+            QVERIFY(d.structure().setValues(u"Set"_qs, {{"a.chassis.hull.Mass", mass}}, "drag").ok());
+        QVERIFY(holds(*d.texts().text(file), "Mass=5 } } // two kilograms"));
+        QVERIFY(d.opening().open(fixture.main).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"robot1.chassis.hull.Mass", "3"}}).ok());
+        QCOMPARE(d.texts().modifiedFiles(), std::vector<std::string>{fixture.main});
+        QVERIFY(holds(*d.texts().text(fixture.main), "chassis.hull.Mass=3"));
     }
 
 private:

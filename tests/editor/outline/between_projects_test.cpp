@@ -29,7 +29,7 @@ void BetweenProjectsTest::dragFromOtherWindowCopies() {
     QVERIFY(o.model().dropMimeData(mime.get(), Qt::MoveAction, 0, 0, o.at("robot0").parent()));
     QCOMPARE(o.document.loaded()->experiment->robots.size(), std::size_t(3));
     QCOMPARE(o.errors(), QString());
-    o.document.undo();
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 }
 
@@ -41,7 +41,7 @@ void BetweenProjectsTest::aPasteFromAnotherProjectImportsAsItsAuthorWould() {
     QVERIFY(to.edits.paste({}).ok());
     QVERIFY2(to.text().contains("#import robots/simple_robot.sim\n"), to.text());
     QCOMPARE(to.errors(), QString());
-    to.document.undo();
+    to.document.edits().undo();
     // In the other project the path refers to a different file.
     QVERIFY(QDir(to.folder.path()).mkpath(QStringLiteral("robots")));
     QVERIFY(to.write("robots/simple_robot.sim", "RobotConfig Other { }\n"));
@@ -69,8 +69,8 @@ void BetweenProjectsTest::pasteCopiesReferencedObjects() {
     QCOMPARE(to.selected(), QStringLiteral("sled"));
     QVERIFY(to.edits.paste({}).ok());
     QCOMPARE(to.text().count("RobotConfig Sled"), 1);
-    to.document.undo();
-    to.document.undo();
+    to.document.edits().undo();
+    to.document.edits().undo();
     QCOMPARE(to.text(), QByteArray("Tick = 0.01\n"));
     QVERIFY(from.edits.copy({"StaticConfig.Yard.wall"}).ok()); // from a config, so that no module has to be found first
     QVERIFY(to.edits.insertKind(*to.document.loaded()->registry->find("StaticConfig"), {}).ok());
@@ -110,8 +110,8 @@ void BetweenProjectsTest::pasteCopiesUsedParams() {
     QVERIFY2(bare.text().contains("Param wall = 0.05\n") && bare.text().contains("Param side = $(40*wall)\n"), bare.text());
     QVERIFY2(!bare.text().contains("idle") && !bare.text().contains("Param high = 9"), bare.text()); // not used, its own
     QCOMPARE(bare.selected(), QStringLiteral("StaticConfig.Yard"));
-    QCOMPARE(bare.document.history().entries().size(), std::size_t(1));
-    bare.document.undo();
+    QCOMPARE(bare.document.edits().history().entries().size(), std::size_t(1));
+    bare.document.edits().undo();
     QCOMPARE(bare.text(), QByteArray("Tick = 0.01\n"));
 
     // An existing block with the same name and the same content is reused. Params of referenced blocks are copied too.
@@ -134,9 +134,9 @@ void BetweenProjectsTest::pasteCopiesUsedParams() {
     QCOMPARE(other.errors(), QString());
 
     // In its own project, references keep their current meaning.
-    QVERIFY(
-        from.document.replaceText(QStringLiteral("Type"), from.document.path(), from.text().replace("0.05", "0.07").toStdString())
-            .ok());
+    QVERIFY(from.document.edits()
+                .replaceText(QStringLiteral("Type"), from.document.path(), from.text().replace("0.05", "0.07").toStdString())
+                .ok());
     QVERIFY(from.edits.paste({}).ok());
     QCOMPARE(from.refusals, QStringList());
     QCOMPARE(from.document.loaded()->experiment->statics.size(), std::size_t(2));

@@ -44,7 +44,7 @@ void EditsTest::aNewNameReachesEveryReference() {
     QVERIFY2(o.text().contains("Robot scout { Config=Rover Pos=0,0,0 }   // the first"), o.text());
     QVERIFY(o.text().contains("PoseLog path { Robot=scout Interval"));
     QCOMPARE(o.selected(), QStringLiteral("scout"));
-    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Rename robot0 to scout"));
+    QCOMPARE(o.document.edits().history().entries().back().name, QStringLiteral("Rename robot0 to scout"));
 
     o.selection.select("scout.leftAxle"); // selected through the robot, but the axle belongs to the config
     o.rename(o.at("scout.leftAxle"), "port");
@@ -52,8 +52,8 @@ void EditsTest::aNewNameReachesEveryReference() {
     QVERIFY(o.text().contains("Encoder count   { Joint=port }"));
     QCOMPARE(o.selected(), QStringLiteral("scout.port"));
     QCOMPARE(o.errors(), QString());
-    o.document.undo();
-    o.document.undo();
+    o.document.edits().undo();
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 }
 
@@ -65,7 +65,7 @@ void EditsTest::rejectsDuplicateName() {
     QCOMPARE(o.refusals.size(), 1);
     QVERIFY2(o.refusals[0].contains(QStringLiteral("robot1")), qPrintable(o.refusals[0]));
     o.rename(o.at("robot0"), "robot0"); // an unchanged name makes no edit
-    QVERIFY(o.document.history().entries().empty());
+    QVERIFY(o.document.edits().history().entries().empty());
     QVERIFY(!o.edits.rename("robot0", "9 lives").ok());
     QVERIFY(!o.edits.rename("robot0", "").ok());
     QCOMPARE(o.text(), kRovers);
@@ -79,13 +79,13 @@ void EditsTest::deletesWhatIsSelected() {
     QVERIFY(!o.text().contains("robot1"));
     QVERIFY(!o.at("robot1").isValid());
     QVERIFY(o.selection.empty());
-    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Delete robot1"));
-    o.document.undo();
+    QCOMPARE(o.document.edits().history().entries().back().name, QStringLiteral("Delete robot1"));
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
     o.selection.set({"robot1", "arena", "path"});
     o.edits.removeSelected();
-    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Delete 3 objects"));
-    o.document.undo();
+    QCOMPARE(o.document.edits().history().entries().back().name, QStringLiteral("Delete 3 objects"));
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 }
 
@@ -120,8 +120,8 @@ void EditsTest::deletesDependentsOnRequest() {
     QTest::keyClick(question, Qt::Key_Return);
     QVERIFY2(!o.text().contains("robot0") && !o.text().contains("PoseLog"), o.text().constData());
     QCOMPARE(o.errors(), QString());
-    QCOMPARE(o.document.history().entries().size(), std::size_t(1));
-    o.document.undo();
+    QCOMPARE(o.document.edits().history().entries().size(), std::size_t(1));
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 
     // Cut asks the same question, and puts both on the clipboard.
@@ -139,8 +139,8 @@ void EditsTest::deletesDependentsOnRequest() {
 void EditsTest::doesNotAskInReadOnlyWindow() {
     OutlineFixture first, o;
     QVERIFY(first.open(kRovers));
-    QVERIFY(o.document.open(first.document.path()).ok());
-    QVERIFY(o.document.isReadOnly());
+    QVERIFY(o.document.opening().open(first.document.path()).ok());
+    QVERIFY(o.document.access().isReadOnly());
     o.click(o.at("robot0"));
     QTest::keyClick(&o.tree(), Qt::Key_Delete);
     o.edits.cutSelected();
@@ -179,9 +179,9 @@ void EditsTest::copyAndPasteGiveTheBlockBack() {
     QVERIFY2(o.text().contains("Robot robot2 { Config=Rover Pos="), o.text());
     const Vec3 at = o.document.loaded()->experiment->robots.back().pose.position; // beside the original, on the floor
     QVERIFY(at != Vec3(1, 0, 0) && (at - Vec3(1, 0, 0)).norm() < 0.5 && at.z() == 0);
-    QCOMPARE(o.document.history().entries().size(), std::size_t(1));
+    QCOMPARE(o.document.edits().history().entries().size(), std::size_t(1));
     QCOMPARE(o.errors(), QString());
-    o.document.undo();
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 
     o.selection.select("robot1");
@@ -212,7 +212,7 @@ void EditsTest::pastesWhereItFits() {
     o.selection.select("robot0.chassis");
     o.edits.pasteAtSelected();
     QCOMPARE(o.selected(), QStringLiteral("other another"));
-    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Paste 2 objects"));
+    QCOMPARE(o.document.edits().history().entries().back().name, QStringLiteral("Paste 2 objects"));
     QCOMPARE(o.errors(), QString());
 }
 
@@ -274,9 +274,9 @@ void EditsTest::aDropPutsRowsInAnotherOrder() {
     QVERIFY(o.model().dropMimeData(mime.get(), Qt::MoveAction, 0, 0, o.at("robot0").parent()));
     QCOMPARE(o.at("robot1").row(), 0);
     QVERIFY(o.text().indexOf("Robot robot1") < o.text().indexOf("Robot robot0"));
-    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Reorder robot1"));
+    QCOMPARE(o.document.edits().history().entries().back().name, QStringLiteral("Reorder robot1"));
     QCOMPARE(o.errors(), QString());
-    o.document.undo();
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 }
 
@@ -314,7 +314,7 @@ void EditsTest::aDropMovesAGeomToAnotherBody() {
     QVERIFY(o.at("RobotConfig.Rover.leftWheel.bumper").isValid());
     QVERIFY(!o.at("RobotConfig.Rover.chassis.bumper").isValid());
     QCOMPARE(o.errors(), QString());
-    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Move bumper to leftWheel"));
+    QCOMPARE(o.document.edits().history().entries().back().name, QStringLiteral("Move bumper to leftWheel"));
     // Its pose in the world is unchanged: leftWheel is at 0,0.1,0.05.
     const auto& wheel = o.document.loaded()->experiment->robots[0].config->bodies[1];
     const Vec3 place = wheel.pose.position + wheel.geoms[1].pose.position;
@@ -327,13 +327,13 @@ void EditsTest::dropsIntoFile() {
     QVERIFY(o.open("#import paints.sim\nMaterial blue { ColorRGB=0,0,1 }\n"));
     const std::unique_ptr<QMimeData> red(o.model().mimeData({o.at("Material.red")}));
     QVERIFY(o.model().dropMimeData(red.get(), Qt::MoveAction, 2, 0, o.at("Material.red").parent())); // below blue
-    QCOMPARE(o.document.history().entries().size(), std::size_t(0));
+    QCOMPARE(o.document.edits().history().entries().size(), std::size_t(0));
     o.model().setMode(OutlineMode::ByFile);
     const std::unique_ptr<QMimeData> blue(o.model().mimeData({o.at("Material.blue")}));
     QVERIFY(o.model().dropMimeData(blue.get(), Qt::MoveAction, -1, -1, o.model().index(1, 0)));
     QCOMPARE(o.text(1), QByteArray("Material red { ColorRGB=1,0,0 }\nMaterial blue { ColorRGB=0,0,1 }\n"));
     QCOMPARE(o.text(), QByteArray("#import paints.sim\n"));
-    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Move blue to paints.sim"));
+    QCOMPARE(o.document.edits().history().entries().back().name, QStringLiteral("Move blue to paints.sim"));
     QVERIFY(other.open("Material green { ColorRGB=0,1,0 }\n"));
     const std::unique_ptr<QMimeData> green(other.model().mimeData({other.at("Material.green")}));
     QVERIFY(o.model().dropMimeData(green.get(), Qt::CopyAction, -1, -1, o.model().index(1, 0)));
@@ -397,9 +397,9 @@ void EditsTest::undoGivesTheSameBytes() {
     QVERIFY(o.edits.remove({"path"}).ok());
     QCOMPARE(o.errors(), QString());
     const QByteArray end = o.text();
-    o.document.moveTo(0);
+    o.document.edits().moveTo(0);
     QCOMPARE(o.text(), kRovers);
-    o.document.moveTo(o.document.history().entries().size());
+    o.document.edits().moveTo(o.document.edits().history().entries().size());
     QCOMPARE(o.text(), end);
 }
 

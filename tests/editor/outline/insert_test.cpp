@@ -54,7 +54,7 @@ void InsertTest::insertsEveryKindWhereAllowed_data() {
     const OutlineFixture o;
     Document document(*o.application);
     QVERIFY(o.write("kinds.sim", kWithController));
-    QVERIFY(document.open(o.folder.filePath(QStringLiteral("kinds.sim")).toStdString()).ok());
+    QVERIFY(document.opening().open(o.folder.filePath(QStringLiteral("kinds.sim")).toStdString()).ok());
     int controllers = 0;
     for (const Kind* kind : document.loaded()->registry->all()) {
         if (kind->role == Role::Settings) continue;
@@ -84,9 +84,9 @@ void InsertTest::insertsEveryKindWhereAllowed() {
     const QModelIndex row = o.at(o.selection.current().c_str());
     QVERIFY(row.isValid());
     QCOMPARE(QByteArray::fromStdString(o.model().rowAt(row)->part->block->type.text), kind);
-    QVERIFY(o.document.history().entries().back().name.startsWith(QStringLiteral("Add ") + QLatin1String(kind)));
+    QVERIFY(o.document.edits().history().entries().back().name.startsWith(QStringLiteral("Add ") + QLatin1String(kind)));
     EVENTUALLY_EQUAL(o.errors(), QString()); // meshes are read by a worker thread
-    o.document.undo();
+    o.document.edits().undo();
     QCOMPARE(o.text(), kWithController);
 }
 
@@ -139,12 +139,12 @@ void InsertTest::objectsAreMovable() {
         const RobotSpec& made = o.document.loaded()->experiment->robots.back();
         QVERIFY(isPassive(made));
         QCOMPARE(o.selection.paths(), std::vector<std::string>{made.name});
-        QCOMPARE(o.document.history().entries().size(), std::size_t(count));
+        QCOMPARE(o.document.edits().history().entries().size(), std::size_t(count));
     }
     const QModelIndex row = o.at(o.selection.current().c_str());
     QVERIFY(o.model().rowAt(row)->passive);
-    o.document.undo();
-    o.document.undo();
+    o.document.edits().undo();
+    o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 }
 
@@ -171,7 +171,7 @@ void InsertTest::newObjectsStandFree() {
         action->trigger();
         QCOMPARE(o.refusals, QStringList());
         QCOMPARE(findings(), before);
-        QCOMPARE(o.document.history().entries().size(), ++edits);
+        QCOMPARE(o.document.edits().history().entries().size(), ++edits);
     }
     for (const RobotSpec& robot : o.document.loaded()->experiment->robots) { // near, and on the floor
         QVERIFY(robot.pose.position.norm() < 1.5);
@@ -179,7 +179,7 @@ void InsertTest::newObjectsStandFree() {
     }
     const std::vector<std::string> last = o.selection.paths();
     QCOMPARE(last.size(), std::size_t(1));
-    for (std::size_t i = 0; i < edits; ++i) o.document.undo();
+    for (std::size_t i = 0; i < edits; ++i) o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
 }
 
@@ -223,7 +223,7 @@ void InsertTest::newObjectsComeToTheInsertionPoint() {
     QVERIFY2(way > 0.05 && way < 1, o.text().constData());
     o.selection.select("robot0");
     o.edits.copySelected();
-    o.document.undo(), o.document.undo();
+    o.document.edits().undo(), o.document.edits().undo();
     QVERIFY(o.edits.paste("").ok());
     QVERIFY(o.document.loaded()->experiment->robots.back().pose.position.norm() < 1.5);
 }

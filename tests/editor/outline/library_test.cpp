@@ -105,8 +105,8 @@ void LibraryTest::robotsAndArenasGoIn() {
     const ExperimentSpec& experiment = *s.document.loaded()->experiment;
     QCOMPARE(experiment.robots.size() + experiment.statics.size(), std::size_t(2));
     QCOMPARE(s.text().count("#import"), 1);
-    s.document.undo();
-    s.document.undo();
+    s.document.edits().undo();
+    s.document.edits().undo();
     QCOMPARE(s.text(), QByteArray("Tick = 0.01\n"));
 }
 
@@ -133,7 +133,7 @@ void LibraryTest::partsGoIntoTheSelectedRobot() {
     QCOMPARE(s.refusals, QStringList());
     QCOMPARE(s.errors(), QString());
     QCOMPARE(s.document.loaded()->experiment->robots[0].config->bodies.size(), std::size_t(3));
-    s.document.moveTo(0);
+    s.document.edits().moveTo(0);
     QCOMPARE(s.text(), text);
 }
 
@@ -164,8 +164,8 @@ void LibraryTest::aDoubleClickPutsItAtAFreePlace() {
     QVERIFY2(s.text().contains("#import objects/wall.sim"), s.text());
     const Vec3 placed = s.document.loaded()->experiment->statics.back().pose.position; // robot0 is at the origin
     QVERIFY2(placed.norm() > 0.1 && placed.norm() < 1.5 && std::abs(placed.z()) < 1e-4, s.text());
-    QCOMPARE(s.document.history().entries().size(), std::size_t(1));
-    QCOMPARE(s.document.history().entries()[0].name, QStringLiteral("Add Wall"));
+    QCOMPARE(s.document.edits().history().entries().size(), std::size_t(1));
+    QCOMPARE(s.document.edits().history().entries()[0].name, QStringLiteral("Add Wall"));
     list.setFocus();
     QTest::keyClick(&list, Qt::Key_Return);
     QVERIFY(s.selection.current().starts_with("wall") && s.selection.current() != "wall");
@@ -278,7 +278,7 @@ void LibraryTest::drawsPictures() {
     QVERIFY(s.document.structure().rename(QStringLiteral("Rename"), "RobotConfig.Cube", "Lump").ok());
     QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
     QVERIFY(s.row(LibrarySection::Objects, "Lump").data(LibraryModel::PictureRole).isValid());
-    QVERIFY(s.document
+    QVERIFY(s.document.edits()
                 .apply({}, planInsert(*s.document.loaded(), "RobotConfig.Lump",
                                       "Body c { Sphere s { Radius=0.1 Mass=1 } }\n"
                                       "Hinge h { Parent=b Child=c Axis=0,0,1 }"))

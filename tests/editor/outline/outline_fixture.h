@@ -10,6 +10,7 @@
 #include "app/application.h"
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_model.h"
@@ -41,10 +42,10 @@ struct OutlineFixture {
         return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
     }
     bool open(const QByteArray& text, const char* name = "trial.sim") {
-        return write(name, text) && document.open(folder.filePath(QLatin1String(name)).toStdString()).ok();
+        return write(name, text) && document.opening().open(folder.filePath(QLatin1String(name)).toStdString()).ok();
     }
     bool openSample(const char* name) {
-        return document.open(std::string(TRUNDLE_SOURCE_DIR "/configs/experiments/") + name).ok();
+        return document.opening().open(std::string(TRUNDLE_SOURCE_DIR "/configs/experiments/") + name).ok();
     }
 
     OutlineModel& model() { return panel->model(); }
@@ -52,7 +53,9 @@ struct OutlineFixture {
     QLineEdit& filter() { return *panel->findChild<QLineEdit*>(QStringLiteral("outlineFilter")); }
     QModelIndex at(const char* path) { return model().indexOf(path); }
     /// The text of the opened file, or of the n-th file.
-    QByteArray text(std::size_t file = 0) const { return QByteArray::fromStdString(*document.text(document.files().at(file))); }
+    QByteArray text(std::size_t file = 0) const {
+        return QByteArray::fromStdString(*document.texts().text(document.texts().files().at(file)));
+    }
     QString errors() const {
         QStringList all;
         for (const Diagnostic& d : document.loaded()->diagnostics.all())

@@ -58,7 +58,7 @@ void TreeTest::showsFilesWithTheirBlocks() {
     QVERIFY(o.openSample("linear_motion.sim"));
     auto* byFile = o.panel->findChild<QAbstractButton*>(QStringLiteral("outlineByFile"));
     QTest::mouseClick(byFile, Qt::LeftButton);
-    QCOMPARE(o.model().rowCount(), int(o.document.files().size()));
+    QCOMPARE(o.model().rowCount(), int(o.document.texts().files().size()));
     const QModelIndex main = o.model().index(0, 0);
     QCOMPARE(main.data().toString(), QStringLiteral("linear_motion.sim"));
     o.tree().expand(main);
@@ -101,12 +101,12 @@ void TreeTest::oneValueOfManyComputesOneRow() {
     QSignalSpy drawn(&o.model(), &QAbstractItemModel::dataChanged), resets(&o.model(), &QAbstractItemModel::modelReset);
     std::size_t computed = o.model().work().computed;
     const auto computedNow = [&] { return o.model().work().computed - std::exchange(computed, o.model().work().computed); };
-    QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"s3.Pos", "1000.5,0,0"}}).ok());
+    QVERIFY(o.document.structure().setValues(QStringLiteral("Move"), {{"s3.Pos", "1000.5,0,0"}}).ok());
     QCOMPARE(computedNow(), 1u);
-    QVERIFY(o.document.setValues(QStringLiteral("Colour"), {{"Material.red.ColorRGB", "0,1,0"}}).ok());
+    QVERIFY(o.document.structure().setValues(QStringLiteral("Colour"), {{"Material.red.ColorRGB", "0,1,0"}}).ok());
     QCOMPARE(computedNow(), 1u);
     QCOMPARE(drawn.count(), 1);
-    QVERIFY(o.document.setValues(QStringLiteral("Size"), {{"StaticConfig.Yard.north.Size", "1,1,20"}}).ok());
+    QVERIFY(o.document.structure().setValues(QStringLiteral("Size"), {{"StaticConfig.Yard.north.Size", "1,1,20"}}).ok());
     QCOMPARE(computedNow(), 1u); // below s7, the only instance whose parts are shown
     QCOMPARE(resets.count(), 0);
     QCOMPARE(edits.size(), 3u); // one comparison an edit
@@ -118,7 +118,7 @@ void TreeTest::oneValueOfManyComputesOneRow() {
         const auto place = placeOf(now, path);
         QVERIFY2(row && place && row->part == place->part && row->range == place->part->range, path);
     }
-    o.document.undo();
+    o.document.edits().undo();
     QElapsedTimer clock;
     clock.start();
     o.model().follow(ChangeSet(o.document.loaded(), o.document.loaded()));
@@ -182,7 +182,7 @@ void TreeTest::membersOfAGridAreReached() {
     o.click(o.at("swarm_1"));
     QCOMPARE(o.selected(), QStringLiteral("swarm_1"));
     // The rows follow a changed Count.
-    QVERIFY(o.document.setValues(QStringLiteral("Set Count"), {{"swarm.Count", "1,2"}}).ok());
+    QVERIFY(o.document.structure().setValues(QStringLiteral("Set Count"), {{"swarm.Count", "1,2"}}).ok());
     QCOMPARE(members.model()->rowCount(o.at("swarm_1").parent()), 2);
 }
 
@@ -214,7 +214,7 @@ void TreeTest::passiveRobotIsAnObject() {
     // A body with a sensor is a robot.
     QByteArray text = o.text();
     text.replace("Mass=0.1 } } }\nRobot ball", "Mass=0.1 } } Camera eye { Body=b } }\nRobot ball");
-    QVERIFY(o.document.replaceText(QStringLiteral("camera"), o.document.path(), text.toStdString()).ok());
+    QVERIFY(o.document.edits().replaceText(QStringLiteral("camera"), o.document.path(), text.toStdString()).ok());
     QCOMPARE(groupOf("ball"), QStringLiteral("Robots"));
 }
 
@@ -227,13 +227,13 @@ void TreeTest::editsKeepExpandedRows() {
     const std::string file = o.document.path();
     std::string text =
         "// above\nMaterial blue { ColorRGB=0,0,1 }\n" + kRovers.toStdString() + "Robot robot2 { Config=Rover Pos=2,0,0 }\n";
-    QVERIFY(o.document.replaceText(QStringLiteral("Type"), file, text).ok());
+    QVERIFY(o.document.edits().replaceText(QStringLiteral("Type"), file, text).ok());
     QVERIFY(o.tree().isExpanded(o.at("robot0.chassis")));
     QCOMPARE(o.marked(), QStringLiteral("robot0.chassis.bumper"));
     QVERIFY(o.edits.rename("robot0", "scout").ok());
     QVERIFY(o.tree().isExpanded(o.at("scout")));
     QVERIFY(o.tree().isExpanded(o.at("scout.chassis")));
-    o.document.undo();
+    o.document.edits().undo();
     QVERIFY(o.tree().isExpanded(o.at("robot0.chassis")));
     o.filter().setText(QStringLiteral("arena"));
     QVERIFY(!o.rows().contains(QStringLiteral("hull")));
@@ -256,7 +256,7 @@ void TreeTest::undoneDeletionIsUnfolded() {
     o.tree().expand(o.at("robot1.chassis"));
     QVERIFY(o.edits.remove({"robot1"}).ok());
     QVERIFY(!o.at("robot1").isValid());
-    o.document.undo();
+    o.document.edits().undo();
     QVERIFY(o.tree().isExpanded(o.at("robot1")));
     QVERIFY(o.tree().isExpanded(o.at("robot1.chassis")));
 }
@@ -269,7 +269,7 @@ void TreeTest::notifiesOnlyChangedRows() {
         out(&o.model(), &QAbstractItemModel::rowsRemoved), moved(&o.model(), &QAbstractItemModel::rowsMoved),
         reset(&o.model(), &QAbstractItemModel::modelReset);
     const auto reported = [&] { return data.count() + in.count() + out.count() + moved.count() + reset.count(); };
-    QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "3,0,0"}}).ok());
+    QVERIFY(o.document.structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "3,0,0"}}).ok());
     QCOMPARE(reported(), 0);
     QVERIFY(o.edits.rename("robot0", "scout").ok());
     QCOMPARE(in.count() + out.count() + moved.count() + reset.count(), 0);
@@ -278,9 +278,9 @@ void TreeTest::notifiesOnlyChangedRows() {
                                     .replace("Robot robot0", "Robot robot1")
                                     .replace("Robot robotX", "Robot robot0")
                                     .toStdString();
-    o.document.undo();
+    o.document.edits().undo();
     data.clear();
-    QVERIFY(o.document.replaceText(QStringLiteral("Swap"), o.document.path(), swapped).ok());
+    QVERIFY(o.document.edits().replaceText(QStringLiteral("Swap"), o.document.path(), swapped).ok());
     QCOMPARE(moved.count(), 1);
     QCOMPARE(in.count() + out.count() + reset.count(), 0);
     QVERIFY(o.tree().isExpanded(o.at("robot0")));
@@ -295,11 +295,11 @@ void TreeTest::aBrokenTextStillHasATree() {
     QVERIFY(o.rows().contains(QStringLiteral("Misplaced\n")));
     for (const QByteArray& text : {QByteArray(), QByteArray("{{{{{{"), QByteArray("\xff\xfe\x00", 3),
                                    QByteArray("RobotConfig R { Body b { Body b { Box { } Box { } } } }"), kRovers}) {
-        QVERIFY(o.document.replaceText(QStringLiteral("Type"), o.document.path(), text.toStdString()).ok());
+        QVERIFY(o.document.edits().replaceText(QStringLiteral("Type"), o.document.path(), text.toStdString()).ok());
         o.tree().expandAll();
         QVERIFY(o.model().rowCount() >= 1);
     }
-    o.document.close();
+    o.document.opening().close();
     QCOMPARE(o.model().rowCount(), 0);
 }
 
@@ -330,7 +330,7 @@ void TreeTest::countsProblemsUpToTheGroups() {
     QCOMPARE(errors(o.at("robot0")), 0);
     QCOMPARE(errors(o.at("robot1").parent()), 1);
     QVERIFY(o.at("robot1").data(Qt::ToolTipRole).toString().contains(QStringLiteral("1 error")));
-    QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kRovers.toStdString()).ok());
+    QVERIFY(o.document.edits().replaceText(QStringLiteral("Fix"), o.document.path(), kRovers.toStdString()).ok());
     QCOMPARE(errors(o.at("robot1").parent()), 0);
     QCOMPARE(errors(o.at("RobotConfig.Rover")), 0);
 }

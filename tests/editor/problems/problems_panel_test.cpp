@@ -38,7 +38,7 @@ struct ProblemsFixture {
         const std::filesystem::path path = std::filesystem::path(folder.path().toStdString()) / "configs" / "main.sim";
         std::filesystem::create_directories(path.parent_path());
         std::ofstream(path, std::ios::binary) << text;
-        return document.open(path.string()).ok();
+        return document.opening().open(path.string()).ok();
     }
     QTreeView& view() const { return *panel.findChild<QTreeView*>(QStringLiteral("problems")); }
     QAbstractItemModel& model() const { return *view().model(); }
@@ -53,7 +53,7 @@ struct ProblemsFixture {
         view().scrollTo(index);
         QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, view().visualRect(index).center());
     }
-    std::string text() const { return *document.text(document.files()[0]); }
+    std::string text() const { return *document.texts().text(document.texts().files()[0]); }
     void picture(const char* name) {
         const QString to = qEnvironmentVariable("TRUNDLE_PICTURES");
         QApplication::processEvents();
@@ -164,7 +164,7 @@ private Q_SLOTS:
             fixture.click(fixture.model().index(i, 0));
         }
         QCOMPARE(jumps.size(), 1u);
-        QCOMPARE(jumps[0].first, fixture.document.files()[0]);
+        QCOMPARE(jumps[0].first, fixture.document.texts().files()[0]);
         QCOMPARE(fixture.text().substr(jumps[0].second.range.begin, jumps[0].second.range.size()), std::string("Crat"));
         QCOMPARE(fixture.selection.current(), std::string("crate"));
         // A note below a problem goes to its own source range.
@@ -190,10 +190,10 @@ private Q_SLOTS:
         QVERIFY(fixture.button("applyFix").isEnabled());
         QTest::keyClick(&fixture.view(), Qt::Key_Return, Qt::AltModifier);
         QCOMPARE(fixture.text(), "Tick" + before.substr(4));
-        QVERIFY(fixture.document.history().entries().back().name.startsWith(QStringLiteral("Fix: ")));
+        QVERIFY(fixture.document.edits().history().entries().back().name.startsWith(QStringLiteral("Fix: ")));
         QVERIFY(!fixture.messages().at(0).contains(QStringLiteral("Tikc")));
         QVERIFY(fixture.view().currentIndex().isValid()); // the next problem is selected
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), before);
         // The same for the rows below.
         const QModelIndex top = fixture.model().index(0, 0);
@@ -213,12 +213,13 @@ private Q_SLOTS:
         QVERIFY(fixture.open(kBad));
         fixture.view().expand(fixture.model().index(1, 0));
         QSignalSpy resets(&fixture.model(), &QAbstractItemModel::modelReset);
-        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], "// one line more\n" + kBad)
+        QVERIFY(fixture.document.edits()
+                    .replaceText(QStringLiteral("Typing"), fixture.document.texts().files()[0], "// one line more\n" + kBad)
                     .ok());
         QCOMPARE(resets.size(), 0);
         QVERIFY(fixture.view().isExpanded(fixture.model().index(1, 0)));
         QCOMPARE(fixture.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:2:1"));
-        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], kGood).ok());
+        QVERIFY(fixture.document.edits().replaceText(QStringLiteral("Typing"), fixture.document.texts().files()[0], kGood).ok());
         QCOMPARE(resets.size(), 1);
         QVERIFY(fixture.none().isVisible());
     }
@@ -239,7 +240,9 @@ private Q_SLOTS:
         nowhere.message = "the log folder is gone";
         fixture.panel.setRunProblems({blown, nowhere}, fixture.document.loaded());
         fixture.click(fixture.model().index(1, 0)); // without a source range: nothing happens
-        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], "Tick = 0.01\n").ok());
+        QVERIFY(fixture.document.edits()
+                    .replaceText(QStringLiteral("Typing"), fixture.document.texts().files()[0], "Tick = 0.01\n")
+                    .ok());
         QCOMPARE(fixture.panel.errors(), 2);
         fixture.click(fixture.model().index(0, 0)); // its source range belongs to an older text
         fixture.panel.clearRunProblems();
@@ -266,7 +269,7 @@ private Q_SLOTS:
         QVERIFY(fixture.text() != kInWall);
         QTRY_COMPARE(checks, 1);
         QCOMPARE(fixture.messages(), QStringList());
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), kInWall);
         QTRY_COMPARE(fixture.model().rowCount(), 1);
     }
@@ -297,12 +300,13 @@ private Q_SLOTS:
         QTRY_COMPARE(fixture.model().rowCount(), 1);
         int checks = 0;
         countChecks(fixture, checks);
-        const std::string file = fixture.document.files()[0];
-        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), file, kInWall + "// more\n").ok());
+        const std::string file = fixture.document.texts().files()[0];
+        QVERIFY(fixture.document.edits().replaceText(QStringLiteral("Typing"), file, kInWall + "// more\n").ok());
         QCOMPARE(fixture.messages(), QStringList()); // problems of the old text are removed at once
         QTRY_COMPARE(checks, 1);
         QCOMPARE(fixture.model().rowCount(), 1);
-        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), file, kInWall + "Robot other { Config=Crat }\n").ok());
+        QVERIFY(
+            fixture.document.edits().replaceText(QStringLiteral("Typing"), file, kInWall + "Robot other { Config=Crat }\n").ok());
         QTRY_COMPARE(checks, 2);
         QVERIFY(fixture.panel.errors() > 0); // errors come first; a text with errors is not checked further
         for (const QString& message : fixture.messages()) QVERIFY(!message.contains(QStringLiteral("starts inside")));

@@ -63,7 +63,7 @@ class EveryKindTest : public QObject {
     static QString edit(PropertiesFixture& fixture, const QString& id) {
         const auto bytes = [&] {
             std::string all;
-            for (std::size_t i = 0; i < fixture.document.files().size(); ++i) all += fixture.text(i);
+            for (std::size_t i = 0; i < fixture.document.texts().files().size(); ++i) all += fixture.text(i);
             return all;
         };
         const std::string before = bytes();
@@ -151,7 +151,7 @@ private Q_SLOTS:
                 templateOf(*fixture.document.loaded(), *fixture.document.loaded()->registry->find(kind.name), parent);
             const Result<EditPlan> plan = planInsert(*fixture.document.loaded(), parent, text);
             QVERIFY2(plan.ok(), plan ? "" : plan.error().message.c_str());
-            QVERIFY(fixture.document.apply(QStringLiteral("Insert"), plan).ok());
+            QVERIFY(fixture.document.edits().apply(QStringLiteral("Insert"), plan).ok());
             QCOMPARE(faults(fixture), QString());
             QVERIFY(!fixture.selection.empty());
             const std::vector<std::string> made = fixture.selection.paths();
@@ -166,7 +166,7 @@ private Q_SLOTS:
         fixture.picture(qPrintable(name));
         const std::string object = fixture.selection.current();
         std::vector<std::string> files;
-        for (std::size_t i = 0; i < fixture.document.files().size(); ++i) files.push_back(fixture.text(i));
+        for (std::size_t i = 0; i < fixture.document.texts().files().size(); ++i) files.push_back(fixture.text(i));
         for (const Property& p : kind.properties) {
             const QString id = QString::fromStdString(p.name);
             QVERIFY2(fixture.row(p.name.c_str()), p.name.c_str());
@@ -175,16 +175,16 @@ private Q_SLOTS:
             QVERIFY2(provenance, path.c_str());
             const auto* row = qobject_cast<PropertyRow*>(fixture.row(p.name.c_str()));
             QCOMPARE(row->row().given(), provenance->origin != Origin::Default);
-            const std::size_t done = fixture.document.history().position();
+            const std::size_t done = fixture.document.edits().history().position();
             const QString refused = edit(fixture, id);
             if (!refused.isEmpty() && needsCompany(kind, p.name)) {
                 QVERIFY2(refused.size() > 10, qPrintable(id)); // the message gives a reason
                 continue;
             }
             QVERIFY2(refused.isEmpty(), qPrintable(id + QStringLiteral(": ") + refused));
-            QCOMPARE(fixture.document.history().position(), done + 1);
+            QCOMPARE(fixture.document.edits().history().position(), done + 1);
             if (!needsCompany(kind, p.name)) QCOMPARE(faults(fixture), QString());
-            fixture.document.undo();
+            fixture.document.edits().undo();
             for (std::size_t i = 0; i < files.size(); ++i) QCOMPARE(fixture.text(i), files[i]);
         }
     }
@@ -208,7 +208,7 @@ private Q_SLOTS:
         fixture.application.add(kindOf<Sonar>("Sonar", Role::Device, {"RobotConfig"}));
         QVERIFY(fixture.open(kWorld));
         const Result<EditPlan> plan = planInsert(*fixture.document.loaded(), "RobotConfig.Rover", "Sonar front { Body=chassis }");
-        QVERIFY(plan.ok() && fixture.document.apply(QStringLiteral("Insert"), plan).ok());
+        QVERIFY(plan.ok() && fixture.document.edits().apply(QStringLiteral("Insert"), plan).ok());
         fixture.selection.select("robot0.front");
         const std::string before = fixture.text();
         fixture.type("Range", QStringLiteral("150 cm"));
@@ -219,8 +219,8 @@ private Q_SLOTS:
         fixture.type("Range", QStringLiteral("21"));
         QVERIFY(fixture.field("Range")->refused());
         fixture.picture("Sonar");
-        fixture.document.undo();
-        fixture.document.undo();
+        fixture.document.edits().undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), before);
     }
 };

@@ -110,10 +110,10 @@ struct PropertiesFixture {
     /// Writes the rover to a file of its own and opens this text as the experiment.
     bool open(const std::string& text) {
         write("rover.sim", kRoverFile);
-        return document.open(write("main.sim", "#import rover.sim\n" + text)).ok() &&
+        return document.opening().open(write("main.sim", "#import rover.sim\n" + text)).ok() &&
                QTest::qWaitFor([this] { return !panel.isVisible() || panel.findChild<QWidget*>(QStringLiteral("rows")); });
     }
-    std::string text(std::size_t file = 0) const { return *document.text(document.files().at(file)); }
+    std::string text(std::size_t file = 0) const { return *document.texts().text(document.texts().files().at(file)); }
     std::string rover() const { return text(1); }
 
     QWidget* row(const char* id) const { return panel.findChild<QWidget*>(QStringLiteral("row.") + QLatin1String(id)); }

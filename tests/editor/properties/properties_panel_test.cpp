@@ -1,4 +1,5 @@
 // The property panel: its rows, editing values, and errors.
+#include "editor/document/structure_edits.h"
 #include "properties_fixture.h"
 
 #include <QAction>
@@ -30,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(fixture.panel.findChild<QLabel*>(QStringLiteral("nothing"))->isVisible());
         QVERIFY(fixture.open(kRobots));
         QVERIFY(!fixture.panel.findChild<QLabel*>(QStringLiteral("nothing"))->isVisible());
-        fixture.document.close();
+        fixture.document.opening().close();
         QVERIFY(fixture.panel.findChild<QLabel*>(QStringLiteral("nothing"))->isVisible());
         QVERIFY(!fixture.row("Tick"));
     }
@@ -45,10 +46,10 @@ private Q_SLOTS:
         QCOMPARE(fixture.text(), longer);
         fixture.type("Tick", QStringLiteral("5 ms"));
         QCOMPARE(fixture.text(), replaced(longer, "Tick = 0.01", "Tick = 5 ms"));
-        QCOMPARE(fixture.document.history().entries().back().name, QStringLiteral("Set Tick to 5 ms"));
+        QCOMPARE(fixture.document.edits().history().entries().back().name, QStringLiteral("Set Tick to 5 ms"));
         fixture.picture("experiment");
-        fixture.document.undo();
-        fixture.document.undo();
+        fixture.document.edits().undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), before);
         QCOMPARE(fixture.shown("Tick"), QStringLiteral("0.01"));
     }
@@ -56,17 +57,17 @@ private Q_SLOTS:
     void showsExperimentAfterUndoRemovesObject() {
         PropertiesFixture fixture;
         QVERIFY(fixture.open(kRobots));
-        QVERIFY(fixture.document
+        QVERIFY(fixture.document.edits()
                     .apply(QStringLiteral("Add"), planInsert(*fixture.document.loaded(), {}, "Robot robot2 { Config=Rover }"))
                     .ok());
         QCOMPARE(fixture.selection.current(), std::string("robot2"));
         QVERIFY(fixture.row("Pos"));
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QTRY_COMPARE(fixture.shown("Tick"), QStringLiteral("0.01"));
         QVERIFY(!fixture.row("Pos"));
         QVERIFY(!fixture.panel.findChild<QLabel*>(QStringLiteral("nothing"))->isVisible());
         QCOMPARE(fixture.panel.findChild<QLineEdit*>(QStringLiteral("objectName"))->text(), QStringLiteral("Experiment"));
-        fixture.document.redo(); // it is still selected
+        fixture.document.edits().redo(); // it is still selected
         QTRY_VERIFY(fixture.row("Pos"));
     }
 
@@ -81,8 +82,8 @@ private Q_SLOTS:
         fixture.picture("robot");
         fixture.type("HPR", QStringLiteral("90"), "field0"); // the default becomes a value, written in the list style of the file
         QVERIFY2(fixture.text().find("HPR=90, 0, 0") != std::string::npos, fixture.text().c_str());
-        fixture.document.undo();
-        fixture.document.undo();
+        fixture.document.edits().undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), before);
     }
 
@@ -112,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(fixture.open(kRobots));
         fixture.selection.select("robot0.leftMotor");
         const std::string before = fixture.text(), rover = fixture.rover();
-        const std::size_t entries = fixture.document.history().entries().size();
+        const std::size_t entries = fixture.document.edits().history().entries().size();
         for (const char* bad : {"-3", "12 cm", "abc", "3 } Robot x {", "$nothing", "1,2", "\"", "3 // c", "nan", "1e999"}) {
             fixture.type("Resistance", QString::fromLatin1(bad));
             QVERIFY2(fixture.field("Resistance")->refused(), bad);
@@ -128,7 +129,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.shown("Resistance"), QStringLiteral("3"));
         QVERIFY(!fixture.field("Resistance")->refused());
         QVERIFY(!fixture.help().contains(QStringLiteral("it must be from")));
-        QCOMPARE(fixture.document.history().entries().size(), entries);
+        QCOMPARE(fixture.document.edits().history().entries().size(), entries);
     }
 
     void showsTextErrorAtItsRow() {
@@ -147,7 +148,7 @@ private Q_SLOTS:
         QVERIFY2(fixture.help().contains(note("HPR").toHtmlEscaped()), qPrintable(fixture.help()));
         fixture.type("HPR", QStringLiteral("0,0,90"));
         QCOMPARE(note("HPR"), QString());
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QVERIFY(note("HPR").contains(QStringLiteral("three numbers")));
         fixture.selection.select("robot1");
         const QString override = note("override.leftMotor.Resistance");
@@ -231,15 +232,15 @@ private Q_SLOTS:
         QVERIFY(fixture.choose("Resistance", "rowReset"));
         QCOMPARE(fixture.text(), replaced(before, "  leftMotor.Resistance=3", ""));
         QCOMPARE(fixture.shown("Resistance"), QStringLiteral("2"));
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QVERIFY(fixture.choose("Resistance", "rowPush"));
         QVERIFY(fixture.text().find("leftMotor") == std::string::npos);
         QVERIFY(fixture.rover().find("SpeedConstant=50 Resistance=3") != std::string::npos);
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.rover(), rover);
         QVERIFY(fixture.choose("MaxVoltage", "rowPull"));
         QVERIFY(fixture.text().find("leftMotor.MaxVoltage=12") != std::string::npos);
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), before);
         QVERIFY(fixture.choose("MaxVoltage", "rowCopyPath"));
         QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("robot0.leftMotor.MaxVoltage"));
@@ -266,8 +267,8 @@ private Q_SLOTS:
         fixture.picture("several");
         fixture.type("Pos", QStringLiteral("1.5"), "field2");
         QCOMPARE(fixture.text(), replaced(replaced(before, "0, 0, 0.5", "0, 0, 1.5"), "1,2,0", "1,2,1.5"));
-        QCOMPARE(fixture.document.history().entries().size(), 1u);
-        fixture.document.undo();
+        QCOMPARE(fixture.document.edits().history().entries().size(), 1u);
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), before);
         // Objects of different kinds show their common properties.
         fixture.selection.set({"robot0.leftMotor", "robot0.chassis.hull"});
@@ -350,7 +351,7 @@ private Q_SLOTS:
         QAction undo(&fixture.panel);
         undo.setShortcut(QKeySequence::Undo);
         fixture.panel.addAction(&undo);
-        connect(&undo, &QAction::triggered, &fixture.document, &Document::undo);
+        connect(&undo, &QAction::triggered, &fixture.document.edits(), &DocumentEdits::undo);
         const std::string before = fixture.text();
         fixture.type("Resistance", QStringLiteral("7"));
         QTest::keyClick(fixture.field("Resistance"), Qt::Key_Z, Qt::ControlModifier);
@@ -366,7 +367,7 @@ private Q_SLOTS:
         field->setFocus();
         field->selectAll();
         QTest::keyClicks(field, QStringLiteral("7"));
-        QVERIFY(fixture.document.setValues(QStringLiteral("Elsewhere"), {{"robot1.Pos", "5,5,5"}}).ok());
+        QVERIFY(fixture.document.structure().setValues(QStringLiteral("Elsewhere"), {{"robot1.Pos", "5,5,5"}}).ok());
         QCOMPARE(fixture.shown("Resistance"), QStringLiteral("7"));
         QTest::keyClick(field, Qt::Key_Escape);
         QCOMPARE(fixture.shown("Resistance"), QStringLiteral("3"));

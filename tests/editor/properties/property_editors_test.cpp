@@ -48,7 +48,7 @@ private Q_SLOTS:
         QCOMPARE(paramHelp(*loaded, "robot0.nothing"), QString());
         std::string rover = fixture.rover();
         rover.replace(rover.find("  Param track"), 0, "  // Between the wheels,\n  // in metres.\n");
-        QVERIFY(fixture.document.replaceText(QStringLiteral("Type"), fixture.document.files()[1], rover).ok());
+        QVERIFY(fixture.document.edits().replaceText(QStringLiteral("Type"), fixture.document.texts().files()[1], rover).ok());
         QCOMPARE(paramHelp(*fixture.document.loaded(), "RobotConfig.Rover.track"),
                  QStringLiteral("Between the wheels, in metres."));
     }
@@ -117,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(!fixture.field("Mass")->refused());
         QCOMPARE(fixture.rover(), rover);
         QCOMPARE(fixture.text(), before);
-        QVERIFY(fixture.document.history().entries().empty());
+        QVERIFY(fixture.document.edits().history().entries().empty());
     }
 
     void draggingALabelIsOneEntry() {
@@ -137,11 +137,11 @@ private Q_SLOTS:
         };
         drag(fixture.row("Resistance")->findChild<QWidget*>(QStringLiteral("label")), 30);
         QCOMPARE(fixture.text(), replaced(before, "Resistance=3", "Resistance=4"));
-        QCOMPARE(fixture.document.history().entries().size(), 1u);
+        QCOMPARE(fixture.document.edits().history().entries().size(), 1u);
         drag(fixture.row("Resistance")->findChild<QWidget*>(QStringLiteral("label")), 30);
-        QCOMPARE(fixture.document.history().entries().size(), 2u);
-        fixture.document.undo();
-        fixture.document.undo();
+        QCOMPARE(fixture.document.edits().history().entries().size(), 2u);
+        fixture.document.edits().undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.text(), before);
         // One axis of a vector is edited; the unit is kept.
         fixture.type("Resistance", QStringLiteral("3"));
@@ -231,9 +231,9 @@ private Q_SLOTS:
         dialog->setCurrentColor(QColor::fromRgbF(0.0f, 0.0f, 1.0f));
         dialog->accept();
         QCOMPARE(fixture.rover(), replaced(before, "0.9, 0.1, 0.1", "0,0,1"));
-        QCOMPARE(fixture.document.history().entries().size(), 1u);
+        QCOMPARE(fixture.document.edits().history().entries().size(), 1u);
         fixture.picture("colour");
-        fixture.document.undo();
+        fixture.document.edits().undo();
         QCOMPARE(fixture.rover(), before);
         QTest::mouseClick(swatch, Qt::LeftButton);
         EVENTUALLY(fixture.panel.findChildren<QColorDialog*>().size() >= 1);
@@ -358,11 +358,11 @@ private Q_SLOTS:
         QVERIFY(fixture.rover().find("leftAxle TorqueConstant=0.02 SpeedConstant=50 Resistance=3") != std::string::npos);
         QVERIFY(fixture.text().find("Resistance") == std::string::npos);
         QVERIFY(words("Resistance").isEmpty());
-        fixture.document.undo();
+        fixture.document.edits().undo();
         Q_EMIT fixture.field<QLabel>("Resistance", "override")->linkActivated(QStringLiteral("reset"));
         QVERIFY(fixture.rover().find("Resistance=3") == std::string::npos);
         QVERIFY(fixture.text().find("Resistance") == std::string::npos);
-        fixture.document.undo();
+        fixture.document.edits().undo();
         fixture.selection.set({"robot0.leftMotor", "robot1.leftMotor"});
         QVERIFY2(words("Resistance").contains(QStringLiteral("override in 1 of 2")), qPrintable(words("Resistance")));
         fixture.selection.select("robot0");
@@ -385,7 +385,7 @@ private Q_SLOTS:
         fixture.selection.select("RobotConfig.Rover.leftMotor");
         QVERIFY2(header().contains(QStringLiteral("for all 2 instances of Rover")), qPrintable(header()));
         const std::string one = std::string(kRoverFile) + "Robot only { Config=Rover }\n";
-        QVERIFY(fixture.document.open(fixture.write("one.sim", one)).ok());
+        QVERIFY(fixture.document.opening().open(fixture.write("one.sim", one)).ok());
         fixture.selection.select("only.leftMotor");
         EVENTUALLY(header().contains(QStringLiteral("go into Rover in one.sim: only only is created from it")));
         fixture.picture("header_config");

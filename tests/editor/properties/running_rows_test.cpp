@@ -14,6 +14,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/properties/properties_panel.h"
 #include "editor/running/session.h"
 #include "eventually.h"
@@ -40,7 +41,7 @@ struct RunningFixture {
         std::ofstream(path, std::ios::binary) << kFalling;
         panel.resize(340, 600);
         panel.show();
-        if (!document.open(path)) qFatal("not opened");
+        if (!document.opening().open(path)) qFatal("not opened");
     }
     QLabel* note(const char* row, const char* which = "note") const {
         const auto* found = panel.findChild<QWidget*>(QStringLiteral("row.") + QLatin1String(row));
@@ -98,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.value("ticks"), QStringLiteral("1"));
         fixture.session.step();
         EVENTUALLY_EQUAL(fixture.value("ticks"), QStringLiteral("2"));
-        QVERIFY(fixture.document.setValues(QStringLiteral("Rename"), {{"crate.Pos", "0,0,21"}}).ok());
+        QVERIFY(fixture.document.structure().setValues(QStringLiteral("Rename"), {{"crate.Pos", "0,0,21"}}).ok());
         fixture.selection.select("crate");
         QCOMPARE(fixture.value("speed"), QStringLiteral("0.196 m/s")); // of the run, not of the text
         fixture.session.reset();
@@ -255,7 +256,7 @@ private Q_SLOTS:
         fixture.selection.select("crate");
         fixture.session.step();
         EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
-        QVERIFY(fixture.document.setValues(QStringLiteral("Set Pos"), {{"crate.Pos", "-12.5,-12.5,20"}}).ok());
+        QVERIFY(fixture.document.structure().setValues(QStringLiteral("Set Pos"), {{"crate.Pos", "-12.5,-12.5,20"}}).ok());
         EVENTUALLY(fixture.waits("Pos"));
         const auto* area = fixture.panel.findChild<QScrollArea*>();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
@@ -275,7 +276,7 @@ private Q_SLOTS:
             return all;
         };
         const QList<QRect> before = places();
-        QVERIFY(fixture.document.setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
+        QVERIFY(fixture.document.structure().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
         EVENTUALLY(fixture.waits("Tick"));
         QVERIFY(!fixture.waits("Duration"));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);

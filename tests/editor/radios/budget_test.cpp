@@ -6,6 +6,7 @@
 #include <QTabBar>
 #include <QToolButton>
 
+#include "editor/document/structure_edits.h"
 #include "editor/radios/radio_window.h"
 #include "eventually.h"
 
@@ -56,10 +57,10 @@ private Q_SLOTS:
         auto* to = m_window->find<QComboBox>("budgetTo");
         to->setFocus();
         QTest::keyClicks(to, QStringLiteral("deaf"));
-        QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"deaf.Pos", "0, 4, 0"}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("Move"), {{"deaf.Pos", "0, 4, 0"}}).ok());
         QVERIFY(m_window->settled());
         QCOMPARE(budget().to(), QStringLiteral("deaf/radio"));
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QVERIFY(m_window->settled());
         choose({"motes_2", "target"});
         QVERIFY(std::abs(report().link.distance - (m_window->headless(0).runner->world().medium()->link(3, 0).distance)) < 1e-9);
@@ -123,7 +124,7 @@ private Q_SLOTS:
         // An edit changes the budget without a run.
         budget().choose(QStringLiteral("target/radio"), QStringLiteral("deaf/radio"));
         const double before = report().link.distance;
-        QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"deaf.Pos", "0, 30, 0"}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("Move"), {{"deaf.Pos", "0, 30, 0"}}).ok());
         EVENTUALLY(std::abs(report().link.distance - before) > 20);
     }
 

@@ -70,7 +70,7 @@ private Q_SLOTS:
         QFETCH(int, ticks);
         const QString sample =
             QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/") + QLatin1String(QTest::currentDataTag());
-        QVERIFY(m_window->document.open(sample.toStdString()).ok());
+        QVERIFY(m_window->document.opening().open(sample.toStdString()).ok());
         QVERIFY(m_window->runTo(std::uint64_t(ticks)));
         QVERIFY(rows() > 10);
         QVERIFY(m_window->panel.budget().report().has_value());

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/controller_commands.h"
 #include "editor/running/controllers_panel.h"
 #include "editor/running/session_fixture.h"
@@ -50,7 +51,7 @@ class ControllersTest : public QObject {
             if (c.kind.name == name) return c;
         return {};
     }
-    static std::string textOf(const SessionFixture& o) { return *o.document.text(o.document.path()); }
+    static std::string textOf(const SessionFixture& o) { return *o.document.texts().text(o.document.path()); }
     /// Copies a module of the program to a folder that is not trusted.
     static QString copiedModule(const SessionFixture& o, const char* name, const char* as) {
         return copied(o, QStringLiteral("lib/trundle/controllers/lib") + QLatin1String(name), as);
@@ -147,8 +148,8 @@ private Q_SLOTS:
             QVERIFY2(robot.controller, robot.name.c_str());
             QCOMPARE(robot.controller->kind, std::string("RandomDrive"));
         }
-        QCOMPARE(o.document.history().entries().size(), 1u);
-        o.document.undo();
+        QCOMPARE(o.document.edits().history().entries().size(), 1u);
+        o.document.edits().undo();
         QCOMPARE(textOf(o), kTeam.toStdString());
 
         QVERIFY(commands.assign({"leader"}, choice(commands, "BumpAndTurn")));
@@ -168,8 +169,8 @@ private Q_SLOTS:
         QVERIFY(commands.unload(commands.modules()[0]));
         QVERIFY(textOf(o).find("#loadModule") == std::string::npos);
         QVERIFY(commands.modules().empty());
-        o.document.undo();
-        o.document.undo();
+        o.document.edits().undo();
+        o.document.edits().undo();
         QCOMPARE(textOf(o), kTeam.toStdString());
     }
 
@@ -187,7 +188,7 @@ private Q_SLOTS:
         });
         QVERIFY(!commands.load(library));
         QCOMPARE(asked, QStringList{QFileInfo(library).absolutePath()});
-        QVERIFY(!o.document.isModified());
+        QVERIFY(!o.document.texts().isModified());
         QVERIFY(ControllerCommands::recent().isEmpty());
         answer = true;
         QVERIFY(commands.load(library));
@@ -257,7 +258,7 @@ private Q_SLOTS:
         QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("moduleTrust")), Qt::LeftButton);
         QVERIFY(!panel.findChild<QLabel*>(QStringLiteral("controllersNotice"))->isVisible());
         QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
-        QVERIFY(!o.document.isModified());
+        QVERIFY(!o.document.texts().isModified());
         o.session.setSpeed(0);
         o.session.run();
         EVENTUALLY(o.session.results().time() > 0.1);
@@ -288,7 +289,7 @@ private Q_SLOTS:
         QCOMPARE(refused.size(), 1);
         QVERIFY(!commands.load(o.path("nowhere.so")));
         QVERIFY(!TrustedFolders::covers(o.folder.path())); // the user was not asked for it
-        QVERIFY(!o.document.isModified());
+        QVERIFY(!o.document.texts().isModified());
     }
 
     void reloadUsesCurrentLibrary() {
@@ -309,7 +310,7 @@ private Q_SLOTS:
         QVERIFY(!o.session.source().refusal().isEmpty()); // RandomDrive is no longer in the module
         QCOMPARE(commands.modules()[0].kinds, std::vector<std::string>{"BumpAndTurn"});
         const std::string text = textOf(o);
-        QVERIFY(o.document
+        QVERIFY(o.document.edits()
                     .replaceText(QStringLiteral("Follow"), o.document.path(),
                                  QByteArray::fromStdString(text).replace("RandomDrive", "BumpAndTurn").toStdString())
                     .ok());
@@ -340,7 +341,7 @@ private Q_SLOTS:
         QCOMPARE(refused.size(), 1);
         QVERIFY2(refused[0][0].toString().contains(QStringLiteral("Pace")), qPrintable(refused[0][0].toString()));
         QCOMPARE(o.session.state(), RunState::Start);
-        QVERIFY(o.document.setValues(QStringLiteral("Pace"), {{"leader.brain.Pace", "0.25"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Pace"), {{"leader.brain.Pace", "0.25"}}).ok());
         o.session.run();
         EVENTUALLY(reportOf.contains(QStringLiteral("after life 1 pace 0.25")));
         QVERIFY(reportOf.contains(QStringLiteral("before life 1 pace 1")));
@@ -358,7 +359,7 @@ private Q_SLOTS:
         EVENTUALLY(!o.session.responses().unresponsiveController().isEmpty());
         o.session.reset();
         QVERIFY(!builtModule(o, "after").isEmpty());
-        QVERIFY(o.document.replaceText(QStringLiteral("Hold"), o.document.path(), minded("").toStdString()).ok());
+        QVERIFY(o.document.edits().replaceText(QStringLiteral("Hold"), o.document.path(), minded("").toStdString()).ok());
         QStringList reportOf;
         connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
             for (const LiveLine& line : lines) reportOf.append(QString::fromStdString(line.text));
@@ -429,7 +430,7 @@ private Q_SLOTS:
         auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
         panel.hide();
         QSignalSpy made(robots->model(), &QAbstractItemModel::rowsInserted);
-        QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"idle.Pos", "3,0,0"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Move"), {{"idle.Pos", "3,0,0"}}).ok());
         selection.select("leader");
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);

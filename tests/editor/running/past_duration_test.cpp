@@ -3,6 +3,7 @@
 #include <QStandardPaths>
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/running/session_fixture.h"
 #include "eventually.h"
 
@@ -49,7 +50,7 @@ private Q_SLOTS:
         connect(&o.document, &Document::notice, &o.session, [&](const QString& text) { notices.append(text); });
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
-        QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.08"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Set"), {{"Duration", "0.08"}}).ok());
         QVERIFY(o.session.results().canResume() && o.session.edits().needsReset());
         o.session.step(); // continues with the old world, and reports it
         EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 6);
@@ -61,7 +62,7 @@ private Q_SLOTS:
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(o.tick(), 8u);
-        QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.03"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Set"), {{"Duration", "0.03"}}).ok());
         o.session.run(); // At its Duration: restarts, with the edits.
         QVERIFY(!o.session.edits().needsReset());
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
@@ -80,7 +81,8 @@ private Q_SLOTS:
         SessionFixture one, other;
         QStringList folders;
         for (SessionFixture* o : {&one, &other, &one}) {
-            if (o->document.path().empty() || !o->document.isNew()) QVERIFY(o->document.openNew("untitled.sim", text).ok());
+            if (o->document.path().empty() || !o->document.isNew())
+                QVERIFY(o->document.opening().openNew("untitled.sim", text).ok());
             if (o->session.state() != RunState::Start) o->session.reset();
             o->session.run();
             EVENTUALLY_EQUAL(o->session.state(), RunState::Ended);
@@ -88,8 +90,8 @@ private Q_SLOTS:
             QVERIFY(QFile::exists(folders.back() + QStringLiteral("/path.csv")));
         }
         QVERIFY2(folders[0] != folders[1], qPrintable(folders[0]));
-        QCOMPARE(folders[2], folders[0]);                         // the same experiment has the same log folder again
-        QVERIFY(one.document.openNew("untitled.sim", text).ok()); // another experiment
+        QCOMPARE(folders[2], folders[0]);                                   // the same experiment has the same log folder again
+        QVERIFY(one.document.opening().openNew("untitled.sim", text).ok()); // another experiment
         one.session.run();
         EVENTUALLY_EQUAL(one.session.state(), RunState::Ended);
         QVERIFY(!folders.contains(one.session.logs().folder()));
@@ -102,7 +104,7 @@ private Q_SLOTS:
         QStandardPaths::setTestModeEnabled(true);
         const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
         SessionFixture o;
-        QVERIFY(o.document
+        QVERIFY(o.document.opening()
                     .openNew("untitled.sim",
                              (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n").toStdString())
                     .ok());

@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 
 #include "editor/document/document.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/session.h"
 
 namespace trundle {
@@ -20,7 +21,7 @@ struct SessionFixture {
         QFile file(path(name));
         if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) return false;
         file.close();
-        return document.open(path(name).toStdString()).ok();
+        return document.opening().open(path(name).toStdString()).ok();
     }
     /// Opens a copy of the experiment of configs/, so that logs go to the temporary folder.
     bool openSample(const char* name) {

@@ -66,8 +66,7 @@ private Q_SLOTS:
         QFETCH(double, speed);
         SessionFixture o;
         QVERIFY(o.openSample(name.toLatin1().constData()));
-        QVERIFY(o.document.setValues(QStringLiteral("Shorten"), {{"Duration", "2"}}).ok());
-        QVERIFY(o.document.save().ok());
+        QVERIFY(o.document.structure().setValues(u"Shorten"_qs, {{"Duration", "2"}}).ok() && o.document.saving().save().ok());
 
         QProcess cli;
         cli.start(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"),
@@ -152,7 +151,7 @@ private Q_SLOTS:
         o.session.step();
         QCOMPARE(refused.size(), 2);
         QCOMPARE(o.session.state(), RunState::Start);
-        QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
+        QVERIFY(o.document.edits().replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
         QVERIFY(o.session.source().refusal().isEmpty());
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
@@ -186,7 +185,7 @@ private Q_SLOTS:
         QVERIFY(o.session.results().end->time > 0);
         QCOMPARE(o.session.messages().problems().size(), 1u);
         QVERIFY(o.session.messages().problems()[0].range.known()); // a source range to click
-        QVERIFY(o.session.results().poses);                     // the last poses are still shown
+        QVERIFY(o.session.results().poses);                        // the last poses are still shown
         o.session.reset();
         QVERIFY(o.session.state() == RunState::Start && o.session.messages().problems().empty());
     }
@@ -212,8 +211,8 @@ private Q_SLOTS:
         o.session.run();
         EVENTUALLY(o.session.results().time() > 1);
         o.session.reset();
-        QVERIFY(!o.document.isModified());
-        QCOMPARE(o.document.history().entries().size(), 0u);
+        QVERIFY(!o.document.texts().isModified());
+        QCOMPARE(o.document.edits().history().entries().size(), 0u);
     }
 
     void anotherProjectEndsTheRun() {
@@ -225,7 +224,7 @@ private Q_SLOTS:
         QCOMPARE(o.session.state(), RunState::Start);
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
-        o.document.close();
+        o.document.opening().close();
         QCOMPARE(o.session.state(), RunState::Start);
         QVERIFY(!o.session.source().refusal().isEmpty());
     }
@@ -244,19 +243,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(o.session.robots().pose("robot0")->position.x() - 1.25) < 1e-3);
         QCOMPARE(o.session.robots().keepRefusal(), QString());
         o.session.robots().keepPoses();
-        QCOMPARE(o.document.history().entries().size(), 1u);
-        const std::string text = *o.document.text(o.document.path());
+        QCOMPARE(o.document.edits().history().entries().size(), 1u);
+        const std::string text = *o.document.texts().text(o.document.path());
         QVERIFY2(text.find("// the one\nRobot robot0") != std::string::npos, text.c_str());
         QVERIFY2(text.find("Pos=1.2") != std::string::npos, text.c_str());
         QVERIFY2(text.find("Pos=0,0,0 HPR") == std::string::npos, text.c_str());
         const Pose kept = o.document.loaded()->experiment->robots[0].pose;
         QVERIFY((kept.position - o.session.robots().pose("robot0")->position).norm() < 1e-6);
         QVERIFY(kept.rotation.angularDistance(o.session.robots().pose("robot0")->rotation) < 1e-5);
-        o.document.undo();
-        QVERIFY(!o.document.isModified());
+        o.document.edits().undo();
+        QVERIFY(!o.document.texts().isModified());
         QVERIFY(o.session.robots().place("robot0", {{1.25, -0.5, -3.91e-5}, Quat::Identity()}));
         o.session.robots().keepPoses();
-        const std::string plain = *o.document.text(o.document.path());
+        const std::string plain = *o.document.texts().text(o.document.path());
         QVERIFY2(plain.find("Pos=1.25,-0.5,-0.000039 HPR=0,0,0 }") != std::string::npos, plain.c_str()); // no exponent
     }
 
@@ -272,22 +271,21 @@ private Q_SLOTS:
         const auto put = [&](const QByteArray& robot) {
             const QByteArray text =
                 QByteArray(kStandingRobot).replace("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }", robot);
-            return text != kStandingRobot && o.document.replaceText(QStringLiteral("Type"), path, text.toStdString()).ok();
+            return text != kStandingRobot && o.document.edits().replaceText(u"Type"_qs, path, text.toStdString()).ok();
         };
         QVERIFY(put(""));
         QVERIFY(put("Robot robot0 { Config=SimpleRobot Pos=3,0,0 HPR=0,0,0 }"));
         QVERIFY(!o.session.edits().isOfRun("robot0"));
         QVERIFY(!o.session.robots().place("robot0", {{2, 0, 0}, Quat::Identity()}));
         QVERIFY(o.session.robots().keepRefusal().startsWith(QStringLiteral("robot0: new or renamed")));
-        o.document.undo();
-        o.document.undo();
+        for (int i = 0; i < 2; ++i) o.document.edits().undo();
         QVERIFY(o.session.edits().isOfRun("robot0"));
         QVERIFY(put("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }\nRobot other { Config=SimpleRobot Pos=3,0,0 }"));
         QSignalSpy reportOf(&o.document, &Document::notice);
         o.session.robots().keepPoses();
         QCOMPARE(reportOf.size(), 1);
         QVERIFY(reportOf[0][0].toString().contains(QStringLiteral("except of other")));
-        QVERIFY(o.document.text(path)->find("Pos=1.25,-0.5") != std::string::npos);
+        QVERIFY(o.document.texts().text(path)->find("Pos=1.25,-0.5") != std::string::npos);
     }
 
     void membersOfAGridHaveNoStartOfTheirOwn() {
@@ -302,7 +300,7 @@ private Q_SLOTS:
         QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
         o.session.robots().keepPoses();
         QCOMPARE(refused.size(), 1);
-        QVERIFY(!o.document.isModified());
+        QVERIFY(!o.document.texts().isModified());
     }
 
     void aRobotIsDrivenWhileItsControllerWaits() {
@@ -317,7 +315,9 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         QVERIFY(!s.robots().drive("arena", 0.2, 0));
         QVERIFY(s.robots().drive("robot0", 0.2, 0));
-        const auto speed = [&] { return s.results().snapshot->block->slots()[s.results().layout->find("robot0/base/linearVelocity")->offset]; };
+        const auto speed = [&] {
+            return s.results().snapshot->block->slots()[s.results().layout->find("robot0/base/linearVelocity")->offset];
+        };
         const std::uint64_t from = o.tick();
         for (std::uint64_t i = 1; i <= 30; ++i) {
             s.step();
@@ -340,24 +340,24 @@ private Q_SLOTS:
         const auto resistance = [&] { return s.results().experiment->robots[0].config->devices[0].number("Resistance"); };
         QCOMPARE(resistance(), 2.0);
 
-        QVERIFY(o.document.setValues(QStringLiteral("Resistance"), {{"robot0.leftMotor.Resistance", "3"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Resistance"), {{"robot0.leftMotor.Resistance", "3"}}).ok());
         QVERIFY(!s.edits().needsReset());
         QCOMPARE(resistance(), 3.0);
         QCOMPARE(s.results().built->experiment->robots[0].config->devices[0].number("Resistance"), 2.0);
 
         QVERIFY(
-            o.document.setValues(QStringLiteral("Gear"), {{"robot0.leftMotor.GearRatio", "20"}, {"robot0.Pos", "1,0,0"}}).ok());
+            o.document.structure().setValues(u"Set"_qs, {{"robot0.leftMotor.GearRatio", "20"}, {"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(s.edits().needsReset());
         QVERIFY(s.edits().waitsForReset("robot0.leftMotor.GearRatio"));
         QVERIFY(s.edits().waitsForReset("robot0.Pos"));
         QVERIFY(!s.edits().waitsForReset("robot0.leftMotor.Resistance"));
         QVERIFY(!s.edits().waitsForReset("robot0.HPR"));
-        o.document.undo();
+        o.document.edits().undo();
         QVERIFY(!s.edits().needsReset());
-        o.document.undo(); // undo changes the running world too
+        o.document.edits().undo(); // undo changes the running world too
         QCOMPARE(resistance(), 2.0);
 
-        QVERIFY(o.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
         QCOMPARE(s.edits().waiting(), std::vector<std::string>{"Tick"});
         s.reset();
         QVERIFY(!s.edits().needsReset());
@@ -370,9 +370,10 @@ private Q_SLOTS:
         s.step();
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         const std::string more = kStandingRobot.toStdString() + "Robot robot1 { Config=SimpleRobot Pos=1,1,0 }\n";
-        QVERIFY(o.document.replaceText(QStringLiteral("Add"), o.document.path(), more).ok());
+        QVERIFY(o.document.edits().replaceText(QStringLiteral("Add"), o.document.path(), more).ok());
         QCOMPARE(s.edits().waiting(), std::vector<std::string>{"robot1"});
-        QVERIFY(s.edits().waitsForReset("robot1.Pos") && !s.edits().waitsForReset("robot10") && !s.edits().waitsForReset("robot10.Pos"));
+        QVERIFY(s.edits().waitsForReset("robot1.Pos") && !s.edits().waitsForReset("robot10") &&
+                !s.edits().waitsForReset("robot10.Pos"));
     }
 
     void slipperySurfaceTakesEffectInRun() {
@@ -398,9 +399,8 @@ Robot crate { Config=Block Pos=0,0,0 }
         };
         const double held = pushed();
         QVERIFY2(std::abs(held) < 0.02, qPrintable(QString::number(held)));
-        QVERIFY(o.document.setValues(QStringLiteral("Ice"), {{"Surface.skin.Friction", "0.01"}}).ok());
-        QVERIFY(!o.session.edits().needsReset());
-        QVERIFY(pushed() > held + 0.1);
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Ice"), {{"Surface.skin.Friction", "0.01"}}).ok());
+        QVERIFY(!o.session.edits().needsReset() && pushed() > held + 0.1);
     }
 
     void reportsBuildFailureAndKeepsStart() {
@@ -419,7 +419,7 @@ Robot crate { Config=Block Pos=0,0,0 }
         QCOMPARE(o.session.messages().problems().size(), 1u);
         QCOMPARE(lines.size(), 1u);
         QVERIFY(lines[0].find("same motor") != std::string::npos);
-        QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(o.session.messages().problems().empty());
     }
 

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/keyboard_drive.h"
 #include "editor/running/run_status.h"
 #include "editor/running/session_fixture.h"
@@ -97,7 +98,7 @@ private Q_SLOTS:
         QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
         actions.at("sim.run").trigger();
         QCOMPARE(refused.size(), 1);
-        QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
+        QVERIFY(o.document.edits().replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
         QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
     }
 
@@ -148,7 +149,7 @@ private Q_SLOTS:
         o.session.step();
         EVENTUALLY_EQUAL(o.tick(), 2u);
         QVERIFY2(status.text().contains(QStringLiteral("1 robot  •  3 contacts")), qPrintable(status.text()));
-        QVERIFY(o.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
         QVERIFY(status.text().contains(QStringLiteral("wait for Reset")));
         o.session.reset();
         QVERIFY(status.text().isEmpty());

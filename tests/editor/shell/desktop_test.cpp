@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/library_view.h"
 #include "editor/outline/outline_model.h"
@@ -173,11 +174,11 @@ private Q_SLOTS:
         EVENTUALLY(m_window->frameGeometry().top() < m_window->geometry().top()); // it has its frame, so it will not move
         QVERIFY(m_window->open(path()));
         EVENTUALLY(m_window->document().isOpen());
-        EVENTUALLY(m_window->viewport().isUpToDate());
+        EVENTUALLY(m_window->viewport().views().isUpToDate());
     }
     void cleanup() {
         (void)act(QStringLiteral("mouseup 1")); // in case a test failed during a drag
-        m_window->document().close();
+        m_window->document().opening().close();
         if (!m_window->isVisible() || QTest::currentTestFailed()) m_window.reset();
     }
 
@@ -190,7 +191,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(text().left(5), QByteArray("wic1 ")); // in the text, W is not a tool and Delete removes no objects
         QVERIFY(select.isChecked());
 
-        View& view = m_window->viewport().current();
+        View& view = m_window->viewport().views().current();
         click(view, {20, 60}); // an empty part of the view
         EVENTUALLY(view.hasFocus());
         const QByteArray before = text();
@@ -232,7 +233,7 @@ private Q_SLOTS:
         LibraryList* list = nullptr;
         EVENTUALLY(list = libraryListWith("Pillar"));
         const QRect item = list->visualRect(list->model()->index(0, 0));
-        View& view = m_window->viewport().current();
+        View& view = m_window->viewport().views().current();
         const QPoint at(view.width() / 3, view.height() * 3 / 4);
         const Vec3 point = view.camera().pointUnder(at);
         QVERIFY(std::abs(point.z()) < 1e-9); // on the floor
@@ -250,7 +251,7 @@ private Q_SLOTS:
         const double away = (pillar.pose.position - point).head<2>().norm();
         QVERIFY2(away > 0 && away < 0.4, qPrintable(QString::number(away)));
         QCOMPARE(m_window->selection().paths(), std::vector<std::string>{pillar.name});
-        m_window->document().undo();
+        m_window->document().edits().undo();
         QCOMPARE(text(), kExperiment);
     }
 
@@ -263,13 +264,13 @@ private Q_SLOTS:
         QVERIFY2(text().contains("bumper { Size=0.02,0.2,0.04 Pos=0.16,-0.1,0.02 "),
                  text().constData()); // the same pose in the world
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
-        m_window->document().undo();
+        m_window->document().edits().undo();
         QCOMPARE(text(), kExperiment);
     }
 
     void closingQuestionAcceptsKeyboard() {
         const QByteArray moved = QByteArray(kExperiment).replace("Pos=0,0,0 }   //", "Pos=1,0,0 }   //");
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         close(QMessageBox::Cancel);
         QVERIFY(m_window->isVisible());
         QCOMPARE(onDisk(), kExperiment);
@@ -281,7 +282,7 @@ private Q_SLOTS:
     }
 
     void discardWritesNothing() {
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         close(QMessageBox::Discard);
         EVENTUALLY(!m_window->isVisible());
         QCOMPARE(onDisk(), kExperiment);
@@ -318,7 +319,7 @@ private:
     }
     QByteArray text() const {
         m_window->text().flush();
-        return QByteArray::fromStdString(*m_window->document().text(m_window->document().path()));
+        return QByteArray::fromStdString(*m_window->document().texts().text(m_window->document().path()));
     }
     OutlineView& tree() const { return m_window->findChild<OutlinePanel*>()->tree(); }
     OutlineModel& model() const { return m_window->findChild<OutlinePanel*>()->model(); }

@@ -21,7 +21,9 @@
 #include <set>
 
 #include "editor/cameras/movie_dialog.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/controller_dialogs.h"
+#include "editor/shell/project_questions.h"
 #include "editor/shell/share_dialog.h"
 #include "editor/shell/window_fixture.h"
 #include "eventually.h"
@@ -56,11 +58,11 @@ constexpr Question kQuestions[] = {
     {"shell/file_commands.cpp", "unsavedQuestion", "Save"},
     {"shell/group_dialog.cpp", "groupDialog", "Group"},
     {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
-    {"shell/main_window_commands.cpp", "journalsNotRead", "OK"},
-    {"shell/main_window_commands.cpp", "crashReport", "OK"},
-    {"shell/main_window_commands.cpp", "lockQuestion", "Open Read-Only"},
-    {"shell/main_window_commands.cpp", "diskQuestion", "Keep My Version"},
-    {"shell/main_window_commands.cpp", "about", "OK"},
+    {"shell/project_questions.cpp", "journalsNotRead", "OK"},
+    {"shell/project_questions.cpp", "crashReport", "OK"},
+    {"shell/project_questions.cpp", "lockQuestion", "Open Read-Only"},
+    {"shell/project_questions.cpp", "diskQuestion", "Keep My Version"},
+    {"shell/help_commands.cpp", "about", "OK"},
     {"shell/preferences_dialog.h", "preferences", ""},
     {"shell/preferences_dialog.cpp", "Keys in use", "No"},
     {"shell/recovery_dialog.h", "recovery", "Restore"},
@@ -122,7 +124,7 @@ private Q_SLOTS:
     void init() { QSettings().clear(); }
     void cleanup() {
         if (!m_window) return;
-        while (m_window->document().history().canUndo()) m_window->document().undo();
+        while (m_window->document().edits().history().canUndo()) m_window->document().edits().undo();
         if (std::exchange(m_ownFolder, false)) m_window.reset();
         m_lock.reset();
     }
@@ -225,7 +227,7 @@ private Q_SLOTS:
         for (const Question& question : kQuestions) {
             if (ofOtherWindows.contains(question.name)) continue;
             openAndClose(QLatin1String(question.name), [](QDialog&) {});
-            while (m_window->document().history().canUndo()) m_window->document().undo();
+            while (m_window->document().edits().history().canUndo()) m_window->document().edits().undo();
             change();
         }
         change();
@@ -311,7 +313,7 @@ private:
         if (!selected.empty()) m_window->selection().set(selected);
         m_window->actions().at(action).trigger();
     }
-    void edit() { QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok()); }
+    void edit() { QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok()); }
     /// Leaves a journal with edits of a file, as a killed window does.
     void leaveJournal(const char* name) const {
         Journal left(projectFolderOf(path(name).toStdString()), {path(name).toStdString(), {}});
@@ -372,9 +374,9 @@ private:
         };
         m_openers[QStringLiteral("chooseController")] = [this] {
             openWindow();
-            (void)chooseController(
-                controllerChoices(*m_window->document().loaded(), m_fixture.application->moduleKinds({}), findLocations().modules),
-                {"robot0"}, m_window.get());
+            (void)chooseController(controllerChoices(*m_window->document().loaded(), m_fixture.application->moduleKinds({}),
+                                                     findLocations().modules),
+                                   {"robot0"}, m_window.get());
         };
         m_openers[QStringLiteral("shareQuestion")] = [this] {
             openWindow();
@@ -405,7 +407,7 @@ private:
             write("crashes/7.txt", "the controller Zoo of rover (/opt/robots/modules/libzoo.so) crashed in update at t = 0.49 s: "
                                    "Segmentation fault\n");
             openWindow();
-            m_window->showCrashReports(path("crashes"));
+            m_window->questions().showCrashReports(path("crashes"));
         };
         m_openers[QStringLiteral("lockQuestion")] = [this] {
             makeOwnFolder();
@@ -419,7 +421,7 @@ private:
             openWindow();
             edit();
             write("main.sim", QByteArray(kMain).replace("robot0 { Config=Rover", "robot0 { Config=Rover Pos=7,0,0"));
-            m_window->document().checkExternalChanges();
+            m_window->document().disk().check();
         };
         m_openers[QStringLiteral("recovery")] = [this] {
             makeOwnFolder();

@@ -13,6 +13,7 @@
 
 #include "app/application.h"
 #include "editor/shell/main_window.h"
+#include "editor/shell/work_area.h"
 #include "editor/widgets/theme.h"
 #include "render/service.h"
 
@@ -64,8 +65,8 @@ int main(int argc, char** argv) {
         while (time.elapsed() < kMaxMs && (time.elapsed() < kLeastMs || !window.isSettled() || !done()));
     };
     window.setLayout(Layout::Run);
-    if (!window.document().open(argv[1]).ok()) return std::fprintf(stderr, "no %s\n", argv[1]), 1;
-    window.showText(false);
+    if (!window.document().opening().open(argv[1]).ok()) return std::fprintf(stderr, "no %s\n", argv[1]), 1;
+    window.work().showText(false);
     auto* dock = window.findChild<QDockWidget*>(QStringLiteral("dock.") + QString::fromLocal8Bit(argv[5]));
     if (!dock) return std::fprintf(stderr, "no dock %s\n", argv[5]), 2;
     dock->raise();
@@ -73,7 +74,8 @@ int main(int argc, char** argv) {
     if (const double seconds = std::atof(argv[4]); seconds > 0) {
         window.session().setSpeed(0);
         window.session().runFor(seconds);
-        settle([&] { return window.session().state() == RunState::Paused && window.session().results().time() > seconds - 1e-9; });
+        settle(
+            [&] { return window.session().state() == RunState::Paused && window.session().results().time() > seconds - 1e-9; });
     }
     for (int i = 6; i < argc; ++i) {
         if (!apply(window, QString::fromLocal8Bit(argv[i]))) return std::fprintf(stderr, "what is %s?\n", argv[i]), 2;

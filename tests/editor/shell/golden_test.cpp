@@ -19,6 +19,7 @@
 #include <filesystem>
 
 #include "app/application.h"
+#include "editor/document/structure_edits.h"
 #include "editor/shell/main_window.h"
 #include "editor/text/code_edit.h"
 #include "editor/widgets/theme.h"
@@ -162,7 +163,7 @@ private:
         open(QStringLiteral("rover.sim"));
         m_window->selection().select("rover");
         act("tool.move");
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move rover"), {{"rover.Pos", "-1.2,0.5,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move rover"), {{"rover.Pos", "-1.2,0.5,0"}}).ok());
     }
     void run() {
         open(QStringLiteral("rover.sim"));

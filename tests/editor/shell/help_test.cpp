@@ -45,7 +45,7 @@ private Q_SLOTS:
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         QVERIFY(m_window->open(path));
-        EVENTUALLY(!m_window->document().isOpening());
+        EVENTUALLY(!m_window->document().opening().isOpening());
     }
     void cleanup() { m_window.reset(); }
 

@@ -166,7 +166,7 @@ private:
         m_worlds.push_back(window.session().results().snapshot);
         if (round % 3 == 1) window.actions().at("sim.reset").trigger();
         if (round % 3 == 2) window.actions().at("sim.pause").trigger();
-        if (round % 2) EVENTUALLY(window.viewport().isUpToDate());
+        if (round % 2) EVENTUALLY(window.viewport().views().isUpToDate());
     }
     /// After each round: no object of it is alive, except perhaps those of the image drawn last.
     void enter(const MainWindow& window) {

@@ -45,8 +45,8 @@ private Q_SLOTS:
         QLineEdit& search = open();
         QTest::keyClicks(&search, QStringLiteral("Insert PoseLog"));
         QTest::keyClick(&search, Qt::Key_Return);
-        QCOMPARE(m_window->document().history().entries().size(), 1u);
-        QCOMPARE(m_window->document().history().entries()[0].name, QStringLiteral("Add PoseLog"));
+        QCOMPARE(m_window->document().edits().history().entries().size(), 1u);
+        QCOMPARE(m_window->document().edits().history().entries()[0].name, QStringLiteral("Add PoseLog"));
     }
 
 private:

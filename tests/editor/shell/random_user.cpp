@@ -134,7 +134,7 @@ void RandomUser::answerQuestion() {
 // ---- parts of the window ----
 
 OutlinePanel& RandomUser::outline() const { return *m_window.findChild<OutlinePanel*>(); }
-View& RandomUser::view() const { return m_window.viewport().current(); }
+View& RandomUser::view() const { return m_window.viewport().views().current(); }
 
 void RandomUser::trigger(const char* action) {
     QAction& wanted = m_window.actions().at(action);

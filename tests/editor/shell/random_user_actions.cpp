@@ -29,7 +29,7 @@ bool RandomUser::dragHandle(const char* tool, Handle handle) {
     trigger(tool);
     const auto spot = view().tools().gizmo().spot(handle);
     if (!spot || !view().rect().contains(spot->toPoint())) return false;
-    const QByteArray before = QByteArray::fromStdString(*m_window.document().text(m_window.document().path()));
+    const QByteArray before = QByteArray::fromStdString(*m_window.document().texts().text(m_window.document().path()));
     view().setFocus();
     mouse(view(), QEvent::MouseButtonPress, *spot, Qt::LeftButton);
     QPointF to = *spot;
@@ -42,7 +42,7 @@ bool RandomUser::dragHandle(const char* tool, Handle handle) {
     if (below(6) == 0) QTest::keyClicks(&view(), QStringLiteral("0.25"));
     if (below(4) == 0) {
         QTest::keyClick(&view(), Qt::Key_Escape);
-        if (before != QByteArray::fromStdString(*m_window.document().text(m_window.document().path())))
+        if (before != QByteArray::fromStdString(*m_window.document().texts().text(m_window.document().path())))
             m_trouble = QStringLiteral("Esc in a drag left another text");
     }
     mouse(view(), QEvent::MouseButtonRelease, to, Qt::NoButton);
@@ -70,7 +70,7 @@ void RandomUser::nudge() {
     view().setFocus();
     static const std::vector<Qt::Key> keys{Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp};
     for (std::size_t i = below(3) + 1; i > 0; --i) QTest::keyClick(&view(), oneOf(keys));
-    if (below(2)) m_window.document().endMerge(); // as any other user action does
+    if (below(2)) m_window.document().edits().endMerge(); // as any other user action does
 }
 
 void RandomUser::dropToFloor() {
@@ -81,7 +81,7 @@ void RandomUser::dropToFloor() {
 
 void RandomUser::caretSomewhere() {
     TextPanel& panel = m_window.text();
-    if (below(4) == 0) panel.openFile(oneOf(m_window.document().files()));
+    if (below(4) == 0) panel.openFile(oneOf(m_window.document().texts().files()));
     CodeEdit& edit = panel.page()->edit();
     const auto at = static_cast<std::uint32_t>(below(edit.bytes().size() + 1));
     edit.setFocus();
@@ -223,8 +223,8 @@ void RandomUser::redo() {
 
 /// Undoes or redoes a few entries: most edits are undone at the end.
 void RandomUser::leap() {
-    const std::size_t at = m_window.document().history().position() + below(9);
-    m_window.document().moveTo(at < 4 ? 0 : at - 4);
+    const std::size_t at = m_window.document().edits().history().position() + below(9);
+    m_window.document().edits().moveTo(at < 4 ? 0 : at - 4);
 }
 
 void RandomUser::save() { trigger("file.save"); }

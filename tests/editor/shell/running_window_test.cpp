@@ -7,8 +7,10 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "editor/document/structure_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/shell/window_fixture.h"
+#include "editor/shell/work_area.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
@@ -60,7 +62,7 @@ private Q_SLOTS:
         applyTheme(*qApp, ThemeKind::Light);
         const QStringList light = inks();
         m_window->actions().at("sim.step").trigger(); // there is a link to its logs
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "0.5,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "0.5,0,0"}}).ok());
         EVENTUALLY(m_window->session().state() == RunState::Paused);
         m_window->selection().select("robot0");
         QApplication::processEvents();
@@ -90,7 +92,7 @@ private Q_SLOTS:
         EVENTUALLY(!problems->visibleRegion().isEmpty());
         console->raise(); // a dock that the user raises stays in front
         EVENTUALLY(problems->visibleRegion().isEmpty());
-        QVERIFY(m_window->document().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
         QVERIFY(problems->visibleRegion().isEmpty());
     }
 
@@ -133,7 +135,7 @@ private Q_SLOTS:
         open("message.sim", kRobot);
         Q_EMIT m_window->document().refused(QStringLiteral("no"));
         m_window->statusBar()->showMessage(QStringLiteral("Saved a picture"));
-        QVERIFY(m_window->document().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
         QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("Saved a picture"));
     }
 
@@ -167,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->actions().at("view.text").isChecked());
         m_window->actions().at("view.layoutEdit").trigger();
         QVERIFY(m_window->text().isVisible());
-        m_window->showText(false); // a user who hid the text does not get it back
+        m_window->work().showText(false); // a user who hid the text does not get it back
         m_window->actions().at("view.layoutRun").trigger();
         m_window->actions().at("view.layoutEdit").trigger();
         QVERIFY(!m_window->text().isVisible());

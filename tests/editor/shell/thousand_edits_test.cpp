@@ -76,7 +76,7 @@ private Q_SLOTS:
     void cleanup() {
         if (QTest::currentTestFailed()) {
             qWarning("TRUNDLE_SEED=%u, step %d: %s", m_seed, m_step, qPrintable(m_action));
-            const auto& entries = document().history().entries();
+            const auto& entries = document().edits().history().entries();
             for (std::size_t i = entries.size() < 5 ? 0 : entries.size() - 5; i < entries.size(); ++i)
                 qWarning("  entry %zu: %s", i + 1, qPrintable(entries[i].name));
         }
@@ -99,14 +99,14 @@ private Q_SLOTS:
         for (m_step = 1; m_step <= edits; ++m_step) {
             user.step();
             if (qEnvironmentVariableIsSet("TRUNDLE_VERBOSE"))
-                qInfo("step %d: %s; %zu of %zu", m_step, user.doing(), document().history().position(),
-                      document().history().entries().size());
+                qInfo("step %d: %s; %zu of %zu", m_step, user.doing(), document().edits().history().position(),
+                      document().edits().history().entries().size());
             m_action = QLatin1String(user.doing());
             QVERIFY2(user.trouble().isEmpty(), qPrintable(user.trouble()));
             check();
             if (QTest::currentTestFailed()) return;
         }
-        QVERIFY2(document().history().entries().size() > 5, "too little came of it");
+        QVERIFY2(document().edits().history().entries().size() > 5, "too little came of it");
         m_answers.insert(user.answers().begin(), user.answers().end());
         if (edits == 1000) QVERIFY2(!user.answers().empty(), "nothing was ever asked about a shared config");
 
@@ -145,20 +145,20 @@ private:
     [[nodiscard]] Texts texts() {
         m_window->text().flush();
         Texts all;
-        for (const std::string& file : document().files()) all.emplace(file, *document().text(file));
+        for (const std::string& file : document().texts().files()) all.emplace(file, *document().texts().text(file));
         return all;
     }
     void compare(const Texts& wanted) {
-        for (const auto& [file, text] : wanted) QCOMPARE(*document().text(file), text);
+        for (const auto& [file, text] : wanted) QCOMPARE(*document().texts().text(file), text);
         const Texts now = texts();
         QCOMPARE(now.size(), wanted.size());
         check();
     }
     void goThrough(const char* action) {
         while (m_window->actions().at(action).isEnabled()) {
-            const std::size_t before = document().history().position();
+            const std::size_t before = document().edits().history().position();
             m_window->actions().at(action).trigger();
-            QVERIFY(document().history().position() != before);
+            QVERIFY(document().edits().history().position() != before);
             check();
             if (QTest::currentTestFailed()) return;
         }
@@ -168,21 +168,21 @@ private:
     void check() {
         m_window->text().flush();
         Document& d = document();
-        for (const std::string& file : d.files()) m_known.insert(file);
+        for (const std::string& file : d.texts().files()) m_known.insert(file);
         bool modified = false;
         for (const std::string& file : m_known) {
-            const bool differs = onDisk(file) != *d.text(file);
-            QVERIFY2(d.isModified(file) == differs, file.c_str());
+            const bool differs = onDisk(file) != *d.texts().text(file);
+            QVERIFY2(d.texts().isModified(file) == differs, file.c_str());
             modified = modified || differs;
         }
-        QCOMPARE(d.isModified(), modified);
+        QCOMPARE(d.texts().isModified(), modified);
         QCOMPARE(m_window->isWindowModified(), modified);
         for (const FilePage* page : m_window->text().pages()) {
             QVERIFY(!page->pending());
-            QCOMPARE(const_cast<FilePage*>(page)->edit().bytes(), *d.text(page->file()));
+            QCOMPARE(const_cast<FilePage*>(page)->edit().bytes(), *d.texts().text(page->file()));
         }
-        QCOMPARE(m_window->actions().at("edit.undo").isEnabled(), d.history().canUndo());
-        QCOMPARE(m_window->actions().at("edit.redo").isEnabled(), d.history().canRedo());
+        QCOMPARE(m_window->actions().at("edit.undo").isEnabled(), d.edits().history().canUndo());
+        QCOMPARE(m_window->actions().at("edit.redo").isEnabled(), d.edits().history().canRedo());
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;

@@ -85,7 +85,7 @@ private Q_SLOTS:
         edit.select({at, at});
         m_window->selection().select("middle");
         EVENTUALLY(m_window->isSettled());
-        View& view = m_window->viewport().current();
+        View& view = m_window->viewport().views().current();
         auto* tree = m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"));
         const QPointer<QWidget> row = m_window->findChild<QWidget*>(QStringLiteral("row.Pos"));
         QVERIFY(row && row->isVisible());

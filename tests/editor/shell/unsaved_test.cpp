@@ -41,7 +41,7 @@ private Q_SLOTS:
         QVERIFY(!document().loaded()->diagnostics.hasErrors());
     }
     void cleanup() {
-        while (document().history().canUndo()) document().undo();
+        while (document().edits().history().canUndo()) document().edits().undo();
         m_window.reset();
     }
 
@@ -64,9 +64,9 @@ private Q_SLOTS:
 
         const QString asked = question();
         for (const char* name : {"main.sim", "rover.sim", "looks.sim"}) QVERIFY2(asked.contains(QLatin1String(name)), name);
-        document().undo(); // undoes the edit of looks.sim
+        document().edits().undo(); // undoes the edit of looks.sim
         QVERIFY(!question().contains(QStringLiteral("looks.sim")));
-        QVERIFY(document().save().ok());
+        QVERIFY(document().saving().save().ok());
         QCOMPARE(m_window->windowTitle(), QStringLiteral("main.sim[*] – Trundle"));
         QCOMPARE(tabs(), (QStringList{QStringLiteral("main.sim"), QStringLiteral("rover.sim"), QStringLiteral("looks.sim")}));
     }
@@ -84,10 +84,10 @@ private Q_SLOTS:
         QVERIFY2(box->text().contains(QStringLiteral("Rover")) && box->text().contains(QStringLiteral("rover.sim")),
                  qPrintable(box->text()));
         QVERIFY2(box->informativeText().contains(QStringLiteral("main.sim")), qPrintable(box->informativeText()));
-        QVERIFY(!document().isModified()); // nothing changes before the answer
+        QVERIFY(!document().texts().isModified()); // nothing changes before the answer
         box->findChild<QAbstractButton*>(QStringLiteral("makeCopy"))->click();
         QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("main.sim")});
-        document().undo();
+        document().edits().undo();
         EVENTUALLY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
         insert(); // asked only once
         QVERIFY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
@@ -99,7 +99,7 @@ private Q_SLOTS:
         auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
         QVERIFY(box);
         QTest::keyClick(box, Qt::Key_Escape);
-        QVERIFY(!document().isModified());
+        QVERIFY(!document().texts().isModified());
         EVENTUALLY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
         insert();
         box = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
@@ -113,7 +113,7 @@ private Q_SLOTS:
         const auto apply = [this](const StructureEdits::Plan& plan) {
             return document().structure().apply(QStringLiteral("Edit"), {}, plan).ok();
         };
-        QVERIFY(document().setValues(QStringLiteral("Set"), {{"robot0.b.hull.Mass", "2"}}, {}).ok());
+        QVERIFY(document().structure().setValues(QStringLiteral("Set"), {{"robot0.b.hull.Mass", "2"}}, {}).ok());
         m_window->selection().set({"robot1", "robot0"});
         const std::vector<std::string> both = m_window->selection().paths();
         QVERIFY(apply([](const auto& loaded, const auto&) { return planPushOverride(loaded, "robot0.b.hull.Mass"); }));
@@ -134,7 +134,8 @@ private:
     }
     void edit(const char* name) {
         const std::string file = path(name).toStdString();
-        QVERIFY(document().replaceText(QStringLiteral("Typing"), file, *document().text(file) + "// more\n").ok());
+        QVERIFY(
+            document().edits().replaceText(QStringLiteral("Typing"), file, *document().texts().text(file) + "// more\n").ok());
     }
     void insert() {
         QVERIFY(document()

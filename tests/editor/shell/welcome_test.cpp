@@ -14,6 +14,7 @@
 #include <QTextBrowser>
 #include <QtTest>
 
+#include "editor/shell/project_questions.h"
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/widgets/theme.h"
@@ -76,7 +77,8 @@ private Q_SLOTS:
         QTest::mouseClick(recent(), Qt::LeftButton);
         EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
         QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("restoreEdits")), Qt::LeftButton);
-        QCOMPARE(QByteArray::fromStdString(*m_window->document().text(path.toStdString())), QByteArray(kText) + "Duration = 3\n");
+        QCOMPARE(QByteArray::fromStdString(*m_window->document().texts().text(path.toStdString())),
+                 QByteArray(kText) + "Duration = 3\n");
         m_window->actions().at("file.save").trigger();
         m_window->actions().at("file.close").trigger();
         QCOMPARE(recent()->text(), QStringLiteral("mine.sim"));
@@ -149,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(QFile::link(path, crashes + QStringLiteral("/link.txt")));
         m_window = m_fixture.window();
         m_window->show();
-        m_window->showCrashReports(crashes);
+        m_window->questions().showCrashReports(crashes);
         const auto message = [this] { return m_window->findChild<QMessageBox*>(QStringLiteral("crashReport")); };
         QVERIFY(message());
         QVERIFY2(message()->text().endsWith(
@@ -163,7 +165,7 @@ private Q_SLOTS:
         message()->button(QMessageBox::Ok)->click();
         EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
         EVENTUALLY(!message());
-        m_window->showCrashReports(crashes);
+        m_window->questions().showCrashReports(crashes);
         QVERIFY(!message());
         QVERIFY(QFile::exists(path));
     }
@@ -221,7 +223,7 @@ private Q_SLOTS:
         QCOMPARE(both->count(), 2);
         QVERIFY(!both->visualItemRect(both->item(0)).intersects(both->visualItemRect(both->item(1))));
         restore(QStringLiteral("mine.sim"));
-        QVERIFY(document.isModified());
+        QVERIFY(document.texts().isModified());
         EVENTUALLY(!dialog());
         QMetaObject::invokeMethod(&document, &Document::opened); // offers the remaining recoveries
         EVENTUALLY(dialog());
@@ -233,8 +235,8 @@ private Q_SLOTS:
         });
         restore(QStringLiteral("other.sim"));
         QVERIFY(asked);
-        QVERIFY(document.path().ends_with("mine.sim") && document.isModified());
-        QCOMPARE(document.recoveries().size(), 1u);
+        QVERIFY(document.path().ends_with("mine.sim") && document.texts().isModified());
+        QCOMPARE(document.recovery().recoveries().size(), 1u);
     }
 
     void whyAFileIsNotOpenedIsNotHidden() {
@@ -269,7 +271,7 @@ private Q_SLOTS:
             QVERIFY2(!loaded->diagnostics.hasErrors(), qPrintable(card));
             QCOMPARE(loaded->experiment->robots.size(), 1u);
             QCOMPARE(loaded->experiment->statics.size(), 1u);
-            QVERIFY(!m_window->document().isModified());
+            QVERIFY(!m_window->document().texts().isModified());
         }
     }
 
@@ -348,7 +350,7 @@ private Q_SLOTS:
         QVERIFY(progress && !progress->isVisible());
         EVENTUALLY(progress->isVisible());
         QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
-        QVERIFY(!m_window->document().isOpening());
+        QVERIFY(!m_window->document().opening().isOpening());
         EVENTUALLY(!progress);
         slow.hold = false;
         slow.hold.notify_all();

@@ -8,6 +8,7 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "editor/document/structure_edits.h"
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/text/text_panel.h"
@@ -88,7 +89,7 @@ private Q_SLOTS:
         m_window->statusBar()->showMessage(QStringLiteral("a hint"));
         const auto* file = m_window->findChild<QLabel*>(QStringLiteral("status.file"));
         QVERIFY(!file->isVisible());
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(!file->isVisible());
         m_window->statusBar()->clearMessage();
         QVERIFY(file->isVisible());
@@ -98,7 +99,7 @@ private Q_SLOTS:
         openExperiment();
         Q_EMIT m_window->document().refused(QStringLiteral("no"));
         QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("no"));
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
     }
 
@@ -180,7 +181,7 @@ private Q_SLOTS:
 
     void movedUndoneRedone() {
         openExperiment();
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move robot0"), {{"robot0.Pos", "-1.5,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move robot0"), {{"robot0.Pos", "-1.5,0,0"}}).ok());
         const QByteArray moved = QByteArray(kExperiment).replace("Pos=-1,0,0", "Pos=-1.5,0,0");
         QCOMPARE(text(), moved);
         QVERIFY(m_window->isWindowModified());
@@ -204,7 +205,7 @@ private Q_SLOTS:
         m_window->actions().at("sim.pause").trigger();
         EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
         QCOMPARE(text(), kExperiment);
-        QVERIFY(!m_window->document().history().canUndo());
+        QVERIFY(!m_window->document().edits().history().canUndo());
         m_window->actions().at("sim.reset").trigger();
         EVENTUALLY_EQUAL(m_window->session().state(), RunState::Start);
     }
@@ -218,13 +219,14 @@ private Q_SLOTS:
         QVERIFY(row);
         row->setFocus();
         m_window->actions().at("sim.run").trigger();
-        QVERIFY(m_window->viewport().current().hasFocus());
+        QVERIFY(m_window->viewport().views().current().hasFocus());
         m_window->actions().at("sim.reset").trigger();
     }
 
     void aTextWithErrorsOpensAndIsNotRun() {
         openExperiment();
         QVERIFY(m_window->document()
+                    .edits()
                     .replaceText(QStringLiteral("Typing"), path().toStdString(),
                                  QByteArray(kExperiment).replace("Config=SimpleRobot", "Config=SimpelRobot").toStdString())
                     .ok());
@@ -256,7 +258,7 @@ private Q_SLOTS:
             QVERIFY2(text() == kExperiment, name);
         }
         for (QWidget* place : {static_cast<QWidget*>(m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"))),
-                               static_cast<QWidget*>(&m_window->viewport().current())}) {
+                               static_cast<QWidget*>(&m_window->viewport().views().current())}) {
             pressIn(place);
             QVERIFY(!text().contains("robot0 {"));
             m_window->actions().at("edit.undo").trigger();
@@ -278,12 +280,12 @@ private Q_SLOTS:
 
     void showsExternalChangeBeforeChoice() {
         openExperiment();
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QFile file(path());
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(QByteArray(kExperiment).replace("Pos=-1,0,0", "Pos=7,0,0"));
         file.close();
-        m_window->document().checkExternalChanges();
+        m_window->document().disk().check();
         auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("diskQuestion"));
         QVERIFY(question && question->isVisible());
         for (const char* line : {"- ", "Pos=1,0,0", "+ ", "Pos=7,0,0"})
@@ -309,7 +311,7 @@ private Q_SLOTS:
         const auto middleOf = [this](QWidget& panel) { return QPointF(panel.mapTo(m_window.get(), panel.rect().center())); };
         QVERIFY(drop(QPointF(300, 300))); // on the Welcome page
         EVENTUALLY(m_window->document().isOpen());
-        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         m_window->actions().at("file.save").trigger();
         for (QWidget* panel : {static_cast<QWidget*>(&m_window->text()), static_cast<QWidget*>(&m_window->viewport())}) {
             QSignalSpy opened(&m_window->document(), &Document::opened);
@@ -320,7 +322,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->isWindowModified());
         carried.setUrls({QUrl::fromLocalFile(m_folder.path())});
         QVERIFY(!drop(middleOf(m_window->viewport())));
-        m_window->document().close();
+        m_window->document().opening().close();
     }
 
     void canPauseWhilePushing() {
@@ -329,7 +331,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         EVENTUALLY(m_window->isSettled());
         RunSession& session = m_window->session();
-        View& view = m_window->viewport().current();
+        View& view = m_window->viewport().views().current();
         view.setFocus();
         QTest::keyClick(&view, Qt::Key_F5);
         EVENTUALLY(session.results().poses && session.results().time() > 0.02);
@@ -426,7 +428,7 @@ private:
     QString path() const { return m_folder.filePath(QStringLiteral("mine.sim")); }
     QByteArray text() const {
         m_window->text().flush();
-        return QByteArray::fromStdString(*m_window->document().text(m_window->document().path()));
+        return QByteArray::fromStdString(*m_window->document().texts().text(m_window->document().path()));
     }
     void openExperiment() {
         QVERIFY(m_window->open(path()));

@@ -67,7 +67,7 @@ void HelpTest::completionIsOneEntry() {
     QVERIFY(w.text().contains("Material material { }Robot"));
     QCOMPARE(w.selected(), QByteArray("material"));
     QCOMPARE(w.history().last(), QStringLiteral("Complete Material"));
-    while (w.document.history().canUndo()) w.key(Qt::Key_Z, Qt::ControlModifier);
+    while (w.document.edits().history().canUndo()) w.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(w.shown(), QByteArray(kTwoBalls));
 }
 
@@ -233,7 +233,7 @@ void HelpTest::problemsAreMarked() {
     w.key(Qt::Key_Return);
     QVERIFY(squiggle(at + 18)); // the squiggle moves with its word at once
     w.panel.flush();
-    while (w.document.history().canUndo()) w.document.undo();
+    while (w.document.edits().history().canUndo()) w.document.edits().undo();
     QVERIFY(!squiggle(at));
 }
 

@@ -48,10 +48,10 @@ void LargeTextTest::showsLargeTextsOnRequest() {
     QByteArray typed = large;
     typed.replace(qsizetype(place), 5, "x");
     QVERIFY(window.text() == typed);
-    window.document.undo();
+    window.document.edits().undo();
     QVERIFY(window.shown() == large);
     // Another file is shown in full, with syntax highlighting.
-    window.panel.reveal(window.document.files()[1], {0, 5});
+    window.panel.reveal(window.document.texts().files()[1], {0, 5});
     QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
     QCOMPARE(window.edit().styleAt(0), TextStyle::Keyword);
 }
@@ -62,7 +62,7 @@ void LargeTextTest::aLargeTextIsNotCopied() {
     TextFixture window;
     const std::string file = window.write("main.sim", largeText("// what was written here once\n"));
     window.open(file);
-    QCOMPARE(static_cast<const void*>(window.document.text(file)->data()),
+    QCOMPARE(static_cast<const void*>(window.document.texts().text(file)->data()),
              static_cast<const void*>(window.document.loaded()->trees[0]->source().bytes().data()));
     connect(&window.edit(), &QsciScintillaBase::SCN_MODIFIED, this, [&] { ++notifications; });
     QTest::mouseClick(window.page().findChild<QPushButton*>(QStringLiteral("openAsText")), Qt::LeftButton);
@@ -90,10 +90,10 @@ void LargeTextTest::aTextThatShrinksIsShown() {
     const std::string file = window.write("main.sim", large);
     window.open(file);
     QVERIFY(!window.page().isTextShown());
-    QVERIFY(window.document.replaceText(QStringLiteral("Shorter"), file, "Param p = 1\n").ok());
+    QVERIFY(window.document.edits().replaceText(QStringLiteral("Shorter"), file, "Param p = 1\n").ok());
     QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
     QCOMPARE(window.shown(), QByteArray("Param p = 1\n"));
-    window.document.undo();
+    window.document.edits().undo();
     QVERIFY(!window.page().isTextShown() && window.edit().bytes().empty());
     QVERIFY(window.text() == large);
 }
@@ -112,7 +112,8 @@ void LargeTextTest::marksModelDiagnostics() {
     };
     QVERIFY(marked(12) && marked(19) && !marked(11) && !marked(20));
     QCOMPARE(window.page().problems().size(), std::size_t(1)); // hover and Alt+Enter use these
-    QVERIFY(window.document.replaceText(QStringLiteral("Other"), window.page().file(), "Tick = 0.02\nDuration = 1\n").ok());
+    QVERIFY(
+        window.document.edits().replaceText(QStringLiteral("Other"), window.page().file(), "Tick = 0.02\nDuration = 1\n").ok());
     QVERIFY(!marked(12)); // problems of other texts are not shown
     window.panel.setModelProblems(window.document.loaded(), {warning});
     QVERIFY(marked(12));

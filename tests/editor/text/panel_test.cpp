@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSettings>
 
+#include "editor/document/structure_edits.h"
 #include "editor/text/text_fixture.h"
 #include "eventually.h"
 
@@ -48,7 +49,7 @@ void PanelTest::showsTheOpenedFile() {
     QCOMPARE(w.edit().styleAt(0), TextStyle::Comment);
     QCOMPARE(w.edit().styleAt(static_cast<std::uint32_t>(w.shown().indexOf("Material red"))), TextStyle::Kind);
     QVERIFY(w.page().problems().empty());
-    QVERIFY(!w.document.history().canUndo());
+    QVERIFY(!w.document.edits().history().canUndo());
 }
 
 void PanelTest::typedWordIsOneEntry() {
@@ -118,10 +119,10 @@ void PanelTest::undoGivesTheSameBytes() {
     QCOMPARE(w.shown(), w.text());
     QVERIFY(w.text() != bytes);
     const QByteArray typed = w.text();
-    while (w.document.history().canUndo()) w.key(Qt::Key_Z, Qt::ControlModifier);
+    while (w.document.edits().history().canUndo()) w.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(w.text(), bytes);
     QCOMPARE(w.shown(), bytes);
-    while (w.document.history().canRedo()) w.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    while (w.document.edits().history().canRedo()) w.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(w.text(), typed);
     QCOMPARE(w.shown(), typed);
 }
@@ -156,7 +157,7 @@ void PanelTest::editsElsewhereKeepTheCaret() {
     openDrive(w);
     w.caretAt("Config=Ball", 7);
     const QByteArray behind = w.shown().mid(w.edit().caret());
-    QVERIFY(w.document.setValues(QStringLiteral("Move"), {{"Tick", "0.002"}, {"floor.Pos", "1,2,3"}}));
+    QVERIFY(w.document.structure().setValues(QStringLiteral("Move"), {{"Tick", "0.002"}, {"floor.Pos", "1,2,3"}}));
     QCOMPARE(w.shown(), w.text());
     QVERIFY(w.shown().contains("Tick = 0.002"));
     QCOMPARE(w.shown().mid(w.edit().caret()), behind);
@@ -171,14 +172,14 @@ void PanelTest::editsElsewhereKeepWhatIsTyped() {
     w.caretAt("Pos=0,0,1", 9);
     w.keys("  HPR=5,0,0");
     QVERIFY(w.page().pending());
-    QVERIFY(w.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.002"}})); // as a property row does
+    QVERIFY(w.document.structure().setValues(QStringLiteral("Tick"), {{"Tick", "0.002"}})); // as a property row does
     w.panel.flush();
     QVERIFY(w.text().contains("Pos=0,0,1  HPR=5,0,0"));
     QVERIFY(w.text().contains("Tick = 0.002"));
     QCOMPARE(w.shown(), w.text());
     QCOMPARE(w.history(), (QStringList{QStringLiteral("Tick"), QStringLiteral("Type “HPR=5,0,0” at drive.sim:9")}));
-    w.document.undo();
-    w.document.undo();
+    w.document.edits().undo();
+    w.document.edits().undo();
     QCOMPARE(w.text(), QByteArray(kDrive));
     QCOMPARE(w.shown(), QByteArray(kDrive));
 }
@@ -192,7 +193,7 @@ void PanelTest::editsElsewhereKeepFolds() {
     };
     QVERIFY(visible(6));
     QVERIFY(!visible(7));
-    QVERIFY(w.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.002"}, {"floor.Pos", "1,2,3"}}));
+    QVERIFY(w.document.structure().setValues(QStringLiteral("Tick"), {{"Tick", "0.002"}, {"floor.Pos", "1,2,3"}}));
     QVERIFY(visible(6));
     QVERIFY(!visible(7));
 }
@@ -335,7 +336,7 @@ void PanelTest::undoRestoresTypedText() {
         case 7: w.key(Qt::Key_Tab); break;
         case 8: w.key(Qt::Key_Z, Qt::ControlModifier); break;
         case 9: w.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); break;
-        case 10: (void)w.document.setValues(QStringLiteral("Row"), {{"Tick", i % 2 ? "0.002" : "0.003"}}); break;
+        case 10: (void)w.document.structure().setValues(QStringLiteral("Row"), {{"Tick", i % 2 ? "0.002" : "0.003"}}); break;
         case 11: EVENTUALLY(!w.page().pending()); break;
         case 12: {
             const auto at = static_cast<std::uint32_t>(random() % static_cast<std::size_t>(w.shown().size() + 1));
@@ -352,14 +353,14 @@ void PanelTest::undoRestoresTypedText() {
     w.panel.flush();
     const QByteArray end = w.text();
     QCOMPARE(w.shown(), end);
-    while (w.document.history().canRedo()) w.document.redo();
+    while (w.document.edits().history().canRedo()) w.document.edits().redo();
     const QByteArray last = w.text();
-    while (w.document.history().canUndo()) {
-        w.document.undo();
+    while (w.document.edits().history().canUndo()) {
+        w.document.edits().undo();
         QCOMPARE(w.shown(), w.text());
     }
     QCOMPARE(w.shown(), start);
-    while (w.document.history().canRedo()) w.document.redo();
+    while (w.document.edits().history().canRedo()) w.document.edits().redo();
     QCOMPARE(w.shown(), last);
 }
 
@@ -398,7 +399,7 @@ void PanelTest::rejectedTypingIsReverted() {
     TextFixture first, w; // a second window with the same project
     const std::string path = openDrive(first);
     w.open(path);
-    QVERIFY(w.document.isReadOnly());
+    QVERIFY(w.document.access().isReadOnly());
     QSignalSpy refused(&w.document, &Document::refused);
     w.caretAt("Material red", 3);
     w.keys("XY");
@@ -410,7 +411,7 @@ void PanelTest::rejectedTypingIsReverted() {
     QCOMPARE(w.shown(), QByteArray(kDrive));
     QVERIFY(!refused.isEmpty());
     QVERIFY(refused[0][0].toString().contains(QStringLiteral("this window has it read-only")));
-    w.document.editAnyway();
+    w.document.access().editAnyway();
     w.caretAt("Tick");
     w.keys("Seed=1 ");
     w.panel.flush();

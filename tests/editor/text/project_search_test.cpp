@@ -74,7 +74,7 @@ void ProjectSearchTest::findsInTheProjectsFolder() {
     QTest::keyClick(list, Qt::Key_Return); // opens the file in a tab
     QCOMPARE(w.page().file(), w.other);
     QCOMPARE(w.selected(), QByteArray("third"));
-    QVERIFY(!w.document.isModified());
+    QVERIFY(!w.document.texts().isModified());
     QTest::keyClick(list, Qt::Key_Home);
     QTest::keyClick(list, Qt::Key_Return);
     QVERIFY(w.page().edit().isPlain()); // not part of the experiment
@@ -83,12 +83,12 @@ void ProjectSearchTest::findsInTheProjectsFolder() {
 void ProjectSearchTest::findsWhatIsNotSaved() {
     SearchedProject w;
     w.panel.openFile(w.other);
-    QVERIFY(w.document.replaceText(QStringLiteral("Type"), w.other, "// fifth\n").ok());
+    QVERIFY(w.document.edits().replaceText(QStringLiteral("Type"), w.other, "// fifth\n").ok());
     QCOMPARE(w.listed(QStringLiteral("fifth")), QStringList{QStringLiteral("other.sim:1")});
     QCOMPARE(w.listed(QStringLiteral("fourth")), QStringList()); // the file on disk still has it
     QCOMPARE(w.onDisk(w.other), QByteArray(kOther));
-    QVERIFY(w.document.isModified(w.other));
-    QVERIFY(w.document.save().ok());
+    QVERIFY(w.document.texts().isModified(w.other));
+    QVERIFY(w.document.saving().save().ok());
     QCOMPARE(w.onDisk(w.other), QByteArray("// fifth\n"));
 }
 
@@ -101,11 +101,11 @@ void ProjectSearchTest::replacesInTheProject() {
     QTest::mouseClick(w.child<QPushButton>("replaceAll"), Qt::LeftButton);
     QVERIFY(w.text(w.other).contains("Robot last {"));
     QCOMPARE(w.history(), QStringList{QStringLiteral("Replace All")});
-    QCOMPARE(w.document.modifiedFiles(), std::vector<std::string>{w.other});
+    QCOMPARE(w.document.texts().modifiedFiles(), std::vector<std::string>{w.other});
     QVERIFY(w.panel.pageOf(w.other)); // each modified file has a tab
-    w.document.undo();
+    w.document.edits().undo();
     QCOMPARE(w.text(w.other), QByteArray(kOther));
-    QVERIFY(!w.document.isModified());
+    QVERIFY(!w.document.texts().isModified());
 }
 
 void ProjectSearchTest::renamesInOtherTexts_data() {
@@ -134,10 +134,10 @@ void ProjectSearchTest::renamesInOtherTexts() {
     if (others) QCOMPARE(w.text(w.other), QByteArray(kOther).replace("Ball", "Sphere1"));
     else QVERIFY(w.text(w.other).isEmpty());
     QCOMPARE(w.onDisk(w.other), QByteArray(kOther));
-    QVERIFY(w.document.save().ok());
+    QVERIFY(w.document.saving().save().ok());
     QCOMPARE(w.onDisk(w.other), others ? QByteArray(kOther).replace("Ball", "Sphere1") : QByteArray(kOther));
     QCOMPARE(w.onDisk(w.own), QByteArray(kOwnBall));
-    w.document.undo();
+    w.document.edits().undo();
     QCOMPARE(w.text(), QByteArray(kTwoBalls));
     if (others) QCOMPARE(w.text(w.other), QByteArray(kOther));
 }
@@ -175,7 +175,7 @@ void ProjectSearchTest::whatCameWithTheProgramIsNotRenamed() {
     QTest::keyClick(name, Qt::Key_Return);
     QVERIFY2(w.child<QLabel>("renameError")->text().contains(QStringLiteral("read-only")),
              qPrintable(w.child<QLabel>("renameError")->text()));
-    QVERIFY(!w.document.isModified());
+    QVERIFY(!w.document.texts().isModified());
     QCOMPARE(w.text(), QByteArray(kUser));
     QVERIFY(w.text(other).isEmpty());
 }

@@ -73,12 +73,12 @@ void SearchTest::renamesWhatIsNamedAtTheCaret() {
     QTest::keyClick(name, Qt::Key_Return);
     QVERIFY(!name->isVisible());
     EVENTUALLY(w.edit().hasFocus());
-    QCOMPARE(w.text(w.document.files()[0]), drive);
+    QCOMPARE(w.text(w.document.texts().files()[0]), drive);
     QCOMPARE(w.text(w.parts), parts);
     QCOMPARE(w.history().size(), 1);
     QVERIFY(w.history().last().startsWith(QStringLiteral("Rename ")));
-    w.document.undo();
-    QCOMPARE(w.text(w.document.files()[0]), QByteArray(kTwoBalls));
+    w.document.edits().undo();
+    QCOMPARE(w.text(w.document.texts().files()[0]), QByteArray(kTwoBalls));
     QCOMPARE(w.text(w.parts), QByteArray(kBallConfig));
 }
 
@@ -101,7 +101,7 @@ void SearchTest::rejectsUnavailableNameInPlace() {
     QVERIFY(!name->isVisible());
     EVENTUALLY(w.edit().hasFocus());
     QCOMPARE(w.text(), QByteArray(kTwoBalls));
-    QVERIFY(!w.document.history().canUndo());
+    QVERIFY(!w.document.edits().history().canUndo());
 }
 
 void SearchTest::rejectsRenameWithoutName() {
@@ -187,7 +187,7 @@ void SearchTest::replacesAllAsOneEntry() {
     QVERIFY(w.text(w.parts).contains("Sphere ball"));
     QCOMPARE(w.history(), QStringList{QStringLiteral("Replace All")});
     QCOMPARE(w.child<QLabel>("findSaid")->text(), QStringLiteral("3 replaced"));
-    w.document.undo();
+    w.document.edits().undo();
     QCOMPARE(w.text(), QByteArray(kTwoBalls));
     QCOMPARE(w.text(w.parts), QByteArray(kBallConfig));
     // Matches are marked again.

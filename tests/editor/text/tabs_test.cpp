@@ -38,7 +38,7 @@ void TabsTest::namesOfFilesAreWhole() {
         imports += "#import " + name.toUtf8() + '\n';
     }
     w.open(w.write("drive.sim", imports));
-    for (const std::string& file : w.document.files()) QVERIFY(w.panel.openFile(file));
+    for (const std::string& file : w.document.texts().files()) QVERIFY(w.panel.openFile(file));
     const auto* bar = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->tabBar();
     QCOMPARE(bar->count(), 4);
     w.panel.window()->resize(320, 400);
@@ -50,7 +50,7 @@ void TabsTest::namesOfFilesAreWhole() {
 void TabsTest::tabsFollowTheDocument() {
     TextFixture w;
     const std::string drive = openDrive(w);
-    const std::string parts = w.document.files().at(1);
+    const std::string parts = w.document.texts().files().at(1);
     auto* tabs = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"));
     QVERIFY(w.panel.openFile(parts));
     QCOMPARE(tabs->count(), 2);
@@ -62,7 +62,7 @@ void TabsTest::tabsFollowTheDocument() {
     QVERIFY(w.text(parts).contains("Param size = 10.1"));
     QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim*"));
     QCOMPARE(tabs->tabText(0), QStringLiteral("drive.sim"));
-    w.document.undo();
+    w.document.edits().undo();
     QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim"));
     const auto buttons = [tabs] { return tabs->findChildren<QToolButton*>(QStringLiteral("closeTab")); };
     QCOMPARE(buttons().size(), 1); // the opened file has no close button
@@ -70,7 +70,7 @@ void TabsTest::tabsFollowTheDocument() {
     QCOMPARE(tabs->count(), 1);
     EVENTUALLY(buttons().isEmpty());
     QVERIFY(tabs->tabBar()->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly).size() <= 2); // scroll buttons
-    QVERIFY(w.document.saveAs(w.folder.filePath(QStringLiteral("other.sim")).toStdString()));
+    QVERIFY(w.document.saving().saveAs(w.folder.filePath(QStringLiteral("other.sim")).toStdString()));
     QCOMPARE(tabs->tabText(0), QStringLiteral("other.sim"));
     w.caretAt("Tick");
     w.keys("x");
@@ -85,22 +85,22 @@ void TabsTest::namesOfFilesAreShownAsTheyAre() {
     const std::string drive = openDrive(w);
     const auto* tabs = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"));
     const auto shown = [tabs] { return tabs->tabText(0); };
-    QVERIFY(w.document.saveAs(w.folder.filePath(QStringLiteral("a&b %1 <b>.sim")).toStdString()));
+    QVERIFY(w.document.saving().saveAs(w.folder.filePath(QStringLiteral("a&b %1 <b>.sim")).toStdString()));
     QCOMPARE(shown(), QStringLiteral("a&&b %1 <b>.sim"));
     w.caretAt("Tick");
     w.keys("x");
     w.panel.flush();
     QCOMPARE(shown(), QStringLiteral("a&&b %1 <b>.sim*"));
-    const std::string typed = w.document.history().entries().back().name.toStdString();
+    const std::string typed = w.document.edits().history().entries().back().name.toStdString();
     QVERIFY2(typed.find("a&b %1 <b>.sim:") != std::string::npos, typed.c_str()); // %1 is not substituted
 }
 
 void TabsTest::closesTabsOfRemovedFiles() {
     TextFixture w;
     openDrive(w);
-    const std::string parts = w.document.files().at(1);
+    const std::string parts = w.document.texts().files().at(1);
     QVERIFY(w.panel.openFile(parts));
-    QVERIFY(w.panel.openFile(w.document.files().front()));
+    QVERIFY(w.panel.openFile(w.document.texts().files().front()));
     w.edit().setFocus();
     w.caretAt("#import", 0);
     w.keys("// ");
@@ -120,17 +120,17 @@ void TabsTest::closesTabsOfFilesThatUndoRemoves() {
     const int before = tabs->count();
     w.edit().setFocus();
     for (const bool typed : {false, true}) {
-        QVERIFY(w.document.replaceText(QStringLiteral("Group"), piece, "// a piece\n").ok());
+        QVERIFY(w.document.edits().replaceText(QStringLiteral("Group"), piece, "// a piece\n").ok());
         QCOMPARE(tabs->count(), before + 1);
         if (typed) {
             QVERIFY(w.panel.openFile(piece));
             w.edit().setFocus();
         }
-        w.document.undo();
+        w.document.edits().undo();
         QCOMPARE(tabs->count(), before + typed);
-        w.document.redo();
+        w.document.edits().redo();
         QCOMPARE(tabs->count(), before + 1);
-        w.document.undo();
+        w.document.edits().undo();
     }
 }
 
@@ -141,7 +141,7 @@ void TabsTest::cursorSelects() {
     QVERIFY(w.selection.empty()); // only the user's caret moves select
     w.key(Qt::Key_Right);
     EVENTUALLY_EQUAL(w.selection.current(), std::string("ball"));
-    QVERIFY(w.panel.openFile(w.document.files().at(1)));
+    QVERIFY(w.panel.openFile(w.document.texts().files().at(1)));
     w.edit().setFocus();
     w.caretAt("Radius");
     w.key(Qt::Key_Right);
@@ -173,7 +173,7 @@ void TabsTest::selectionIsMarked() {
 void TabsTest::closedDocumentIsEmpty() {
     TextFixture w;
     openDrive(w);
-    w.document.close();
+    w.document.opening().close();
     QVERIFY(!w.panel.page());
     w.panel.flush();
     w.panel.reveal("nowhere.sim", {0, 1});
@@ -187,7 +187,7 @@ void TabsTest::ctrlClickFollows() {
     const auto at = static_cast<std::uint32_t>(w.shown().indexOf("parts.sim") + 2);
     const QPoint place = w.edit().placeOf(at) - QPoint(-2, w.edit().lineHeight() / 2);
     QTest::mouseClick(w.edit().viewport(), Qt::LeftButton, Qt::ControlModifier, place);
-    QCOMPARE(w.page().file(), w.document.files().at(1));
+    QCOMPARE(w.page().file(), w.document.texts().files().at(1));
     QCOMPARE(w.shown(), QByteArray(kParts));
 }
 
@@ -196,12 +196,12 @@ void TabsTest::revealKeepsKeyboardFocus() {
     openDrive(w);
     w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->setFocusPolicy(Qt::StrongFocus);
     w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->setFocus();
-    w.panel.reveal(w.document.files().at(1), {0, 11});
+    w.panel.reveal(w.document.texts().files().at(1), {0, 11});
     QCOMPARE(w.edit().selection(), (TextRange{0, 11}));
     QVERIFY(!w.edit().hasFocus());
-    w.panel.reveal(w.document.files().at(0), {0, 4}, true);
+    w.panel.reveal(w.document.texts().files().at(0), {0, 4}, true);
     QVERIFY(w.edit().hasFocus());
-    w.panel.reveal(w.document.files().at(0), {4000000, 4000001}); // beyond the end of the text
+    w.panel.reveal(w.document.texts().files().at(0), {4000000, 4000001}); // beyond the end of the text
     QCOMPARE(w.edit().caret(), static_cast<std::uint32_t>(w.shown().size()));
 }
 

@@ -60,7 +60,7 @@ struct TextFixture {
     }
     /// Opens the file and shows the window with the focus in the text.
     void open(const std::string& path) {
-        const Status opened = document.open(path);
+        const Status opened = document.opening().open(path);
         if (!opened) qFatal("%s", opened.error().message.c_str());
         panel.resize(900, 600);
         panel.show();
@@ -71,7 +71,7 @@ struct TextFixture {
     [[nodiscard]] FilePage& page() { return *panel.page(); }
     [[nodiscard]] CodeEdit& edit() { return panel.page()->edit(); }
     [[nodiscard]] QByteArray text(const std::string& file) const {
-        const auto text = document.text(file);
+        const auto text = document.texts().text(file);
         return text ? QByteArray::fromStdString(*text) : QByteArray();
     }
     [[nodiscard]] QByteArray text() { return text(page().file()); }
@@ -91,7 +91,7 @@ struct TextFixture {
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&edit(), key, modifiers); }
     [[nodiscard]] QStringList history() const {
         QStringList names;
-        for (const auto& entry : document.history().entries()) names << entry.name;
+        for (const auto& entry : document.edits().history().entries()) names << entry.name;
         return names;
     }
 };

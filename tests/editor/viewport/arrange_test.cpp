@@ -29,7 +29,7 @@ private Q_SLOTS:
         m_window->trigger("tool.drop");
         QVERIFY2(m_window->text().contains("Pos=-0.5,0,0 ") && m_window->text().contains("Pos=0.5,0.3,0 "),
                  m_window->text().constData());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         // One above the other.
         QVERIFY(m_window->open(QByteArray(kRoom).replace("Pos=0.5,0.3,0", "Pos=-0.5,0,1")));
         m_window->selection.select("robot1");
@@ -43,8 +43,8 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=-0.5,0.3,0"), m_window->text().constData());
         alignSelected(viewContext(), 0, AlignTo::Low);
         QVERIFY2(m_window->text().contains("Pos=0.5,0.3,0 HPR=0,0,0 } // the first"), m_window->text().constData());
-        m_window->document.undo();
-        m_window->document.undo();
+        m_window->document.edits().undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -66,8 +66,8 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(5));
         QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
         QCOMPARE(m_window->selection.paths().size(), std::size_t(4));
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        m_window->document.undo();
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains(
                      "Grid robot0 { Config=SimpleRobot Pos=0,0.3,0 Count=3,2 Spacing=0.5,0.6 HPR=0,0,0 } // the first"),
                  m_window->text().constData());
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
         m_window->selection.select("robot0");
         copyInRows(viewContext(), {{3, 1, 1}, {-0.5, 0.6, 1}, true}); // in the negative direction: a Grid's Spacing has no sign

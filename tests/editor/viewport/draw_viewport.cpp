@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     auto render = RenderService::startInBackground();
     ViewWindow window(render.get());
     window.panel->resize(1280, 760);
-    if (!window.document.open(argv[1]).ok()) return std::fprintf(stderr, "no %s\n", argv[1]), 1;
+    if (!window.document.opening().open(argv[1]).ok()) return std::fprintf(stderr, "no %s\n", argv[1]), 1;
     if (!argument(4).isEmpty()) {
         std::vector<std::string> paths;
         for (const QString& path : argument(4).split(QLatin1Char(','))) paths.push_back(path.toStdString());

@@ -1,6 +1,7 @@
 // The 3D views: when they draw, navigation, overlays, render styles and measuring.
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
@@ -14,33 +15,34 @@ private Q_SLOTS:
     void init() {
         m_window = std::make_unique<ViewWindow>(m_render.get());
         QVERIFY(m_window->open(kRoom));
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
     }
     void cleanup() { m_window.reset(); }
 
     void oneEditIsOnePictureInEachView() {
         m_window->trigger("view.two");
-        EVENTUALLY(m_window->panel->isUpToDate());
-        const int first = m_window->panel->view(0).image().redraws(), second = m_window->panel->view(1).image().redraws();
-        const int hidden = m_window->panel->view(2).image().redraws();
-        QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
-        EVENTUALLY(m_window->panel->isUpToDate());
-        QCOMPARE(m_window->panel->view(0).image().redraws(), first + 1);
-        QCOMPARE(m_window->panel->view(1).image().redraws(), second + 1);
-        QCOMPARE(m_window->panel->view(2).image().redraws(), hidden);
+        EVENTUALLY(m_window->panel->views().isUpToDate());
+        const int first = m_window->panel->views().view(0).image().redraws(),
+                  second = m_window->panel->views().view(1).image().redraws();
+        const int hidden = m_window->panel->views().view(2).image().redraws();
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
+        QCOMPARE(m_window->panel->views().view(0).image().redraws(), first + 1);
+        QCOMPARE(m_window->panel->views().view(1).image().redraws(), second + 1);
+        QCOMPARE(m_window->panel->views().view(2).image().redraws(), hidden);
     }
 
     void manyChangesOfOneMomentAreOnePicture() {
         const int before = m_window->view().image().redraws();
         for (int i = 0; i < 5; ++i) m_window->selection.select(i % 2 ? "robot0" : "robot1");
         for (int i = 0; i < 20; ++i) m_window->view().redraw();
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         QCOMPARE(m_window->view().image().redraws(), before + 1);
     }
 
     void refinesPictureWhenIdle() {
         EVENTUALLY_EQUAL(m_window->view().image().refinements(), 1);
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const int redraws = m_window->view().image().redraws();
         // Iterations of the event loop without an event of the view.
         for (int i = 0; i < 200; ++i) QCoreApplication::processEvents();
@@ -50,13 +52,13 @@ private Q_SLOTS:
 
     void refinementDoesNotDelayNewImages() {
         m_window->panel->resize(1800, 1400); // so that drawing takes long
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const int finer = m_window->view().image().refinements();
         while (m_window->view().image().refinements() == finer) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         const int before = m_window->view().image().redraws();
         QSignalSpy shown(&m_window->view().image(), &ViewImage::shown);
         m_window->selection.select("robot0");
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         QCOMPARE(m_window->view().image().redraws(), before + 1);
         QVERIFY(shown.size() >= 1);
         QVERIFY(orange(m_window->view().image().picture()) > 100);
@@ -68,34 +70,34 @@ private Q_SLOTS:
     void hiddenPanelRequestsNothing() {
         m_window->panel->hide();
         const int before = m_window->view().image().redraws();
-        QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
         for (int i = 0; i < 100; ++i) QCoreApplication::processEvents();
         QCOMPARE(m_window->view().image().redraws(), before);
         m_window->panel->show();
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         QCOMPARE(m_window->view().image().redraws(), before + 1);
     }
 
     void aSelectedRobotHasAnOutline() {
         const QImage plain = m_window->view().image().picture();
         m_window->selection.select("robot0");
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 100);
+        EVENTUALLY(m_window->panel->views().isUpToDate() && orange(m_window->view().image().picture()) > 100);
         QCOMPARE(orange(plain), 0);
         m_window->selection.select("robot0.chassis.bumper");
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 20);
+        EVENTUALLY(m_window->panel->views().isUpToDate() && orange(m_window->view().image().picture()) > 20);
         m_window->selection.select("RobotConfig.SimpleRobot.chassis"); // outlined in both robots
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 100);
+        EVENTUALLY(m_window->panel->views().isUpToDate() && orange(m_window->view().image().picture()) > 100);
         m_window->selection.select("arena.floor"); // infinite, so it has no outline
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) == 0);
+        EVENTUALLY(m_window->panel->views().isUpToDate() && orange(m_window->view().image().picture()) == 0);
     }
 
     void omitsHiddenObjects() {
         m_window->selection.select("robot0");
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 100);
-        m_window->panel->setHidden({"robot0"});
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) == 0);
-        m_window->panel->setHidden({"robot0.chassis.hull", "arena"});
-        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().image().picture()) > 20);
+        EVENTUALLY(m_window->panel->views().isUpToDate() && orange(m_window->view().image().picture()) > 100);
+        m_window->panel->world().setHidden({"robot0"});
+        EVENTUALLY(m_window->panel->views().isUpToDate() && orange(m_window->view().image().picture()) == 0);
+        m_window->panel->world().setHidden({"robot0.chassis.hull", "arena"});
+        EVENTUALLY(m_window->panel->views().isUpToDate() && orange(m_window->view().image().picture()) > 20);
     }
 
     void theWheelZoomsToTheCursor() {
@@ -159,17 +161,17 @@ private Q_SLOTS:
                                                            {"view.perspective", ViewKind::Perspective}}) {
             m_window->trigger(id);
             QCOMPARE(m_window->view().camera().free().kind(), kind);
-            EVENTUALLY(m_window->panel->isUpToDate());
+            EVENTUALLY(m_window->panel->views().isUpToDate());
         }
         m_window->trigger("view.four");
-        for (int i = 0; i < 4; ++i) QVERIFY(m_window->panel->view(i).isVisible());
-        EVENTUALLY(m_window->panel->isUpToDate());
+        for (int i = 0; i < 4; ++i) QVERIFY(m_window->panel->views().view(i).isVisible());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         m_window->trigger("view.three");
-        QVERIFY(!m_window->panel->view(2).isVisible());
-        QVERIFY(m_window->panel->view(0).height() > 1.8 * m_window->panel->view(3).height());
-        EVENTUALLY(m_window->panel->isUpToDate());
+        QVERIFY(!m_window->panel->views().view(2).isVisible());
+        QVERIFY(m_window->panel->views().view(0).height() > 1.8 * m_window->panel->views().view(3).height());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         m_window->trigger("view.one");
-        QVERIFY(!m_window->panel->view(1).isVisible() && !m_window->panel->view(3).isVisible());
+        QVERIFY(!m_window->panel->views().view(1).isVisible() && !m_window->panel->views().view(3).isVisible());
     }
 
     void framingShowsTheSelection() {
@@ -184,22 +186,22 @@ private Q_SLOTS:
     void showsBrokenObjectAsGhost() {
         const QPointF hull = m_window->at({0.5, 0.3, 0.1});
         EVENTUALLY_EQUAL(m_window->view().image().refinements(), 1);
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const QColor before = m_window->view().image().picture().pixelColor(hull.toPoint());
         // The config of the second robot is missing now.
-        const std::string file = m_window->document.files().front();
+        const std::string file = m_window->document.texts().files().front();
         const std::string broken =
             QByteArray(kRoom).replace("robot1 { Config=SimpleRobot", "robot1 { Config=Nothing").toStdString();
-        QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, broken).ok());
+        QVERIFY(m_window->document.edits().replaceText(QStringLiteral("typing"), file, broken).ok());
         QCOMPARE(m_window->panel->world().objects()->experiment().robots.size(), std::size_t(1));
         EVENTUALLY_EQUAL(m_window->view().image().refinements(), 2);
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const QColor ghost = m_window->view().image().picture().pixelColor(hull.toPoint());
         const std::string gone =
             QByteArray(kRoom).split('\n').mid(0, 5).join('\n').toStdString() + "\nRobot x { Config=Nothing }\n";
-        QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, gone).ok());
+        QVERIFY(m_window->document.edits().replaceText(QStringLiteral("typing"), file, gone).ok());
         EVENTUALLY_EQUAL(m_window->view().image().refinements(), 3);
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const QColor floor = m_window->view().image().picture().pixelColor(hull.toPoint());
         QVERIFY(ghost != before);
         QVERIFY(ghost != floor);
@@ -291,7 +293,7 @@ private Q_SLOTS:
     void measuringShowsTheDistance() {
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
         m_window->trigger("tool.measure");
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const QImage before = m_window->view().grab().toImage();
         m_window->click(m_window->at({-0.3, -0.8, 0}));
         m_window->click(m_window->at({0.7, -0.8, 0}));
@@ -302,7 +304,7 @@ private Q_SLOTS:
     }
 
     void hintsLeaveTheScaleBarToBeRead() {
-        m_window->panel->setViewCount(4);
+        m_window->panel->views().setViewCount(4);
         EVENTUALLY(m_window->panel->isSettled());
         View& view = m_window->view();
         const int bar = view.height() - 76; // beside it: the axes
@@ -316,9 +318,9 @@ private Q_SLOTS:
 
     void oneMeasuresFromOneViewToAnother() {
         m_window->trigger("tool.measure");
-        m_window->panel->setViewCount(2);
+        m_window->panel->views().setViewCount(2);
         EVENTUALLY(m_window->panel->isSettled());
-        View &first = m_window->panel->view(0), &second = m_window->panel->view(1);
+        View &first = m_window->panel->views().view(0), &second = m_window->panel->views().view(1);
         const auto click = [](View& view, const Vec3& point) {
             QTest::mouseClick(&view, Qt::LeftButton, {}, view.camera().pixelOf(point).value().toPoint());
         };

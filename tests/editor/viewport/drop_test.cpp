@@ -28,7 +28,7 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=0.2,-0.7,0"), m_window->text().constData());
         QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(3));
         QCOMPARE(m_window->selection.paths().size(), std::size_t(1));
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -60,7 +60,7 @@ private Q_SLOTS:
         drop("Material", "Material blue { ColorRGB=0,0,1 }", {}, {0, 0, 0.5});
         QVERIFY2(m_window->text().contains("Box crate { Size=1,1,1 Material=blue }"),
                  m_window->text().constData()); // its only instance
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
     }
 
     void dropOnSideFacePlacesBeside() {
@@ -97,23 +97,24 @@ private Q_SLOTS:
         };
         const auto drag = [&](QDragMoveEvent&& event) { QCoreApplication::sendEvent(&view, &event); };
         drag(QDragEnterEvent(m_window->at(places[0]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
-        EVENTUALLY(m_window->panel->isUpToDate() && isSeen(places[0]) && !isSeen(places[1]));
-        const SceneId scene = m_window->panel->world().drawnScene();
+        EVENTUALLY(m_window->panel->views().isUpToDate() && isSeen(places[0]) && !isSeen(places[1]));
+        const SceneId scene = m_window->panel->world().dragged().scene();
         drag(QDragMoveEvent(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
-        EVENTUALLY(m_window->panel->isUpToDate() && isSeen(places[1]) && !isSeen(places[0]));
-        QVERIFY(scene == m_window->panel->world().drawnScene()); // the scene was not rebuilt
-        QVERIFY(m_window->document.loaded()->experiment->robots.empty() && m_window->document.history().entries().empty());
+        EVENTUALLY(m_window->panel->views().isUpToDate() && isSeen(places[1]) && !isSeen(places[0]));
+        QVERIFY(scene == m_window->panel->world().dragged().scene()); // the scene was not rebuilt
+        QVERIFY(m_window->document.loaded()->experiment->robots.empty() &&
+                m_window->document.edits().history().entries().empty());
         QDragLeaveEvent leave;
         QCoreApplication::sendEvent(&view, &leave);
         EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(view.image().picture() == before);
         // The drop places it where the preview was.
         drag(QDragEnterEvent(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
-        const Pose shown = m_window->panel->world().dragged().value();
+        const Pose shown = m_window->panel->world().dragged().pose().value();
         QDropEvent event(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&view, &event);
         QVERIFY((m_window->document.loaded()->experiment->robots.at(0).pose.position - shown.position).norm() < 1e-9);
-        QVERIFY(!m_window->panel->world().dragged());
+        QVERIFY(!m_window->panel->world().dragged().pose());
     }
 
     void aShapeOnARobotTouchesTheFaceItFallsOn() {
@@ -133,8 +134,8 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Robot robot0 { Config=SimpleRobot Pos=0.2,-0.7,0 HPR=0,0,0 } // the first"),
                  m_window->text().constData());
         QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(2));
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        m_window->document.undo();
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -144,8 +145,8 @@ private Q_SLOTS:
         QCOMPARE(dropRows({"robot0"}, {0.5, 0.3, 0}), Qt::MoveAction);
         const Vec3 beside = m_window->document.loaded()->experiment->robots.at(0).pose.position;
         QVERIFY2((beside - Vec3(0.5, 0.3, 0)).norm() > 0.1, m_window->text().constData());
-        m_window->document.undo();
-        m_window->panel->setHidden({"robot1"});
+        m_window->document.edits().undo();
+        m_window->panel->world().setHidden({"robot1"});
         QCOMPARE(dropRows({"robot0"}, {0.5, 0.3, 0}), Qt::MoveAction);
         QVERIFY2(m_window->text().contains("Pos=0.5,0.3,0 HPR=0,0,0 } // the first"), m_window->text().constData());
     }
@@ -163,7 +164,7 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=-0.5,0,0"), m_window->text().constData());
         QVERIFY2(m_window->text().contains("Pos=0.2,-0.7,0"), m_window->text().constData());
         QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(3));
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
     }
 
     void reportsUnmovableObjects() {

@@ -1,6 +1,7 @@
 // The gizmo: moving, rotating and scaling objects by its handles.
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/gizmo_hand.h"
 
 using namespace trundle;
@@ -28,11 +29,11 @@ private Q_SLOTS:
         dragBy(kMoveX, {0.35, 0, 0}, Qt::NoModifier);
         QByteArray expected = kRoom;
         QCOMPARE(m_window->text(), expected.replace("Pos=-0.5,0,0", "Pos=-0.15,0,0"));
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Move robot0"));
-        m_window->document.undo();
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries()[0].name, QStringLiteral("Move robot0"));
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
-        m_window->document.redo();
+        m_window->document.edits().redo();
         QCOMPARE(m_window->text(), expected);
     }
 
@@ -66,12 +67,12 @@ private Q_SLOTS:
         for (int i = 1; i <= 9; ++i) m_window->move(on(10 + 5 * i), {}, Qt::LeftButton);
         m_window->release(on(55));
         QVERIFY2(m_window->text().contains("Pos=-0.5,0,0 HPR=45,0,0 } // the first"), m_window->text().constData());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
     }
 
     void escapeGivesTheSameBytes() {
-        QVERIFY(m_window->document.setValues(QStringLiteral("Set Tick"), {{"Tick", "0.02"}}).ok());
-        m_window->document.undo();
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("Set Tick"), {{"Tick", "0.02"}}).ok());
+        m_window->document.edits().undo();
         take("robot0", "tool.move");
         const QPointF from = *m_window->view().tools().gizmo().spot(kMoveX);
         m_window->press(from);
@@ -79,10 +80,10 @@ private Q_SLOTS:
         QVERIFY(m_window->text() != kRoom);
         m_window->key(Qt::Key_Escape);
         QCOMPARE(m_window->text(), kRoom);
-        QVERIFY(!m_window->document.history().canUndo());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1)); // the redo entries are still available
-        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Set Tick"));
-        QVERIFY(!m_window->document.isModified());
+        QVERIFY(!m_window->document.edits().history().canUndo());
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1)); // the redo entries are still available
+        QCOMPARE(m_window->document.edits().history().entries()[0].name, QStringLiteral("Set Tick"));
+        QVERIFY(!m_window->document.texts().isModified());
         m_window->move(from + QPointF(200, 0), {}, Qt::LeftButton);
         m_window->release(from + QPointF(200, 0));
         QCOMPARE(m_window->text(), kRoom);
@@ -101,7 +102,7 @@ private Q_SLOTS:
         m_window->move(from + QPointF(90, 4), {}, Qt::LeftButton); // the drag is cancelled, though the button is pressed
         m_window->release(from + QPointF(90, 4));
         QVERIFY(m_window->text().contains("Pos=-0.25,0,0"));
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
     }
 
     void aTypedNumberMayCarryItsUnit() {
@@ -139,8 +140,8 @@ private Q_SLOTS:
         m_window->trigger("tool.move");
         dragBy(kMoveX, {-0.25, 0, 0}, Qt::NoModifier);
         QVERIFY(m_window->text().contains("Pos=-0.75,0,0") && m_window->text().contains("Pos=0.25,0.3,0"));
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Move 2 objects"));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries()[0].name, QStringLiteral("Move 2 objects"));
     }
 
     void movesNestedSelectionOnce() {
@@ -174,7 +175,7 @@ private Q_SLOTS:
         dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {-0.34, 0, 0.07});
         QVERIFY2(m_window->text().contains("chassis.bumper.Pos"), m_window->text().constData());
         QVERIFY2(m_window->text().contains("0.16,0,0.17"), m_window->text().constData());
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -198,8 +199,8 @@ private Q_SLOTS:
         take("StaticConfig.Yard.wall", "tool.scale");
         dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.15});
         QVERIFY2(m_window->text().contains("Size=40 cm, 0.2, 0.5  Pos=$(high-0.3), 0, 0.25 }"), m_window->text().constData());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        m_window->document.undo();
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), walled);
         // The handle at the other end moves the other side.
         take("StaticConfig.Yard.wall", "tool.scale");
@@ -230,7 +231,7 @@ private Q_SLOTS:
         QTRY_VERIFY2(m_window->text().contains("Size=0.6, 0.4, 0.4  Pos=0,0,0.2"), m_window->text().constData());
         m_window->release(from + way, Qt::LeftButton, Qt::AltModifier);
         QVERIFY2(m_window->text().contains("Size=0.6, 0.4, 0.4  Pos=0,0,0.2"), m_window->text().constData());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
     }
 
     void aTurnedShapeGrowsAlongItsOwnAxis() {
@@ -261,8 +262,8 @@ private Q_SLOTS:
         const QPointF tip = 2 * spot - middle - 11 * along; // outer end of the handle's line
         for (const double beyond : {4.0, 12.0}) {
             m_window->drag(tip + beyond * along, tip + 90 * along);
-            QCOMPARE(m_window->document.history().canUndo(), beyond < 7);
-            m_window->document.undo();
+            QCOMPARE(m_window->document.edits().history().canUndo(), beyond < 7);
+            m_window->document.edits().undo();
             take("robot0", "tool.move");
         }
     }
@@ -285,7 +286,7 @@ private Q_SLOTS:
         QVERIFY2(!m_window->text().contains("Grid") && m_window->text().contains("Robot swarm_1"), m_window->text().constData());
         take("swarm_1", "tool.move");
         QVERIFY(m_window->view().tools().gizmo().spot(kMoveX));
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QVERIFY(m_window->text().contains("Grid swarm { Config=SimpleRobot Pos=0,0,0 Count=2 Spacing=1 }"));
     }
 
@@ -306,8 +307,8 @@ private Q_SLOTS:
         m_window->key(Qt::Key_Right, Qt::ShiftModifier); // ten steps
         m_window->key(Qt::Key_PageUp, Qt::ShiftModifier);
         QVERIFY2(m_window->text().contains("Pos=0.1,0.05,0.55"), m_window->text().constData());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        m_window->document.undo();
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -319,7 +320,7 @@ private Q_SLOTS:
         take("robot0", "tool.move");
         dragBy(kMoveX, {0.1, 0, 0}, Qt::NoModifier);
         QVERIFY2(m_window->text().contains("Pos=-0.4,0,0"), m_window->text().constData());
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), before);
     }
 

@@ -34,7 +34,7 @@ private Q_SLOTS:
     void valuesArePinnedOverTheView() {
         QAction& pin = m_window->actions.at("view.pinValues");
         const auto shown = [this] { return m_window->view().grab().toImage().copy(8, 44, 180, 80); };
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const QImage plain = shown();
         m_window->selection.select("robot0.leftMotor");
         QVERIFY(!pin.isChecked());
@@ -52,7 +52,9 @@ private Q_SLOTS:
         QCOMPARE(m_window->panel->pinned().paths().size(), 2u);
         // Pins of missing objects are removed; the same action unpins.
         m_window->selection.clear();
-        QVERIFY(m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"robot1"})).ok());
+        QVERIFY(m_window->document.edits()
+                    .apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"robot1"}))
+                    .ok());
         QCOMPARE(m_window->panel->pinned().paths(), std::vector<std::string>{"robot0.leftMotor"});
         m_window->selection.select("robot0.leftMotor");
         QVERIFY(pin.isChecked());
@@ -93,10 +95,11 @@ private Q_SLOTS:
         QVERIFY(m_window->document.structure().rename(QStringLiteral("Rename"), "robot0", "rover").ok());
         QCOMPARE(pinned.paths(), (Paths{"rover", "rover.leftMotor", "robot1", ""}));
         QCOMPARE(*pinned.pins().front().position, QPointF(0.5, 0.5));
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(pinned.paths(), (Paths{"robot0", "robot0.leftMotor", "robot1", ""}));
         const auto put = [this](const QByteArray& text) {
-            return m_window->document.replaceText(QStringLiteral("Type"), m_window->document.files().front(), text.toStdString())
+            return m_window->document.edits()
+                .replaceText(QStringLiteral("Type"), m_window->document.texts().files().front(), text.toStdString())
                 .ok();
         };
         QVERIFY(put(QByteArray(kRoom).replace("Robot robot0 {", "Robot  {")) &&
@@ -112,16 +115,17 @@ private Q_SLOTS:
                          log = "FrameLog frames { View=overview Interval=1 }\n";
         for (const bool logged : {false, true}) {
             QVERIFY(m_window->open(kRoom + view + (logged ? log : QByteArray())));
-            QVERIFY(m_window->panel->showView(QStringLiteral("overview")));
+            QVERIFY(m_window->panel->views().showView(QStringLiteral("overview")));
             step();
             QVERIFY(!m_window->session.edits().needsReset());
-            QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"overview.Eye", "1,2,3"}}).ok());
+            QVERIFY(m_window->document.structure().setValues(QStringLiteral("Set"), {{"overview.Eye", "1,2,3"}}).ok());
             EVENTUALLY((m_window->view().camera().free().view().eye - Vec3(1, 2, 3)).norm() < 1e-9);
             QCOMPARE(m_window->session.edits().needsReset(), logged);
             if (logged) continue;
-            m_window->document.undo();
-            QVERIFY(
-                m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"overview"})).ok());
+            m_window->document.edits().undo();
+            QVERIFY(m_window->document.edits()
+                        .apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"overview"}))
+                        .ok());
             QVERIFY(!m_window->session.edits().needsReset());
         }
     }
@@ -131,17 +135,17 @@ private Q_SLOTS:
         QVERIFY(m_window->open(kRoom + "Surface ice { Friction=0.5 }\n"));
         const ViewportScene& world = m_window->panel->world();
         const SceneId scene = world.scene();
-        QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"Surface.ice.Friction", "0.25"}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("Set"), {{"Surface.ice.Friction", "0.25"}}).ok());
         QVERIFY(world.scene() == scene);
         QVERIFY(std::ranges::any_of(world.objects()->experiment().surfaces, [](const auto& s) { return s.friction == 0.25; }));
-        QVERIFY(m_window->document.setValues(QStringLiteral("Set"), {{"robot1.Pos", "0,1,0"}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("Set"), {{"robot1.Pos", "0,1,0"}}).ok());
         QVERIFY(world.scene() != scene);
     }
 
     void pinnedLabelsAreDraggedAndClosed() {
         PinnedValues& pinned = m_window->panel->pinned();
         pinned.set({"robot0", "robot0.leftMotor"}, true);
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const auto label = [this](const char* path) {
             for (const PinnedLabel& each : pinnedLabels(m_window->view()))
                 if (each.path == path) return each;
@@ -188,7 +192,7 @@ private Q_SLOTS:
         EVENTUALLY(keep->isVisible());
         QTest::mouseClick(keep, Qt::LeftButton);
         QVERIFY(m_window->text() != kRoom);
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -203,7 +207,7 @@ private Q_SLOTS:
         QVERIFY((m_window->session.robots().pose("robot0")->position - before).norm() > 0.05);
         m_window->key(Qt::Key_Escape);
         QVERIFY((m_window->session.robots().pose("robot0")->position - before).norm() < 1e-6);
-        QVERIFY(!m_window->document.history().canUndo());
+        QVERIFY(!m_window->document.edits().history().canUndo());
     }
 
     void partsAreNotMovedInARun() {
@@ -290,7 +294,7 @@ private Q_SLOTS:
         step();
         EVENTUALLY(m_window->session.results().snapshot && m_window->session.results().snapshot->contacts);
         QVERIFY(!m_window->session.results().snapshot->contacts->empty());
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         QVERIFY(!m_window->view().grab().isNull());
     }
 

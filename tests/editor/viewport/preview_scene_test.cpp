@@ -2,6 +2,7 @@
 // not in the text.
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/gizmo_tool.h"
 #include "editor/viewport/view_window.h"
@@ -35,7 +36,7 @@ private Q_SLOTS:
         QCOMPARE(selectedAt({0, 0, 0.5}), std::string("RobotConfig.Rover.chassis"));
         QCOMPARE(selectedAt({0, 0, 0.5}), std::string("RobotConfig.Rover.chassis.mast"));
         QCOMPARE(m_window->text(), kRover);
-        QVERIFY(!m_window->document.isModified());
+        QVERIFY(!m_window->document.texts().isModified());
     }
 
     void draggingEditsConfig() {
@@ -49,7 +50,7 @@ private Q_SLOTS:
         m_window->release(from);
         QCOMPARE(m_window->text(), QByteArray(kRover).replace("Pos=0,0,0.4", "Pos=0.1,0,0.4"));
         QCOMPARE(selectedAt({0.1, 0, 0.5}), std::string("RobotConfig.Rover")); // drawn at its current pose
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kRover);
     }
 
@@ -58,9 +59,9 @@ private Q_SLOTS:
         const ViewportScene& world = m_window->view().context().world;
         QVERIFY(world.find("RobotConfig.Rover.chassis.hull"));
         const QByteArray wrong = QByteArray(kRover).replace("Box hull", "Bxo hull");
-        QVERIFY(m_window->document.replaceText({}, m_window->document.files()[0], wrong.toStdString()).ok());
+        QVERIFY(m_window->document.edits().replaceText({}, m_window->document.texts().files()[0], wrong.toStdString()).ok());
         QVERIFY(world.find("RobotConfig.Rover.chassis.mast") && !world.find("RobotConfig.Rover.chassis.hull"));
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QVERIFY(world.find("RobotConfig.Rover.chassis.hull"));
     }
 
@@ -76,13 +77,14 @@ private Q_SLOTS:
 
     void showsOnlyPlacedObjects() {
         open(kRover);
-        QVERIFY(m_window->document.apply({}, planInsert(*m_window->document.loaded(), {}, "Robot one { Config=Rover Pos=0,1,0 }"))
+        QVERIFY(m_window->document.edits()
+                    .apply({}, planInsert(*m_window->document.loaded(), {}, "Robot one { Config=Rover Pos=0,1,0 }"))
                     .ok());
         const ViewportScene& world = m_window->view().context().world;
         QCOMPARE(world.objects()->instances().size(), std::size_t(1));
         QCOMPARE(world.objectsOf("RobotConfig.Rover.chassis").size(), std::size_t(1)); // of the instance; there is no preview
         QVERIFY(m_window->session.source().refusal().isEmpty());
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QVERIFY(world.find("RobotConfig.Rover.chassis"));
     }
 
@@ -103,8 +105,8 @@ private Q_SLOTS:
         QVERIFY(world.find("RobotConfig.Rover.chassis.mast"));
         QVERIFY(!session.robots().keepRefusal().isEmpty());
         QCOMPARE(m_window->text(), high);
-        QVERIFY(!m_window->document.isModified());
-        QVERIFY(m_window->document.setValues({}, {{"RobotConfig.Rover.chassis.mast.Mass", "2"}}).ok());
+        QVERIFY(!m_window->document.texts().isModified());
+        QVERIFY(m_window->document.structure().setValues({}, {{"RobotConfig.Rover.chassis.mast.Mass", "2"}}).ok());
         QVERIFY(session.edits().waitsForReset("RobotConfig.Rover.chassis.mast.Mass"));
         session.reset();
     }
@@ -121,7 +123,7 @@ private Q_SLOTS:
         QFile file(QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/templates/robot.sim"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray text = file.readAll();
-        QVERIFY(m_window->document.openNew("robot.sim", text.toStdString()).ok());
+        QVERIFY(m_window->document.opening().openNew("robot.sim", text.toStdString()).ok());
         QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
         QVERIFY(m_window->document.loaded()->experiment->robots.empty());
         const ViewportScene& world = m_window->view().context().world;
@@ -158,7 +160,7 @@ private Q_SLOTS:
         for (const char* folder : {"robots", "arenas"})
             for (const QFileInfo& file : QDir(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + QLatin1String(folder))
                                              .entryInfoList({QStringLiteral("*.sim")})) {
-                QVERIFY(m_window->document.open(file.filePath().toStdString()).ok());
+                QVERIFY(m_window->document.opening().open(file.filePath().toStdString()).ok());
                 const ObjectIndex& objects = *m_window->view().context().world.objects();
                 QVERIFY2(!objects.instances().empty(), qPrintable(file.fileName()));
             }

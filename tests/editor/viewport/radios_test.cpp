@@ -7,6 +7,7 @@
 #include <QThread>
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/radio/antenna_lobes.h"
 #include "editor/viewport/radio/radio_colours.h"
@@ -109,12 +110,12 @@ private Q_SLOTS:
         for (const double heading : {0.0, 90.0, 180.0}) {
             const double angle = heading * std::numbers::pi / 180;
             QVERIFY(m_window->session.robots().place("a", {Vec3::Zero(), rotationFromHpr({angle, 0, 0})}));
-            EVENTUALLY(m_window->panel->isUpToDate());
+            EVENTUALLY(m_window->panel->views().isUpToDate());
             EVENTUALLY(differs(bare, {ahead * std::cos(angle), ahead * std::sin(angle), 0.1}));
             QVERIFY(!differs(bare, {-ahead * std::cos(angle), -ahead * std::sin(angle), 0.1}));
         }
         m_window->trigger("view.overlayLobes");
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         QVERIFY(!m_window->panel->radios().inScene().shapes);
         QVERIFY(!differs(bare, {-ahead, 0, 0.1}));
     }
@@ -148,7 +149,7 @@ Robot a { Config=Turret }
         QCOMPARE(count(), std::size_t(1));
         m_window->selection.select("floor"); // has no antenna
         QCOMPARE(count(), std::size_t(3));
-        m_window->panel->setHidden({"a"});
+        m_window->panel->world().setHidden({"a"});
         QCOMPARE(count(), std::size_t(2));
     }
 
@@ -216,14 +217,14 @@ Robot a { Config=Turret }
         // An edit moves it: 4 dB are left.
         const double far = std::pow(10, (friis(1) + 46) / 20) - 0.4;
         const std::string place = QByteArray::number(far, 'f', 6).toStdString() + ",0,0";
-        QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"b.Pos", place}}).ok());
+        QVERIFY(m_window->document.structure().setValues(QStringLiteral("move"), {{"b.Pos", place}}).ok());
         EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(shows(middle, marginColour(kSlimMargin)));
         // A run moves it out of reach.
         step();
         QVERIFY(m_window->session.robots().place("b", {Vec3(9, 0, 0), Quat::Identity()}));
         EVENTUALLY(m_window->panel->radios().links() && m_window->panel->radios().links()->links.empty());
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         QVERIFY(!shows(middle, marginColour(kSlimMargin)));
         m_window->trigger("view.overlayLinks");
         QVERIFY(!m_window->panel->radios().links());
@@ -316,7 +317,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         const auto red = [&](double x) { return qRed(m_window->view().image().picture().pixel(m_window->at({x, 0.15, 0}))); };
         QVERIFY(red(0.15) > red(0.7));
         m_window->selection.select("b");
-        EVENTUALLY(radios.coverage()->coverage.transmitter == "b/radio" && m_window->panel->isUpToDate());
+        EVENTUALLY(radios.coverage()->coverage.transmitter == "b/radio" && m_window->panel->views().isUpToDate());
         m_window->selection.clear(); // the map of the radio that was selected last is kept
         EVENTUALLY(m_window->panel->isSettled());
         QCOMPARE(radios.coverage()->coverage.transmitter, std::string("b/radio"));
@@ -373,7 +374,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
             // The coarse map is shown while the fine one is computed.
             if (edited || !radios.isComputing() || !radios.coverage()) return;
             edited = true;
-            QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"a.Pos", "1,0,0"}}).ok());
+            QVERIFY(m_window->document.structure().setValues(QStringLiteral("move"), {{"a.Pos", "1,0,0"}}).ok());
         });
         m_window->trigger("view.overlayCoverage");
         EVENTUALLY(edited);

@@ -23,9 +23,9 @@ private Q_SLOTS:
         // Its x axis is the y axis of the world: one side moves, the opposite side stays.
         dragBy({Handle::Kind::Size, 0}, {0, 0.5, 0}, Qt::NoModifier, middle);
         QVERIFY2(m_window->text().contains("Pos=1,0.75,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Resize wall"));
-        m_window->document.undo();
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries()[0].name, QStringLiteral("Resize wall"));
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), walled);
         dragBy({Handle::Kind::Size, 0, -1}, {0, -0.5, 0}, Qt::NoModifier, middle);
         QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
@@ -76,8 +76,8 @@ private Q_SLOTS:
             const double length = now.robots[i].config->bodies[0].geoms[0].size.x();
             QCOMPARE(length, now.robots[i].name == "other" ? 0.8 : 1.0);
         }
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        m_window->document.undo();
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), text);
     }
 
@@ -129,9 +129,9 @@ private Q_SLOTS:
             dragBy(handle, by, Qt::NoModifier, {0, 0, 0.1});
         }
         QVERIFY2(m_window->text().contains(after), m_window->text().constData());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 2, 1, true})); // the layout is flat
-        m_window->document.undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), text);
         QVERIFY(m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0})); // of the first member
         m_window->trigger("tool.move");

@@ -100,27 +100,27 @@ private Q_SLOTS:
     }
 
     void ignoresHiddenAndLockedObjects() {
-        m_window->panel->setHidden({"robot0"});
+        m_window->panel->world().setHidden({"robot0"});
         m_window->click(m_window->at({-0.5, 0, 0.14}));
         QVERIFY(m_window->selection.empty());
-        m_window->panel->setHidden({});
-        m_window->panel->setLocked({"robot0"});
+        m_window->panel->world().setHidden({});
+        m_window->panel->world().setLocked({"robot0"});
         m_window->click(m_window->at({-0.44, 0.05, 0.14}));
         QVERIFY(m_window->selection.empty());
         m_window->drag({5, 100}, {890, 690});
         QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
-        m_window->panel->setLocked({"robot0.chassis"}); // its body is locked, the robot is not
+        m_window->panel->world().setLocked({"robot0.chassis"}); // its body is locked, the robot is not
         m_window->drag({5, 100}, {890, 690});
         QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
     }
 
     void theCursorNamesWhatItWouldSelect() {
         m_window->move(m_window->at({-0.5, 0, 0.14}));
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         const int before = m_window->view().image().redraws();
         m_window->move(m_window->at({-0.49, 0, 0.14})); // the same robot
         m_window->move(m_window->at({-0.48, 0, 0.14}));
-        EVENTUALLY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->views().isUpToDate());
         QCOMPARE(m_window->view().image().redraws(), before);
         m_window->move(m_window->at({0.5, 0.3, 0.14}));
         EVENTUALLY_EQUAL(m_window->view().image().redraws(), before + 1);

@@ -107,14 +107,14 @@ private Q_SLOTS:
         view.camera().setKind(ViewKind::Top); // for a parallel view the distance is chosen so that the camera shows as much
         menu->findChild<QAction*>(QStringLiteral("makeView"))->trigger();
         QVERIFY2(m_window->text().contains("View view2 {"), m_window->text());
-        m_window->document.undo();
-        m_window->document.undo();
+        m_window->document.edits().undo();
+        m_window->document.edits().undo();
         QCOMPARE(m_window->text(), text);
         // A camera made during a run can be chosen in it, and moves with the robots of the run.
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
         QVERIFY(m_window->session.robots().place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
-        (void)m_window->document.replaceText(
+        (void)m_window->document.edits().replaceText(
             u"Type"_qs, m_window->document.path(),
             (m_window->text() + "View late { Mode=chase Robot=robot0 Eye=-1,0,0.5 }\n").toStdString());
         Q_EMIT menu->aboutToShow();

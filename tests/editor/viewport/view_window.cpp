@@ -15,7 +15,7 @@ ViewWindow::ViewWindow(RenderService* render) : actions(actionTable()) {
     panel->resize(900, 740);
     panel->show();
     (void)QTest::qWaitForWindowExposed(panel.get());
-    panel->current().setFocus();
+    panel->views().current().setFocus();
 }
 
 ViewWindow::~ViewWindow() = default;
@@ -24,14 +24,16 @@ bool ViewWindow::open(const QByteArray& text) {
     QFile file(folder.filePath(QStringLiteral("trial.sim")));
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) return false;
     file.close();
-    return document.open(file.fileName().toStdString()).ok();
+    return document.opening().open(file.fileName().toStdString()).ok();
 }
 
 bool ViewWindow::openSample(const char* name) {
-    return document.open(std::string(TRUNDLE_SOURCE_DIR "/configs/experiments/") + name).ok();
+    return document.opening().open(std::string(TRUNDLE_SOURCE_DIR "/configs/experiments/") + name).ok();
 }
 
-QByteArray ViewWindow::text() const { return QByteArray::fromStdString(*document.text(document.files().front())); }
+QByteArray ViewWindow::text() const {
+    return QByteArray::fromStdString(*document.texts().text(document.texts().files().front()));
+}
 
 void ViewWindow::look(const Vec3& eye, const Vec3& target) {
     CameraView camera;

@@ -28,7 +28,7 @@ struct ViewWindow {
     bool openSample(const char* name);
     [[nodiscard]] QByteArray text() const; ///< of the opened file
 
-    [[nodiscard]] View& view() { return panel->current(); }
+    [[nodiscard]] View& view() { return panel->views().current(); }
     /// Puts the camera at `eye`, looking at `target` (both in W).
     void look(const Vec3& eye, const Vec3& target);
     [[nodiscard]] QPoint at(const Vec3& point); ///< the pixel of a point in W

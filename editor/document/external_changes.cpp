@@ -1,10 +1,15 @@
+#include "editor/document/external_changes.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "base/platform/read_file.h"
-#include "editor/document/document.h"
+#include "editor/document/document_edits.h"
+#include "editor/document/document_loading.h"
 #include "editor/document/document_state.h"
+#include "editor/document/document_texts.h"
+#include "editor/document/project_access.h"
 #include "lang/line_merge.h"
 
 namespace trundle {
@@ -30,43 +35,50 @@ constexpr std::size_t kLargeText = std::size_t(1) << 20; // bytes
 
 } // namespace
 
-void Document::checkExternalChanges() {
-    if (!isOpen() || isOpening()) return;
-    requestProject();
+ExternalChanges::ExternalChanges(DocumentState& state, DocumentTexts& texts, DocumentLoading& loading, ProjectAccess& access,
+                                 DocumentEdits& edits)
+    : m_state(state), m_texts(texts), m_loading(loading), m_access(access), m_edits(edits) {
+    connect(&m_state.watch, &DiskWatch::touched, this, &ExternalChanges::check);
+}
+
+void ExternalChanges::check() {
+    if (!m_state.isOpen() || m_state.reader.isOpening()) return;
+    m_access.request();
     std::vector<std::string> known;
-    for (const auto& [path, file] : m_state->files.all())
-        if (!isNew() || path != m_state->opened) known.push_back(path);
+    for (const auto& [path, file] : m_state.files.all())
+        if (!m_state.isNew() || path != m_state.opened) known.push_back(path);
     for (const std::string& path : known) {
-        OpenFile* file = m_state->files.find(path);
+        OpenFile* file = m_state.files.find(path);
         if (!file) return; // a slot connected to the last notification has closed the project
         std::error_code none;
         if (!std::filesystem::exists(path, none)) {
             if (file->made && file->disk->empty()) continue; // it was never on disk
             if (!std::exchange(file->gone, true))
-                Q_EMIT notice(
-                    tr("%1 was deleted by another program; saving writes it again").arg(QString::fromStdString(shown(path))));
+                Q_EMIT m_state.messages.notice(tr("%1 was deleted by another program; saving writes it again")
+                                                   .arg(QString::fromStdString(m_state.shown(path))));
         } else if (file->disk->size() > kLargeText && !file->theirs && isOnDisk(path, *file->disk)) {
             file->gone = false;
         } else if (Result<std::string> bytes = readRegularFile(path); bytes) {
-            applyExternalChange(path, std::make_shared<const std::string>(std::move(bytes).value()));
+            apply(path, std::make_shared<const std::string>(std::move(bytes).value()));
         }
     }
-    notifyModified();
-    if (isOpen() && isNamedStale()) readNamed();
+    m_texts.checkModified();
+    if (m_state.isOpen() && isNamedStale()) m_loading.readNamed();
 }
 
 /// Whether a mesh or an image changed since it was read, or a missing one may exist now.
-bool Document::isNamedStale() const {
-    for (const auto& [use, file] : m_loaded->named) {
+bool ExternalChanges::isNamedStale() const {
+    for (const auto& [use, file] : m_state.loaded->named) {
         if (file.path.empty()) return true;
         const Result<FileStamp> now = regularFileStamp(file.path);
         if (!now || now.value() != file.stamp) return true;
     }
-    return std::ranges::any_of(m_loaded->diagnostics.all(), [](const Diagnostic& d) { return d.code == Code::ImportNotFound; });
+    return std::ranges::any_of(m_state.loaded->diagnostics.all(),
+                               [](const Diagnostic& d) { return d.code == Code::ImportNotFound; });
 }
 
-void Document::applyExternalChange(const std::string& path, SharedText bytes) {
-    OpenFile& file = *m_state->files.find(path);
+void ExternalChanges::apply(const std::string& path, std::shared_ptr<const std::string> bytes) {
+    OpenFile& file = *m_state.files.find(path);
     file.gone = false;
     if (*bytes == *file.disk) {
         file.theirs = nullptr;
@@ -77,43 +89,31 @@ void Document::applyExternalChange(const std::string& path, SharedText bytes) {
     if (!merged) {
         if (file.theirs && *file.theirs == *bytes) return;
         file.theirs = std::move(bytes);
-        Q_EMIT diskChanged(QString::fromStdString(path));
+        Q_EMIT conflictFound(QString::fromStdString(path));
         return;
     }
     file.theirs = nullptr;
     file.disk = std::move(bytes);
-    m_history.endMerge();
-    (void)reportFailure(enter(tr("Changed on disk"), {{path, std::make_shared<const std::string>(std::move(*merged))}}, {}));
+    m_state.history.endMerge();
+    (void)m_state.report(m_edits.enter(tr("Changed on disk"), {{path, std::make_shared<const std::string>(std::move(*merged))}}));
 }
 
-FileTexts Document::diskChanges() const {
+FileTexts ExternalChanges::conflicts() const {
     FileTexts changes;
-    for (const auto& [path, file] : m_state->files.all())
+    for (const auto& [path, file] : m_state.files.all())
         if (file.theirs) changes.emplace(path, file.theirs);
     return changes;
 }
 
-Status Document::resolveDiskChange(const std::string& path, Resolution resolution) {
-    OpenFile* file = m_state->files.find(path);
+Status ExternalChanges::resolve(const std::string& path, Resolution resolution) {
+    OpenFile* file = m_state.files.find(path);
     if (!file || !file->theirs) return {};
     const SharedText theirs = std::exchange(file->theirs, nullptr);
     file->disk = theirs;
     Status taken;
-    if (resolution == Resolution::Theirs) taken = enter(tr("Changed on disk"), {{path, theirs}}, {});
-    notifyModified();
-    return reportFailure(taken);
-}
-
-void Document::updateWatchedFiles() {
-    std::vector<std::string> files;
-    for (const auto& [path, file] : m_state->files.all())
-        if (!isNew() || path != m_state->opened) files.push_back(path);
-    for (const auto& [use, file] : m_loaded->named) {
-        if (!file.path.empty()) files.push_back(file.path);
-        else if (use.first < m_loaded->paths.size()) // the first place where it is searched for
-            files.push_back((std::filesystem::path(m_loaded->paths[use.first]).parent_path() / use.second).string());
-    }
-    m_state->watch.watch(files);
+    if (resolution == Resolution::Theirs) taken = m_edits.enter(tr("Changed on disk"), {{path, theirs}});
+    m_texts.checkModified();
+    return m_state.report(taken);
 }
 
 } // namespace trundle
