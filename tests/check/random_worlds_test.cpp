@@ -79,9 +79,11 @@ private Q_SLOTS:
             Diagnostics problems;
             const auto runner = fixture.application->makeRunner(*loaded, {}, problems);
             QVERIFY(runner);
-            for (int tick = 0; tick < 200 && !runner->world().fault(); ++tick) (void)runner->tick();
-            const Fault* fault = runner->world().fault();
-            if (!fault) continue;
+            const World& world = runner->world();
+            const auto hasStopped = [&world] { return world.fault() || !world.robotFaults().ends.empty(); };
+            for (int tick = 0; tick < 200 && !hasStopped(); ++tick) (void)runner->tick();
+            if (!hasStopped()) continue;
+            const Fault* fault = world.fault() ? world.fault() : &world.robotFaults().ends.front().fault;
             ++stopped;
             foretold += warning;
             const QString story = QString("world %1: %2 at %3 s: %4")
