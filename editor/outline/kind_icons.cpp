@@ -17,7 +17,8 @@ static constexpr auto kDrawn = std::to_array<std::string_view>({"Ball",         
                                                                 "RotaryMotor",  "Scatter",     "SignalLog",
                                                                 "Slider",       "Sphere",      "Static",
                                                                 "StaticConfig", "Surface",     "Suspension",
-                                                                "TouchSensor",  "Transceiver", "Universal"});
+                                                                "TouchSensor",  "Transceiver", "Universal",
+                                                                "View"});
 
 QString roleIcon(Role role) {
     switch (role) {

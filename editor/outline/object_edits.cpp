@@ -283,7 +283,7 @@ Status ObjectEdits::replaceBySingles(const std::string& path) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const auto place = placeOf(*m_document.loaded(), path);
     const std::string layout = place && place->instance ? place->instance->name : path;
-    return m_document.edits().apply(tr("Replace %1 by single robots").arg(toQString(layout)),
+    return m_document.edits().apply(tr("Replace %1 by single instances").arg(toQString(layout)),
                                     planReplaceBySingles(*m_document.loaded(), layout));
 }
 

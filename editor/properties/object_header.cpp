@@ -45,8 +45,8 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
     m_path->setObjectName(QStringLiteral("objectPath"));
     m_config->setObjectName(QStringLiteral("objectConfig"));
     m_singles->setObjectName(QStringLiteral("replaceBySingles"));
-    m_singles->setText(tr("Replace by single robots"));
-    m_singles->setToolTip(tr("Writes each member as a separate robot with the same pose"));
+    m_singles->setText(tr("Replace by single instances"));
+    m_singles->setToolTip(tr("Writes each member as a separate instance with the same pose"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(10, 8, 10, 6);
     grid->setHorizontalSpacing(8);
@@ -66,7 +66,7 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
     connect(m_name, &ValueField::refusedChanged, m_name, &QWidget::setToolTip);
     connect(m_singles, &QPushButton::clicked, this, [this] {
         const std::string path = m_object;
-        const Status done = m_document.edits().apply(tr("Replace %1 by single robots").arg(toQString(path)),
+        const Status done = m_document.edits().apply(tr("Replace %1 by single instances").arg(toQString(path)),
                                                      planReplaceBySingles(*m_document.loaded(), path));
         if (!done) m_singles->setToolTip(toQString(done.error().message));
     });

@@ -430,6 +430,7 @@ private Q_SLOTS:
             fixture.panel.findChild<QLabel*>(QStringLiteral("objectConfig"))->text().contains(QStringLiteral("One of swarm")));
         fixture.type("Spacing", QStringLiteral("2"), "field1");
         QVERIFY2(fixture.text().find("Spacing=1,2") != std::string::npos, fixture.text().c_str());
+        QCOMPARE(fixture.panel.findChild<QPushButton*>(u"replaceBySingles"_qs)->text(), u"Replace by single instances"_qs);
         QTest::mouseClick(fixture.panel.findChild<QPushButton*>(QStringLiteral("replaceBySingles")), Qt::LeftButton);
         QVERIFY(fixture.text().find("Robot swarm_3") != std::string::npos);
     }
