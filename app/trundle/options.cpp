@@ -76,9 +76,7 @@ WindowOptions readOptions(const QCoreApplication& application) {
             refuse(QStringLiteral("--run-for takes seconds from 0 to 1e9"));
     }
     if (options.runFor && options.open.isEmpty()) refuse(QStringLiteral("--run-for needs a FILE to run"));
-    options.view = oneOf(parser, QStringLiteral("view"),
-                         {QStringLiteral("perspective"), QStringLiteral("top"), QStringLiteral("front"), QStringLiteral("side"),
-                          QStringLiteral("follow"), QStringLiteral("chase"), QStringLiteral("text")});
+    options.view = parser.value(QStringLiteral("view"));
     options.select = parser.values(QStringLiteral("select"));
     if (const QString layout = oneOf(parser, QStringLiteral("layout"), {QStringLiteral("edit"), QStringLiteral("run")});
         !layout.isEmpty())

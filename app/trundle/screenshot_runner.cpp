@@ -44,7 +44,11 @@ void ScreenshotRunner::next() {
     case Step::Opening:
         if (m_window.document().opening().isOpening()) return;
         if (!select()) return;
-        m_window.work().useView(m_options.view);
+        if (!m_window.work().useView(m_options.view) && m_options.quit)
+            return refuse(
+                QStringLiteral("there is no view %1; --view takes perspective, top, front, side, follow, chase, text, or "
+                               "a View of FILE")
+                    .arg(m_options.view));
         m_step = m_options.runFor && m_window.document().isOpen() ? Step::Run : Step::Draw;
         break;
     case Step::Run:

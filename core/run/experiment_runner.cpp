@@ -222,12 +222,13 @@ Status ExperimentRunner::tick() {
     m_options.calls->recordTicks(m_world->ticks(), m_world->time());
     applyCommands();
     if (Status done = think(); !done) return done;
-    if (const Status done = m_world->tick(); !done) {
+    const Status ticked = m_world->tick();
+    m_worldWarnings.update(*m_world, m_warnings);
+    if (!ticked) {
         const Fault* fault = m_world->fault();
-        return fail(done.error(), fault ? fault->range : SourceRange{});
+        return fail(ticked.error(), fault ? fault->range : SourceRange{});
     }
     m_cameras.afterTick();
-    m_worldWarnings.update(*m_world, m_warnings);
     if (m_reportsDropped.due(m_world->ticks())) reportDropped();
     if (Status done = writeLogs(); !done) return done;
     closeFinish();

@@ -243,6 +243,7 @@ std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts)
     shot->stepMs = m_meter.takeStepMs();
     const std::vector<WorldContact>& touching = world.contacts();
     shot->contactCount = touching.size();
+    for (const RobotEnd& end : world.robotFaults().ends) shot->ended.push_back(end.robot);
     shot->images = m_runner->cameras().images();
     if (contacts) shot->contacts = copied(touching);
     if (stands) shot->hash = world.stateHash();

@@ -47,9 +47,11 @@ void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings
     }
     for (; m_ends < world.robotFaults().ends.size(); ++m_ends) {
         const auto& [robot, fault] = world.robotFaults().ends[m_ends];
+        if (world.fault() && world.fault()->body == fault.body) continue; // it ends the run, which says so
         warnings.push_back(warningOf(Code::BlowUp,
-                                     fault.body + " stopped at t = " + time + " s: " + fault.reason + ". " +
-                                         world.experiment().robots[robot].name + " has ended, all others continue",
+                                     world.experiment().robots[robot].name + " has ended" +
+                                         (world.fault() ? "" : ", all others continue") + ": at t = " + time + " s " +
+                                         fault.body + " stopped: " + fault.reason,
                                      fault.range));
     }
 }

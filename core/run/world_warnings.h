@@ -9,7 +9,7 @@ namespace trundle {
 /// joints that were closed again, robots that ended.
 class WorldWarnings {
 public:
-    /// After each tick: appends what is new.
+    /// After each tick, also after one that ended the run: appends what is new.
     void update(const World& world, std::vector<Diagnostic>& warnings);
 
 private:

@@ -114,6 +114,9 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
         if (!m_notice->isHidden()) Q_EMIT attentionRequested();
     });
     connect(&session, &RunSession::stateChanged, this, &ControllersPanel::showStates);
+    connect(&session, &RunSession::advanced, this, [this] {
+        if (m_session.results().snapshot && m_session.results().snapshot->ended.size() != m_shownEnded) showStates();
+    });
     connect(&selection, &Selection::changed, this, &ControllersPanel::showButtons);
     connectActions();
     refresh();
@@ -265,6 +268,7 @@ void ControllersPanel::refreshRobots() {
 }
 
 void ControllersPanel::showStates() {
+    m_shownEnded = m_session.results().snapshot ? m_session.results().snapshot->ended.size() : 0;
     for (std::size_t i = 0; i < m_listed.size() && !m_stale; ++i) {
         const ControllerState state = controllerState(m_session, m_listed[i]);
         QTreeWidgetItem* item = m_robots->topLevelItem(static_cast<int>(i));

@@ -63,6 +63,7 @@ QString RobotCommands::driveRefusal(const std::string& name) const {
     if (!m_run.acceptsCommands()) return tr("A robot can be driven while the experiment runs.");
     const RobotSpec* robot = m_run.robot(name);
     if (!robot) return tr("Select a robot to drive.");
+    if (m_run.hasEnded(*robot)) return tr("%1 has ended by a fault, see Problems.").arg(QString::fromStdString(name));
     if (!driveOf(*robot)) return tr("%1 has no DifferentialDrive to steer it by.").arg(QString::fromStdString(name));
     return {};
 }

@@ -29,6 +29,7 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
         built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isOf(session, spec.name, robot); });
     if (built == robots.end()) return {trState("not in this run"), false, false};
     if (!built->controller) return {trState("no controller"), false, false};
+    if (session.results().hasEnded(*built)) return {trState("ended by a fault, see Problems"), false, true};
     const std::optional<LiveEnd>& end = session.results().end;
     if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)
         return {QString::fromStdString(end->failure->message), false, true};
@@ -37,8 +38,9 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
     switch (session.state()) {
     case RunState::Building: return {trState("is created"), true, false};
     case RunState::Running:
-        return {isOf(session, session.robots().driven(), robot) && !session.robots().driven().empty() ? trState("paused: driven from the keyboard")
-                                                                                    : trState("runs"),
+        return {isOf(session, session.robots().driven(), robot) && !session.robots().driven().empty()
+                    ? trState("paused: driven from the keyboard")
+                    : trState("runs"),
                 true, false};
     case RunState::Paused: return {trState("paused"), true, false};
     default: return {trState("ended"), false, false};

@@ -38,10 +38,10 @@ void WorkArea::showViewport(bool shown) {
     m_actions.at("view.text").setChecked(m_text.isVisibleTo(this));
 }
 
-void WorkArea::useView(const QString& name) {
-    if (name.isEmpty()) return;
-    if (name == QStringLiteral("text")) return showViewport(false);
-    m_viewport.views().showView(name);
+bool WorkArea::useView(const QString& name) {
+    const bool textAlone = name.compare(QStringLiteral("text"), Qt::CaseInsensitive) == 0;
+    if (textAlone) showViewport(false);
+    return name.isEmpty() || textAlone || m_viewport.views().showView(name);
 }
 
 void WorkArea::changeLayout(Layout before, Layout now) {

@@ -18,8 +18,9 @@ public:
 
     void showText(bool shown);
     void showViewport(bool shown);
-    /// "perspective", "top", "front", "side", "follow", "chase", a View block, or "text": the text alone. "" does nothing.
-    void useView(const QString& name);
+    /// "perspective", "top", "front", "side", "follow", "chase", a View block, or "text": the text alone. "" does nothing. False if
+    /// there is no such view.
+    bool useView(const QString& name);
     /// For running the views are shown alone; for editing the text is shown as before.
     void changeLayout(Layout before, Layout now);
 

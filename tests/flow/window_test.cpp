@@ -28,6 +28,15 @@ private Q_SLOTS:
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
     }
 
+    void takesAPictureOfAViewBlock() {
+        const QString experiment = m_folder.filePath(QStringLiteral("views.sim")),
+                      picture = m_folder.filePath(QStringLiteral("views.png"));
+        QVERIFY(writeFile(experiment, "View Corner { Eye=2,2,2 Target=0,0,0 }\n"));
+        const Outcome outcome = call({"--open", experiment, "--view", "Corner", "--screenshot", picture, "--quit"});
+        QVERIFY2(outcome.code == 0 && outcome.err.isEmpty(), shown(outcome));
+        QVERIFY(contentOf(picture).startsWith("\x89PNG"));
+    }
+
     /// Without EGL the window reports that images are unavailable, and its picture is still saved.
     void takesAPictureWhereThereAreNone() {
         const QString picture = m_folder.filePath(QStringLiteral("blind.png"));

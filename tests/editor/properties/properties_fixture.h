@@ -13,6 +13,7 @@
 #include "control/directory_catalog.h"
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/properties/properties_panel.h"
 #include "editor/properties/value_field.h"
 #include "editor/widgets/theme.h"

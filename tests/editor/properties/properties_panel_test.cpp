@@ -1,5 +1,4 @@
 // The property panel: its rows, editing values, and errors.
-#include "editor/document/structure_edits.h"
 #include "properties_fixture.h"
 
 #include <QAction>

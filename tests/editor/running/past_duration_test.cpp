@@ -4,8 +4,10 @@
 #include <QtTest>
 
 #include "editor/document/structure_edits.h"
+#include "editor/running/robot_states.h"
 #include "editor/running/session_fixture.h"
 #include "eventually.h"
+#include "project/edits/controllers.h"
 
 using namespace trundle;
 
@@ -98,6 +100,31 @@ private Q_SLOTS:
         folders += one.session.logs().folder();
         for (SessionFixture* o : {&one, &other}) QVERIFY(o->session.endRuns());
         for (const QString& folder : folders) QDir(folder).removeRecursively();
+    }
+
+    /// A robot that falls for 20 s is faster than anything may be.
+    void aRobotThatEndedIsShown() {
+        SessionFixture o;
+        QVERIFY(o.open(QByteArray(kStandingRobot).replace("Tick = 0.01", "Tick = 0.02\n#loadModule controllers/linear_motion") +
+                       "Robot flyer { Config=SimpleRobot Pos=3,0,30000 LinearMotion brain { Speed=0.2 } }\n"));
+        o.session.setSpeed(0);
+        QStringList lines;
+        connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& more) {
+            for (const LiveLine& line : more) lines << QString::fromStdString(line.text);
+        });
+        const auto robots = controlledRobots(*o.document.loaded());
+        const auto flyer = std::ranges::find(robots, std::string("flyer"), &ControlledRobot::path);
+        QVERIFY(flyer != robots.end());
+        o.session.runFor(19);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
+        QVERIFY(controllerState(o.session, *flyer).active || controllerState(o.session, *flyer).text == u"paused"_qs);
+        o.session.runFor(2);
+        EVENTUALLY(o.session.state() == RunState::Paused && o.session.results().time() > 20.5);
+        QVERIFY(controllerState(o.session, *flyer).failed);
+        QVERIFY(o.session.robots().driveRefusal("flyer").contains(QStringLiteral("has ended by a fault")));
+        QVERIFY(o.session.robots().driveRefusal("robot0").isEmpty());
+        QCOMPARE(lines.filter(QStringLiteral("flyer has ended, all others continue")).size(), 1);
+        QCOMPARE(o.session.messages().problems().size(), std::size_t(1));
     }
 
     void logsOfWhatIsNotSavedGoIntoTheUsersFolder() {
