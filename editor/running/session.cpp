@@ -212,8 +212,9 @@ void RunSession::readSnapshot() {
     const LiveLines lines = run->takeLines();
     std::vector<Diagnostic> warnings = run->takeWarnings();
     m_messages->add(lines);
-    for (const Diagnostic& warning : warnings)
-        addConsoleLine(TRUNDLE_WARNING, QString::fromStdString(codeName(warning.code) + ": " + warning.message));
+    for (const Diagnostic& warning : warnings) // of robots: others are in the lines if they belong there
+        if (warning.code == Code::BlowUp)
+            addConsoleLine(TRUNDLE_WARNING, QString::fromStdString(codeName(warning.code) + ": " + warning.message));
     m_messages->addProblems(std::move(warnings));
     if (wasReset()) return;
     if (!m_active.layout && (m_active.layout = view.layout)) {
