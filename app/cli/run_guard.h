@@ -43,7 +43,7 @@ public:
 /// True after the first SIGINT, SIGTERM or SIGHUP, or another signal that would end the program: the run must then end normally. A
 /// second signal, or a call that does not return, ends the program at once.
 [[nodiscard]] bool interrupted();
-/// The name of the first signal if it is none of these three, such as SIGUSR1; else "".
+/// The name of the first signal if it is another one, such as SIGUSR1; else "".
 [[nodiscard]] std::string unusualRequest();
 /// True in a copy of the process that module code created by fork().
 [[nodiscard]] bool isForkedCopy();

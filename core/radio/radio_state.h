@@ -126,7 +126,7 @@ public:
     void schedule(std::int64_t at, RadioEventKind kind, RadioId radio, std::uint32_t detail) {
         m_events.push({at, kind, radio, m_count++, detail});
     }
-    /// The next one before `until`. Where there is none the time becomes `until`.
+    /// The next one before `until`. Without one the time becomes `until`.
     [[nodiscard]] bool take(std::int64_t until, RadioEvent& event) {
         if (m_events.empty() || m_events.top().at >= until) {
             m_now = std::max(m_now, until);

@@ -53,7 +53,7 @@ public:
     /// Bodies, sorted by path.
     [[nodiscard]] const std::vector<std::uint32_t>& bodiesByPath() const { return m_hashOrder; }
 
-    // nullptr: there is none of this name.
+    // nullptr: unknown name.
     [[nodiscard]] const std::uint32_t* findBody(const std::string& path) const;
     [[nodiscard]] const BuiltRobot* findRobot(const std::string& name) const;
 

@@ -212,7 +212,7 @@ void RunSession::readSnapshot() {
     const LiveLines lines = run->takeLines();
     std::vector<Diagnostic> warnings = run->takeWarnings();
     m_messages->add(lines);
-    for (const Diagnostic& warning : warnings) // of robots: others are in the lines if they belong there
+    for (const Diagnostic& warning : warnings) // of ended robots; a warning of pictures has a line of its own
         if (warning.code == Code::BlowUp)
             addConsoleLine(TRUNDLE_WARNING, QString::fromStdString(codeName(warning.code) + ": " + warning.message));
     m_messages->addProblems(std::move(warnings));

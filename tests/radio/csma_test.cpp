@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(isConserved(medium));
     }
 
-    /// Two senders share an address: an acknowledgement for the packet of one is none for that of the other.
+    /// Two senders share an address: an acknowledgement for the packet of one does not count for that of the other.
     void onlyItsOwnAcknowledgementCounts() {
         Medium medium(csma());
         const RadioId sink = open(medium, "sink", {0, 0, 0});

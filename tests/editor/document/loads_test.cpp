@@ -65,7 +65,7 @@ private Q_SLOTS:
         QVERIFY(!d.structure().setValues(u"Move robot1"_qs, {{"robot1.Pos", "0,0"}}, "drag").ok());
         QCOMPARE(application.loads, kSteps + 1); // one load, to find that the value is invalid
         QVERIFY(!d.structure().setValues(u"Move robot1"_qs, {{"robot1.Pos", "}"}}, "drag").ok());
-        QVERIFY(!d.structure().setValues(u"Move nobody"_qs, {{"nobody.Pos", "0,0,0"}}, "drag").ok());
+        QVERIFY(!d.structure().setValues(u"Move ghost"_qs, {{"ghost.Pos", "0,0,0"}}, "drag").ok());
         QCOMPARE(application.loads, kSteps + 1); // an edit of an unknown object, or one that does not parse, causes no load
         d.edits().discardMerge("drag");
         QCOMPARE(application.loads, kSteps + 2);
