@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "base/diagnostic.h"
-#include "editor/text/project_files.h"
+#include "editor/text/symbols/project_files.h"
 #include "editor/widgets/preferences.h"
 
 class QLabel;

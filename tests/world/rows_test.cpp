@@ -7,9 +7,9 @@
 #include <random>
 
 #include "world/fixtures.h"
-#include "world/ode/elimination_order.h"
-#include "world/ode/row_solver.h"
-#include "world/ode/solve_lcp.h"
+#include "world/ode/lcp/elimination_order.h"
+#include "world/ode/lcp/row_solver.h"
+#include "world/ode/lcp/solve_lcp.h"
 
 using namespace fixture;
 

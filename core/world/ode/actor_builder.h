@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "world/ode/joint_builder.h"
+#include "world/ode/joints/joint_builder.h"
 
 namespace trundle {
 

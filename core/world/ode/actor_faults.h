@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "world/ode/cluster_solver.h"
-#include "world/ode/joint_rows.h"
+#include "world/ode/joints/joint_rows.h"
+#include "world/ode/solver/cluster_solver.h"
 
 namespace trundle {
 

@@ -2,11 +2,11 @@
 // Moves the bodies by one tick, between what their contacts and joints allow: the solver, and around it what the solver does not know
 // of: blows, that inertia turns with its body and joints with theirs, what each contact carried in the tick before.
 
-#include "world/ode/body_rotation.h"
-#include "world/ode/cluster_solver.h"
-#include "world/ode/contact_memory.h"
-#include "world/ode/heap_forces.h"
-#include "world/ode/impacts.h"
+#include "world/ode/contacts/contact_memory.h"
+#include "world/ode/contacts/impacts.h"
+#include "world/ode/motion/body_rotation.h"
+#include "world/ode/solver/cluster_solver.h"
+#include "world/ode/solver/heap_forces.h"
 
 namespace trundle {
 

@@ -11,11 +11,11 @@
 
 #include "world/ode/actor_builder.h"
 #include "world/ode/actor_faults.h"
-#include "world/ode/contacts_by_geom.h"
+#include "world/ode/collision/contacts_by_geom.h"
+#include "world/ode/collision/ray_caster.h"
+#include "world/ode/motion/ode_sweep.h"
 #include "world/ode/ode_dynamics.h"
-#include "world/ode/ode_sweep.h"
 #include "world/ode/pending_writes.h"
-#include "world/ode/ray_caster.h"
 
 namespace trundle {
 

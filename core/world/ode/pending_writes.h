@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "world/ode/ode_objects.h"
+#include "world/ode/objects/ode_objects.h"
 
 namespace trundle {
 

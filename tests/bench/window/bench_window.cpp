@@ -16,8 +16,8 @@
 #include <QTimer>
 #include <QTreeView>
 
-#include "editor/text/code_edit.h"
-#include "editor/text/file_page.h"
+#include "editor/text/code/code_edit.h"
+#include "editor/text/pages/file_page.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/view/view.h"
 #include "editor/viewport/view/viewport_panel.h"

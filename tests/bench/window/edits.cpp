@@ -6,7 +6,7 @@
 #include "bench/window/bench_window.h"
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_panel.h"
-#include "editor/text/code_edit.h"
+#include "editor/text/code/code_edit.h"
 #include "editor/viewport/view/view.h"
 
 namespace trundle {

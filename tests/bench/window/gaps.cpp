@@ -3,7 +3,7 @@
 #include <QJsonArray>
 
 #include "bench/window/bench_window.h"
-#include "editor/text/code_edit.h"
+#include "editor/text/code/code_edit.h"
 #include "editor/viewport/gizmo/gizmo_tool.h"
 #include "editor/viewport/view/view.h"
 

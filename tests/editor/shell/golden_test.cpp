@@ -21,7 +21,7 @@
 #include "app/application.h"
 #include "editor/document/structure_edits.h"
 #include "editor/shell/main_window.h"
-#include "editor/text/code_edit.h"
+#include "editor/text/code/code_edit.h"
 #include "editor/widgets/theme.h"
 #include "eventually.h"
 #include "render/service.h"

@@ -15,8 +15,8 @@
 #include "editor/outline/library_panel.h"
 #include "editor/shell/random_user.h"
 #include "editor/shell/window_fixture.h"
-#include "editor/text/code_edit.h"
-#include "editor/text/file_page.h"
+#include "editor/text/code/code_edit.h"
+#include "editor/text/pages/file_page.h"
 #include "editor/text/text_panel.h"
 #include "eventually.h"
 

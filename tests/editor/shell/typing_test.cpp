@@ -9,8 +9,8 @@
 #include <QtTest>
 
 #include "editor/shell/window_fixture.h"
-#include "editor/text/code_edit.h"
-#include "editor/text/file_page.h"
+#include "editor/text/code/code_edit.h"
+#include "editor/text/pages/file_page.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/view/view.h"
 #include "editor/viewport/view/viewport_panel.h"

@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "app/application.h"
-#include "editor/text/completion.h"
+#include "editor/text/completion/completion.h"
 
 using namespace trundle;
 

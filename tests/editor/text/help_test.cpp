@@ -5,8 +5,8 @@
 #include <QMenu>
 #include <QTreeWidget>
 
-#include "editor/text/hover.h"
-#include "editor/text/text_navigation.h"
+#include "editor/text/symbols/hover.h"
+#include "editor/text/symbols/text_navigation.h"
 #include "editor/text/two_balls.h"
 #include "eventually.h"
 

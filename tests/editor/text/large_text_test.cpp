@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "editor/text/large_text.h"
+#include "editor/text/pages/large_text.h"
 #include "editor/text/text_fixture.h"
 
 using namespace trundle;

@@ -5,11 +5,11 @@
 
 #include <QTest>
 
-#include "editor/text/line_edits.h"
-#include "editor/text/splice.h"
-#include "editor/text/text_search.h"
-#include "editor/text/token_styles.h"
-#include "editor/text/typing_merger.h"
+#include "editor/text/code/line_edits.h"
+#include "editor/text/code/splice.h"
+#include "editor/text/code/token_styles.h"
+#include "editor/text/pages/typing_merger.h"
+#include "editor/text/search/text_search.h"
 #include "lang/lexer.h"
 
 using namespace trundle;

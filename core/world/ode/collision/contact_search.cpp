@@ -1,0 +1,82 @@
+#include "world/ode/collision/contact_search.h"
+
+#include <utility>
+
+namespace trundle {
+
+void ContactSearch::placeGeoms(const OdeBody& body) {
+    for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
+        const OdeGeom& g = m_objects.geoms[i];
+        const Vec3 c = vec(body.p) + turn(body.r, g.offset);
+        Vec3 half = Vec3::Constant(g.bound);
+        if (!g.wheel && g.shape != GeomShape::Sphere) half = half.cwiseMin(m_objects.axesOf(g).cwiseAbs() * g.half);
+        m_objects.centres[i] = c;
+        m_objects.boxes[i] = {{c.x() - half.x(), c.y() - half.y(), c.z() - half.z()},
+                              {c.x() + half.x(), c.y() + half.y(), c.z() + half.z()}};
+    }
+}
+
+void ContactSearch::updateBoxes() {
+    if (m_gridded != m_objects.statics.size()) {
+        std::vector<Box3> boxes;
+        for (const std::uint32_t geom : m_objects.statics) boxes.push_back(m_objects.boxes[geom]);
+        m_grid.build(std::move(boxes));
+        m_gridded = m_objects.statics.size();
+    }
+    for (std::uint32_t a = 0; a < m_objects.actors.size(); ++a) {
+        const OdeActor& actor = m_objects.actors[a];
+        Box3 all{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+        for (std::uint32_t b = actor.bodies.begin; b < actor.bodies.end; ++b) {
+            placeGeoms(m_objects.bodies[b]);
+            for (std::uint32_t i = m_objects.bodies[b].geoms.begin; i < m_objects.bodies[b].geoms.end; ++i)
+                all.cover(m_objects.boxes[i]);
+        }
+        if (all.lo[0] > all.hi[0]) all = {{0, 0, -1e30}, {0, 0, -1e30}}; // never collides: placed far away
+        m_objects.actorBoxes[a] = all;
+    }
+}
+
+void ContactSearch::find(std::vector<OdeContact>& contacts) {
+    updateBoxes();
+    contacts.clear();
+    m_pairGrid.pairs(m_objects.actorBoxes, m_pairs);
+    std::size_t pair = 0;
+    for (std::uint32_t a = 0; a < m_objects.actors.size(); ++a) {
+        const OdeActor& actor = m_objects.actors[a];
+        if (actor.geoms.begin == actor.geoms.end || actor.ended) {
+            while (pair < m_pairs.size() && m_pairs[pair].first == a) ++pair;
+            continue;
+        }
+        collideWithScenery(a, contacts);
+        for (const auto& [first, second] : actor.selfPairs)
+            if (m_objects.boxes[first].touches(m_objects.boxes[second])) m_collider.meet(first, second, contacts);
+        for (; pair < m_pairs.size() && m_pairs[pair].first == a; ++pair) {
+            const OdeActor& partner = m_objects.actors[m_pairs[pair].second];
+            if (partner.ended) continue;
+            for (std::uint32_t i = actor.geoms.begin; i < actor.geoms.end; ++i) {
+                if (!m_objects.boxes[i].touches(m_objects.actorBoxes[m_pairs[pair].second])) continue;
+                for (std::uint32_t k = partner.geoms.begin; k < partner.geoms.end; ++k)
+                    if (m_objects.boxes[i].touches(m_objects.boxes[k])) m_collider.meet(i, k, contacts);
+            }
+        }
+    }
+}
+
+void ContactSearch::collideWithScenery(std::uint32_t a, std::vector<OdeContact>& contacts) {
+    const OdeActor& actor = m_objects.actors[a];
+    for (std::uint32_t i = actor.geoms.begin; i < actor.geoms.end; ++i)
+        for (const GroundPlane& plane : m_objects.planes) {
+            const Vec3& n = plane.normal;
+            const double height = n.dot(m_objects.centres[i]) - plane.distance;
+            if (height <= m_objects.geoms[i].bound) m_collider.meetPlane(i, plane, contacts);
+        }
+    if (m_objects.statics.empty()) return;
+    m_grid.query(m_objects.actorBoxes[a], m_found);
+    if (m_found.empty()) return;
+    for (std::uint32_t i = actor.geoms.begin; i < actor.geoms.end; ++i)
+        for (const std::uint32_t found : m_found)
+            if (m_objects.boxes[i].touches(m_objects.boxes[m_objects.statics[found]]))
+                m_collider.meet(i, m_objects.statics[found], contacts);
+}
+
+} // namespace trundle

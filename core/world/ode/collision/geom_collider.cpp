@@ -1,0 +1,163 @@
+#include "world/ode/collision/geom_collider.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "world/ode/collision/contact_choice.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr int kMaxKept = 4;           // per pair and direction
+constexpr int kMaxOfRobots = 2;       // per pair of jointed actors
+constexpr double kSurelyClear = 1e-6; // m
+
+/// Whether a box is above the plane by more than rounding errors.
+bool isClear(const Box3& box, const Vec3& normal, double distance) {
+    double lowest = -distance;
+    for (int k = 0; k < 3; ++k) lowest += normal[k] * (normal[k] > 0 ? box.lo[k] : box.hi[k]);
+    return lowest > kSurelyClear;
+}
+
+} // namespace
+
+WheelPose GeomCollider::wheelPose(const OdeGeom& geom, std::uint32_t index) const {
+    return {m_objects.centres[index], turn(m_objects.bodies[geom.body].r, geom.axle), geom.radius};
+}
+
+OdeContact& GeomCollider::addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal,
+                                     double depth, Contacts& contacts) const {
+    OdeContact& c = contacts.emplace_back();
+    c.first = first;
+    c.second = second;
+    c.actor = m_objects.geoms[first].actor;
+    c.partner = m_objects.geoms[second].actor;
+    for (int k = 0; k < 3; ++k) {
+        c.position[k] = position[k];
+        c.normal[k] = normal[k];
+    }
+    c.depth = depth;
+    return c;
+}
+
+void GeomCollider::meetPlane(std::uint32_t index, const GroundPlane& plane, Contacts& contacts) {
+    const OdeGeom& g = m_objects.geoms[index];
+    if (g.wheel) {
+        const WheelPose wheel = wheelPose(g, index);
+        GroundContact ground;
+        const WheelContactResult answer = wheelOnPlane(wheel, plane.normal, plane.distance, ground);
+        if (answer == WheelContactResult::Contact) {
+            OdeContact& c = addContact(index, plane.geom, ground.position.data(), ground.normal.data(), ground.depth, contacts);
+            Vec3::Map(c.slide) = wheel.axle.cross(ground.normal);
+        }
+        if (answer != WheelContactResult::Unknown) return;
+    }
+    if (g.shape == GeomShape::Sphere) sphereOnPlane(index, plane, contacts);
+    else if (g.shape == GeomShape::Box) boxOnPlane(index, plane, contacts);
+    else genericContacts(index, plane.geom, contacts);
+}
+
+void GeomCollider::sphereOnPlane(std::uint32_t index, const GroundPlane& plane, Contacts& contacts) const {
+    const double r = m_objects.geoms[index].radius, depth = r - (plane.normal.dot(m_objects.centres[index]) - plane.distance);
+    if (depth < 0) return;
+    const Vec3 at = m_objects.centres[index] - r * plane.normal;
+    addContact(index, plane.geom, at.data(), plane.normal.data(), depth, contacts);
+}
+
+void GeomCollider::boxOnPlane(std::uint32_t index, const GroundPlane& plane, Contacts& contacts) const {
+    if (isClear(m_objects.boxes[index], plane.normal, plane.distance)) return;
+    const OdeGeom& g = m_objects.geoms[index];
+    const Mat3 axes = m_objects.axesOf(g);
+    const Vec3 rise = (axes.transpose() * plane.normal).cwiseProduct(g.half);
+    const double height = plane.normal.dot(m_objects.centres[index]) - plane.distance;
+    if (height > rise.cwiseAbs().sum()) return;
+    dContactGeom found[8];
+    PointGroup group{};
+    int count = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        const double depth = -(height + sign.dot(rise));
+        if (depth < 0) continue;
+        const Vec3 at = m_objects.centres[index] + axes * g.half.cwiseProduct(sign);
+        for (int k = 0; k < 3; ++k) found[count].pos[k] = at[k];
+        found[count].depth = depth;
+        group[static_cast<std::size_t>(count)] = count;
+        ++count;
+    }
+    const int kept = spread(found, group, count, kMaxKept);
+    for (int i = 0; i < kept; ++i) {
+        const dContactGeom& c = found[group[static_cast<std::size_t>(i)]];
+        addContact(index, plane.geom, c.pos, plane.normal.data(), c.depth, contacts);
+    }
+}
+
+void GeomCollider::meet(std::uint32_t first, std::uint32_t second, Contacts& contacts) {
+    const bool a = m_objects.geoms[first].wheel, b = m_objects.geoms[second].wheel;
+    if (a != b) wheelAgainst(a ? first : second, a ? second : first, a, contacts);
+    else genericContacts(first, second, contacts);
+}
+
+/// One contact per ground direction: exactly at the wheel's radius, at the centre of its tread.
+void GeomCollider::wheelAgainst(std::uint32_t index, std::uint32_t other, bool wheelFirst, Contacts& contacts) const {
+    const OdeGeom &g = m_objects.geoms[index], &o = m_objects.geoms[other];
+    const WheelPose wheel = wheelPose(g, index);
+    const auto emit = [&](const Vec3& position, const Vec3& outOfGround, double depth, bool rolling) {
+        const Vec3 normal = wheelFirst ? outOfGround : Vec3(-outOfGround);
+        OdeContact& c =
+            addContact(wheelFirst ? index : other, wheelFirst ? other : index, position.data(), normal.data(), depth, contacts);
+        if (rolling) Vec3::Map(c.slide) = wheel.axle.cross(outOfGround);
+    };
+    if (o.shape == GeomShape::Box) {
+        GroundContact ground;
+        const WheelContactResult answer = wheelOnBox(wheel, m_objects.centres[other], m_objects.axesOf(o), o.half, ground);
+        if (answer == WheelContactResult::Contact) emit(ground.position, ground.normal, ground.depth, true);
+        if (answer != WheelContactResult::Unknown) return;
+    }
+    const bool rough = o.shape == GeomShape::Mesh || o.shape == GeomShape::Heightfield;
+    dContactGeom found[kMaxFound];
+    const int count = dCollide(rough && g.asSphere ? g.asSphere : g.id, o.id, kMaxFound, found, sizeof(dContactGeom));
+    UsedPoints used{};
+    for (int round = 0; round < kMaxDirections; ++round) {
+        Vec3 normal;
+        const int deepest = takeGround(found, count, used, normal);
+        if (deepest < 0) return;
+        const dContactGeom& top = found[deepest];
+        const Vec3 down = normal - normal.dot(wheel.axle) * wheel.axle;
+        const double length = down.norm();
+        if (length < kSideHit) emit(vec(top.pos), vec(top.normal), top.depth, false);
+        else emit(wheel.centre - wheel.radius / length * down, normal, top.depth, true);
+    }
+}
+
+int GeomCollider::mostContacts(std::uint32_t first, std::uint32_t second) const {
+    const std::uint32_t a = m_objects.geoms[first].actor, b = m_objects.geoms[second].actor;
+    const bool robots = b != kNoActor && m_objects.actors[a].jointed && m_objects.actors[b].jointed;
+    return robots ? kMaxOfRobots : kMaxKept;
+}
+
+void GeomCollider::genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts) {
+    const int most = mostContacts(first, second);
+    std::vector<SurfaceContact> hulls;
+    if (m_hulls.meet(first, second, most, hulls)) {
+        for (const SurfaceContact& c : hulls) addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
+        return;
+    }
+    dContactGeom found[kMaxFound];
+    const int count = dCollide(m_objects.geoms[first].id, m_objects.geoms[second].id, kMaxFound, found, sizeof(dContactGeom));
+    if (count == 0) return;
+    UsedPoints used{};
+    for (int round = 0; round < kMaxDirections; ++round) {
+        PointGroup group{};
+        const int size = takeDirection(found, count, used, group);
+        if (size == 0) return;
+        const int kept = spread(found, group, size, most);
+        for (int i = 0; i < kept; ++i) {
+            const dContactGeom& c = found[group[static_cast<std::size_t>(i)]];
+            addContact(first, second, c.pos, c.normal, c.depth, contacts);
+        }
+    }
+}
+
+} // namespace trundle

@@ -1,0 +1,38 @@
+#pragma once
+// Where two geoms touch. Balls, boxes and wheels on planes, and wheels on boxes, are computed in closed form; all other pairs use
+// dCollide, always as (lower, higher), reduced to a few well-spread points.
+
+#include <vector>
+
+#include "world/ode/collision/hull_collider.h"
+#include "world/ode/objects/ode_objects.h"
+#include "world/wheel_contact.h"
+
+namespace trundle {
+
+class GeomCollider {
+public:
+    /// The objects outlive this; their geoms are where their bodies are.
+    explicit GeomCollider(const OdeObjects& objects) : m_objects(objects), m_hulls(objects) {}
+
+    using Contacts = std::vector<OdeContact>;
+    /// Adds the contacts of two geoms, of which the second may be static.
+    void meet(std::uint32_t first, std::uint32_t second, Contacts& contacts);
+    /// The same with a plane, at most `bound` away from it.
+    void meetPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts);
+
+private:
+    void wheelAgainst(std::uint32_t wheel, std::uint32_t other, bool wheelFirst, Contacts& contacts) const;
+    void sphereOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
+    void boxOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
+    void genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts);
+    [[nodiscard]] int mostContacts(std::uint32_t first, std::uint32_t second) const;
+    OdeContact& addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal, double depth,
+                           Contacts& contacts) const;
+    [[nodiscard]] WheelPose wheelPose(const OdeGeom& geom, std::uint32_t index) const;
+
+    const OdeObjects& m_objects;
+    HullCollider m_hulls;
+};
+
+} // namespace trundle

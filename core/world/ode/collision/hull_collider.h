@@ -1,0 +1,31 @@
+#pragma once
+// Contacts of convex hulls with shapes that have flat faces: other hulls, boxes, ends of cylinders, meshes.
+
+#include <cstdint>
+#include <vector>
+
+#include "world/ode/collision/hull_on_mesh.h"
+#include "world/ode/objects/ode_objects.h"
+
+namespace trundle {
+
+class HullCollider {
+public:
+    /// The objects outlive this; their geoms are where their bodies are.
+    explicit HullCollider(const OdeObjects& objects) : m_objects(objects) {}
+
+    /// Adds the contacts of two geoms, at most `most` of one direction, with normals towards the first. False if they are not a hull and
+    /// such a shape, if only edges cross, or if a cylinder's lateral surface touches; the single contact of ODE is used then.
+    [[nodiscard]] bool meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts);
+
+private:
+    [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) const;
+    [[nodiscard]] bool hullOnMesh(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
+    [[nodiscard]] std::vector<Triangle> trianglesNear(std::uint32_t mesh, std::uint32_t hull);
+    [[nodiscard]] FlatBody flatBody(std::uint32_t geom) const;
+
+    const OdeObjects& m_objects;
+    std::vector<std::uint32_t> m_near; ///< triangles
+};
+
+} // namespace trundle

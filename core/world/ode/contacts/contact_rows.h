@@ -1,0 +1,41 @@
+#pragma once
+// From contacts to rows of the solver: a joint of ODE for each, with a spring whose behaviour does not depend on the tick, bounce,
+// friction and rolling friction as both surfaces have them.
+
+#include "world/ode/contacts/friction_rows.h"
+#include "world/ode/objects/ode_objects.h"
+#include "world/ode/objects/ode_world.h"
+
+namespace trundle {
+
+class ContactRows {
+public:
+    /// All of these outlive this.
+    ContactRows(const EngineSettings& settings, const OdeWorld& world, const OdeObjects& objects);
+
+    /// Rows of all contacts that are neither outside nor iterated, for a step of `h` seconds; their forces go to the feedbacks.
+    void make(TickContacts& contacts, double h);
+    /// Removes those.
+    void clear();
+    /// The rows of one contact.
+    dJointID add(const OdeContact& contact, double h, dJointGroupID group, dJointFeedback* feedback) const;
+
+private:
+    void fillSurface(const OdeContact& contact, double h, dContact& out) const;
+    void fillSpring(const OdeContact& contact, double h, dContact& out) const; // contact_spring.cpp
+    [[nodiscard]] double mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const;
+    [[nodiscard]] FrictionLaw ownFriction(std::uint32_t geom, const Vec3& outward) const;
+    [[nodiscard]] FrictionLaw frictionLaw(const OdeContact& contact) const;
+    [[nodiscard]] Vec3 restAxis(const OdeContact& contact, const Vec3& normal, const Vec3& slip, double h) const;
+    [[nodiscard]] bool restsQuietly(const OdeContact& contact, const FrictionLaw& law) const;
+    void fillFriction(const OdeContact& contact, FrictionLaw law, const Vec3& speed, double h, dContact& out) const;
+
+    const EngineSettings& m_settings;
+    const OdeObjects& m_objects;
+    const std::vector<OdeGeom>& m_geoms;
+    const std::vector<OdeBody>& m_bodies;
+    dWorldID m_world;
+    OwnedJointGroup m_group;
+};
+
+} // namespace trundle

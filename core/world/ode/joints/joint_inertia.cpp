@@ -1,0 +1,124 @@
+#include "world/ode/joints/joint_inertia.h"
+
+#include <algorithm>
+
+#include <Eigen/Dense>
+
+#include "world/ode/objects/ode_math.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::size_t kMaxBodies = 24; // farther ones are left out, which makes the result smaller
+constexpr double kFixed = 1e6;         // inertia of the world, in those of the body fixed to it
+
+Mat3 crossing(const Vec3& v) {
+    Mat3 m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+}
+
+/// What a joint with these free axes passes on of an inertia.
+template <class Mat6, class Axes> Mat6 throughJoint(const Mat6& inertia, const Axes& axes) {
+    if (axes.cols() == 0) return inertia;
+    const auto moved = (inertia * axes).eval();
+    return inertia - moved * (axes.transpose() * moved).inverse() * moved.transpose();
+}
+
+} // namespace
+
+void JointInertias::add(std::uint32_t index) {
+    const OdeJoint& joint = m_joints[index];
+    m_jointsOf.resize(m_bodies.size());
+    m_jointsOf[joint.child].push_back(index);
+    if (joint.parent != kNone) m_jointsOf[joint.parent].push_back(index);
+}
+
+/// The motions that a joint leaves free; those of its motor and springs, in the order of their rows.
+JointInertias::Axes JointInertias::axesOf(const OdeJoint& joint) const {
+    const OdeBody& child = m_bodies[joint.child];
+    const Vec3 arm = m_origin - vec(child.p) - turn(child.r, joint.childAnchor);
+    const auto about = [&](const Vec3& axis) { return (Vec6() << axis, axis.cross(arm)).finished(); };
+    const auto along = [](const Vec3& axis) { return (Vec6() << Vec3::Zero(), axis).finished(); };
+    const auto carried = [&](const Vec3& axis) { return joint.parent == kNone ? axis : turn(m_bodies[joint.parent].r, axis); };
+    Axes axes(6, 0);
+    const auto add = [&](const Vec6& axis) {
+        axes.conservativeResize(6, axes.cols() + 1);
+        axes.col(axes.cols() - 1) = axis;
+    };
+    switch (joint.type) {
+    case JointType::Hinge: add(about(carried(joint.parentAxis))); break;
+    case JointType::Slider: add(along(carried(joint.parentAxis))); break;
+    case JointType::Ball:
+        for (int k = 0; k < 3; ++k) add(about(Vec3::Unit(k)));
+        break;
+    case JointType::Universal:
+        add(about(carried(joint.parentAxis)));
+        add(about(turn(child.r, joint.secondAxis)));
+        break;
+    case JointType::Fixed: break;
+    case JointType::Suspension:
+        add(along(carried(joint.slideAxis)));
+        add(about(turn(child.r, joint.childAxis)));
+        break;
+    }
+    return axes;
+}
+
+JointInertias::Mat6 JointInertias::inertiaOf(std::uint32_t index) const {
+    const OdeBody& body = m_bodies[index];
+    dMass mass;
+    dBodyGetMass(body.id, &mass);
+    const Mat3 rotation = matrix(body.r), c = crossing(vec(body.p) - m_origin);
+    Mat3 own;
+    own << mass.I[0], mass.I[1], mass.I[2], mass.I[4], mass.I[5], mass.I[6], mass.I[8], mass.I[9], mass.I[10];
+    Mat6 out;
+    out.topLeftCorner<3, 3>() = rotation * own * rotation.transpose() - mass.mass * c * c;
+    out.topRightCorner<3, 3>() = mass.mass * c;
+    out.bottomLeftCorner<3, 3>() = -mass.mass * c;
+    out.bottomRightCorner<3, 3>() = mass.mass * Mat3::Identity();
+    return out;
+}
+
+/// The inertia of a body and of all that it carries, except by one joint.
+JointInertias::Mat6 JointInertias::sideOf(std::uint32_t body, std::uint32_t without) {
+    m_visited.push_back(body);
+    Mat6 total = inertiaOf(body);
+    const Mat6 world = kFixed * total.diagonal().maxCoeff() * Mat6::Identity();
+    for (const std::uint32_t index : m_jointsOf[body]) {
+        if (index == without) continue;
+        const OdeJoint& joint = m_joints[index];
+        const std::uint32_t other = joint.child == body ? joint.parent : joint.child;
+        if (other == kNone) {
+            total += throughJoint(world, axesOf(joint));
+            continue;
+        }
+        if (m_visited.size() >= kMaxBodies || std::find(m_visited.begin(), m_visited.end(), other) != m_visited.end()) continue;
+        total += throughJoint(sideOf(other, index), axesOf(joint));
+    }
+    return total;
+}
+
+void JointInertias::update(OdeJoint& joint, std::uint32_t index) {
+    m_origin = vec(m_bodies[joint.child].p);
+    m_visited.clear();
+    const Axes axes = axesOf(joint);
+    const auto along = [&](const Mat6& inertia, Vec3& out) {
+        const auto free = (axes.transpose() * inertia * axes).inverse().eval();
+        for (int k = 0; k < axes.cols(); ++k) out[k] = 1 / free(k, k);
+    };
+    const Mat6 child = sideOf(joint.child, index);
+    joint.childSide = m_visited;
+    if (joint.parent == kNone) {
+        along(child, joint.inertia);
+        joint.heldInertia = joint.inertia;
+        return;
+    }
+    const bool loop = std::find(m_visited.begin(), m_visited.end(), joint.parent) != m_visited.end();
+    const Mat6 parent = loop ? inertiaOf(joint.parent) : sideOf(joint.parent, index);
+    along((child.inverse() + parent.inverse()).inverse(), joint.inertia);
+    along(parent, joint.heldInertia);
+}
+
+} // namespace trundle

@@ -1,0 +1,38 @@
+#pragma once
+// The inertia that a joint's motor or spring moves: articulated bodies on both sides of the joint, all other joints without effort.
+// Contacts are not part of it, so the real inertia may be larger, never smaller.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "world/ode/objects/ode_records.h"
+
+namespace trundle {
+
+class JointInertias {
+public:
+    JointInertias(const std::vector<OdeBody>& bodies, const std::vector<OdeJoint>& joints) : m_bodies(bodies), m_joints(joints) {}
+
+    /// To be called for each joint once it is complete.
+    void add(std::uint32_t joint);
+    /// Writes the joint's `inertia` for the current poses.
+    void update(OdeJoint& joint, std::uint32_t index);
+
+private:
+    using Vec6 = Eigen::Matrix<double, 6, 1>;
+    using Mat6 = Eigen::Matrix<double, 6, 6>;
+    using Axes = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
+
+    [[nodiscard]] Axes axesOf(const OdeJoint& joint) const;
+    [[nodiscard]] Mat6 inertiaOf(std::uint32_t body) const;
+    [[nodiscard]] Mat6 sideOf(std::uint32_t body, std::uint32_t without);
+
+    const std::vector<OdeBody>& m_bodies;
+    const std::vector<OdeJoint>& m_joints;
+    std::vector<std::vector<std::uint32_t>> m_jointsOf; ///< by body
+    std::vector<std::uint32_t> m_visited;               ///< bodies
+    Vec3 m_origin = Vec3::Zero(); ///< all 6-vectors are about this point, in world axes: rotation, translation
+};
+
+} // namespace trundle

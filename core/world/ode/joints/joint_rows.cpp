@@ -1,0 +1,264 @@
+#include "world/ode/joints/joint_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "world/ode/objects/ode_math.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::uint32_t kInertiaTicks = 16; // an estimate for a row of second order need not follow each tick
+constexpr double kSameStop = 1e-9;          // m or rad
+constexpr double kPressed = 0.3;            // cosine between a joint's motion and a contact's normal
+
+/// Adds the multiple of a full turn that brings `angle` closest to the angle expected from the rate.
+double unwrap(double angle, double expected) {
+    return angle + 2 * std::numbers::pi * std::nearbyint((expected - angle) / (2 * std::numbers::pi));
+}
+
+/// The shortest rotation as axis times angle (rad).
+Vec3 rotationVector(Quat q) {
+    if (q.w() < 0) q.coeffs() = -q.coeffs();
+    const double s = q.vec().norm();
+    return s < 1e-12 ? Vec3(2 * q.vec()) : Vec3(q.vec() * (2 * std::atan2(s, q.w()) / s));
+}
+
+/// Attaches the child as first body, then the parent or the world.
+dJointID attached(dJointID id, const OdeJoint& joint, const std::vector<OdeBody>& bodies) {
+    dJointAttach(id, bodies[joint.child].id, joint.parent == kNone ? nullptr : bodies[joint.parent].id);
+    return id;
+}
+
+} // namespace
+
+void setRow(dJointID motor, JointType of, int axis, int parameter, double value) {
+    if (of == JointType::Slider) dJointSetLMotorParam(motor, parameter + axis * kParamStep, value);
+    else dJointSetAMotorParam(motor, parameter + axis * kParamStep, value);
+}
+
+dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, std::span<const Vec3> axes, bool parentFirst) {
+    const dWorldID world = dBodyGetWorld(bodies[joint.child].id);
+    const bool linear = joint.type == JointType::Slider;
+    const dJointID motor =
+        attached(linear ? dJointCreateLMotor(world, nullptr) : dJointCreateAMotor(world, nullptr), joint, bodies);
+    if (linear) dJointSetLMotorNumAxes(motor, static_cast<int>(axes.size()));
+    else dJointSetAMotorNumAxes(motor, static_cast<int>(axes.size()));
+    const int withParent = joint.parent == kNone ? 0 : 2; // axis fixed to the parent, or to the world
+    const int withChild = joint.type == JointType::Ball ? 0 : 1;
+    for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
+        const Vec3& a = axes[static_cast<std::size_t>(i)];
+        if (linear) dJointSetLMotorAxis(motor, i, withParent, a.x(), a.y(), a.z());
+        else dJointSetAMotorAxis(motor, i, parentFirst && i == 0 ? withParent : withChild, a.x(), a.y(), a.z());
+    }
+    return motor;
+}
+
+void JointRows::add(std::uint32_t index, const JointSpec& spec, const Vec3& axis, const Vec3& axis2) {
+    OdeJoint& joint = m_joints[index];
+    m_inertias.add(index);
+    if (spec.type == JointType::Fixed) return;
+    std::vector<Vec3> axes{axis};
+    if (spec.type == JointType::Universal) axes.push_back(axis2);
+    if (spec.type == JointType::Ball) axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    const bool withParent = spec.type == JointType::Universal || spec.type == JointType::Slider;
+    const auto set = [&](dJointID motor, int parameter, double value) {
+        for (int i = 0; i < static_cast<int>(axes.size()); ++i) setRow(motor, spec.type, i, parameter, value);
+    };
+    if (spec.type == JointType::Hinge || spec.type == JointType::Slider || spec.type == JointType::Universal)
+        addStop(joint, spec, axis);
+    if (spec.friction > 0) {
+        joint.friction = axisMotor(joint, m_bodies, axes, withParent);
+        set(joint.friction, dParamFMax, spec.friction);
+    }
+    if (spec.type != JointType::Suspension && (spec.stiffness > 0 || spec.damping > 0)) {
+        joint.spring = axisMotor(joint, m_bodies, axes, withParent);
+        set(joint.spring, dParamFMax, dInfinity);
+    }
+    if (joint.stop || joint.spring || spec.type == JointType::Suspension) m_updated.push_back(index);
+}
+
+/// A separate stop that uses the unwrapped angle, since ODE's own is limited to half a turn in each direction. That of a slider is
+/// ODE's own, with a separate row for the landing; its motor is separate too, because ODE drives a slider at its stop without bound.
+void JointRows::addStop(OdeJoint& joint, const JointSpec& spec, const Vec3& axis) const {
+    if (!spec.lowStop && !spec.highStop) return;
+    joint.lowStop = spec.lowStop.value_or(-dInfinity);
+    joint.highStop = spec.highStop.value_or(dInfinity);
+    joint.stop = axisMotor(joint, m_bodies, std::array{axis}, spec.type == JointType::Universal);
+    if (joint.type == JointType::Slider) {
+        dJointSetSliderParam(joint.id, dParamLoStop, joint.lowStop + kSameStop); // ODE measures a slider by itself
+        dJointSetSliderParam(joint.id, dParamHiStop, joint.highStop - kSameStop);
+        joint.drive = axisMotor(joint, m_bodies, std::array{axis}, true);
+        return;
+    }
+    dJointSetAMotorAngle(joint.stop, 0, 0);
+    dJointSetAMotorParam(joint.stop, dParamLoStop, joint.lowStop);
+    dJointSetAMotorParam(joint.stop, dParamHiStop, joint.highStop);
+}
+
+void JointRows::update(double h, std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms, double errorReduction) {
+    findTouches(contacts, geoms);
+    for (const std::uint32_t index : m_updated) {
+        OdeJoint& joint = m_joints[index];
+        if (joint.spring || joint.type == JointType::Suspension) updateInertia(index);
+        if (joint.spring) updateSpring(joint, h);
+        if (joint.stop) updateStop(joint, h);
+        if (joint.type == JointType::Suspension) updateSuspension(joint, h, errorReduction);
+    }
+    for (const std::uint32_t index : m_driven) {
+        OdeJoint& joint = m_joints[index];
+        if (!joint.motorChanged && joint.motor.damping == 0 && joint.motor.softness == 0) continue;
+        if ((joint.motor.damping > 0 || joint.motor.softness > 0) && !m_touched[joint.child]) updateInertia(index);
+        updateMotor(joint, h);
+    }
+    ++m_ticks;
+}
+
+void JointRows::updateInertia(std::uint32_t index) {
+    OdeJoint& joint = m_joints[index];
+    if (joint.inertia[0] == 0 || (m_ticks + joint.order) % kInertiaTicks == 0) m_inertias.update(joint, index);
+}
+
+void JointRows::findTouches(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms) {
+    m_touched.assign(m_driven.empty() ? 0 : m_bodies.size(), false);
+    m_firstTouch.assign(m_updated.empty() ? 0 : m_bodies.size(), kNone);
+    m_touches.clear();
+    if (m_touched.empty() && m_firstTouch.empty()) return;
+    for (const OdeContact& c : contacts) {
+        const std::uint32_t first = geoms[c.first].body, second = geoms[c.second].body;
+        if (!m_touched.empty()) {
+            m_touched[first] = true;
+            if (second != kNone) m_touched[second] = true;
+        }
+        if (second != kNone || m_firstTouch.empty()) continue;
+        m_touches.push_back({m_firstTouch[first], vec(c.position), vec(c.normal)});
+        m_firstTouch[first] = static_cast<std::uint32_t>(m_touches.size() - 1);
+    }
+}
+
+/// True if a push (along the child's positive motion) presses what the child carries onto something that does not move: the spring
+/// then moves only what is on its other side.
+bool JointRows::isHeld(const OdeJoint& joint, double push) const {
+    if (joint.parent == kNone) return false;
+    const Vec3 anchor = vec(m_bodies[joint.child].p) + turn(m_bodies[joint.child].r, joint.childAnchor),
+               axis = carried(joint, joint.type == JointType::Suspension ? joint.slideAxis : joint.parentAxis);
+    for (const std::uint32_t body : joint.childSide)
+        for (std::uint32_t i = m_firstTouch[body]; i != kNone; i = m_touches[i].next) {
+            const Touch& touch = m_touches[i];
+            const Vec3 motion = joint.type == JointType::Hinge ? Vec3(axis.cross(touch.position - anchor)) : axis;
+            const double out = motion.dot(touch.normal);
+            if (push * out <= 0 && std::abs(out) > kPressed * motion.norm()) return true;
+        }
+    return false;
+}
+
+/// Lands on a stop within the tick instead of being thrown back from beyond it. Expects at least the last tick's acceleration again.
+void JointRows::updateStop(OdeJoint& joint, double h) const {
+    const double gain = joint.rate - joint.lastRate, step = h * (joint.rate + (gain * joint.rate > 0 ? gain : 0));
+    const double down = joint.position - joint.lowStop, up = joint.highStop - joint.position;
+    const bool low = down > kSameStop && down + step<0, high = up> kSameStop && up < step;
+    if (low || high) setRow(joint.stop, joint.type, 0, dParamVel, (low ? -down : up) / h);
+    setRow(joint.stop, joint.type, 0, dParamFMax, low || high ? dInfinity : 0);
+    if (joint.type == JointType::Slider) return;
+    const double angle = std::abs(down) <= kSameStop ? joint.lowStop
+                         : std::abs(up) <= kSameStop ? joint.highStop
+                                                     : joint.position;
+    dJointSetAMotorAngle(joint.stop, 0, angle);
+}
+
+void JointRows::updateSpring(OdeJoint& joint, double h) const {
+    double away[3] = {joint.position, 0, 0}, rate[3] = {joint.rate, 0, 0};
+    int axes = 1;
+    if (joint.type == JointType::Ball || joint.type == JointType::Universal) {
+        const OdeBody& c = m_bodies[joint.child];
+        const OdeBody* p = joint.parent == kNone ? nullptr : &m_bodies[joint.parent];
+        const Quat child = quat(c.q), parent = p ? quat(p->q) : Quat(1, 0, 0, 0);
+        const Vec3 turned = parent * rotationVector(parent.conjugate() * child * joint.start.conjugate()),
+                   spin = p ? Vec3(vec(c.w) - vec(p->w)) : vec(c.w);
+        axes = joint.type == JointType::Ball ? 3 : 2;
+        for (int k = axes == 3 ? 0 : 1; k < axes; ++k) {
+            const Vec3 axis = axes == 3 ? Vec3(Vec3::Unit(k)) : turn(c.r, joint.secondAxis);
+            away[k] = axis.dot(turned);
+            rate[k] = axis.dot(spin);
+        }
+    }
+    const bool held = axes == 1 && joint.stiffness > 0 && isHeld(joint, -joint.position);
+    const double motor = motorDamping(joint);
+    for (int k = 0; k < axes; ++k) {
+        SpringRow row = springRow(joint.stiffness, joint.damping + motor, (held ? joint.heldInertia : joint.inertia)[k], h);
+        if (motor > 0) { // the motor's share is in its own row
+            const SpringRow share = damperRow(joint, motor, h);
+            row = {row.give - share.give, row.carry - share.carry};
+        }
+        setRow(joint.spring, joint.type, k, dParamVel, -(joint.stiffness * away[k] + row.carry * rate[k]) / row.give);
+        setRow(joint.spring, joint.type, k, dParamCFM, 1 / row.give);
+    }
+}
+
+/// The spring along a suspension's axis is ODE's own row, which has no place for the force that only depends on the old rate. Beyond
+/// its travel the row becomes stiff.
+void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReduction) const {
+    const Vec3 axis = carried(joint, joint.slideAxis);
+    const double slide = axis.dot(anchorGap(joint));
+    if (joint.travel > 0 && std::abs(slide) > joint.travel) {
+        dJointSetHinge2Param(joint.id, dParamSuspensionERP, errorReduction * (std::abs(slide) - joint.travel) / std::abs(slide));
+        dJointSetHinge2Param(joint.id, dParamSuspensionCFM, kWorldCfm);
+        return;
+    }
+    const double inertia = (isHeld(joint, -slide) ? joint.heldInertia : joint.inertia)[0];
+    const SpringRow row = springRow(joint.stiffness, joint.damping, inertia, h);
+    const double give = std::max(row.give, 1e-9);
+    dJointSetHinge2Param(joint.id, dParamSuspensionERP, h * joint.stiffness / give);
+    dJointSetHinge2Param(joint.id, dParamSuspensionCFM, 1 / give);
+    if (row.carry == 0) return;
+    const OdeBody &c = m_bodies[joint.child], &p = m_bodies[joint.parent];
+    const Vec3 force = -row.carry * axis.dot(anchorSpeed(joint)) * axis, at = vec(c.p) + turn(c.r, joint.childAnchor);
+    dBodyAddForceAtPos(c.id, force.x(), force.y(), force.z(), at.x(), at.y(), at.z());
+    dBodyAddForceAtPos(p.id, -force.x(), -force.y(), -force.z(), at.x(), at.y(), at.z());
+}
+
+Vec3 JointRows::carried(const OdeJoint& joint, const Vec3& axis) const {
+    return joint.parent == kNone ? axis : turn(m_bodies[joint.parent].r, axis);
+}
+
+Vec3 JointRows::anchorGap(const OdeJoint& joint) const {
+    const OdeBody& c = m_bodies[joint.child];
+    Vec3 gap = vec(c.p) + turn(c.r, joint.childAnchor);
+    if (joint.parent == kNone) return gap - joint.parentAnchor;
+    const OdeBody& p = m_bodies[joint.parent];
+    return gap - vec(p.p) - turn(p.r, joint.parentAnchor);
+}
+
+/// Velocity of the child's anchor relative to the parent, world.
+Vec3 JointRows::anchorSpeed(const OdeJoint& joint) const {
+    const OdeBody& c = m_bodies[joint.child];
+    const Vec3 lever = turn(c.r, joint.childAnchor);
+    Vec3 speed = vec(c.v) + vec(c.w).cross(lever);
+    if (joint.parent == kNone) return speed;
+    const OdeBody& p = m_bodies[joint.parent];
+    return speed - (vec(p.v) + vec(p.w).cross(vec(c.p) + lever - vec(p.p)));
+}
+
+void JointRows::measure(OdeJoint& joint, double h) const {
+    if (joint.type == JointType::Ball || joint.type == JointType::Fixed) return;
+    const OdeBody& c = m_bodies[joint.child];
+    const OdeBody* p = joint.parent == kNone ? nullptr : &m_bodies[joint.parent];
+    const Vec3 axis = carried(joint, joint.parentAxis);
+    joint.lastRate = joint.rate;
+    if (joint.type == JointType::Slider) {
+        joint.position = axis.dot(anchorGap(joint));
+        joint.rate = axis.dot(anchorSpeed(joint));
+    } else {
+        const Quat relative = p ? Quat(quat(p->q).conjugate() * quat(c.q)) : quat(c.q),
+                   turned = relative * joint.start.conjugate();
+        joint.rate = axis.dot(p ? Vec3(vec(c.w) - vec(p->w)) : vec(c.w));
+        const double angle = 2 * std::atan2(turned.vec().dot(joint.parentAxis), turned.w());
+        joint.position = unwrap(angle, joint.position + joint.rate * h);
+    }
+    if (joint.driven) joint.effort = effortOf(joint);
+}
+
+} // namespace trundle

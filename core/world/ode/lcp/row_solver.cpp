@@ -1,0 +1,218 @@
+#include "world/ode/lcp/row_solver.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace trundle {
+
+namespace {
+
+constexpr unsigned kFewRows = 48;    // that many are a full matrix, and their order does not matter
+constexpr unsigned kFewBounded = 14; // with more some mostly are at their bounds
+constexpr double kHuge = 1e300;
+
+} // namespace
+
+bool RowSolver::solve(const IslandRows& island, double* pairs) {
+    sort(island);
+    const bool full = island.rows <= kFewRows;
+    if (full && m_bounded.size() <= kFewBounded && solveInside(island, pairs)) return true;
+    place(TileMatrix::padded(static_cast<unsigned>(m_free.size())));
+    if (!full) {
+        findPattern(island);
+        order();
+    }
+    if (!eliminate(island, pairs)) return false;
+    pack(full);
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    m_x.assign(TileMatrix::padded(m_begin + bounded + 1), 0);
+    m_x[m_begin + bounded] = -1; // the right side, as a row
+    if (!solveBounded(island)) return false;
+    m_matrix.solveBack(0, m_begin, m_x.data());
+    return write(island, pairs);
+}
+
+bool RowSolver::write(const IslandRows& island, double* pairs) const {
+    for (unsigned i = 0; i < island.rows; ++i)
+        if (!std::isfinite(m_x[m_places[i]])) return false;
+    for (unsigned i = 0; i < island.rows; ++i) pairs[2 * i + 1] = m_x[m_places[i]];
+    return true;
+}
+
+/// As it mostly is with robots that drive: all rows are inside their bounds, and one elimination says so. False where some are not.
+bool RowSolver::solveInside(const IslandRows& island, double* pairs) {
+    place(static_cast<unsigned>(m_free.size()));
+    const unsigned last = island.rows, noFriction = m_begin + m_frictionBegin;
+    m_matrix.start(last + 1, true);
+    fillFull(island);
+    double* const right = m_matrix.rowOf(last);
+    for (unsigned i = 0; i < last; ++i) right[m_places[i] * TileMatrix::kTile] = pairs[2 * i];
+    right[last * TileMatrix::kTile] = kHuge; // it is eliminated with its tile
+    if (!m_matrix.eliminate(TileMatrix::padded(last + 1))) return false;
+    m_x.assign(TileMatrix::padded(last + 1), 0);
+    m_x[last] = -1;
+    if (m_frictionBegin < m_bounded.size()) {
+        m_matrix.solveBack(m_begin / TileMatrix::kTile * TileMatrix::kTile, noFriction, m_x.data());
+        if (!isInside(m_frictionBegin)) return false;
+        boundFriction(island);
+    }
+    m_matrix.solveBack(0, last, m_x.data());
+    return isInside(static_cast<unsigned>(m_bounded.size())) && write(island, pairs);
+}
+
+/// The first so many of the bounded rows.
+bool RowSolver::isInside(unsigned bounded) const {
+    for (unsigned i = 0; i < bounded; ++i)
+        if (!(m_low[i] <= m_x[m_begin + i] && m_x[m_begin + i] <= m_high[i])) return false;
+    return true;
+}
+
+void RowSolver::sort(const IslandRows& island) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    m_free.clear();
+    m_bounded.clear();
+    for (unsigned i = 0; i < island.rows; ++i) {
+        const bool friction = island.normals && island.normals[i] >= 0;
+        const bool open = island.bounds[2 * i] == -kInfinity && island.bounds[2 * i + 1] == kInfinity;
+        if (open && !friction) m_free.push_back(i);
+        else if (!friction) m_bounded.push_back(i);
+    }
+    m_frictionBegin = static_cast<unsigned>(m_bounded.size());
+    for (unsigned i = 0; island.normals && i < island.rows; ++i)
+        if (island.normals[i] >= 0) m_bounded.push_back(i);
+    bound(island);
+}
+
+void RowSolver::bound(const IslandRows& island) {
+    m_low.resize(m_bounded.size());
+    m_high.resize(m_bounded.size());
+    for (unsigned i = 0; i < m_bounded.size(); ++i) {
+        m_low[i] = island.bounds[2 * m_bounded[i]];
+        m_high[i] = island.bounds[2 * m_bounded[i] + 1];
+    }
+}
+
+/// Of friction, from the solution without any.
+void RowSolver::boundFriction(const IslandRows& island) {
+    for (unsigned i = m_frictionBegin; i < m_bounded.size(); ++i) {
+        const double load = m_x[m_places[static_cast<unsigned>(island.normals[m_bounded[i]])]];
+        m_high[i] = load == 0 ? 0 : std::abs(island.bounds[2 * m_bounded[i] + 1] * load);
+        m_low[i] = -m_high[i];
+    }
+}
+
+void RowSolver::findPattern(const IslandRows& island) {
+    m_words = (island.rows + 63) / 64;
+    m_pattern.assign(std::size_t(island.rows) * m_words, 0);
+    for (unsigned i = 0; i < island.rows; ++i) {
+        const double* const row = island.matrix + std::size_t(i) * island.stride;
+        for (unsigned begin = 0; begin <= i; begin += 64) {
+            std::uint64_t bits = 0;
+            const unsigned count = std::min(64u, i + 1 - begin);
+            for (unsigned k = 0; k < count; ++k) bits |= std::uint64_t(row[begin + k] != 0) << k;
+            m_pattern[std::size_t(i) * m_words + begin / 64] = bits;
+        }
+    }
+}
+
+/// Where each row stands in the matrix: first the free ones, then from `begin` on the bounded ones.
+void RowSolver::place(unsigned begin) {
+    m_places.resize(m_free.size() + m_bounded.size());
+    m_begin = begin;
+    for (unsigned i = 0; i < m_free.size(); ++i) m_places[m_free[i]] = i;
+    for (unsigned i = 0; i < m_bounded.size(); ++i) m_places[m_bounded[i]] = m_begin + i;
+}
+
+/// The free rows in the order in which they are eliminated.
+void RowSolver::order() {
+    const auto free = static_cast<unsigned>(m_free.size());
+    const unsigned words = (free + 63) / 64;
+    m_freePattern.assign(std::size_t(free) * words, 0);
+    for (unsigned i = 0; i < free; ++i) {
+        m_freePattern[std::size_t(i) * words + i / 64] |= std::uint64_t(1) << i % 64; // also where the value is zero
+        for (unsigned w = 0; w < m_words; ++w)
+            for (std::uint64_t bits = m_pattern[std::size_t(m_free[i]) * m_words + w]; bits; bits &= bits - 1) {
+                const unsigned j = m_places[w * 64 + static_cast<unsigned>(std::countr_zero(bits))];
+                if (j >= free) continue;
+                m_freePattern[std::size_t(i) * words + j / 64] |= std::uint64_t(1) << j % 64;
+                m_freePattern[std::size_t(j) * words + i / 64] |= std::uint64_t(1) << i % 64;
+            }
+    }
+    unsigned next = 0;
+    for (const unsigned i : m_order.find(m_freePattern, free, words)) m_places[m_free[i]] = next++;
+}
+
+void RowSolver::fillFull(const IslandRows& island) {
+    constexpr unsigned kStep = TileMatrix::kTile;
+    const auto free = static_cast<unsigned>(m_free.size());
+    const unsigned inPlace = free > 0 && m_free.back() + 1 == free ? free : 0; // as ODE has them
+    const unsigned* const places = m_places.data();
+    for (unsigned i = 0; i < island.rows; ++i) {
+        const double* const from = island.matrix + std::size_t(i) * island.stride;
+        const unsigned here = places[i], plain = std::min(inPlace, i + 1);
+        double* const row = m_matrix.rowOf(here);
+        for (unsigned j = 0; j < plain; ++j) row[j * kStep] = from[j];
+        for (unsigned j = plain; j <= i; ++j) {
+            const unsigned there = places[j];
+            *(there <= here ? row + there * kStep : m_matrix.rowOf(there) + here * kStep) = from[j];
+        }
+    }
+}
+
+void RowSolver::fillSparse(const IslandRows& island) {
+    for (unsigned i = 0; i < island.rows; ++i) {
+        const double* const row = island.matrix + std::size_t(i) * island.stride;
+        const unsigned here = m_places[i];
+        for (unsigned w = 0; w < m_words; ++w)
+            for (std::uint64_t bits = m_pattern[std::size_t(i) * m_words + w]; bits; bits &= bits - 1) {
+                const unsigned j = w * 64 + static_cast<unsigned>(std::countr_zero(bits)), there = m_places[j];
+                m_matrix.set(std::max(here, there), std::min(here, there), row[j]);
+            }
+    }
+}
+
+bool RowSolver::eliminate(const IslandRows& island, const double* pairs) {
+    const unsigned last = m_begin + static_cast<unsigned>(m_bounded.size());
+    const bool full = island.rows <= kFewRows;
+    m_matrix.start(last + 1, full);
+    if (full) fillFull(island);
+    else fillSparse(island);
+    for (unsigned i = 0; i < island.rows; ++i) m_matrix.set(last, m_places[i], pairs[2 * i]);
+    for (auto i = static_cast<unsigned>(m_free.size()); i < m_begin; ++i) m_matrix.set(i, i, 1);
+    return m_matrix.eliminate(m_begin);
+}
+
+/// What remains for the bounded rows.
+void RowSolver::pack(bool full) {
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    m_rest.resize(std::size_t(bounded) * bounded);
+    m_right.resize(bounded);
+    const auto pack = [&](auto&& at) {
+        for (unsigned i = 0; i < bounded; ++i) {
+            for (unsigned j = 0; j <= i; ++j)
+                m_rest[std::size_t(i) * bounded + j] = m_rest[std::size_t(j) * bounded + i] = at(m_begin + i, m_begin + j);
+            m_right[i] = at(m_begin + bounded, m_begin + i);
+        }
+    };
+    if (full) pack([this](unsigned row, unsigned column) { return m_matrix.atInFull(row, column); });
+    else pack([this](unsigned row, unsigned column) { return m_matrix.at(row, column); });
+}
+
+bool RowSolver::solveBounded(const IslandRows& island) {
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    const BoxProblem problem{m_rest.data(), bounded, m_right, m_low, m_high};
+    m_box.start(bounded);
+    const auto solve = [&](unsigned rows) {
+        if (!m_box.solve(problem, rows)) return false;
+        std::copy_n(m_box.solution().begin(), rows, m_x.begin() + m_begin);
+        return true;
+    };
+    if (!solve(m_frictionBegin)) return false;
+    if (m_frictionBegin == bounded) return true;
+    boundFriction(island);
+    return solve(bounded);
+}
+
+} // namespace trundle

@@ -1,0 +1,58 @@
+#pragma once
+// What the exact solver of ODE does for all rows of joints and contacts that hang together (an island), faster: rows without bounds,
+// which are nearly all rows of a robot's joints, are eliminated first as the sparse matrix that they are, and only what remains for
+// the rows with bounds is searched for the sides on which those are. Needs: values of the lower triangle of a positive definite
+// matrix.
+
+#include <cstdint>
+#include <vector>
+
+#include "world/ode/lcp/box_solver.h"
+#include "world/ode/lcp/elimination_order.h"
+
+namespace trundle {
+
+/// As ODE hands it over. A row with `normals` >= 0 is friction: its bounds are its `high` times what that row has without any friction.
+struct IslandRows {
+    unsigned rows;
+    const double* matrix; ///< lower triangle, row after row
+    unsigned stride;
+    const double* bounds; ///< pairs of low and high
+    const int* normals;   ///< may be null
+};
+
+class RowSolver {
+public:
+    /// `pairs`: the right sides, each followed by where its solution goes. False where it cannot be found this way: nothing is written.
+    [[nodiscard]] bool solve(const IslandRows& island, double* pairs);
+
+private:
+    void sort(const IslandRows& island);
+    void bound(const IslandRows& island);
+    [[nodiscard]] bool solveInside(const IslandRows& island, double* pairs);
+    [[nodiscard]] bool isInside(unsigned bounded) const;
+    void place(unsigned begin);
+    void findPattern(const IslandRows& island);
+    void order();
+    void fillFull(const IslandRows& island);
+    void fillSparse(const IslandRows& island);
+    [[nodiscard]] bool eliminate(const IslandRows& island, const double* pairs);
+    void pack(bool full);
+    void boundFriction(const IslandRows& island);
+    [[nodiscard]] bool write(const IslandRows& island, double* pairs) const;
+    [[nodiscard]] bool solveBounded(const IslandRows& island);
+
+    std::vector<unsigned> m_free, m_bounded; ///< rows; of the bounded ones friction comes last
+    unsigned m_frictionBegin = 0;            ///< in m_bounded
+    unsigned m_words = 0;
+    std::vector<std::uint64_t> m_pattern; ///< by row: a bit for each value that is not zero, lower triangle
+    std::vector<std::uint64_t> m_freePattern;
+    EliminationOrder m_order;
+    std::vector<unsigned> m_places; ///< by row: in m_matrix
+    unsigned m_begin = 0;           ///< in m_matrix: of the bounded rows
+    TileMatrix m_matrix;
+    std::vector<double> m_rest, m_right, m_low, m_high, m_x; ///< m_rest: both triangles
+    BoxSolver m_box;
+};
+
+} // namespace trundle

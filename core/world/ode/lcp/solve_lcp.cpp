@@ -1,0 +1,44 @@
+// Takes the place of ODE's solver for the rows of an island, where dWorldStep spends most of its time: a shared library calls the
+// program's definition of a function that both have. What cannot be solved here goes to ODE's own. Needs: ODE 0.16 as a shared
+// library; with any other way of linking ODE keeps its own solver, and a test says so.
+
+#include "world/ode/lcp/solve_lcp.h"
+
+#include <string_view>
+
+#include <ode/version.h>
+
+#include "base/platform/next_symbol.h"
+#include "world/ode/lcp/row_solver.h"
+
+static_assert(std::string_view(dODE_VERSION).starts_with("0.16."), "dxSolveLCP may have other parameters in this version of ODE");
+
+struct dxWorldProcessMemArena;
+
+/// Solves A x = b + w, lo <= x <= hi. `w` is null in dWorldStep; the first `nub` rows have no bounds; `n` padded to four is A's stride.
+__attribute__((visibility("default"))) void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pairsbx,
+                                                       double* w, unsigned nub, double* pairslh, int* findex);
+
+namespace {
+
+using SolveLcp = decltype(dxSolveLCP);
+thread_local trundle::SolvedIslands t_solved;
+
+} // namespace
+
+void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pairsbx, double* w, unsigned nub, double* pairslh,
+                int* findex) {
+    static auto* const ofOde =
+        reinterpret_cast<SolveLcp*>(trundle::nextSymbol("_Z10dxSolveLCPP22dxWorldProcessMemArenajPdS1_S1_jS1_Pi"));
+    thread_local trundle::RowSolver solver;
+    ++t_solved.count;
+    if (!w && solver.solve({n, a, n > 1 ? trundle::TileMatrix::padded(n) : 1, pairslh, findex}, pairsbx)) return;
+    ++t_solved.leftToOde;
+    ofOde(arena, n, a, pairsbx, w, nub, pairslh, findex);
+}
+
+namespace trundle {
+
+SolvedIslands solvedIslands() { return t_solved; }
+
+} // namespace trundle

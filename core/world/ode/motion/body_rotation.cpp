@@ -1,0 +1,99 @@
+#include "world/ode/motion/body_rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/ode/objects/ode_math.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kSteady = 1e-10; // relative change of the momentum in a tick, seen from the body: below it turns steadily
+
+/// True for what is no number as well.
+bool isSteady(const Vec3& rate, const Vec3& momentum, double h) {
+    return !(h * h * rate.cross(momentum).squaredNorm() > kSteady * kSteady * momentum.squaredNorm());
+}
+
+} // namespace
+
+void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const Mat3> inertias, std::span<const OdeJoint> joints,
+                         const PinnedBodies& pinned) {
+    m_inertias.clear();
+    for (const Mat3& inertia : inertias) m_inertias.emplace_back(inertia);
+    std::vector<bool> held(bodies.size(), false), swivels(bodies.size(), true);
+    const auto hold = [&](std::uint32_t body, JointType by) {
+        held[body] = true;
+        if (by != JointType::Ball && by != JointType::Universal) swivels[body] = false;
+    };
+    for (const OdeJoint& joint : joints) {
+        hold(joint.child, joint.type);
+        if (joint.parent != kNone) hold(joint.parent, joint.type);
+    }
+    m_held.clear();
+    m_free.clear();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        if (!held[i] || pinned.hold(i)) dBodySetFiniteRotationMode(bodies[i].id, 1); // by its whole angle, not by the tangent
+        if (m_inertias[i].isRound() || pinned.turnFreely(i)) continue;
+        if (held[i]) m_held.push_back({i, swivels[i]});
+        else m_free.emplace_back().body = i;
+    }
+}
+
+void BodyRotation::before(std::span<const OdeBody> bodies, const std::vector<bool>& touching, double h) {
+    for (const auto& [i, swivels] : m_held) {
+        const OdeBody& b = bodies[i];
+        if (swivels) dBodySetGyroscopicMode(b.id, touching[i]);
+        if (swivels && touching[i]) continue;
+        const Vec3 torque = turn(b.r, m_inertias[i].changeByMidpoint(turnBack(b.r, vec(b.w)), h)) / h;
+        dBodyAddTorque(b.id, torque.x(), torque.y(), torque.z());
+    }
+    for (Tumbling& t : m_free) {
+        const OdeBody& b = bodies[t.body];
+        const RotationalInertia& inertia = m_inertias[t.body];
+        const Vec3 w = vec(b.w), torque = vec(dBodyGetTorque(b.id));
+        t.start = quat(b.q);
+        t.touches = touching[t.body];
+        if (t.touches) continue;
+        t.mean = w;
+        t.momentum = inertia.momentum(t.start, w) + h * torque;
+        if (torque.squaredNorm() > 0) t.mean = inertia.rate(t.start, t.momentum);
+        if (isSteady(t.mean, t.momentum, h)) continue;
+        t.mean = meanRate(t.start, inertia.turnedFreely(t.start, t.momentum, h), h, t.mean);
+        const Vec3 extra = inertia.momentum(t.start, t.mean - w) / h - torque;
+        dBodyAddTorque(b.id, extra.x(), extra.y(), extra.z());
+    }
+}
+
+/// What the tick added to the mean rate, it added to the momentum.
+void BodyRotation::after(std::span<const OdeBody> bodies, double h) {
+    for (Tumbling& t : m_free) {
+        const OdeBody& b = bodies[t.body];
+        const RotationalInertia& inertia = m_inertias[t.body];
+        const Vec3 mean = vec(b.w);
+        if (t.touches) t.momentum = inertia.momentum(t.start, mean);
+        else t.momentum += inertia.momentum(t.start, mean - t.mean);
+        if (isSteady(mean, t.momentum, h)) continue;
+        if (t.touches) flyFreely(b, t, h);
+        const Vec3 w = inertia.rate(quat(b.q), t.momentum);
+        dBodySetAngularVel(b.id, w.x(), w.y(), w.z());
+    }
+}
+
+void BodyRotation::flyFreely(const OdeBody& body, const Tumbling& t, double time) const {
+    dReal q[4];
+    toOde(m_inertias[t.body].turnedFreely(t.start, t.momentum, time), q);
+    dBodySetQuaternion(body.id, q);
+}
+
+void BodyRotation::rewind(const OdeBody& body, std::uint32_t index, double time) const {
+    const auto found =
+        std::lower_bound(m_free.begin(), m_free.end(), index, [](const Tumbling& t, std::uint32_t i) { return t.body < i; });
+    if (found == m_free.end() || found->body != index) return;
+    flyFreely(body, *found, time);
+    const Vec3 w = m_inertias[index].rate(quat(body.q), found->momentum);
+    dBodySetAngularVel(body.id, w.x(), w.y(), w.z());
+}
+
+} // namespace trundle

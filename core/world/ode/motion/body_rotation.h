@@ -1,0 +1,48 @@
+#pragma once
+// How bodies turn. ODE leaves out that a body's inertia turns with it (its own correction for that takes energy), so each tick adds
+// it. What no joint holds turns as in theory: the solver works with the mean rate of the tick, then the rate at its end follows
+// from the angular momentum. Contacts come first in their tick, and free flight after them. What a joint holds has one rate for the
+// whole tick, since joints hold that; what swivels and is knocked about would soon spin so fast that its joint tears, so there ODE's own
+// correction, which takes energy, is the better one.
+
+#include <span>
+#include <vector>
+
+#include "world/ode/motion/free_rotation.h"
+#include "world/ode/motion/pinned_bodies.h"
+#include "world/ode/objects/ode_records.h"
+
+namespace trundle {
+
+class BodyRotation {
+public:
+    /// Once all bodies and joints are there. `inertias`: by body, without the rotors that its motors add.
+    void start(std::span<const OdeBody> bodies, std::span<const Mat3> inertias, std::span<const OdeJoint> joints,
+               const PinnedBodies& pinned);
+    /// Adds to the torques of a tick. `touching`: by body, has a contact.
+    void before(std::span<const OdeBody> bodies, const std::vector<bool>& touching, double h);
+    /// Once the solver has moved the bodies.
+    void after(std::span<const OdeBody> bodies, double h);
+    /// Turns a body back to where it was `time` after the start of the tick, if it turns freely.
+    void rewind(const OdeBody& body, std::uint32_t index, double time) const;
+
+private:
+    /// Its moments differ.
+    struct Held {
+        std::uint32_t body;
+        bool swivels; ///< by ball and universal joints alone
+    };
+    struct Tumbling {
+        std::uint32_t body = 0;
+        Quat start = Quat::Identity(); ///< of the tick
+        Vec3 momentum = Vec3::Zero(), mean = Vec3::Zero();
+        bool touches = false;
+    };
+    void flyFreely(const OdeBody& body, const Tumbling& tumbling, double time) const;
+
+    std::vector<RotationalInertia> m_inertias; ///< by body
+    std::vector<Held> m_held;                  ///< by joints
+    std::vector<Tumbling> m_free;              ///< those that no joint holds, ascending
+};
+
+} // namespace trundle

@@ -1,0 +1,69 @@
+#include "world/ode/objects/ode_objects.h"
+#include <cmath>
+#include <cstring>
+
+#include "world/ode/objects/ode_fault.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kRolling = 0.7; // cosine between an axis and the floor's normal
+
+} // namespace
+
+OdeObjects::~OdeObjects() {
+    try {
+        for (OdeGeom& g : geoms) {
+            if (g.id) dGeomDestroy(g.id);
+            if (g.asSphere) dGeomDestroy(g.asSphere);
+        }
+    } catch (const OdeFault&) { // after a fault some of it may not come apart: better lost than dead
+    }
+}
+
+Vec3 OdeObjects::contactSpeed(const OdeContact& c) const {
+    return pointVelocity(geoms[c.first], vec(c.position)) - pointVelocity(geoms[c.second], vec(c.position));
+}
+
+Vec3 OdeObjects::carriedBy(const OdeContact& c) const {
+    const OdeGeom& g = geoms[c.first];
+    const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||
+                       ((g.shape == GeomShape::Cylinder || g.shape == GeomShape::Capsule) &&
+                        std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kRolling);
+    return rolls ? vec(bodies[g.body].v) : pointVelocity(g, vec(c.position));
+}
+
+void OdeObjects::publish(std::uint32_t index) {
+    const OdeBody& b = bodies[index];
+    BodyState& s = states[index];
+    const Vec3 lever = turn(b.r, b.centre); // from the frame's origin to the centre of mass
+    s.position = vec(b.p) - lever;
+    s.rotation = quat(b.q);
+    s.angular = vec(b.w);
+    s.linear = vec(b.v) - s.angular.cross(lever);
+}
+
+RawState rawState(const OdeBody& b) {
+    RawState s;
+    std::memcpy(s.p, b.p, sizeof s.p);
+    std::memcpy(s.r, b.r, sizeof s.r);
+    std::memcpy(s.q, b.q, sizeof s.q);
+    std::memcpy(s.v, b.v, sizeof s.v);
+    std::memcpy(s.w, b.w, sizeof s.w);
+    std::memcpy(s.force, dBodyGetForce(b.id), sizeof s.force);
+    std::memcpy(s.torque, dBodyGetTorque(b.id), sizeof s.torque);
+    return s;
+}
+
+void setRawState(const OdeBody& b, const RawState& s) {
+    std::memcpy(const_cast<dReal*>(b.p), s.p, sizeof s.p);
+    std::memcpy(const_cast<dReal*>(b.r), s.r, sizeof s.r);
+    std::memcpy(const_cast<dReal*>(b.q), s.q, sizeof s.q);
+    std::memcpy(const_cast<dReal*>(b.v), s.v, sizeof s.v);
+    std::memcpy(const_cast<dReal*>(b.w), s.w, sizeof s.w);
+    dBodySetForce(b.id, s.force[0], s.force[1], s.force[2]);
+    dBodySetTorque(b.id, s.torque[0], s.torque[1], s.torque[2]);
+}
+
+} // namespace trundle

@@ -1,0 +1,45 @@
+#pragma once
+// ODE's world, with a threading implementation of its own: ODE's default one is shared by all worlds.
+
+#include <memory>
+
+#include <ode/ode.h>
+
+#include "world/engine.h"
+#include "world/ode/objects/ode_fault.h"
+
+namespace trundle {
+
+class OdeWorld {
+public:
+    explicit OdeWorld(const EngineSettings& settings);
+    ~OdeWorld();
+    OdeWorld(const OdeWorld&) = delete;
+    OdeWorld& operator=(const OdeWorld&) = delete;
+
+    [[nodiscard]] dWorldID id() const { return m_id; }
+    /// After a fault thrown out of the middle of a step: its list of jobs is half done, so it gets a new implementation.
+    void replaceThreading();
+    /// The same where the world is not stepped again.
+    void abandonThreading() { m_abandoned = true; }
+
+private:
+    void makeThreading();
+
+    dWorldID m_id = nullptr;
+    dThreadingImplementationID m_threading = nullptr;
+    bool m_abandoned = false;
+};
+
+/// Destroys what ODE created. After a fault it may not come apart: better lost than dead.
+template <auto destroy> struct OdeDeleter {
+    template <class T> void operator()(T* created) const noexcept {
+        try {
+            destroy(created);
+        } catch (const OdeFault&) {}
+    }
+};
+using OwnedJointGroup = std::unique_ptr<dxJointGroup, OdeDeleter<dJointGroupDestroy>>;
+using OwnedGeom = std::unique_ptr<dxGeom, OdeDeleter<dGeomDestroy>>;
+
+} // namespace trundle

@@ -1,0 +1,236 @@
+#include "world/ode/solver/cluster_solver.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "base/rng.h"
+#include "world/ode/objects/ode_fault.h"
+#include "world/ode/objects/ode_math.h"
+#include "world/ode/solver/random_order.h"
+
+namespace trundle {
+
+namespace {
+
+/// Each interrupted step loses the memory that ODE had taken for it (some 10 kB to 1 MB); a cluster that needs more of them is left to
+/// the quick solver.
+constexpr std::uint32_t kMaxStumbles = 100;
+constexpr int kMaxRepeats = 3;
+constexpr int kShortSteps = 8; // measured: a stack of ten boxes stands with 4
+
+} // namespace
+
+ClusterSolver::ClusterSolver(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts,
+                             const ContactRows& rows, JointDrift& drift)
+    : m_settings(settings), m_world(world), m_objects(objects), m_contacts(contacts), m_rows(rows), m_drift(drift),
+      m_group(dJointGroupCreate(0)) {}
+
+void ClusterSolver::step(double h, SolverPlan& plan) {
+    m_countedQuick = m_countedRescue = false;
+    run(h, plan);
+    ++m_tick;
+}
+
+void ClusterSolver::takeBack() const {
+    for (std::uint32_t i = 0; i < m_objects.bodies.size(); ++i) restore(i);
+}
+
+void ClusterSolver::stepAgain(double h, SolverPlan& plan) {
+    --m_tick; // the same random numbers
+    run(h, plan);
+    ++m_tick;
+}
+
+void ClusterSolver::run(double h, SolverPlan& plan) {
+    m_rescued = false;
+    m_quick.clear();
+    m_stumbles.resize(m_objects.bodies.size(), 0);
+    m_allQuick = m_settings.solver == SolverChoice::Quick;
+    if (m_allQuick) stepAllQuickly(h);
+    else stepExactly(h, plan);
+    if ((m_allQuick || !m_quick.empty()) && !std::exchange(m_countedQuick, true)) ++m_quickTicks;
+    if (m_rescued && !std::exchange(m_countedRescue, true)) ++m_rescuedTicks;
+}
+
+bool ClusterSolver::isQuick(std::uint32_t body) const {
+    return m_allQuick || std::binary_search(m_quick.begin(), m_quick.end(), body);
+}
+
+/// The same for all that is solved by itself in a tick: who else there is must not matter.
+void ClusterSolver::seed() const { seedOrders(randomBits(m_settings.seed, 0, m_tick, 0)); }
+
+void ClusterSolver::stepAllQuickly(double h) {
+    seed();
+    m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
+    dWorldQuickStep(m_world.id(), h);
+    m_drift.shiftBack(m_objects.bodies);
+}
+
+/// One exact step of all that is enabled. False where the solver met a singular row: it reports it and leaves nonsense behind, or fails
+/// an assertion in the middle of its work.
+bool ClusterSolver::tryExactly(double h) {
+    const std::uint64_t before = odeMessages();
+    m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
+    bool whole = true;
+    try {
+        dWorldStep(m_world.id(), h);
+    } catch (const OdeFault&) {
+        m_world.replaceThreading();
+        whole = false;
+    }
+    m_drift.shiftBack(m_objects.bodies);
+    return whole && odeMessages() == before;
+}
+
+void ClusterSolver::stepExactly(double h, SolverPlan& plan) {
+    save();
+    BodyClusters& clusters = plan.clusters();
+    for (const std::uint32_t name : plan.iterated())
+        for (const std::uint32_t body : clusters.bodies(name)) dBodyDisable(m_objects.bodies[body].id);
+    m_anyDisabled = !plan.iterated().empty();
+    if (!tryExactly(h)) {
+        plan.findClusters(m_contacts.all, m_objects.geoms);
+        std::vector<std::uint32_t> names;
+        std::ranges::set_difference(clusters.all(), plan.iterated(), std::back_inserter(names));
+        disableAll();
+        for (const std::uint32_t name : names)
+            for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+        stepByThemselves(h, clusters, names);
+    }
+    repeatBent(h, plan);
+    for (const std::uint32_t name : plan.iterated()) {
+        disableAll();
+        iterate(h, clusters.bodies(name));
+    }
+    std::ranges::sort(m_quick);
+    if (m_anyDisabled) enableAll();
+}
+
+/// Halves the clusters until those are alone that cannot be solved. All bodies are disabled before and after.
+void ClusterSolver::stepByThemselves(double h, BodyClusters& clusters, std::span<const std::uint32_t> names) {
+    if (names.size() == 1) return rescue(h, clusters, names[0]);
+    const std::size_t half = names.size() / 2;
+    for (const auto part : {names.first(half), names.subspan(half)}) {
+        if (part.empty()) continue;
+        enableOnly(clusters, part);
+        const bool solved = tryExactly(h);
+        disableAll();
+        if (solved) continue;
+        for (const std::uint32_t name : part)
+            for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+        stepByThemselves(h, clusters, part);
+    }
+}
+
+/// In a rare tick the exact solver cannot do its work. The cluster is then taken again from the same state with a little more give in
+/// every row, and where no give helps by the other solver.
+void ClusterSolver::rescue(double h, BodyClusters& clusters, std::uint32_t name) {
+    m_rescued = true;
+    const auto bodies = clusters.bodies(name);
+    bool solved = false;
+    for (const double give : {1e2 * kWorldCfm, 1e4 * kWorldCfm}) {
+        if (m_stumbles[name] >= kMaxStumbles) break;
+        dWorldSetCFM(m_world.id(), give);
+        enableOnly(clusters, std::span(&name, 1));
+        solved = tryExactly(h);
+        disableAll();
+        if (solved) break;
+        ++m_stumbles[name];
+        for (const std::uint32_t body : bodies) restore(body);
+    }
+    dWorldSetCFM(m_world.id(), kWorldCfm);
+    if (!solved) iterate(h, bodies);
+}
+
+/// Where bodies turn otherwise than their joints were prepared for, their clusters are taken again.
+void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
+    for (int again = 0; again < kMaxRepeats; ++again) {
+        m_drift.findUnexpected(m_objects.bodies, m_objects.joints, h, m_bent);
+        if (m_bent.empty()) return;
+        plan.findClusters(m_contacts.all, m_objects.geoms);
+        BodyClusters& clusters = plan.clusters();
+        for (std::uint32_t& body : m_bent) body = clusters.of(body); // names from here on
+        std::ranges::sort(m_bent);
+        m_bent.erase(std::unique(m_bent.begin(), m_bent.end()), m_bent.end());
+        std::erase_if(m_bent, [&](std::uint32_t name) { return std::ranges::find(m_quick, name) != m_quick.end(); });
+        if (m_bent.empty()) return;
+        disableAll();
+        for (const std::uint32_t name : m_bent) {
+            m_drift.expect(m_objects.bodies, clusters.bodies(name));
+            for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+        }
+        enableOnly(clusters, m_bent);
+        const bool solved = tryExactly(h);
+        disableAll();
+        if (solved) continue;
+        for (const std::uint32_t name : m_bent)
+            for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+        stepByThemselves(h, clusters, m_bent);
+    }
+}
+
+/// Short steps of the quick solver, with the contacts that the tick began with. All bodies are disabled before and after.
+void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
+    const double part = h / kShortSteps;
+    const auto isIn = [&](std::uint32_t body) { return std::ranges::binary_search(bodies, body); };
+    std::vector<std::size_t> contacts;
+    for (std::size_t i = 0; i < m_contacts.all.size(); ++i)
+        if (!m_contacts.all[i].outside && isIn(m_objects.geoms[m_contacts.all[i].first].body)) contacts.push_back(i);
+    for (const OdeJoint& joint : m_objects.joints) // its spring is for the whole tick
+        if (joint.type == JointType::Suspension && isIn(joint.child))
+            dJointSetHinge2Param(joint.id, dParamSuspensionERP,
+                                 dJointGetHinge2Param(joint.id, dParamSuspensionERP) / kShortSteps);
+    std::vector<OdeContact> moved; // they change from step to step, for the next tick they start as found
+    std::vector<dJointFeedback> felt(contacts.size());
+    for (const std::size_t i : contacts) {
+        m_contacts.feedbacks[i] = {};
+        m_contacts.all[i].bounded = false;
+        if (m_contacts.rows[i]) dJointDisable(m_contacts.rows[i]);
+        moved.push_back(m_contacts.all[i]);
+    }
+    m_quick.insert(m_quick.end(), bodies.begin(), bodies.end());
+    for (const std::uint32_t body : bodies) dBodyEnable(m_objects.bodies[body].id);
+    seed();
+    for (int k = 0; k < kShortSteps; ++k) {
+        for (std::size_t i = 0; i < contacts.size(); ++i) m_rows.add(moved[i], part, m_group.get(), &felt[i]);
+        for (const std::uint32_t body : bodies) {
+            const RawState& s = m_saved[body];
+            dBodySetForce(m_objects.bodies[body].id, s.force[0], s.force[1], s.force[2]);
+            dBodySetTorque(m_objects.bodies[body].id, s.torque[0], s.torque[1], s.torque[2]);
+        }
+        dWorldQuickStep(m_world.id(), part);
+        dJointGroupEmpty(m_group.get());
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            OdeContact& c = moved[i];
+            for (int axis = 0; axis < 3; ++axis) m_contacts.feedbacks[contacts[i]].f1[axis] += felt[i].f1[axis] / kShortSteps;
+            c.depth -= part * vec(c.normal).dot(m_objects.contactSpeed(c));
+            Vec3::Map(c.position) += part * m_objects.carriedBy(c);
+        }
+    }
+    for (const std::uint32_t body : bodies) dBodyDisable(m_objects.bodies[body].id);
+}
+
+void ClusterSolver::save() {
+    m_saved.resize(m_objects.bodies.size());
+    for (std::size_t i = 0; i < m_saved.size(); ++i) m_saved[i] = rawState(m_objects.bodies[i]);
+}
+
+void ClusterSolver::restore(std::uint32_t body) const { setRawState(m_objects.bodies[body], m_saved[body]); }
+
+void ClusterSolver::enableOnly(BodyClusters& clusters, std::span<const std::uint32_t> names) {
+    for (const std::uint32_t name : names)
+        for (const std::uint32_t body : clusters.bodies(name)) dBodyEnable(m_objects.bodies[body].id);
+}
+
+void ClusterSolver::disableAll() {
+    m_anyDisabled = true;
+    for (const OdeBody& body : m_objects.bodies) dBodyDisable(body.id);
+}
+
+void ClusterSolver::enableAll() {
+    m_anyDisabled = false;
+    for (const OdeBody& body : m_objects.bodies) dBodyEnable(body.id);
+}
+
+} // namespace trundle

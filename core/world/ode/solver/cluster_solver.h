@@ -1,0 +1,64 @@
+#pragma once
+// Steps the bodies. Everything is solved in one call as long as nothing is wrong, since what hangs together nowhere cannot disturb each
+// other there. Where ODE stumbles over one cluster, that cluster is found and taken again by itself; large piles are iterated in short
+// steps. Method: bodies that shall not move are disabled.
+
+#include <span>
+#include <vector>
+
+#include "world/ode/contacts/contact_rows.h"
+#include "world/ode/joints/joint_drift.h"
+#include "world/ode/solver/solver_plan.h"
+
+namespace trundle {
+
+class ClusterSolver {
+public:
+    /// All of these outlive this.
+    ClusterSolver(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts,
+                  const ContactRows& rows, JointDrift& drift);
+
+    /// One tick. Contact rows of all but the iterated clusters are there.
+    void step(double h, SolverPlan& plan);
+    /// The bodies are as they were before the step.
+    void takeBack() const;
+    /// Then the same tick once more, with contact rows as they are now.
+    void stepAgain(double h, SolverPlan& plan);
+    [[nodiscard]] std::span<const RawState> before() const { return m_saved; } ///< by body: before the last step
+
+    [[nodiscard]] bool isQuick(std::uint32_t body) const;                       ///< in the last step
+    [[nodiscard]] std::uint64_t quickTicks() const { return m_quickTicks; }     ///< with anything iterated
+    [[nodiscard]] std::uint64_t rescuedTicks() const { return m_rescuedTicks; } ///< with anything rescued
+
+private:
+    void run(double h, SolverPlan& plan);
+    [[nodiscard]] bool tryExactly(double h);
+    void stepAllQuickly(double h);
+    void stepExactly(double h, SolverPlan& plan);
+    void stepByThemselves(double h, BodyClusters& clusters, std::span<const std::uint32_t> names);
+    void rescue(double h, BodyClusters& clusters, std::uint32_t name);
+    void repeatBent(double h, SolverPlan& plan);
+    void iterate(double h, std::span<const std::uint32_t> bodies);
+    void seed() const;
+    void save();
+    void restore(std::uint32_t body) const;
+    void enableOnly(BodyClusters& clusters, std::span<const std::uint32_t> names);
+    void disableAll();
+    void enableAll();
+
+    const EngineSettings& m_settings;
+    OdeWorld& m_world;
+    const OdeObjects& m_objects;
+    TickContacts& m_contacts;
+    const ContactRows& m_rows;
+    JointDrift& m_drift;
+    OwnedJointGroup m_group;                       ///< contacts of a short step
+    std::vector<RawState> m_saved;                 ///< before the step, should it have to be taken again
+    std::vector<std::uint32_t> m_bent, m_stumbles; ///< m_stumbles: by body, of clusters that it named
+    std::vector<std::uint32_t> m_quick;            ///< bodies iterated in this step, sorted
+    bool m_rescued = false, m_allQuick = false, m_anyDisabled = false;
+    bool m_countedQuick = false, m_countedRescue = false; ///< in this tick
+    std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0;
+};
+
+} // namespace trundle

@@ -1,0 +1,97 @@
+#include "world/ode/solver/solver_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "world/ode/objects/ode_math.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::uint32_t kFewRobots = 3;    // may grip and lift each other: only what stands is pushed in the plane
+constexpr double kUpright = 0.7;           // cosine between a contact's normal and the vertical: it carries
+constexpr double kSideways = 0.3;          // it pushes aside
+constexpr double kSidewaysOfRobots = 0.75; // between robots, whose bumpers and tyres would lift each other
+
+bool isLarge(const BodyClusters& clusters, std::uint32_t cluster) {
+    return clusters.contacts(cluster) > kExactClusterMax || clusters.robots(cluster) > 1;
+}
+
+} // namespace
+
+void SolverPlan::make(SolverChoice choice, const Vec3& up, std::span<OdeContact> contacts, std::span<const OdeGeom> geoms) {
+    m_iterated.clear();
+    m_hasOutside = m_found = false;
+    m_largest = 0;
+    if (choice == SolverChoice::Quick) return;
+    if (std::none_of(contacts.begin(), contacts.end(), [](const OdeContact& c) { return c.partner != kNoActor; })) return;
+    findClusters(contacts, geoms);
+    if (choice == SolverChoice::Auto) {
+        if (up.squaredNorm() > 0 && cut(up, contacts, geoms)) m_clusters.find(contacts, geoms);
+        iterateLarge(contacts, geoms);
+    }
+    findLargest(contacts, geoms);
+}
+
+void SolverPlan::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints) {
+    m_clusters.setUp(bodies, joints);
+    m_parents.assign(bodies.size(), kNone);
+    for (const OdeJoint& joint : joints) m_parents[joint.child] = joint.parent;
+}
+
+void SolverPlan::findClusters(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms) {
+    if (!std::exchange(m_found, true)) m_clusters.find(contacts, geoms);
+}
+
+/// What stands on the floor moves in a plane: contacts between such groups of a large cluster need no solver of all directions.
+bool SolverPlan::cut(const Vec3& up, std::span<OdeContact> contacts, std::span<const OdeGeom> geoms) {
+    const auto inLarge = [&](const OdeContact& c) { return isLarge(m_clusters, m_clusters.of(geoms[c.first].body)); };
+    if (std::none_of(contacts.begin(), contacts.end(), inLarge)) return false;
+    const auto groupOf = [&](std::uint32_t geom) { return m_clusters.groupOf(geoms[geom].body); };
+    m_stands.assign(m_clusters.bodyCount(), false);
+    m_carries = m_stands;
+    for (const OdeContact& c : contacts) {
+        if (geoms[c.second].body != kNone || vec(c.normal).dot(up) <= kUpright) continue;
+        m_stands[groupOf(c.first)] = true;
+        for (std::uint32_t body = geoms[c.first].body; body != kNone && !m_carries[body]; body = m_parents[body])
+            m_carries[body] = true;
+    }
+    const auto isArm = [&](std::uint32_t geom) { return !m_carries[geoms[geom].body] && !geoms[geom].wheel; };
+    for (OdeContact& c : contacts) {
+        if (geoms[c.second].body == kNone || !inLarge(c)) continue;
+        const std::uint32_t first = groupOf(c.first), second = groupOf(c.second);
+        const bool robots = m_clusters.isJointed(first) && m_clusters.isJointed(second);
+        if (std::abs(vec(c.normal).dot(up)) > (robots ? kSidewaysOfRobots : kSideways)) continue;
+        const bool few = m_clusters.robots(m_clusters.of(geoms[c.first].body)) <= kFewRobots;
+        c.outside = first != second && m_stands[first] && m_stands[second] && !(few && (isArm(c.first) || isArm(c.second)));
+        m_hasOutside = m_hasOutside || c.outside;
+    }
+    return m_hasOutside;
+}
+
+void SolverPlan::iterateLarge(std::span<OdeContact> contacts, std::span<const OdeGeom> geoms) {
+    for (OdeContact& c : contacts) {
+        const std::uint32_t cluster = m_clusters.of(geoms[c.first].body);
+        c.iterated = !c.outside && m_clusters.contacts(cluster) > kExactClusterMax;
+        if (c.iterated) m_iterated.push_back(cluster);
+    }
+    std::sort(m_iterated.begin(), m_iterated.end());
+    m_iterated.erase(std::unique(m_iterated.begin(), m_iterated.end()), m_iterated.end());
+}
+
+bool SolverPlan::isIterated(std::uint32_t body) const {
+    return !m_iterated.empty() && std::binary_search(m_iterated.begin(), m_iterated.end(), m_clusters.of(body));
+}
+
+void SolverPlan::findLargest(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms) {
+    for (const OdeContact& c : contacts) {
+        const std::uint32_t cluster = m_clusters.of(geoms[c.first].body);
+        if (c.iterated || m_clusters.contacts(cluster) <= m_largest) continue;
+        m_largest = m_clusters.contacts(cluster);
+        m_largestName = cluster;
+    }
+}
+
+} // namespace trundle

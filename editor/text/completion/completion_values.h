@@ -1,0 +1,16 @@
+#pragma once
+// The possible values of a property at an offset. Private to completion.
+
+#include <string>
+#include <vector>
+
+#include "editor/text/completion/completion_item.h"
+#include "editor/text/symbols/text_location.h"
+
+namespace trundle {
+
+/// For numbers only the default. `before`: the typed part of a name with dots or slashes ("chassis.").
+[[nodiscard]] std::vector<Completion> valuesOf(const LoadedProject& loaded, const TextLocation& place, const Property& property,
+                                               const std::string& before);
+
+} // namespace trundle
