@@ -225,6 +225,69 @@ Robot s { Pos=1,0,0 Config = Rover2 }
         QVERIFY(copied && after->paths[copied->file] == fixture.path("configs/main.sim"));
     }
 
+    /// A shipped file with an error is not imported any longer once its config has a copy, unless more of it is used.
+    void copiesOfFaultyConfigsReplaceTheImport_data() {
+        QTest::addColumn<QString>("main");
+        QTest::addColumn<QString>("expected");
+        const QString copy = "// A copy of Rover in shipped/rover.sim, for this file alone.\n"
+                             "RobotConfig Rover2 { Body b { Box x { Size=1,1,1 Mass=$load Material=red } } }\n\n";
+        const QString robots = "Robot r { Config=Rover }\nGrid g { Config=Rover Count=2 Spacing=3 }\n",
+                      copied = QString(robots).replace("Rover", "Rover2");
+        QTest::newRow("nothing else is used")
+            << "#import shipped/rover.sim // mine\n\nTick=0.02\n" + robots
+            << "// mine\n#import shipped/load.sim\n#import shipped/common.sim\n\nTick=0.02\n" + copy + copied;
+        QTest::newRow("a material through it")
+            << "#import shipped/rover.sim\n#import shipped/load.sim\n" + robots + "Static s { Config=Hut }\n"
+            << "#import shipped/load.sim\n#import shipped/common.sim\n#import shipped/hut.sim\n" + copy + copied +
+                   "Static s { Config=Hut }\n";
+        QTest::newRow("another config beside it") << "#import shipped/rover.sim\n" + robots + "Robot o { Config=Other }\n"
+                                                  << "#import shipped/rover.sim\n" + copy + copied + "Robot o { Config=Other }\n";
+        QTest::newRow("imported twice") << "#import shipped/rover.sim\n#import mine.sim\n" + robots
+                                        << "#import shipped/rover.sim\n#import mine.sim\n" + copy + copied;
+    }
+    void copiesOfFaultyConfigsReplaceTheImport() {
+        QFETCH(QString, main);
+        QFETCH(QString, expected);
+        PlanFixture fixture;
+        const auto shipped = [&](const std::shared_ptr<const LoadedProject>& loaded) {
+            auto other = std::make_shared<LoadedProject>(*loaded);
+            other->shippedConfigs = fixture.path("shipped");
+            return std::shared_ptr<const LoadedProject>(other);
+        };
+        const std::string rover = "#import common.sim\n#import load.sim\n#import hut.sim\n"
+                                  "RobotConfig Rover { Body b { Box x { Size=1,1,1 Mass=$load Material=red } } }\n"
+                                  "RobotConfig Other { Body b { Box x { Size=1,1,1 Mass=1 } } }\n";
+        const auto open = [&](const std::string& shippedRover) {
+            return shipped(fixture.open({{"main.sim", main.toStdString()},
+                                         {"mine.sim", "#import shipped/rover.sim\n"},
+                                         {"shipped/rover.sim", shippedRover},
+                                         {"shipped/load.sim", "Param load = 2\n"},
+                                         {"shipped/hut.sim", "StaticConfig Hut { Box b { Size=1,1,1 Pos=9,9,0 } }\n"},
+                                         {"shipped/common.sim", kCommon}}));
+        };
+        const auto copyOf = [&](const LoadedProject& loaded) {
+            return planCopyConfig(loaded, config(loaded), instancesOf(loaded, config(loaded)));
+        };
+        const auto sound = open(rover); // without an error the import stays
+        QVERIFY(fixture.text(sound, copyOf(*sound)).starts_with("#import shipped/rover.sim"));
+        std::string faulty = rover;
+        faulty.replace(faulty.find("Mass="), 5, "Mas=");
+        const auto loaded = open(faulty);
+        QVERIFY(loaded->diagnostics.hasErrors());
+        const auto plan = copyOf(*loaded);
+        QCOMPARE(QString::fromStdString(fixture.text(loaded, plan)), QString(expected).replace("Mass=$", "Mas=$"));
+        const auto found = std::ranges::find_if(
+            loaded->diagnostics.all(), [](const Diagnostic& d) { return d.code == Code::UnknownKey && !d.fixes.empty(); });
+        QVERIFY(found != loaded->diagnostics.all().end());
+        const auto copied = shipped(fixture.apply(loaded, plan));
+        const auto fixed = fixture.apply(copied, planFix(*loaded, found->fixes[0], *copied, [](const std::string& path) {
+                                             return path == "RobotConfig.Rover" ? "RobotConfig.Rover2" : path;
+                                         }));
+        const bool isUsed = expected.contains("shipped/rover.sim\n");
+        QVERIFY2(fixed->diagnostics.hasErrors() == isUsed, sample::rendered(*fixed).c_str());
+        QVERIFY(expected.startsWith("#import shipped/rover.sim") == isUsed);
+    }
+
     void rejectsEmptyCopy() {
         PlanFixture fixture;
         const auto loaded = fixture.open({{"main.sim", "#import rover.sim\n"}, {"rover.sim", kRover}, {"common.sim", kCommon}});

@@ -64,7 +64,8 @@ struct EditTarget {
 /// Writes a copy of a config under a free name before the first of `instances`, which use the copy from then on; they must be in
 /// one file. Without instances the copy is added at the end of the opened file. Comments and layout are kept; files that the
 /// config imports or names by a relative path are also found from the new location. Imports in its block from one of the files
-/// `inlined` (absolute) are expanded in the copy, so that they can be edited there alone. `selects` is the path of the copy.
+/// `inlined` (absolute) are expanded in the copy, so that they can be edited there alone. Of a shipped config with errors the import
+/// is replaced by imports of what is still used, unless the project uses more of its file. `selects` is the path of the copy.
 [[nodiscard]] Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config,
                                               const std::vector<const Part*>& instances,
                                               const std::set<std::string>& inlined = {});

@@ -1,7 +1,8 @@
 // needs        a config and the instances that are to use a copy of it, or a material, surface, antenna pattern or Param
 // assumptions  names in the config resolve wherever the copy is; only file paths are relative to the folder of the file
 // method       the block's text, with its name and file paths changed, is inserted before the first instance, and the Config of
-//             each instance is set; of another definition before the first block, and the references to it are changed
+//             each instance is set; of another definition before the first block, and the references to it are changed. The import of a
+//             shipped config with problems is removed if nothing else in its file is used
 // data         edits of the block have offsets relative to its first byte
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "lang/tree_edit.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/edit_target.h"
+#include "project/edits/obsolete_import.h"
 #include "project/edits/plan_targets.h"
 #include "project/loading/import_lines.h"
 #include "project/loading/search.h"
@@ -292,7 +294,12 @@ private:
                 if (reference.param && param.name == &reference.param->name && param.file != m_home)
                     paths.push_back(m_loaded.paths[param.file]);
         }
-        Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, m_home, paths);
+        const std::optional<ObsoleteImport> obsolete = obsoleteImport(m_loaded, m_config, m_instances, m_home);
+        if (obsolete) {
+            paths.insert(paths.end(), obsolete->needed.begin(), obsolete->needed.end());
+            m_sheet.removeItem(obsolete->directive);
+        }
+        Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, m_home, paths, obsolete ? obsolete->import : nullptr);
         if (!edits.ok()) return edits.error();
         for (TextEdit& edit : edits.value()) m_sheet.addFirst(std::move(edit));
         return {};

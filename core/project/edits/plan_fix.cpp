@@ -72,7 +72,7 @@ Result<EditPlan> planFix(const LoadedProject& found, const Fix& fix, const Loade
         const std::string path = config ? config->kind->name + "." + config->name : std::string(),
                           copyPath = config ? renamed(path) : path;
         if (copyPath == path) {
-            if (found.trees[edit.range.file] != loaded.trees[edit.range.file])
+            if (edit.range.file >= loaded.trees.size() || found.trees[edit.range.file] != loaded.trees[edit.range.file])
                 return Error{Code::EditRefused, "this fix changes other texts than the copy; edit them as text"};
             plan.edits[edit.range.file].push_back(edit);
             continue;

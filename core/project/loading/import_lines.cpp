@@ -68,8 +68,8 @@ std::string asWritten(const LoadedProject& loaded, FileId file, const std::strin
 
 class Lines {
 public:
-    Lines(const LoadedProject& loaded, FileId file)
-        : m_loaded(loaded), m_file(file), m_tree(*loaded.trees[file]), m_lineEnd(editStyle(m_tree).lineEnd) {}
+    Lines(const LoadedProject& loaded, FileId file, const ImportItem* without)
+        : m_loaded(loaded), m_file(file), m_without(without), m_tree(*loaded.trees[file]), m_lineEnd(editStyle(m_tree).lineEnd) {}
 
     bool has(const Directive& d) const {
         if (d.module)
@@ -108,7 +108,7 @@ private:
         const TextSet& texts = m_loaded.outline->texts();
         for (const Item& item : m_loaded.trees[from]->items()) {
             const auto* import = item.as<ImportItem>();
-            if (!import) continue;
+            if (!import || import == m_without) continue;
             if (normalised(import->path) == path) return true;
             const auto target = texts.imports.find(import);
             if (target == texts.imports.end() || !visited.insert(target->second).second) continue;
@@ -140,6 +140,7 @@ private:
 
     const LoadedProject& m_loaded;
     FileId m_file;
+    const ImportItem* m_without;
     const Tree& m_tree;
     std::string m_lineEnd;
 };
@@ -147,8 +148,8 @@ private:
 } // namespace
 
 Result<std::vector<TextEdit>> editsForImports(const LoadedProject& loaded, FileId file,
-                                              const std::vector<std::string>& directives) {
-    const Lines lines(loaded, file);
+                                              const std::vector<std::string>& directives, const ImportItem* without) {
+    const Lines lines(loaded, file, without);
     std::string texts[2];
     std::set<std::pair<bool, std::string>> done;
     for (const std::string& text : directives) {
