@@ -28,6 +28,13 @@ std::string restOf(const Property& p, const std::string& typed) {
     return zero && p.maximum >= 0 && p.name != "Inertia" ? "0" : typed;
 }
 
+/// An inertia with one of its three products, xy, xz or yz, where the text has none yet: the others are zero.
+std::string withProduct(const FieldValue& inertia, std::size_t i, const std::string& typed) {
+    std::string text = inertia.text;
+    for (std::size_t k = 3; k < 6; ++k) text += inertia.separator + (k == i ? typed : "0");
+    return text;
+}
+
 } // namespace
 
 NumbersEditor::NumbersEditor(QWidget* parent) : RowEditor(parent), m_grid(new QGridLayout(this)) {
@@ -155,9 +162,11 @@ void NumbersEditor::enter(std::size_t i, const QString& typed) {
     const Property& p = *m_row.property();
     const std::string others = restOf(p, text);
     const std::size_t least = p.minCount;
-    commit(field, [i, value, one, others, least](const FieldValue& v) -> ParsedValue {
+    const bool product = p.name == "Inertia" && i >= 3;
+    commit(field, [i, value, one, others, least, product](const FieldValue& v) -> ParsedValue {
         if (one) return value;
         const std::string& text = value.text();
+        if (product && v.elements.size() == 3) return withProduct(v, i, text);
         if (!v.elements.empty()) return v.with(i, text);
         std::vector<std::string> all(std::max(least, i + 1), others);
         all[i] = text;
