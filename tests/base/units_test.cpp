@@ -1,10 +1,86 @@
 // Conversion of units.
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "base/units.h"
 
 using namespace trundle;
+
+namespace {
+
+/// What a unit measures: its factor to SI, and the exponents of m, kg, s, A, rad and bit.
+struct Measure {
+    double factor = 1;
+    std::array<int, 6> exponents{};
+};
+
+struct Symbol {
+    std::string text;
+    Measure measure;
+};
+
+/// The symbols without prefixes; those of several letters first, so that the longest is taken.
+const Symbol kSymbols[] = {{"rpm", {2 * M_PI / 60, {0, 0, -1, 0, 1, 0}}},
+                           {"rad", {1, {0, 0, 0, 0, 1, 0}}},
+                           {"deg", {M_PI / 180, {0, 0, 0, 0, 1, 0}}},
+                           {"bit", {1, {0, 0, 0, 0, 0, 1}}},
+                           {"min", {60, {0, 0, 1, 0, 0, 0}}},
+                           {"ohm", {1, {2, 1, -3, -2, 0, 0}}},
+                           {"Hz", {1, {0, 0, -1, 0, 0, 0}}},
+                           {"m", {1, {1, 0, 0, 0, 0, 0}}},
+                           {"g", {1e-3, {0, 1, 0, 0, 0, 0}}},
+                           {"s", {1, {0, 0, 1, 0, 0, 0}}},
+                           {"h", {3600, {0, 0, 1, 0, 0, 0}}},
+                           {"N", {1, {1, 1, -2, 0, 0, 0}}},
+                           {"V", {1, {2, 1, -3, -1, 0, 0}}},
+                           {"A", {1, {0, 0, 0, 1, 0, 0}}},
+                           {"H", {1, {2, 1, -2, -2, 0, 0}}},
+                           {"W", {1, {2, 1, -3, 0, 0, 0}}},
+                           {"J", {1, {2, 1, -2, 0, 0, 0}}}};
+
+/// Multiplies out "kgm^2" or "rad/s/V"; empty for a name that it cannot read. A prefix stands before the first symbol of a factor.
+std::optional<Measure> measureOf(std::string_view name) {
+    Measure measure;
+    int sign = 1;
+    bool first = true;
+    while (!name.empty()) {
+        if (name.front() == '/') {
+            sign = -1;
+            first = true;
+            name.remove_prefix(1);
+            continue;
+        }
+        const auto symbolAt = [](std::string_view text) {
+            return std::ranges::find_if(kSymbols, [&](const Symbol& s) { return text.starts_with(s.text); });
+        };
+        static const std::map<char, double> prefixes{{'c', 1e-2}, {'m', 1e-3}, {'u', 1e-6}, {'k', 1e3}, {'M', 1e6}, {'G', 1e9}};
+        double prefix = 1;
+        const auto known = prefixes.find(name.front());
+        const bool alone = name.starts_with("min") || name.size() == 1 || name[1] == '/' || name[1] == '^';
+        const bool prefixed = first ? !alone : symbolAt(name) == std::end(kSymbols);
+        if (prefixed && known != prefixes.end() && symbolAt(name.substr(1)) != std::end(kSymbols)) {
+            prefix = known->second;
+            name.remove_prefix(1);
+        }
+        first = false;
+        const auto symbol = symbolAt(name);
+        if (symbol == std::end(kSymbols)) return std::nullopt;
+        name.remove_prefix(symbol->text.size());
+        int power = sign;
+        if (name.size() > 1 && name.front() == '^') {
+            power *= name[1] - '0';
+            name.remove_prefix(2);
+        }
+        measure.factor *= std::pow(prefix * symbol->measure.factor, power);
+        for (std::size_t i = 0; i < 6; ++i) measure.exponents[i] += power * symbol->measure.exponents[i];
+    }
+    return measure;
+}
+
+} // namespace
 
 class UnitsTest : public QObject {
     Q_OBJECT
@@ -44,6 +120,25 @@ private Q_SLOTS:
         const auto converted = convertUnit(value, from.toStdString(), to.toStdString());
         QVERIFY(converted.has_value());
         QVERIFY2(std::abs(*converted - result) <= 1e-15 * std::abs(result), qPrintable(QString::number(*converted, 'g', 17)));
+    }
+
+    /// Each unit of the table against its name: prefixes and symbols multiplied out. Those of one dimension measure the same.
+    void eachUnitIsWhatItsNameSays() {
+        std::map<std::string, Measure> dimensions;
+        int checked = 0;
+        for (const std::string& name : allUnitNames()) {
+            if (name.starts_with("dB") || name == "%") continue;
+            const std::optional<Measure> measure = measureOf(name);
+            QVERIFY2(measure, name.c_str());
+            const UnitInfo* unit = findUnit(name);
+            QVERIFY2(std::abs(unit->factor / measure->factor - 1) < 1e-12, name.c_str());
+            Measure& first = dimensions.try_emplace(std::string(unit->dimension), *measure).first->second;
+            QVERIFY2(first.exponents == measure->exponents, name.c_str());
+            ++checked;
+        }
+        QVERIFY(checked > 60);
+        QCOMPARE(findUnit("%")->factor, 0.01);
+        for (const char* logarithmic : {"dB", "dBm", "dBi"}) QCOMPARE(findUnit(logarithmic)->factor, 1.0);
     }
 
     /// 3 cm converts to exactly the double 0.03: a text in cm and one in m give the same run.

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include <cstring>
+#include <set>
 #include <vector>
 
 #include "signals/block.h"
@@ -39,7 +40,7 @@ private Q_SLOTS:
         QCOMPARE(l.images()[1].count, 7u);
     }
     void shapeDecidesTheHash() {
-        QCOMPARE(twoRobots().hash(), twoRobots().hash());
+        QCOMPARE(twoRobots().hash(), SignalLayout(twoRobots()).hash());
         SignalLayout other = twoRobots();
         other.add("b/extra", "", SignalType::Real, SignalDirection::Output);
         QVERIFY(other.hash() != twoRobots().hash());
@@ -47,6 +48,44 @@ private Q_SLOTS:
         x.add("ab", "c", SignalType::Real, SignalDirection::Output);
         y.add("a", "bc", SignalType::Real, SignalDirection::Output);
         QVERIFY(x.hash() != y.hash());
+    }
+    /// The hash covers each field of an entry, the order of the entries and the robots that they belong to.
+    void eachFieldIsHashed() {
+        const auto hash = [](const char* robot, const char* path, const char* unit, SignalType type, SignalDirection direction,
+                             std::uint32_t count, bool late = false) {
+            SignalLayout l;
+            if (!late) l.beginRobot(robot);
+            l.add(path, unit, type, direction, count);
+            if (late) l.beginRobot(robot);
+            l.add("z", "", SignalType::Real, SignalDirection::Output);
+            return l.hash();
+        };
+        constexpr auto real = SignalType::Real;
+        constexpr auto out = SignalDirection::Output;
+        const std::set<std::uint64_t> all{hash("a", "p", "m", real, out, 1),
+                                          hash("b", "p", "m", real, out, 1),
+                                          hash("a", "q", "m", real, out, 1),
+                                          hash("a", "p", "s", real, out, 1),
+                                          hash("a", "p", "m", SignalType::Integer, out, 1),
+                                          hash("a", "p", "m", SignalType::Boolean, out, 1),
+                                          hash("a", "p", "m", real, SignalDirection::Command, 1),
+                                          hash("a", "p", "m", real, SignalDirection::Truth, 1),
+                                          hash("a", "p", "m", real, out, 2),
+                                          hash("a", "p", "m", real, out, 256),
+                                          hash("a", "p", "m", real, out, 1, true)};
+        QCOMPARE(all.size(), std::size_t{11});
+    }
+    /// Of two signals with one path the first is found; the second has slots of its own.
+    void theFirstOfTwoEqualPaths() {
+        SignalLayout l;
+        l.beginRobot("a");
+        QCOMPARE(l.add("a/x", "m", SignalType::Real, SignalDirection::Output, 3), 0u);
+        QCOMPARE(l.add("a/x", "s", SignalType::Integer, SignalDirection::Command, 2), 3u);
+        QCOMPARE(l.find("a/x")->offset, 0u);
+        QCOMPARE(l.find("a/x")->unit, std::string("m"));
+        QCOMPARE(l.slotCount(), 5u);
+        QCOMPARE(l.entries().size(), std::size_t{2});
+        QCOMPARE(l.images()[0].count, 5u);
     }
     void aBlockStartsAtZeroAndCopies() {
         const SignalLayout l = twoRobots();
@@ -63,6 +102,9 @@ private Q_SLOTS:
         const SignalLayout l = twoRobots();
         std::vector<std::uint64_t> memory(SignalBlock::bytesNeeded(l) / 8, 0xffffffffffffffffull);
         SignalBlock block(l, memory.data());
+        for (const double v : block.slots()) QCOMPARE(v, 0.0); // whatever was there before
+        QCOMPARE(block.header().tick, std::uint64_t{0});
+        QCOMPARE(block.header().slotCount, l.slotCount());
         block.slots()[14] = 2.5;
         double last = 0;
         std::memcpy(&last, memory.data() + memory.size() - 1, sizeof last);
