@@ -94,12 +94,29 @@ private:
     Diagnostics& m_diagnostics;
 };
 
+/// Warns of motors that share a joint: a joint has one motor row, which the last of them sets.
+void checkSharedJoints(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    for (auto motor = config.devices.begin(); motor != config.devices.end(); ++motor) {
+        if (motor->kind != kMotor) continue;
+        const auto earlier = std::find_if(config.devices.begin(), motor, [&](const ComponentSpec& other) {
+            return other.kind == kMotor && other.text("Joint") == motor->text("Joint");
+        });
+        if (earlier == motor) continue;
+        const ResolvedValue* joint = motor->find("Joint");
+        diagnostics.warning(Code::DeviceSetup, joint && joint->range.known() ? joint->range : motor->nameRange,
+                            motor->name + " and " + earlier->name + " turn the same joint, " + motor->text("Joint") + ": only " +
+                                motor->name +
+                                " acts on it, and both report its torque; give each a joint of its own, or keep one of them");
+    }
+}
+
 } // namespace
 
 void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics) {
     std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
     for (const RobotSpec& robot : loaded.experiment->robots) {
         if (!robot.config || !seen.insert(robot.config.get()).second) continue;
+        checkSharedJoints(*robot.config, diagnostics);
         DriveCheck check(loaded, *robot.config, diagnostics);
         for (const ComponentSpec& device : robot.config->devices)
             if (device.kind == kDrive) check.check(device);

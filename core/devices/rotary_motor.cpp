@@ -24,7 +24,7 @@ VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage,
 void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.help("A direct-current motor with a gear that turns a joint.");
     d.field("Joint", &RotaryMotor::m_jointName, reference("Hinge|Suspension").required(), "The joint it turns.");
-    d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("N m/A").above(0).atMost(1e6).required().live(),
+    d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("N m/A").within(1e-9, 1e6).required().live(),
             "Torque per current, before the gear.");
     d.field("SpeedConstant", &RotaryMotor::m_speedConstant, unitOf("rad/s/V").within(1e-6, 1e6),
             "Speed without load per voltage: 1 / BackEmfConstant.");
@@ -33,10 +33,10 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.exactlyOneOf("SpeedConstant|BackEmfConstant", "TorqueConstant"); // without losses they are equal: k_e = k_t in SI units
     d.field("Resistance", &RotaryMotor::m_resistance, ohms().within(1e-6, 1e9).required().live(), "Of the winding.");
     d.field("GearRatio", &RotaryMotor::m_gearRatio, number().within(1e-6, 1e6), "Turns of the motor per turn of the joint.");
-    d.field("MaxVoltage", &RotaryMotor::m_maxVoltage, volts().above(0).atMost(1e6).required(),
+    d.field("MaxVoltage", &RotaryMotor::m_maxVoltage, volts().within(1e-6, 1e6).required(),
             "The voltage is clipped to this; it also limits the current.");
     d.field("Inductance", &RotaryMotor::m_inductance, unitOf("H").within(0, 1e3).live(), "Of the winding: the current lags.");
-    d.field("Efficiency", &RotaryMotor::m_efficiency, number().above(0).atMost(1).live(),
+    d.field("Efficiency", &RotaryMotor::m_efficiency, number().within(1e-6, 1).live(),
             "Part of the torque that passes the gear.");
     d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
     RotaryMotorSignals::describe(d);

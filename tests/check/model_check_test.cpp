@@ -134,6 +134,8 @@ private Q_SLOTS:
             "100 % off", "$(2*wheelRadius)", false);
         row("one motor for both wheels", rover("RightMotor=rightMotor", "RightMotor=leftMotor"), Code::DeviceSetup, "same motor",
             "leftMotor", true);
+        row("two motors on one joint", rover("Joint=rightAxle", "Joint=leftAxle"), Code::DeviceSetup,
+            "turn the same joint, leftAxle", "leftAxle", false);
         row("a wheel of a feather",
             rover("Body leftWheel { Pos=0.1,0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.2",
                   "Body leftWheel { Pos=0.1,0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.0001"),
