@@ -11,7 +11,7 @@
 #include "cli/run_guard.h"
 #include "cli/subcommands.h"
 #include "project/loading/modules.h"
-#include "run/log_kinds.h"
+#include "run/logs/log_kinds.h"
 #include "world/signal_plan.h"
 #include "world/validate.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "run/movie_file.h"
+#include "run/logs/movie_file.h"
 #include "run/runner.h"
 
 namespace trundle {

@@ -6,7 +6,7 @@
 #include "cli/diagnostic_json.h"
 #include "cli/run_report.h"
 #include "model/passive_objects.h"
-#include "run/signal_columns.h"
+#include "run/logs/signal_columns.h"
 
 namespace trundle {
 namespace {

@@ -15,8 +15,8 @@
 #include "control/module_kinds.h"
 #include "control/module_store.h"
 #include "devices/builtin.h"
-#include "model/model_kinds.h"
-#include "run/log_kinds.h"
+#include "model/kinds/model_kinds.h"
+#include "run/logs/log_kinds.h"
 
 namespace trundle {
 namespace {

@@ -3,28 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include "base/units.h"
-#include "lang/tree.h"
+#include "lang/parsed_value.h"
 
 namespace trundle {
 namespace {
-
-constexpr std::string_view kKey = "v = ";
-
-/// The elements of a value's text, with ranges relative to its start; empty if the text is not exactly one value.
-std::vector<Element> elementsOf(const std::string& text) {
-    const auto tree = parse(std::make_shared<const SourceText>("value", std::string(kKey) + text + "\n"), 0);
-    const auto* a = tree->items().size() == 1 ? tree->items()[0].as<AssignmentItem>() : nullptr;
-    if (!a || a->value.broken || !tree->diagnostics().empty()) return {};
-    std::vector<Element> elements = a->value.elements;
-    for (Element& e : elements) {
-        for (TextRange* range : {&e.range, &e.unitRange}) range->begin -= 4, range->end -= 4;
-    }
-    return elements;
-}
 
 std::string elementText(const std::string& text, const Element& old, double value, const char* unit, double step) {
     if (old.kind != Element::Kind::Number || old.unit.empty()) return steppedNumber(value, step);
@@ -52,7 +37,8 @@ std::string steppedNumber(double value, double step) {
 
 std::string withNumbers(const std::string& text, std::span<const double> before, std::span<const double> after, const char* unit,
                         double step) {
-    const std::vector<Element> elements = text.empty() ? std::vector<Element>{} : elementsOf(text);
+    const ParsedValue parsed(text);
+    const std::vector<Element>& elements = parsed.value().elements;
     std::string result;
     if (elements.size() != after.size() || before.size() != after.size()) {
         for (const double value : after) result += (result.empty() ? "" : ",") + steppedNumber(value, step);

@@ -5,8 +5,8 @@
 // Parts: TokenCursor reads tokens, ItemParser and what it holds turn them into items, BraceBalance finds missing braces, TextChecks
 // checks what the grammar skips; all report to one SyntaxReporter.
 
-#include "lang/item_parser.h"
-#include "lang/text_checks.h"
+#include "lang/parsing/item_parser.h"
+#include "lang/parsing/text_checks.h"
 
 namespace trundle {
 

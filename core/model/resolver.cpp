@@ -3,7 +3,7 @@
 #include <set>
 
 #include "base/spelling.h"
-#include "model/resolve_steps.h"
+#include "model/resolve/resolve_steps.h"
 #include "schema/value_words.h"
 
 namespace trundle {

@@ -7,7 +7,7 @@
 #include <trundle/abi.h>
 
 #include "base/clean_text.h"
-#include "run/log_kinds.h"
+#include "run/logs/log_kinds.h"
 #include "schema/value_words.h"
 
 namespace trundle {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "run/console_limit.h"
-#include "run/log.h"
-#include "run/log_folder.h"
+#include "run/logs/log.h"
+#include "run/logs/log_folder.h"
 #include "run/runner.h"
 #include "run/schedule.h"
 #include "run/world_warnings.h"

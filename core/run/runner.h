@@ -12,7 +12,7 @@
 #include "control/backend.h"
 #include "run/camera_capture.h"
 #include "run/command.h"
-#include "run/log_location.h"
+#include "run/logs/log_location.h"
 #include "run/schedule.h"
 #include "world/world.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/platform/thread_priority.h"
 #include "render/camera_image_renderer.h"
-#include "run/movie_file.h"
+#include "run/logs/movie_file.h"
 
 namespace trundle {
 namespace {

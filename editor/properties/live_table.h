@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "run/live_values.h"
+#include "run/live/live_values.h"
 
 class QLabel;
 class QTreeWidget;

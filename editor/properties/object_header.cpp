@@ -5,8 +5,8 @@
 #include <QPushButton>
 
 #include "editor/document/structure_edits.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/properties/origin_text.h"
-#include "editor/properties/value_field.h"
 #include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 #include "project/edits/plans.h"

@@ -12,11 +12,11 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/properties/editors/row_editor.h"
 #include "editor/properties/help_strip.h"
 #include "editor/properties/live_table.h"
 #include "editor/properties/object_header.h"
 #include "editor/properties/property_row.h"
-#include "editor/properties/row_editor.h"
 #include "editor/properties/row_menu.h"
 #include "editor/properties/rows.h"
 #include "editor/properties/section.h"

@@ -1,5 +1,5 @@
 #include "editor/properties/property_row.h"
-#include "editor/properties/editor_for_kind.h"
+#include "editor/properties/editors/editor_for_kind.h"
 
 #include <algorithm>
 
@@ -8,12 +8,12 @@
 #include <QLineEdit>
 #include <QMenu>
 
+#include "editor/properties/editors/row_editor.h"
+#include "editor/properties/editors/scrub_label.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/properties/origin_mark.h"
 #include "editor/properties/origin_text.h"
 #include "editor/properties/param_help.h"
-#include "editor/properties/row_editor.h"
-#include "editor/properties/scrub_label.h"
-#include "editor/properties/value_field.h"
 #include "editor/widgets/theme.h"
 #include "project/objects/value_text.h"
 

@@ -8,7 +8,7 @@
 #include "editor/widgets/theme.h"
 #include "radio/ieee802154.h"
 #include "radio/pcap.h"
-#include "run/radio_rows.h"
+#include "run/logs/radio_rows.h"
 
 namespace trundle {
 namespace {

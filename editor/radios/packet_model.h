@@ -8,7 +8,7 @@
 
 #include <QAbstractTableModel>
 
-#include "run/live_radio.h"
+#include "run/live/live_radio.h"
 
 namespace trundle {
 

@@ -8,7 +8,7 @@
 
 #include "model/experiment_spec.h"
 #include "project/loading/project.h"
-#include "run/live_run.h"
+#include "run/live/live_run.h"
 #include "scene/queries/poses.h"
 
 namespace trundle {

@@ -2,7 +2,7 @@
 #include <QObject>
 
 #include "editor/document/document.h"
-#include "run/log_location.h"
+#include "run/logs/log_location.h"
 
 namespace trundle {
 

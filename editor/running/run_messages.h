@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "base/diagnostic.h"
-#include "run/live_state.h"
+#include "run/live/live_state.h"
 
 namespace trundle {
 

@@ -7,7 +7,7 @@
 #include <QTimer>
 
 #include "editor/running/active_run.h"
-#include "run/live_values.h"
+#include "run/live/live_values.h"
 
 namespace trundle {
 

@@ -12,13 +12,13 @@
 #include "editor/cameras/movie_dialog.h"
 #include "editor/outline/library_panel.h"
 #include "editor/radios/radios_panel.h"
-#include "editor/shell/file_commands.h"
+#include "editor/shell/commands/file_commands.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/saved_window_state.h"
 #include "editor/shell/work_area.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/view/viewport_panel.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 
 namespace trundle {
 namespace {

@@ -5,9 +5,9 @@
 #include <QMenuBar>
 
 #include "editor/outline/insert_menu.h"
-#include "editor/running/controllers_panel.h"
-#include "editor/shell/command_palette.h"
-#include "editor/shell/file_commands.h"
+#include "editor/running/panels/controllers_panel.h"
+#include "editor/shell/commands/command_palette.h"
+#include "editor/shell/commands/file_commands.h"
 #include "editor/shell/layouts.h"
 #include "editor/shell/menus.h"
 

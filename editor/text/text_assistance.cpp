@@ -25,8 +25,6 @@
 namespace trundle {
 namespace {
 
-bool touches(TextRange range, std::uint32_t offset) { return range.begin <= offset && offset <= range.end; }
-
 bool isSign(char c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; }
 
 /// Number of non-blank characters before an offset. Formatting changes only blanks, so this identifies the offset afterwards.

@@ -2,19 +2,15 @@
 
 #include <array>
 
-#include <QApplication>
 #include <QEvent>
 #include <QFile>
 #include <QFontDatabase>
-#include <QPalette>
+#include <QGuiApplication>
 #include <QSvgRenderer>
 #include <QWidget>
 
 #include "editor/widgets/painted_icon.h"
-#include "editor/widgets/plain_text.h"
-#include "editor/widgets/program_style.h"
 #include "editor/widgets/resources.h"
-#include "editor/widgets/style_sheet.h"
 
 namespace trundle {
 namespace {
@@ -38,30 +34,6 @@ FontSizes g_sizes;
 
 const Colours& colours() { return g_kind == ThemeKind::Dark ? kDark : kLight; }
 QColor colour(const char* name) { return QColor(QLatin1String(name)); }
-
-QPalette paletteOf(const Colours& c) {
-    QPalette p;
-    p.setColor(QPalette::Window, colour(c.window));
-    p.setColor(QPalette::Base, colour(c.base));
-    p.setColor(QPalette::AlternateBase, colour(c.alternate));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
-        p.setColor(role, colour(c.text));
-    p.setColor(QPalette::PlaceholderText, colour(c.faint));
-    p.setColor(QPalette::Button, colour(c.button));
-    p.setColor(QPalette::ToolTipBase, colour(c.base));
-    p.setColor(QPalette::Highlight, colour(c.accent));
-    p.setColor(QPalette::HighlightedText, colour(c.onAccent));
-    p.setColor(QPalette::Link, colour(c.accent));
-    p.setColor(QPalette::Mid, colour(c.line));
-    p.setColor(QPalette::Midlight, colour(c.line));
-    p.setColor(QPalette::Dark, colour(c.line));
-    p.setColor(QPalette::Light, colour(c.alternate));
-    p.setColor(QPalette::Shadow, colour(c.line));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
-        p.setColor(QPalette::Disabled, role, colour(c.disabled));
-    p.setColor(QPalette::Disabled, QPalette::Highlight, colour(c.line));
-    return p;
-}
 
 void loadFonts() {
     static const bool loaded = [] {
@@ -97,30 +69,13 @@ ThemeKind systemTheme() {
     return kind;
 }
 
-void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& sizes) {
+ThemeKind currentTheme() { return g_kind; }
+
+void setCurrentTheme(ThemeKind kind, const FontSizes& sizes) {
     (void)systemTheme(); // queries the palette before it is replaced
     g_kind = kind;
     g_sizes = sizes;
-    showTextPlainly(application);
-    loadFonts();
-    application.setStyle(new ProgramStyle);
-    QFont font(QStringLiteral("Inter"));
-    font.setPixelSize(sizes.interface);
-    application.setFont(font);
-    application.setPalette(paletteOf(colours()));
-    const Colours& c = colours();
-    application.setStyleSheet(styleSheet({{QStringLiteral("window"), colour(c.window)},
-                                          {QStringLiteral("base"), colour(c.base)},
-                                          {QStringLiteral("alternate"), colour(c.alternate)},
-                                          {QStringLiteral("text"), colour(c.text)},
-                                          {QStringLiteral("faint"), colour(c.faint)},
-                                          {QStringLiteral("accent"), colour(c.accent)},
-                                          {QStringLiteral("button"), colour(c.button)},
-                                          {QStringLiteral("disabled"), colour(c.disabled)},
-                                          {QStringLiteral("line"), colour(c.line)}}));
 }
-
-ThemeKind currentTheme() { return g_kind; }
 
 QColor ink(Ink which) {
     const Colours& c = colours();
@@ -143,6 +98,38 @@ QColor ink(Ink which) {
     case Ink::Line: return colour(c.line);
     }
     return {};
+}
+
+QPalette themePalette() {
+    const Colours& c = colours();
+    QPalette p;
+    p.setColor(QPalette::Window, colour(c.window));
+    p.setColor(QPalette::Base, colour(c.base));
+    p.setColor(QPalette::AlternateBase, colour(c.alternate));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+        p.setColor(role, colour(c.text));
+    p.setColor(QPalette::PlaceholderText, colour(c.faint));
+    p.setColor(QPalette::Button, colour(c.button));
+    p.setColor(QPalette::ToolTipBase, colour(c.base));
+    p.setColor(QPalette::Highlight, colour(c.accent));
+    p.setColor(QPalette::HighlightedText, colour(c.onAccent));
+    p.setColor(QPalette::Link, colour(c.accent));
+    p.setColor(QPalette::Mid, colour(c.line));
+    p.setColor(QPalette::Midlight, colour(c.line));
+    p.setColor(QPalette::Dark, colour(c.line));
+    p.setColor(QPalette::Light, colour(c.alternate));
+    p.setColor(QPalette::Shadow, colour(c.line));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
+        p.setColor(QPalette::Disabled, role, colour(c.disabled));
+    p.setColor(QPalette::Disabled, QPalette::Highlight, colour(c.line));
+    return p;
+}
+
+QFont interfaceFont() {
+    loadFonts();
+    QFont font(QStringLiteral("Inter"));
+    font.setPixelSize(g_sizes.interface);
+    return font;
 }
 
 QFont monospaceFont() {

@@ -4,9 +4,9 @@
 #include <QColor>
 #include <QFont>
 #include <QIcon>
+#include <QPalette>
 #include <QString>
 
-class QApplication;
 class QWidget;
 
 namespace trundle {
@@ -39,12 +39,13 @@ struct FontSizes {
     bool operator==(const FontSizes&) const = default;
 };
 
-/// Sets palette, style sheet and fonts of the application, and plain text display (plain_text.h). The result does not depend on
-/// platform or desktop.
-void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& sizes = {});
 [[nodiscard]] ThemeKind currentTheme();
+/// For applyTheme() (apply_theme.h) alone: what the functions below answer from now on.
+void setCurrentTheme(ThemeKind kind, const FontSizes& sizes);
 /// The desktop's preference when the program started: dark if its windows are. Call it before the first applyTheme().
 [[nodiscard]] ThemeKind systemTheme();
+[[nodiscard]] QPalette themePalette();
+[[nodiscard]] QFont interfaceFont();
 [[nodiscard]] QFont monospaceFont();
 /// Gives the widget a font that depends on the theme, and again after each theme change.
 void useFont(QWidget& widget, std::function<QFont()> font);

@@ -6,8 +6,8 @@
 
 #include "devices/builtin.h"
 #include "fuzz/targets.h"
-#include "model/model_kinds.h"
-#include "run/log_kinds.h"
+#include "model/kinds/model_kinds.h"
+#include "run/logs/log_kinds.h"
 
 namespace trundle::fuzz {
 namespace {

@@ -129,10 +129,11 @@ private Q_SLOTS:
             "RichText|MarkdownText|[sS]etHtml|insertHtml|appendHtml|setMarkdown|HtmlToolTip|HtmlInformation");
         // The places that build HTML. All foreign text in them must be escaped by toHtmlEscaped(), or by escaped() in hover.cpp.
         // Review a new place for that, then list it here.
-        const QStringList made = {
-            "editor/outline/outline_view.cpp",    "editor/properties/help_strip.cpp", "editor/properties/object_header.cpp",
-            "editor/properties/property_row.cpp", "editor/shell/help_commands.cpp",   "editor/shell/project_questions.cpp",
-            "editor/shell/recovery_dialog.cpp",   "editor/shell/status_line.cpp",     "editor/text/text_assistance.cpp"};
+        const QStringList made = {"editor/outline/outline_view.cpp",          "editor/properties/help_strip.cpp",
+                                  "editor/properties/object_header.cpp",      "editor/properties/property_row.cpp",
+                                  "editor/shell/commands/help_commands.cpp",  "editor/shell/commands/project_questions.cpp",
+                                  "editor/shell/dialogs/recovery_dialog.cpp", "editor/shell/status_line.cpp",
+                                  "editor/text/text_assistance.cpp"};
         QStringList found;
         for (const SourceFile& file : sourceFiles({"editor", "app"}, kCode)) {
             if (file.path.startsWith("editor/widgets/plain_text.")) continue;

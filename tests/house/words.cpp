@@ -39,7 +39,7 @@ Parts partsOf(const QString& text) {
 bool isAllowed(const QString& path, const QString& found) {
     // A column of the radio log: users' programs read its name.
     if (found == "fate")
-        return path == "core/run/radio_rows.cpp" || path == "tests/flow/radio_logs_test.cpp" ||
+        return path == "core/run/logs/radio_rows.cpp" || path == "tests/flow/radio_logs_test.cpp" ||
                path == "resources/guide/radios.md";
     // A function of Assimp's IOStream.
     if (found == "Tell") return path == "app/meshreader/restricted_io_system.cpp";

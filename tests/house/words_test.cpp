@@ -61,7 +61,7 @@ private Q_SLOTS:
         QTest::newRow("part of another word") << "core/x.cpp"
                                               << "int indeed, extend, intelligent, mention1, recommended;\n"
                                               << "mention";
-        QTest::newRow("what a log holds") << "core/run/radio_rows.cpp"
+        QTest::newRow("what a log holds") << "core/run/logs/radio_rows.cpp"
                                           << "f(\"fate\");\n"
                                           << "";
     }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/model_kinds.h"
+#include "model/kinds/model_kinds.h"
 
 namespace sample {
 

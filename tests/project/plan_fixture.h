@@ -7,7 +7,7 @@
 #include "lang/tree_edit.h"
 #include "project/edits/plans.h"
 #include "project/loading/search.h"
-#include "run/log_kinds.h"
+#include "run/logs/log_kinds.h"
 #include "sample_project.h"
 
 namespace sample {

@@ -1,7 +1,7 @@
 #include "render/config_experiment.h"
 
 #include "devices/builtin.h"
-#include "model/model_kinds.h"
+#include "model/kinds/model_kinds.h"
 #include "project/loading/project.h"
 
 namespace trundle {

@@ -1,7 +1,7 @@
 // CSV output of logs.
 #include <QtTest>
 
-#include "run/csv.h"
+#include "run/logs/csv.h"
 
 using namespace trundle;
 

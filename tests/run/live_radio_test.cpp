@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "radio/air.h"
-#include "run/live_radio.h"
+#include "run/live/live_radio.h"
 
 using namespace air;
 

@@ -8,7 +8,7 @@
 #include "eventually.h"
 #include "run/experiment_runner.h"
 #include "run/fake_world.h"
-#include "run/live_run.h"
+#include "run/live/live_run.h"
 
 using namespace trundle;
 using namespace std::chrono_literals;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "run/live_values.h"
+#include "run/live/live_values.h"
 #include "run/number_scale.h"
 #include "world/signal_plan.h"
 

@@ -15,7 +15,7 @@
 
 #include <QtTest>
 
-#include "run/log_folder.h"
+#include "run/logs/log_folder.h"
 
 using namespace trundle;
 namespace fs = std::filesystem;

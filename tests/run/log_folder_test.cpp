@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "run/log_folder.h"
+#include "run/logs/log_folder.h"
 
 using namespace trundle;
 

@@ -2,8 +2,8 @@
 #include <QtTest>
 
 #include "run/fake_world.h"
-#include "run/log_choice.h"
-#include "run/log_kinds.h"
+#include "run/logs/log_choice.h"
+#include "run/logs/log_kinds.h"
 
 using namespace trundle;
 

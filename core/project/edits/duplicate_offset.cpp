@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/footprint.h"
+#include "model/resolve/footprint.h"
 
 namespace trundle {
 namespace {

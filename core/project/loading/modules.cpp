@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "model/model_kinds.h"
+#include "model/kinds/model_kinds.h"
 #include "project/loading/import_lines.h"
 
 namespace trundle {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "model/model_kinds.h"
+#include "model/kinds/model_kinds.h"
 #include "model/resolver.h"
 #include "project/loading/error_limit.h"
 #include "project/loading/loader.h"

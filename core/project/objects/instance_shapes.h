@@ -1,5 +1,5 @@
 #pragma once
-#include "model/instance_variants.h"
+#include "model/resolve/instance_variants.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {

@@ -1,6 +1,6 @@
 #include "scene/nodes/lighting.h"
 
-#include "model/world_fields.h"
+#include "model/kinds/world_fields.h"
 #include "scene/shaders/scene_shading.h"
 
 namespace trundle {

@@ -13,7 +13,7 @@
 namespace trundle {
 namespace {
 
-bool touches(TextRange range, std::uint32_t offset) {
+bool isOn(TextRange range, std::uint32_t offset) {
     return range.begin <= offset && offset < std::max(range.end, range.begin + 1);
 }
 
@@ -38,7 +38,7 @@ private:
     std::optional<Hover> assignment(const AssignmentItem& a) {
         const std::vector<std::string> key = keyOf(a);
         for (std::size_t i = 0; i < a.path.size(); ++i) {
-            if (!touches(a.path[i].range, m_at)) continue;
+            if (!isOn(a.path[i].range, m_at)) continue;
             if (i + 1 < a.path.size()) return named();
             if (const Property* p = propertyOf(m_place, key)) return property(*p, a.path[i].range);
             return named();
@@ -54,7 +54,7 @@ private:
 
     std::optional<Hover> value(const Value& value, const Property* p) {
         for (const Element& e : value.elements) {
-            if (!touches(e.range, m_at)) continue;
+            if (!isOn(e.range, m_at)) continue;
             if (e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) return evaluated(e);
             if (auto hover = named()) return hover;
             if (e.kind == Element::Kind::Number && !e.unit.empty() && p) {
@@ -109,8 +109,8 @@ private:
     }
 
     std::optional<Hover> blockHead(const BlockItem& block) const {
-        const bool onName = block.name && touches(block.name->range, m_at);
-        if (!onName && !touches(block.type.range, m_at)) return std::nullopt;
+        const bool onName = block.name && isOn(block.name->range, m_at);
+        if (!onName && !isOn(block.type.range, m_at)) return std::nullopt;
         const Kind* kind = m_loaded.registry->find(block.type.text);
         if (!kind) return std::nullopt;
         Hover hover{onName ? block.name->range : block.type.range,
@@ -129,7 +129,7 @@ private:
     }
 
     std::optional<Hover> param(const ParamItem& p) {
-        if (!touches(p.name.range, m_at)) return value(p.value, nullptr);
+        if (!isOn(p.name.range, m_at)) return value(p.value, nullptr);
         const std::string result = resultOf(p.value);
         return Hover{p.name.range, "Param " + p.name.text, {result.empty() ? "has no value" : "= " + result}};
     }

@@ -26,6 +26,8 @@ struct TextLocation {
     }
 };
 
+/// Also at its end: where the caret is after a word.
+[[nodiscard]] inline bool touches(TextRange range, std::uint32_t offset) { return range.begin <= offset && offset <= range.end; }
 [[nodiscard]] TextLocation placeAt(const LoadedProject& loaded, FileId file, std::uint32_t offset);
 /// The property that a key sets there; in an instance the key may be a path into its config. nullptr if there is none.
 [[nodiscard]] const Property* propertyOf(const TextLocation& place, std::span<const std::string> path);

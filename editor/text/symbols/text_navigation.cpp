@@ -9,8 +9,6 @@
 namespace trundle {
 namespace {
 
-bool touches(TextRange range, std::uint32_t offset) { return range.begin <= offset && offset <= range.end; }
-
 /// The target of a reference: a block or a Param.
 struct Target {
     const BlockItem* block = nullptr;

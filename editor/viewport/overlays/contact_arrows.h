@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/experiment_spec.h"
-#include "run/live_run.h"
+#include "run/live/live_run.h"
 
 namespace trundle {
 

@@ -7,7 +7,7 @@
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/radio/antenna_lobes.h"
-#include "model/footprint.h"
+#include "model/resolve/footprint.h"
 
 namespace trundle {
 namespace {

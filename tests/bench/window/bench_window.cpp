@@ -21,7 +21,7 @@
 #include "editor/text/text_panel.h"
 #include "editor/viewport/view/view.h"
 #include "editor/viewport/view/viewport_panel.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 
 namespace trundle {
 namespace {

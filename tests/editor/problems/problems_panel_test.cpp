@@ -17,7 +17,7 @@
 #include "editor/problems/model_checker.h"
 #include "editor/problems/problems_model.h"
 #include "editor/problems/problems_panel.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 
 using namespace trundle;
 

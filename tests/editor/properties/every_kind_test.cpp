@@ -5,8 +5,8 @@
 #include <QComboBox>
 #include <QToolButton>
 
+#include "editor/properties/editors/row_editor.h"
 #include "editor/properties/property_row.h"
-#include "editor/properties/row_editor.h"
 #include "model/provenance.h"
 #include "project/objects/value_text.h"
 

@@ -14,10 +14,10 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/properties/properties_panel.h"
-#include "editor/properties/value_field.h"
-#include "editor/widgets/theme.h"
-#include "model/model_kinds.h"
+#include "editor/widgets/apply_theme.h"
+#include "model/kinds/model_kinds.h"
 
 namespace trundle {
 

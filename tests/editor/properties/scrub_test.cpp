@@ -1,7 +1,7 @@
 // Changing numbers by dragging.
 #include <QTest>
 
-#include "editor/properties/scrub.h"
+#include "editor/properties/editors/scrub.h"
 
 using namespace trundle;
 

@@ -9,9 +9,9 @@
 
 #include <trundle/abi.h>
 
-#include "editor/running/console_model.h"
-#include "editor/running/console_panel.h"
-#include "editor/running/run_status.h"
+#include "editor/running/panels/console_model.h"
+#include "editor/running/panels/console_panel.h"
+#include "editor/running/panels/run_status.h"
 #include "editor/running/session_fixture.h"
 #include "eventually.h"
 

@@ -7,12 +7,12 @@
 
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
-#include "editor/running/controller_commands.h"
-#include "editor/running/controllers_panel.h"
+#include "editor/running/panels/controller_commands.h"
+#include "editor/running/panels/controllers_panel.h"
+#include "editor/running/panels/trust.h"
 #include "editor/running/session_fixture.h"
-#include "editor/running/trust.h"
 #include "editor/widgets/actions.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 #include "eventually.h"
 #include "project/edits/module_lines.h"
 

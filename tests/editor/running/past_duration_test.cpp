@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "editor/document/structure_edits.h"
-#include "editor/running/robot_states.h"
+#include "editor/running/panels/robot_states.h"
 #include "editor/running/session_fixture.h"
 #include "eventually.h"
 #include "project/edits/controllers.h"

@@ -8,11 +8,11 @@
 
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
-#include "editor/running/keyboard_drive.h"
-#include "editor/running/run_status.h"
+#include "editor/running/panels/keyboard_drive.h"
+#include "editor/running/panels/run_status.h"
+#include "editor/running/panels/speeds.h"
+#include "editor/running/panels/transport_bar.h"
 #include "editor/running/session_fixture.h"
-#include "editor/running/speeds.h"
-#include "editor/running/transport_bar.h"
 #include "editor/widgets/actions.h"
 #include "eventually.h"
 

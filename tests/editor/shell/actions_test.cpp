@@ -12,11 +12,11 @@
 #include <QtTest>
 
 #include "editor/shell/action_table.h"
-#include "editor/shell/command_palette.h"
+#include "editor/shell/commands/command_palette.h"
+#include "editor/shell/dialogs/preferences_dialog.h"
 #include "editor/shell/menus.h"
-#include "editor/shell/preferences_dialog.h"
+#include "editor/widgets/apply_theme.h"
 #include "editor/widgets/resources.h"
-#include "editor/widgets/theme.h"
 
 using namespace trundle;
 

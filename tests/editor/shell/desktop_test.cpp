@@ -19,7 +19,7 @@
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
-#include "editor/properties/value_field.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/text/code/code_edit.h"
 #include "editor/text/pages/file_page.h"

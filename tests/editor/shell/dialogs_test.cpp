@@ -22,9 +22,9 @@
 
 #include "editor/cameras/movie_dialog.h"
 #include "editor/document/structure_edits.h"
-#include "editor/running/controller_dialogs.h"
-#include "editor/shell/project_questions.h"
-#include "editor/shell/share_dialog.h"
+#include "editor/running/panels/controller_dialogs.h"
+#include "editor/shell/commands/project_questions.h"
+#include "editor/shell/dialogs/share_dialog.h"
 #include "editor/shell/window_fixture.h"
 #include "eventually.h"
 #include "project/journal/journal.h"

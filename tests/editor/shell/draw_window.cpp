@@ -14,7 +14,7 @@
 #include "app/application.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/work_area.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 #include "render/service.h"
 
 using namespace trundle;

@@ -22,7 +22,7 @@
 #include "editor/document/structure_edits.h"
 #include "editor/shell/main_window.h"
 #include "editor/text/code/code_edit.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 #include "eventually.h"
 #include "render/service.h"
 

@@ -10,8 +10,8 @@
 #include <QtTest>
 
 #include "editor/shell/help_panel.h"
+#include "editor/widgets/apply_theme.h"
 #include "editor/widgets/resources.h"
-#include "editor/widgets/theme.h"
 
 using namespace trundle;
 

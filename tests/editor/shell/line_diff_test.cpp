@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "editor/shell/line_diff.h"
+#include "editor/shell/dialogs/line_diff.h"
 
 using namespace trundle;
 

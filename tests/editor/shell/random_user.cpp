@@ -18,10 +18,10 @@
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
+#include "editor/properties/editors/scrub_label.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/properties/properties_panel.h"
 #include "editor/properties/property_row.h"
-#include "editor/properties/scrub_label.h"
-#include "editor/properties/value_field.h"
 #include "editor/shell/main_window.h"
 #include "editor/viewport/view/viewport_panel.h"
 

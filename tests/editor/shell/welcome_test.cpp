@@ -14,10 +14,10 @@
 #include <QTextBrowser>
 #include <QtTest>
 
-#include "editor/shell/project_questions.h"
+#include "editor/shell/commands/project_questions.h"
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_fixture.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 #include "eventually.h"
 #include "project/journal/journal.h"
 #include "project/loading/search.h"

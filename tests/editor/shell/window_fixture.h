@@ -5,7 +5,7 @@
 
 #include "app/application.h"
 #include "editor/shell/main_window.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 #include "render/service.h"
 
 namespace trundle {

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "editor/text/text_fixture.h"
+#include "editor/widgets/apply_theme.h"
 #include "eventually.h"
 
 using namespace trundle;

@@ -5,7 +5,7 @@
 #include <QElapsedTimer>
 
 #include "editor/viewport/view_window.h"
-#include "editor/widgets/theme.h"
+#include "editor/widgets/apply_theme.h"
 
 using namespace trundle;
 

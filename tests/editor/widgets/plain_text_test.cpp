@@ -3,8 +3,8 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "editor/widgets/apply_theme.h"
 #include "editor/widgets/plain_text.h"
-#include "editor/widgets/theme.h"
 
 using namespace trundle;
 

@@ -21,9 +21,9 @@
 #include <QVBoxLayout>
 #include <QtTest>
 
+#include "editor/widgets/apply_theme.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/preferences.h"
-#include "editor/widgets/theme.h"
 
 using namespace trundle;
 

@@ -1,0 +1,66 @@
+#pragma once
+// Recovery from unbalanced braces: which block is open, and where, according to the indentation, its `}` is missing. Private to
+// core/lang.
+
+#include <functional>
+
+#include "lang/parsing/parser_part.h"
+
+namespace trundle {
+
+/// A block whose `}` has not been read yet.
+struct OpenBlock {
+    TextRange name;               ///< its name, otherwise its kind
+    std::uint32_t openAt = 0;     ///< position of `{`
+    int indent = -1;              ///< of its line; -1 if it is not first on its line
+    bool indentedItems = false;   ///< an item is indented deeper than the block, so indentation is meaningful
+    bool inlineItems = false;     ///< an item is on the line of `{`
+    bool bracket = false;         ///< `[` or `(` was written instead of `{`
+    std::size_t bracketFault = 0; ///< 1-based index of its diagnostic; 0: none
+};
+
+class BraceBalance : ParserPart {
+public:
+    BraceBalance(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report) {}
+
+    /// Forgets what the run before found; the corrections assumed so far hold.
+    void beginRun();
+    /// If braces do not balance and the indentation shows which one is missing or superfluous, parses again (`run`) with that
+    /// correction, so that one brace causes one diagnostic. False if there is no such position or the result is worse.
+    [[nodiscard]] bool assume(const std::function<void()>& run);
+
+    void open(const OpenBlock& block) { m_open.push_back(block); }
+    void close() { m_open.pop_back(); }
+    [[nodiscard]] const OpenBlock& innermost() const { return m_open.back(); }
+
+    [[nodiscard]] int indentOf(std::uint32_t offset) const; ///< -1 if it is not first on its line
+    /// Records a suspected missing `}` if the token that begins an item or closes the block is indented less than the block's items.
+    void recordIndent();
+    /// Records a possibly premature `}`: an item after the block that starts a line and is indented deeper than the block may still
+    /// belong to it.
+    void recordEarlyClose(int indent, std::size_t brace);
+    void recordUnmatched() { ++m_unmatchedBraces; }
+    [[nodiscard]] bool isIgnored() const; ///< the current `}`
+    /// True at `]` or `)` if the block was also opened with a bracket.
+    [[nodiscard]] bool foreignClose() const;
+    [[nodiscard]] bool closedHere(const OpenBlock& block) const;
+    void reportUnclosed(const OpenBlock& block, std::uint32_t place);
+
+private:
+    /// A position where, according to the indentation, a `}` is missing.
+    struct MissingBrace {
+        std::uint32_t openAt, before;
+    };
+    [[nodiscard]] std::vector<MissingBrace> likelyMissing() const;
+
+    std::vector<OpenBlock> m_open;
+    std::vector<MissingBrace> m_suspects;  ///< of this run
+    std::vector<MissingBrace> m_onOneLine; ///< of this run: a block on one line followed by an item that is not indented deeper
+    std::vector<MissingBrace> m_assumed;   ///< braces assumed to exist in this run
+    std::vector<std::uint32_t> m_early;    ///< `}` of this run that may be premature
+    std::vector<std::uint32_t> m_ignored;  ///< `}` ignored in this run
+    int m_unmatchedBraces = 0;             ///< number of `}` in this run without an open block
+    bool m_unclosed = false;               ///< a block of this run was not closed
+};
+
+} // namespace trundle

@@ -1,0 +1,229 @@
+#include "lang/parsing/expression_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "base/spelling.h"
+#include "base/utf8.h"
+#include "lang/characters.h"
+
+namespace trundle {
+namespace {
+
+struct Function {
+    std::string_view name;
+    std::size_t least, most;
+};
+constexpr std::array<Function, 7> kFunctions{
+    {{"min", 2, 100}, {"max", 2, 100}, {"abs", 1, 1}, {"sqrt", 1, 1}, {"sin", 1, 1}, {"cos", 1, 1}, {"tan", 1, 1}}};
+
+} // namespace
+
+void ExpressionParser::element(Element& e, Value& v) {
+    e.kind = Element::Kind::Expression;
+    const std::size_t start = position();
+    advance();
+    Sum inner = sum(1);
+    if (inner.ok && kind() != TokenKind::CloseParen) {
+        const bool over = atEnd() || newLine() || kind() == TokenKind::OpenBrace || kind() == TokenKind::CloseBrace ||
+                          kind() == TokenKind::Comma || startsItem();
+        const TextRange open = m_tokens.at(start).range;
+        if (over) {
+            inner = fault(Code::BadExpression, open, "`$(` lacks its `)`");
+            if (Diagnostic* d = m_report.lastAt(open); d && kind() != TokenKind::Comma)
+                fix(*d, "add `)`", {edit({previous().end, previous().end}, ")")});
+        } else if (kind() == TokenKind::Word && adjacent()) {
+            inner = fault(Code::BadExpression, range(), "numbers in $( ) have no unit");
+        } else {
+            inner = fault(Code::BadExpression, range(), "operator or `)` expected");
+        }
+    }
+    if (!inner.ok) {
+        // Skip to the `)` of this expression, but not beyond its line, list or block.
+        int parens = 0;
+        for (std::size_t i = start + 1; i < position(); ++i) {
+            const TokenKind k = m_tokens.at(i).kind;
+            parens += k == TokenKind::OpenParen ? 1 : k == TokenKind::CloseParen ? -1 : 0;
+        }
+        while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && !startsItem() &&
+               kind() != TokenKind::Directive) {
+            if (kind() == TokenKind::CloseParen && parens-- <= 0) break;
+            if (kind() == TokenKind::OpenParen) ++parens;
+            if (kind() == TokenKind::ExprOpen || kind() == TokenKind::String || kind() == TokenKind::ParamRef) {
+                if (parens <= 0) break;
+            }
+            advance();
+        }
+        v.broken = true;
+        inner.expression = {};
+    }
+    if (kind() == TokenKind::CloseParen) advance();
+    e.range.end = previous().end;
+    if (inner.ok) inner.expression.range = e.range;
+    e.expression = std::make_shared<const Expression>(std::move(inner.expression));
+}
+
+ExpressionParser::Sum ExpressionParser::fault(Code code, TextRange r, std::string message) {
+    error(code, r, std::move(message));
+    Sum none;
+    none.ok = false;
+    return none;
+}
+
+ExpressionParser::Sum ExpressionParser::binary(Expression::Op op, Sum left, Sum right) {
+    if (!left.ok) return left;
+    if (!right.ok) return right;
+    Sum both;
+    both.height = std::max(left.height, right.height) + 1;
+    both.expression.op = op;
+    both.expression.range = {left.expression.range.begin, right.expression.range.end};
+    if (both.height > kMaxExpressionDepth)
+        return fault(Code::TooDeep, both.expression.range,
+                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+    both.expression.arguments.reserve(2);
+    both.expression.arguments.push_back(std::move(left.expression));
+    both.expression.arguments.push_back(std::move(right.expression));
+    return both;
+}
+
+ExpressionParser::Sum ExpressionParser::sum(int depth) {
+    if (depth > kMaxExpressionDepth)
+        return fault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
+    Sum left = product(depth);
+    while (left.ok && (kind() == TokenKind::Plus || kind() == TokenKind::Minus)) {
+        const auto op = kind() == TokenKind::Plus ? Expression::Op::Add : Expression::Op::Subtract;
+        if (text() == kUnicodeMinus) unicodeMinus(range());
+        advance();
+        left = binary(op, std::move(left), product(depth));
+    }
+    return left;
+}
+
+ExpressionParser::Sum ExpressionParser::product(int depth) {
+    Sum left = signedTerm(depth);
+    while (left.ok && (kind() == TokenKind::Star || kind() == TokenKind::Slash)) {
+        const auto op = kind() == TokenKind::Star ? Expression::Op::Multiply : Expression::Op::Divide;
+        advance();
+        left = binary(op, std::move(left), signedTerm(depth));
+    }
+    return left;
+}
+
+ExpressionParser::Sum ExpressionParser::signedTerm(int depth) {
+    if (depth > kMaxExpressionDepth)
+        return fault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
+    if (kind() != TokenKind::Plus && kind() != TokenKind::Minus) return power(depth);
+    const bool minus = kind() == TokenKind::Minus;
+    const std::uint32_t begin = range().begin;
+    if (text() == kUnicodeMinus) unicodeMinus(range());
+    advance();
+    Sum inner = signedTerm(depth + 1);
+    if (!inner.ok || !minus) return inner;
+    Sum negated;
+    negated.height = inner.height + 1;
+    negated.expression.op = Expression::Op::Negate;
+    negated.expression.range = {begin, inner.expression.range.end};
+    negated.expression.arguments.push_back(std::move(inner.expression));
+    return negated;
+}
+
+/// 2^3^2 is 2^(3^2), -2^2 is -(2^2), 2^-1 is allowed.
+ExpressionParser::Sum ExpressionParser::power(int depth) {
+    Sum base = primary(depth);
+    if (!base.ok || kind() != TokenKind::Caret) return base;
+    advance();
+    return binary(Expression::Op::Power, std::move(base), signedTerm(depth + 1));
+}
+
+ExpressionParser::Sum ExpressionParser::primary(int depth) {
+    Sum s;
+    s.expression.range = range();
+    switch (kind()) {
+    case TokenKind::Number: {
+        const std::string_view digits = text();
+        const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), s.expression.number);
+        if (failure != std::errc() || end != digits.data() + digits.size())
+            return fault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
+        advance();
+        return s;
+    }
+    case TokenKind::Word:
+        if (newLine() && startsItem()) return fault(Code::BadExpression, previous(), "a number or a name is missing here");
+        if (kind(1) == TokenKind::OpenParen && !newLine(1)) return call(depth);
+        s.expression.op = Expression::Op::Name;
+        s.expression.name = text();
+        advance();
+        return s;
+    case TokenKind::OpenParen: {
+        advance();
+        s = sum(depth + 1);
+        if (!s.ok) return s;
+        if (kind() != TokenKind::CloseParen)
+            return fault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`)` expected");
+        advance();
+        return s;
+    }
+    case TokenKind::ParamRef: {
+        Diagnostic& d = error(Code::BadExpression, range(), "inside $( ) a Param is written without `$`");
+        fix(d, std::string(text().substr(1)), {edit(range(), std::string(text().substr(1)))});
+        s.expression.op = Expression::Op::Name;
+        s.expression.name = text().substr(1);
+        advance();
+        return s;
+    }
+    case TokenKind::CloseParen: return fault(Code::BadExpression, range(), "a number or a name is missing before `)`");
+    default:
+        if (newLine() || atEnd() || kind() == TokenKind::CloseBrace || kind() == TokenKind::OpenBrace)
+            return fault(Code::BadExpression, previous(), "a number or a name is missing here");
+        return fault(Code::BadExpression, range(),
+                     "a number or a name expected, not `" + std::string(text().substr(0, 20)) + "`");
+    }
+}
+
+ExpressionParser::Sum ExpressionParser::call(int depth) {
+    Sum s;
+    s.expression.op = Expression::Op::Call;
+    s.expression.name = text();
+    const TextRange nameRange = range();
+    s.expression.range = nameRange;
+    const std::string functionName = s.expression.name;
+    const auto function =
+        std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == functionName; });
+    if (function == kFunctions.end()) {
+        Sum none = fault(Code::BadExpression, nameRange,
+                         "there is no function `" + functionName + "`; there are min max abs sqrt sin cos tan");
+        std::vector<std::string> names;
+        for (const Function& f : kFunctions) names.emplace_back(f.name);
+        if (Diagnostic* d = m_report.lastAt(nameRange)) {
+            d->suggestions = nearestWords(functionName, names);
+            if (!d->suggestions.empty()) fix(*d, d->suggestions[0], {edit(nameRange, d->suggestions[0])});
+        }
+        return none;
+    }
+    advance();
+    advance();
+    int height = 0;
+    while (kind() != TokenKind::CloseParen) {
+        Sum argument = sum(depth + 1);
+        if (!argument.ok) return argument;
+        height = std::max(height, argument.height);
+        s.expression.arguments.push_back(std::move(argument.expression));
+        if (kind() == TokenKind::Comma) advance();
+        else if (kind() != TokenKind::CloseParen)
+            return fault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`,` or `)` expected");
+    }
+    s.expression.range.end = range().end;
+    advance();
+    s.height = height + 1;
+    const std::size_t count = s.expression.arguments.size();
+    if (s.height > kMaxExpressionDepth)
+        return fault(Code::TooDeep, s.expression.range,
+                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+    if (count < function->least || count > function->most)
+        return fault(Code::BadExpression, s.expression.range,
+                     "`" + functionName + (function->most > 1 ? "` takes two or more arguments" : "` takes one argument"));
+    return s;
+}
+
+} // namespace trundle

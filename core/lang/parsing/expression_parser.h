@@ -1,0 +1,32 @@
+#pragma once
+// Parses `$( ... )`: sums, products, powers (right-associative, binding stronger than a sign), calls. Depth is bounded: nested
+// parentheses use recursion here, and long sums use recursion in the code that evaluates them. Private to core/lang.
+
+#include "lang/parsing/parser_part.h"
+
+namespace trundle {
+
+class ExpressionParser : ParserPart {
+public:
+    ExpressionParser(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report) {}
+
+    /// The expression whose `$(` is the current token; `v` is broken if it has errors.
+    void element(Element& e, Value& v);
+
+private:
+    struct Sum {
+        Expression expression;
+        int height = 1;
+        bool ok = true;
+    };
+    Sum sum(int depth);
+    Sum product(int depth);
+    Sum signedTerm(int depth);
+    Sum power(int depth);
+    Sum primary(int depth);
+    Sum call(int depth);
+    Sum binary(Expression::Op op, Sum left, Sum right);
+    Sum fault(Code code, TextRange r, std::string message);
+};
+
+} // namespace trundle

@@ -1,0 +1,210 @@
+#include "lang/parsing/item_parser.h"
+
+#include <algorithm>
+
+#include "lang/characters.h"
+
+namespace trundle {
+namespace {
+
+bool isReserved(std::string_view word) { return word == "Param" || word == "true" || word == "false" || word == "world"; }
+
+bool isName(std::string_view word) {
+    return !word.empty() && isIdentStart(word[0]) && std::all_of(word.begin(), word.end(), isIdent);
+}
+
+} // namespace
+
+void ItemParser::rejectReserved(const Name& name, std::string_view use) {
+    if (isReserved(name.text))
+        error(Code::ReservedWord, name.range, "`" + name.text + "` is reserved and cannot be " + std::string(use));
+    else if (!isName(name.text))
+        error(Code::UnexpectedText, name.range, "`" + name.text + "` cannot be " + std::string(use) + ": only A-Z a-z 0-9 and _");
+}
+
+void ItemParser::items(std::vector<Item>& out, int depth) {
+    while (!atEnd()) {
+        m_tokens.beginItem();
+        if (depth > 0 && m_balance.closedHere(m_balance.innermost())) return;
+        if (depth > 0 && m_balance.foreignClose()) return;
+        if (depth > 0) m_balance.recordIndent();
+        switch (kind()) {
+        case TokenKind::CloseBrace:
+            if (depth > 0 && !m_balance.isIgnored()) return;
+            m_errors.strayBrace(depth > 0);
+            break;
+        case TokenKind::Directive: m_directives.directive(out); break;
+        case TokenKind::Word: item(out, depth); break;
+        default: m_errors.unexpected(depth); break;
+        }
+    }
+}
+
+void ItemParser::item(std::vector<Item>& out, int depth) {
+    const TokenKind second = kind(1);
+    const auto opensBlock = [this](std::size_t i) { // `chassis = { Mass=1 }`; with a number inside, it is a list in braces
+        return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace &&
+               (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
+    };
+    if (text() == "Param" && second == TokenKind::Word) return param(out);
+    if (second == TokenKind::OpenBrace) return block(out, depth, 0);
+    if (second == TokenKind::Word && kind(2) == TokenKind::OpenBrace) return block(out, depth, 1);
+    for (std::size_t i = 1; i <= (second == TokenKind::Word ? 2u : 1u); ++i) {
+        if (!opensBlock(i)) continue;
+        Diagnostic& d = error(Code::UnexpectedText, range(i), "a block has no `=` before its `{`");
+        fix(d, "remove `=`", {edit(range(i), "")});
+        return block(out, depth, i);
+    }
+    if (second == TokenKind::Equals || second == TokenKind::Dot || wrongEquals(1)) return assignment(out);
+    m_errors.strayWord(out, depth);
+}
+
+void ItemParser::assignment(std::vector<Item>& out) {
+    AssignmentItem node;
+    const std::uint32_t begin = range().begin;
+    node.path.push_back(name());
+    advance();
+    while (kind() == TokenKind::Dot && kind(1) == TokenKind::Word && !newLine() && !newLine(1)) {
+        node.path.push_back(name(1));
+        advance();
+        advance();
+    }
+    node.pathRange = {begin, node.path.back().range.end};
+    if (kind() == TokenKind::OpenBrace) {
+        error(Code::UnexpectedText, node.pathRange,
+              "a block has no dotted name; to change a property write `" + std::string(slice(node.pathRange)) +
+                  ".Property = value`");
+        advance();
+        return skipBlockBody();
+    }
+    if (kind() != TokenKind::Equals && !wrongEquals(0)) {
+        Diagnostic& d =
+            error(Code::UnexpectedText, node.pathRange, "`=` expected after `" + std::string(slice(node.pathRange)) + "`");
+        if (kind() == TokenKind::Dot) d.range.range.end = range().end;
+        // The rest of the line belongs to the unreadable text.
+        while (!atEnd() && !newLine() && !startsItem() && !namedBlock() && kind() != TokenKind::CloseBrace &&
+               kind() != TokenKind::OpenBrace && kind() != TokenKind::Directive)
+            advance();
+        return;
+    }
+    for (const Name& part : node.path) rejectReserved(part, "a key");
+    if (wrongEquals(0)) {
+        Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected, not `" + std::string(text()) + "`");
+        fix(d, "=", {edit(range(), text() == ":" && !adjacent() ? "=" : text() == ":" ? " =" : "=")});
+    }
+    const TextRange equals = range();
+    advance();
+    const std::string path(slice(node.pathRange));
+    const TextRange pathRange = node.pathRange;
+    node.value = value(path, pathRange, equals);
+    out.push_back({{begin, std::max(equals.end, node.value.range.end)}, std::move(node)});
+}
+
+void ItemParser::param(std::vector<Item>& out) {
+    ParamItem node;
+    const std::uint32_t begin = range().begin;
+    advance();
+    node.name = name();
+    rejectReserved(node.name, "a Param");
+    advance();
+    if (kind() == TokenKind::OpenBrace) {
+        error(Code::UnexpectedText, node.name.range, "a Param is no block; write `Param " + node.name.text + " = value`");
+        advance();
+        return skipBlockBody();
+    }
+    TextRange equals = {node.name.range.end, node.name.range.end};
+    if (kind() == TokenKind::Equals) {
+        equals = range();
+        advance();
+    } else {
+        const bool wrong = wrongEquals(0);
+        Diagnostic& d = error(Code::UnexpectedText, wrong ? range() : node.name.range,
+                              wrong ? "`=` expected, not `" + std::string(text()) + "`"
+                                    : "`=` expected after `Param " + node.name.text + "`");
+        if (wrong) fix(d, "=", {edit(range(), "=")});
+        else if (!newLine() && startsElement()) fix(d, node.name.text + " =", {edit({equals.end, equals.end}, " =")});
+        if (wrong) {
+            equals = range();
+            advance();
+        } else if (newLine() || !startsElement()) {
+            return;
+        }
+    }
+    const std::string key = node.name.text;
+    node.value = value(key, node.name.range, equals);
+    out.push_back({{begin, std::max(equals.end, node.value.range.end)}, std::move(node)});
+}
+
+void ItemParser::block(std::vector<Item>& out, int depth, std::size_t extra) {
+    BlockItem node;
+    const std::uint32_t begin = range().begin;
+    OpenBlock open;
+    open.indent = m_balance.indentOf(begin);
+    node.type = name();
+    if (isReserved(node.type.text) || !isName(node.type.text)) rejectReserved(node.type, "a kind");
+    advance();
+    if (extra > 0 && kind() != TokenKind::Equals && !wrongEquals(0)) {
+        const bool two = extra > 1 && kind(1) != TokenKind::Equals && !wrongEquals(1);
+        const TextRange r{range().begin, range(two ? extra - 1 : 0).end};
+        node.name = {std::string(slice(r)), r};
+        if (kind() == TokenKind::String) std::erase(node.name->text, '"');
+        if (kind() == TokenKind::Word && !two) rejectReserved(*node.name, "a name"); // otherwise it was already reported
+    }
+    for (std::size_t i = 0; i < extra; ++i) advance();
+    open.name = node.name ? node.name->range : node.type.range;
+    open.openAt = static_cast<std::uint32_t>(position());
+    open.bracket = kind() != TokenKind::OpenBrace;
+    if (open.bracket) {
+        Diagnostic& d = error(Code::UnexpectedText, range(),
+                              "a block is written in { }, not in " + std::string(text() == "[" ? "[ ]" : "( )"));
+        fix(d, "{", {edit(range(), "{")});
+        open.bracketFault = m_report.indexOf(d);
+    }
+    node.open = range();
+    advance();
+    if (depth + 1 > kMaxBlockDepth) {
+        error(Code::TooDeep, node.type.range, "blocks nest deeper than " + std::to_string(kMaxBlockDepth));
+        skipBlockBody();
+        node.close = previous();
+    } else {
+        m_balance.open(open);
+        blockBody(node, depth);
+        m_balance.close();
+    }
+    out.push_back({{begin, std::max(node.close.end, node.open.end)}, std::move(node)});
+}
+
+void ItemParser::blockBody(BlockItem& node, int depth) {
+    items(node.items, depth + 1);
+    const OpenBlock& open = m_balance.innermost();
+    if (m_balance.foreignClose() && !m_balance.closedHere(open)) {
+        node.close = range();
+        if (open.bracketFault > 0) {
+            Fix& both = m_report.at(open.bracketFault).fixes.back();
+            both.title = "{ }";
+            both.edits.push_back(edit(range(), "}"));
+        }
+        advance();
+        return;
+    }
+    if (kind() == TokenKind::CloseBrace && !m_balance.closedHere(open)) {
+        node.close = range();
+        advance();
+        m_balance.recordEarlyClose(open.indent, position() - 1);
+        return;
+    }
+    const std::uint32_t end = previous().end;
+    node.close = {end, end};
+    m_balance.reportUnclosed(open, atEnd() ? static_cast<std::uint32_t>(bytes().size()) : range().begin);
+}
+
+void ItemParser::skipBlockBody() {
+    std::size_t depth = 1;
+    while (!atEnd() && depth > 0) {
+        if (kind() == TokenKind::OpenBrace) ++depth;
+        if (kind() == TokenKind::CloseBrace) --depth;
+        advance();
+    }
+}
+
+} // namespace trundle

@@ -1,0 +1,36 @@
+#include "lang/parsing/syntax_reporter.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+Diagnostic& SyntaxReporter::report(Severity severity, Code code, TextRange r, std::string message) {
+    if (isFull() || r.begin >= m_cut) return m_unreported = {};
+    if (m_diagnostics.size() == kMaxDiagnostics) {
+        code = Code::TooManyMistakes;
+        message = "too many mistakes, the rest of this file is not reported";
+        severity = Severity::Error;
+    }
+    Diagnostic& d = m_diagnostics.emplace_back();
+    d.severity = severity;
+    d.code = code;
+    d.message = std::move(message);
+    d.range = {m_file, r};
+    return d;
+}
+
+Diagnostic* SyntaxReporter::lastAt(TextRange r) {
+    return !m_diagnostics.empty() && m_diagnostics.back().range.range == r ? &m_diagnostics.back() : nullptr;
+}
+
+std::size_t SyntaxReporter::indexOf(const Diagnostic& d) const {
+    return !m_diagnostics.empty() && &d == &m_diagnostics.back() ? m_diagnostics.size() : 0;
+}
+
+std::vector<Diagnostic> SyntaxReporter::takeSorted() {
+    std::stable_sort(m_diagnostics.begin(), m_diagnostics.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.range.range.begin < b.range.range.begin; });
+    return std::move(m_diagnostics);
+}
+
+} // namespace trundle

@@ -1,0 +1,84 @@
+#include "lang/parsing/text_checks.h"
+
+#include <algorithm>
+
+#include "base/utf8.h"
+#include "lang/characters.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::uint32_t kShownOfLongWord = 40; // bytes covered by the range of its diagnostic
+
+std::string hexOf(std::uint32_t value, int digits) {
+    std::string hex;
+    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) hex += "0123456789ABCDEF"[value >> shift & 0xF];
+    return hex;
+}
+
+} // namespace
+
+void TextChecks::checkTokens() {
+    checkInvisible();
+    checkLongWords();
+    checkComments();
+}
+
+bool TextChecks::isUtf16() const { return bytes().starts_with("\xFF\xFE") || bytes().starts_with("\xFE\xFF"); }
+
+void TextChecks::checkInvisible() {
+    for (const std::uint32_t i : m_tokens.invisible()) {
+        const TextRange r = m_tokens.all()[i].range;
+        const CodePoint point = codePointAt(bytes(), r.begin);
+        if (!point.valid || point.value == 0) continue;
+        Diagnostic& d = error(Code::UnexpectedText, r, "invisible sign U+" + hexOf(point.value, 4) + " instead of a blank");
+        fix(d, "a blank", {edit(r, " ")});
+    }
+}
+
+void TextChecks::checkBytes() {
+    const std::string_view bytes = this->bytes();
+    if (isUtf16()) {
+        error(Code::InvalidBytes, {0, 2}, "this file is UTF-16, save it as UTF-8");
+        return;
+    }
+    bool inRun = false;
+    for (std::size_t i = 0; i < bytes.size() && !m_report.isFull();) {
+        const auto byte = static_cast<unsigned char>(bytes[i]);
+        const CodePoint point = byte < 0x80 ? CodePoint{byte, 1, byte != 0} : codePointAt(bytes, i);
+        if (!point.valid && !inRun) {
+            const std::uint32_t at = static_cast<std::uint32_t>(i);
+            if (byte == 0) error(Code::InvalidBytes, {at, at + 1}, "a NUL byte in the text");
+            else error(Code::InvalidBytes, {at, at + 1}, "byte 0x" + hexOf(byte, 2) + " is no UTF-8 text");
+        }
+        inRun = !point.valid;
+        i += point.length;
+    }
+}
+
+void TextChecks::checkComments() {
+    const std::vector<Token>& tokens = m_tokens.all();
+    if (tokens.size() < 2) return;
+    const Token& last = tokens[tokens.size() - 2]; // only the last token can be unterminated
+    const std::string_view comment = slice(last.range);
+    if (last.kind != TokenKind::BlockComment || (comment.size() >= 4 && comment.ends_with("*/"))) return;
+    const TextRange start{last.range.begin, last.range.begin + 2};
+    const bool wildcard = start.begin > 0 && isWordChar(bytes()[start.begin - 1]);
+    if (wildcard) {
+        error(Code::UnclosedComment, start, "`/*` begins a comment; a text with * is written in double quotes");
+        return;
+    }
+    Diagnostic& d = error(Code::UnclosedComment, start, "this comment is never closed");
+    fix(d, "add `*/` at the end", {edit({last.range.end, last.range.end}, " */")});
+}
+
+void TextChecks::checkLongWords() {
+    for (const std::uint32_t i : m_tokens.tooLong()) {
+        const Token& token = m_tokens.all()[i];
+        error(Code::TooLarge, {token.range.begin, std::min(token.range.end, token.range.begin + kShownOfLongWord)},
+              std::to_string(token.range.size()) +
+                  " bytes without a blank; a word, a number or a path may have 4096, a quoted text 65536");
+    }
+}
+
+} // namespace trundle

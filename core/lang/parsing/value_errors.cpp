@@ -1,0 +1,272 @@
+#include "lang/parsing/value_errors.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/units.h"
+#include "base/utf8.h"
+#include "lang/characters.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMaxGaps = 1000; ///< bounds the size of a fix
+
+bool isOperator(TokenKind kind) {
+    return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash ||
+           kind == TokenKind::Caret;
+}
+
+/// `written`, which begins at offset `begin`, with a comma inserted in each gap.
+std::string withCommas(std::string_view written, std::uint32_t begin, const std::vector<TextRange>& gaps) {
+    std::string repaired(written);
+    for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap) repaired.replace(gap->begin - begin, gap->size(), ",");
+    return repaired;
+}
+
+} // namespace
+
+void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
+    v.broken = true;
+    const bool words =
+        std::all_of(v.elements.begin(), v.elements.end(), [](const Element& e) { return e.kind == Element::Kind::Word; });
+    const bool semicolons = std::any_of(gaps.begin(), gaps.end(), [](TextRange gap) { return gap.size() > 0; });
+    Diagnostic& d = error(Code::MissingComma, v.range,
+                          words        ? "several words need double quotes or commas"
+                          : semicolons ? "elements are separated by commas"
+                                       : "a comma is missing between the elements");
+    constexpr std::size_t kShort = 40;
+    const std::string written(slice(v.range));
+    if (words && gaps.size() + 1 == v.elements.size())
+        fix(d, written.size() < kShort ? "\"" + written + "\"" : "put it in quotes", {edit(v.range, "\"" + written + "\"")});
+    if (gaps.size() > kMaxGaps) return;
+    std::vector<TextEdit> edits;
+    for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
+    const std::string repaired = written.size() < kShort ? withCommas(written, v.range.begin, gaps) : std::string();
+    fix(d, written.size() < kShort && repaired.find('\n') == std::string::npos ? repaired : "insert commas", std::move(edits));
+}
+
+void ValueErrors::checkNumberTail(Element& e, Value& v) {
+    const std::string_view digits = slice({e.range.begin, e.unitRange.begin});
+    const bool hex = digits == "0" && e.unit.size() > 1 && (e.unit[0] == 'x' || e.unit[0] == 'X') &&
+                     e.unit.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    if (hex) {
+        std::uint64_t number = 0;
+        const auto [end, fault] = std::from_chars(e.unit.data() + 1, e.unit.data() + e.unit.size(), number, 16);
+        Diagnostic& d = error(Code::BadNumber, e.range, "numbers are decimal, not hexadecimal");
+        if (fault == std::errc()) fix(d, std::to_string(number), {edit(e.range, std::to_string(number))});
+        (void)end;
+    } else if (e.unit[0] == '_' && e.unit.find_first_not_of("0123456789_") == std::string::npos) {
+        std::string joined(slice(e.range));
+        std::erase(joined, '_');
+        Diagnostic& d = error(Code::BadNumber, e.range, "a number has no `_` between its digits");
+        fix(d, joined, {edit(e.range, joined)});
+    } else if ((e.unit == "f" || e.unit == "F") && digits.find('.') != std::string_view::npos) {
+        Diagnostic& d = error(Code::BadNumber, e.range, "a number has no `f` at its end");
+        fix(d, std::string(digits), {edit(e.unitRange, "")});
+    } else {
+        return;
+    }
+    e.unit.clear();
+    v.broken = true;
+}
+
+/// `0.3 m /s`, `9.81 m/s ^2`: the pieces form one unit.
+bool ValueErrors::unitInPieces(Element& e) {
+    if (e.unit.empty()) return false;
+    constexpr std::size_t kMaxPieces = 8;
+    std::string joined = e.unit;
+    std::size_t count = 0;
+    const auto pieceAt = [this](std::size_t i) {
+        const bool over = kind(i) == TokenKind::Slash && kind(i + 1) == TokenKind::Word;
+        const bool power = kind(i) == TokenKind::Caret && kind(i + 1) == TokenKind::Number;
+        return (over || power) && !newLine(i) && !newLine(i + 1);
+    };
+    for (; count < kMaxPieces && pieceAt(count); count += 2) joined.append(text(count)).append(text(count + 1));
+    if (count == 0 || !findUnit(joined)) return false;
+    for (; count > 0; --count) advance();
+    e.unit = joined;
+    e.unitRange.end = e.range.end = previous().end;
+    const std::string whole = std::string(slice({e.range.begin, e.unitRange.begin})) + joined;
+    Diagnostic& d = error(Code::UnknownUnit, e.range, "a unit has no blanks inside");
+    fix(d, whole, {edit(e.range, whole)});
+    return true;
+}
+
+void ValueErrors::continuesAt(Element& e, Value& v) {
+    if (newLine() || atEnd()) return;
+    const auto operandAt = [this](std::size_t i) {
+        const TokenKind k = kind(i);
+        return k == TokenKind::Number || k == TokenKind::ParamRef || k == TokenKind::ExprOpen || k == TokenKind::Word ||
+               k == TokenKind::OpenParen;
+    };
+    const bool number = e.kind == Element::Kind::Number;
+    const bool word = e.kind == Element::Kind::Word;
+    if (number && unitInPieces(e)) return;
+    if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) &&
+        operandAt(1))
+        return arithmetic(e, v);
+    if (!adjacent()) return;
+    // Arithmetic with names is `b+1` or `a*2`; `a-1` and `a/b` may be texts.
+    if (word && ((kind() == TokenKind::Star && operandAt(1)) || (text().starts_with('+') && !newLine()))) return arithmetic(e, v);
+    if ((word && kind() == TokenKind::OpenParen) || (number && e.unit.empty() && kind() == TokenKind::Number))
+        return arithmetic(e, v);
+    if (!word && !number) return;
+    const bool sign = kind() == TokenKind::Unknown && text() != ";" && text() != "]" && text() != "[";
+    if (!sign && kind() != TokenKind::Dot && kind() != TokenKind::Slash && kind() != TokenKind::Star) return;
+    if (!wrongEquals(0) || number || adjacent(1)) unquotedText(e, v);
+}
+
+void ValueErrors::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps) {
+    const bool closed = kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]") ||
+                        (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
+    const TextRange whole{bracket.begin, closed ? range().end : std::max(bracket.end, v.range.end)};
+    Diagnostic& d = error(Code::UnexpectedText, whole, "a list is written without brackets");
+    std::vector<TextEdit> edits{edit(bracket, "")};
+    if (closed) edits.push_back(edit(range(), ""));
+    constexpr std::uint32_t kShort = 40;
+    std::string title = "remove the brackets";
+    if (whole.size() < kShort && !v.elements.empty()) title = withCommas(slice(v.range), v.range.begin, gaps);
+    if (gaps.size() < kMaxGaps)
+        for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
+    fix(d, std::move(title), std::move(edits));
+    if (closed) advance();
+    v.range = whole; // a replacement of the value includes the brackets
+}
+
+void ValueErrors::signedElement(Element& e, Value& v) {
+    const TextRange sign = range();
+    const bool minus = kind() == TokenKind::Minus;
+    const bool number = kind(1) == TokenKind::Number;
+    advance();
+    const TextRange operand = range();
+    Value rest;
+    if (!m_element(rest) || rest.elements.empty()) return;
+    const Element& inner = rest.elements.back();
+    e.range = {sign.begin, inner.range.end};
+    v.broken = true;
+    const std::string inside(slice(inner.range));
+    if (number) {
+        Diagnostic& d = error(Code::BadNumber, {sign.begin, operand.end}, "a sign is written directly before its number");
+        const std::string joined = (minus ? "-" : "") + std::string(slice(operand));
+        if (slice(operand)[0] != '-' && slice(operand)[0] != '+') fix(d, joined, {edit({sign.begin, operand.end}, joined)});
+        e.kind = Element::Kind::Number;
+        e.number = minus ? -inner.number : inner.number;
+        e.unit = inner.unit;
+        e.unitRange = inner.unitRange;
+        return;
+    }
+    if (inner.kind == Element::Kind::ParamRef || inner.kind == Element::Kind::Expression) {
+        const bool param = inner.kind == Element::Kind::ParamRef;
+        const std::string inParens = param ? "$(-" + inner.text + ")" : "$(-" + inside.substr(1) + ")";
+        Diagnostic& d = error(Code::BadExpression, e.range, "a sign before a Param is written in $( )");
+        fix(d, minus ? inParens : inside, {edit(e.range, minus ? inParens : inside)});
+        e.kind = Element::Kind::ParamRef;
+        e.text = param ? inner.text : std::string();
+        if (!param) {
+            e.kind = Element::Kind::Expression;
+            e.expression = inner.expression;
+        }
+        return;
+    }
+    const bool infinite =
+        inside == "inf" || inside == "infinity" || inside == "Infinity" || inside == "INF" || inside == "nan" || inside == "NaN";
+    error(infinite ? Code::BadNumber : Code::UnexpectedText, e.range, infinite ? "numbers are finite" : "a word has no sign");
+    e.text = inside;
+}
+
+void ValueErrors::foreignQuotes(Element& e, Value& v) {
+    const std::string_view written = text();
+    const std::uint32_t open = codePointAt(written, 0).length;
+    std::uint32_t close = 1;
+    while (close < written.size() && (static_cast<unsigned char>(written[written.size() - close]) & 0xC0) == 0x80) ++close;
+    e.kind = Element::Kind::String;
+    e.text = written.substr(open, written.size() - open - close);
+    Diagnostic& d = error(Code::UnexpectedText, e.range, "text is written in double quotes \"...\"");
+    if (e.text.find_first_of("\"\\") == std::string::npos) fix(d, "\"" + e.text + "\"", {edit(e.range, "\"" + e.text + "\"")});
+    v.broken = true;
+    advance();
+}
+
+void ValueErrors::unquotedText(Element& e, Value& v) {
+    const bool begun =
+        e.range.end <= previous().end && position() > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
+    if (!begun) advance();
+    const auto continuesAt = [this] {
+        switch (kind()) {
+        case TokenKind::End:
+        case TokenKind::Comma:
+        case TokenKind::OpenBrace:
+        case TokenKind::CloseBrace:
+        case TokenKind::String:
+        case TokenKind::Directive: return false;
+        case TokenKind::Unknown: return text() != ";";
+        default: return true;
+        }
+    };
+    while (adjacent() && continuesAt()) advance();
+    e.range.end = previous().end;
+    const std::string_view bytes = this->bytes();
+    if (bytes[e.range.end - 1] == ':' && bytes.substr(e.range.end, 2) == "//") { // `//` of a URL, lexed as a comment
+        while (e.range.end < bytes.size() && !isBlank(bytes[e.range.end]) && bytes[e.range.end] != '\n' &&
+               bytes[e.range.end] != '\r')
+            ++e.range.end;
+    }
+    const std::string written(slice(e.range));
+    v.broken = true;
+    if (written.starts_with("\xE2\x80\x93") && written.size() > 3 && (isDigit(written[3]) || written[3] == '.')) { // en dash
+        const TextRange dash{e.range.begin, e.range.begin + 3};
+        Diagnostic& d = error(Code::BadNumber, dash, "a dash U+2013 instead of a minus");
+        fix(d, "-", {edit(dash, "-")});
+    } else if (written == "$" || std::count(written.begin(), written.end(), '"') > 0) {
+        error(Code::UnexpectedText, e.range, "syntax error: unexpected `" + written + "`");
+    } else if (written.starts_with("${")) {
+        error(Code::UnexpectedText, e.range, "a Param is written $name");
+    } else {
+        Diagnostic& d =
+            error(Code::UnexpectedText, e.range,
+                  written[0] == '#' ? "a value has no `#`; a text is written in double quotes, a colour as r,g,b from 0 to 1"
+                                    : "this text needs double quotes");
+        std::string quoted = "\"";
+        for (const char c : written) quoted += c == '\\' ? std::string("\\\\") : std::string(1, c);
+        quoted += '"';
+        if (written[0] != '#') fix(d, quoted, {edit(e.range, quoted)});
+    }
+    e.kind = Element::Kind::String;
+    e.text = written;
+    e.unit.clear();
+}
+
+/// `2*0.05` or `1 - $x` outside `$( )`.
+void ValueErrors::arithmetic(Element& e, Value& v) {
+    int parens = 0;
+    bool units = !e.unit.empty();
+    bool refs = e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
+    bool operand = false; // after an operator, the next operand is part of the expression
+    while (!atEnd() && !newLine()) {
+        const TokenKind k = kind();
+        if (isOperator(k)) operand = true;
+        else if (k == TokenKind::OpenParen) ++parens;
+        else if (k == TokenKind::CloseParen && parens > 0) --parens;
+        else if (k == TokenKind::Unit) units = true;
+        else if ((k == TokenKind::Number && (operand || adjacent())) ||
+                 (operand && (k == TokenKind::ParamRef || k == TokenKind::ExprOpen || (k == TokenKind::Word && !startsItem())))) {
+            refs = refs || k == TokenKind::ParamRef || k == TokenKind::ExprOpen;
+            operand = parens > 0;
+            if (k == TokenKind::ExprOpen) ++parens;
+        } else if (!(parens > 0 && (k == TokenKind::Comma || k == TokenKind::Number || k == TokenKind::Word))) {
+            break;
+        }
+        advance();
+    }
+    e.range.end = previous().end;
+    Diagnostic& d = error(Code::BadExpression, e.range, "arithmetic is written in $( )");
+    std::string inside(slice(e.range));
+    if (refs) std::erase(inside, '$');
+    if (!units && parens == 0 && inside.size() < 60) fix(d, "$(" + inside + ")", {edit(e.range, "$(" + inside + ")")});
+    e.kind = Element::Kind::Number;
+    e.unit.clear();
+    v.broken = true;
+}
+
+} // namespace trundle

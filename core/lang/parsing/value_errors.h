@@ -1,0 +1,38 @@
+#pragma once
+// Diagnostics for common mistakes in values: other number notations, other quotes, missing commas, arithmetic outside `$( )`. One
+// message each, with a fix where it is obvious. Private to core/lang.
+
+#include <functional>
+
+#include "lang/parsing/parser_part.h"
+
+namespace trundle {
+
+class ValueErrors : ParserPart {
+public:
+    /// `element` parses one element of a value.
+    ValueErrors(TokenCursor& tokens, SyntaxReporter& report, std::function<bool(Value&)> element)
+        : ParserPart(tokens, report), m_element(std::move(element)) {}
+
+    /// Reports a suffix that looks like a unit but belongs to a number in another notation.
+    void checkNumberTail(Element& e, Value& v);
+    /// `- 3`, `-$x`, `-$(a)`, `-word`: a sign separated from its number.
+    void signedElement(Element& e, Value& v);
+    /// Reports an element followed by unexpected text: `2*0.05` continues as arithmetic, `robot0@x` and `3d.png` as text.
+    void continuesAt(Element& e, Value& v);
+    /// 'text', or text in the typographic quotes of word processors.
+    void foreignQuotes(Element& e, Value& v);
+    /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
+    void unquotedText(Element& e, Value& v);
+    void reportGaps(Value& v, const std::vector<TextRange>& gaps);
+    /// `[1,2,3]`, `(1,2,3)`, `{1,2,3}`: the elements have been parsed, the closing bracket has not.
+    void reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps);
+
+private:
+    [[nodiscard]] bool unitInPieces(Element& e);
+    void arithmetic(Element& e, Value& v);
+
+    std::function<bool(Value&)> m_element;
+};
+
+} // namespace trundle

@@ -1,0 +1,252 @@
+#include "lang/parsing/value_parser.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/utf8.h"
+#include "lang/characters.h"
+
+namespace trundle {
+namespace {
+
+bool numberLike(const Element& e) {
+    return e.kind == Element::Kind::Number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
+}
+
+/// The number as from_chars requires it: ASCII hyphen instead of a typographic minus, no leading `+`.
+std::string plainNumber(std::string_view written) {
+    std::string plain;
+    if (written.starts_with(kUnicodeMinus)) {
+        plain = "-";
+        written.remove_prefix(kUnicodeMinus.size());
+    } else if (written.starts_with('+')) {
+        written.remove_prefix(1);
+    }
+    return plain.append(written);
+}
+
+/// from_chars reports "out of range" for both overflow and underflow: the exponent of the first non-zero digit decides which.
+bool isTiny(std::string_view number) {
+    const std::size_t e = number.find_first_of("eE");
+    const std::string_view mantissa = number.substr(0, e);
+    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+    const std::size_t first = mantissa.find_first_of("123456789");
+    if (first == std::string_view::npos) return true;
+    const double lead = static_cast<double>(point) - static_cast<double>(first);
+    if (e == std::string_view::npos) return lead < 0;
+    if (number[e + 1] == '-' && number.size() - e > 12) return true;
+    double exponent = 0;
+    for (const char c : number.substr(e + 1))
+        if (isDigit(c)) exponent = std::min(exponent * 10 + (c - '0'), 1e15);
+    return lead + (number[e + 1] == '-' ? -exponent : exponent) < 0;
+}
+
+/// False for `"abc` and for `"abc\"`, whose last quote is escaped.
+bool isClosedString(std::string_view written) {
+    if (written.size() < 2 || written.back() != '"') return false;
+    std::size_t backslashes = 0;
+    while (written[written.size() - 2 - backslashes] == '\\') ++backslashes;
+    return backslashes % 2 == 0;
+}
+
+} // namespace
+
+bool ValueParser::openBracket() const {
+    if (kind() == TokenKind::OpenParen || (kind() == TokenKind::Unknown && text() == "[")) return true;
+    return kind() == TokenKind::OpenBrace && (kind(1) == TokenKind::Number || kind(1) == TokenKind::String);
+}
+
+Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equals) {
+    Value v;
+    v.range = {equals.end, equals.end};
+    std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or a `;` written instead
+    TextRange bracket;
+    if (kind() == TokenKind::Equals) {
+        Diagnostic& d = error(Code::UnexpectedText, range(), "one `=` is enough");
+        fix(d, "remove `=`", {edit(range(), "")});
+        while (kind() == TokenKind::Equals) advance();
+        v.broken = true;
+    }
+    if (openBracket()) {
+        bracket = range();
+        v.broken = true;
+        advance();
+    }
+    const auto noneHere = [&] { // the next line begins another item
+        return newLine() && namedBlock() && (v.elements.empty() || numberLike(v.elements.back()));
+    };
+    bool commas = false; // an element before a comma was already reported as missing
+    while (true) {
+        const std::size_t before = position();
+        if (!noneHere() && element(v)) {
+            if (position() == before) break; // not expected; guards against an endless loop
+            if (afterElement(v, gaps)) continue;
+            break;
+        }
+        v.broken = true;
+        if (kind() == TokenKind::Comma) {
+            error(Code::MissingValue, range(), "an element is missing before this comma");
+            commas = true;
+            while (kind() == TokenKind::Comma) advance();
+            if (newLine() || !startsElement()) break;
+            continue;
+        }
+        const TextRange place = previous();
+        if (slice(place) == "," && !commas) {
+            Diagnostic& d = error(Code::MissingValue, place, "an element is missing after this comma");
+            if (!v.elements.empty()) fix(d, "remove `,`", {edit(place, "")});
+        } else if (v.elements.empty()) {
+            error(Code::MissingValue, equals.size() ? TextRange{equals.end, equals.end} : keyRange,
+                  "`" + std::string(key) + "` has no value");
+        }
+        break;
+    }
+    if (!v.elements.empty()) v.range = {v.elements.front().range.begin, v.elements.back().range.end};
+    if (bracket.size()) m_errors.reportBrackets(v, bracket, gaps);
+    else if (!gaps.empty()) m_errors.reportGaps(v, gaps);
+    return v;
+}
+
+/// True if another element follows. The current token is the one after an element.
+bool ValueParser::afterElement(Value& v, std::vector<TextRange>& gaps) {
+    if (kind() == TokenKind::Comma) {
+        advance();
+        return true;
+    }
+    const bool semicolon = kind() == TokenKind::Unknown && text() == ";" && !newLine() && !newLine(1);
+    if (semicolon && (kind(1) == TokenKind::Number || kind(1) == TokenKind::ParamRef || kind(1) == TokenKind::ExprOpen ||
+                      kind(1) == TokenKind::String)) {
+        gaps.push_back(range());
+        advance();
+        return true;
+    }
+    if (newLine() || atEnd() || !(startsElement() && !namedBlock())) return false;
+    const std::uint32_t end = v.elements.back().range.end;
+    gaps.push_back({end, end});
+    return true;
+}
+
+bool ValueParser::element(Value& v) {
+    Element e;
+    e.range = range();
+    switch (kind()) {
+    case TokenKind::Number: numberElement(e, v); break;
+    case TokenKind::String: stringElement(e, v); break;
+    case TokenKind::ExprOpen: m_expressions.element(e, v); break;
+    case TokenKind::ParamRef:
+        e.kind = Element::Kind::ParamRef;
+        e.text = text().substr(1);
+        advance();
+        break;
+    case TokenKind::Word:
+        if (startsItem()) return false;
+        wordElement(e);
+        break;
+    case TokenKind::Plus:
+    case TokenKind::Minus:
+        if (kind(1) != TokenKind::Number && kind(1) != TokenKind::ParamRef && kind(1) != TokenKind::ExprOpen &&
+            kind(1) != TokenKind::Word)
+            return false;
+        if (newLine(1)) return false;
+        m_errors.signedElement(e, v);
+        break;
+    case TokenKind::Dot:
+    case TokenKind::Slash:
+    case TokenKind::Star: m_errors.unquotedText(e, v); break;
+    case TokenKind::Unknown:
+        if (wrongEquals(0) || text() == ";" || text() == "]" || text() == "[" || text() == "*/") return false;
+        if (foreignQuoteEnd(bytes(), range().begin) == range().end) m_errors.foreignQuotes(e, v);
+        else m_errors.unquotedText(e, v);
+        break;
+    default: return false;
+    }
+    m_errors.continuesAt(e, v);
+    v.elements.push_back(std::move(e));
+    return true;
+}
+
+void ValueParser::wordElement(Element& e) {
+    e.text = text();
+    e.kind = e.text == "true" || e.text == "false" ? Element::Kind::Boolean : Element::Kind::Word;
+    e.boolean = e.text == "true";
+    advance();
+    const bool foreign = std::any_of(e.text.begin(), e.text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+    if (!foreign || (adjacent() && kind() == TokenKind::Unknown)) return; // the text continues and is reported as a whole
+    Diagnostic& d = error(Code::UnexpectedText, e.range, "a word with other letters than A-Z and a-z needs double quotes");
+    fix(d, "\"" + e.text + "\"", {edit(e.range, "\"" + e.text + "\"")});
+    e.kind = Element::Kind::String;
+}
+
+void ValueParser::numberElement(Element& e, Value& v) {
+    e.kind = Element::Kind::Number;
+    const TextRange digits = range();
+    if (slice(digits).starts_with(kUnicodeMinus))
+        unicodeMinus({digits.begin, digits.begin + static_cast<std::uint32_t>(kUnicodeMinus.size())});
+    const std::string plain = plainNumber(slice(digits));
+    const auto [end, fault] = std::from_chars(plain.data(), plain.data() + plain.size(), e.number);
+    if (fault == std::errc::result_out_of_range) {
+        e.number = 0;
+        if (!isTiny(plain)) {
+            error(Code::BadNumber, digits, "this number is too large");
+            v.broken = true;
+        }
+    } else if (fault != std::errc() || end != plain.data() + plain.size()) {
+        error(Code::BadNumber, digits, "`" + plain + "` is no number");
+        v.broken = true;
+    }
+    advance();
+    if (kind() != TokenKind::Unit) return;
+    e.unit = text();
+    e.unitRange = range();
+    e.range.end = range().end;
+    if (adjacent()) m_errors.checkNumberTail(e, v);
+    struct Sign {
+        std::string_view written, unit;
+    };
+    constexpr Sign kSigns[] = {{"\u00B0", "deg"}, {"\u03A9", "ohm"}, {"\u2126", "ohm"}, {"\u00B5m", "um"},
+                               {"\u03BCm", "um"}, {"\u00B5s", "us"}, {"\u03BCs", "us"}};
+    for (const Sign& sign : kSigns) {
+        if (e.unit != sign.written) continue;
+        Diagnostic& d = error(Code::UnknownUnit, e.unitRange, "the unit `" + e.unit + "` is written " + std::string(sign.unit));
+        fix(d, std::string(sign.unit), {edit(e.unitRange, std::string(sign.unit))});
+        e.unit = sign.unit;
+    }
+    advance();
+}
+
+void ValueParser::stringElement(Element& e, Value& v) {
+    e.kind = Element::Kind::String;
+    const std::string_view written = text();
+    const bool closed = isClosedString(written);
+    const std::string_view inner = written.substr(1, written.size() - (closed ? 2 : 1));
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        if (inner[i] != '\\' || i + 1 == inner.size()) {
+            e.text += inner[i];
+            continue;
+        }
+        const char c = inner[++i];
+        if (c == 'n' || c == '"' || c == '\\') {
+            e.text += c == 'n' ? '\n' : c;
+            continue;
+        }
+        const std::uint32_t at = e.range.begin + 1 + static_cast<std::uint32_t>(i) - 1;
+        Diagnostic& d = error(Code::UnexpectedText, {at, at + 1}, "a lone \\ in a string; there are \\\\, \\\" and \\n");
+        fix(d, "\\\\", {edit({at, at + 1}, "\\\\")});
+        e.text += '\\';
+        e.text += c;
+    }
+    if (!closed) {
+        // The quote belongs before the trailing spaces and comment of the line.
+        std::uint32_t end = e.range.end;
+        std::string_view body = written;
+        const std::size_t comment = body.find(" //");
+        if (comment != std::string_view::npos) end = e.range.begin + static_cast<std::uint32_t>(comment);
+        while (end > e.range.begin + 1 && isBlank(bytes()[end - 1])) --end;
+        Diagnostic& d = error(Code::UnclosedString, {e.range.begin, end}, "this string lacks its closing quote");
+        fix(d, "add `\"`", {edit({end, end}, "\"")});
+        v.broken = true;
+    }
+    advance();
+}
+
+} // namespace trundle

@@ -1,0 +1,33 @@
+#pragma once
+// Parses values: elements separated by commas. Private to core/lang.
+
+#include "lang/parsing/expression_parser.h"
+#include "lang/parsing/value_errors.h"
+
+namespace trundle {
+
+class ValueParser : ParserPart {
+public:
+    ValueParser(TokenCursor& tokens, SyntaxReporter& report)
+        : ParserPart(tokens, report), m_expressions(tokens, report),
+          m_errors(tokens, report, [this](Value& v) { return element(v); }) {}
+    ValueParser(const ValueParser&) = delete;
+    ValueParser& operator=(const ValueParser&) = delete;
+
+    /// The elements after `=`. `equals` is the position of the first element if there is none.
+    [[nodiscard]] Value value(std::string_view key, TextRange keyRange, TextRange equals);
+    /// Parses one element into `v`; false if none begins here.
+    [[nodiscard]] bool element(Value& v);
+
+private:
+    void wordElement(Element& e);
+    void numberElement(Element& e, Value& v);
+    void stringElement(Element& e, Value& v);
+    bool afterElement(Value& v, std::vector<TextRange>& gaps);
+    [[nodiscard]] bool openBracket() const;
+
+    ExpressionParser m_expressions;
+    ValueErrors m_errors;
+};
+
+} // namespace trundle

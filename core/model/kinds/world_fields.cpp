@@ -1,0 +1,151 @@
+#include "model/kinds/world_fields.h"
+
+#include "model/kinds/quantities.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kLargestWhole = 9007199254740992.0;
+
+constexpr Quantity whole(double low, double high) {
+    Quantity q = number().within(low, high);
+    q.type = TRUNDLE_INTEGER;
+    return q;
+}
+
+template <class T> void describePose(Describe<T>& d, const char* config, const char* pos) {
+    d.field("Config", &PoseFields::config, reference(config).required(),
+            std::string("Name of the ") + config + " it is created from.");
+    d.field("Pos", &PoseFields::pos, position(), pos);
+    d.field("HPR", &PoseFields::hpr, angles(), "Heading, pitch and roll.");
+}
+
+} // namespace
+
+void SettingsFields::describe(Describe<SettingsFields>& d) {
+    d.help("Settings of the experiment, written at the top level without a block.");
+    d.field("Tick", &SettingsFields::tick, seconds().within(1e-5, 0.1), "Length of one step of the simulation.");
+    d.field("Duration", &SettingsFields::duration, seconds().within(0, 1e9), "How long to simulate; 0 = until stopped.");
+    d.field("Seed", &SettingsFields::seed, whole(0, kLargestWhole), "Start of all random numbers.");
+    d.field("Gravity", &SettingsFields::gravity, metresPerSecondSquared().within(-1000, 1000), "Acceleration of free fall.");
+    d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"),
+            "Exact, quick, or chosen by the size of the largest cluster of contacts.");
+    d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");
+    d.field("ErrorReduction", &SettingsFields::errorReduction, number().within(0.05, 0.95),
+            "Share of what a joint gapes that one tick closes (ODE's ERP). Less makes joints softer.");
+    d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"), "Which controllers share a process.");
+    d.field("Title", &SettingsFields::title, text(), "Name of the experiment.");
+    d.field("Description", &SettingsFields::description, text(), "What the experiment is about.");
+}
+
+void MaterialFields::describe(Describe<MaterialFields>& d) {
+    d.help("How a geom looks.");
+    const Quantity share = number().within(0, 1);
+    d.field("ColorRGB", &MaterialFields::colour, share, "Red, green and blue.");
+    d.field("Texture", &MaterialFields::texture, file("jpg|jpeg|png"),
+            "Picture on the surface, in place of ColorRGB; white where it is clear. Its ending may be left out.");
+    d.field("TextureScale", &MaterialFields::textureScale, number().above(0), "How often the picture is repeated.");
+    d.field("TextureMap", &MaterialFields::textureMap, oneOf("auto|planar|box|cylinder|sphere"),
+            "How the picture is laid on the surface.");
+    d.field("Shininess", &MaterialFields::shininess, share, "0 = matt, 1 = polished.");
+    d.field("Opacity", &MaterialFields::opacity, share, "0 = invisible, 1 = opaque.");
+    d.field("Emission", &MaterialFields::emission, share, "Light of its own: red, green and blue.");
+}
+
+void SurfaceFields::describe(Describe<SurfaceFields>& d) {
+    d.help("How a geom touches others. Of a pair hold the smaller friction, the larger restitution and rolling friction, the sum "
+           "of softness.");
+    d.field("Friction", &SurfaceFields::friction, number().within(0, 1000), "Coefficient of Coulomb friction.");
+    d.field(
+        "Friction2", &SurfaceFields::friction2, number().within(0, 1000),
+        "Coefficient across the geom's direction; Friction is then the one along it. The direction is the geom's x axis, of a "
+        "wheel its rolling direction. Without it, friction is the same in all directions.");
+    d.field("FrictionHeading", &SurfaceFields::frictionHeading, angles(),
+            "From the geom's direction to that of Friction, about the normal towards the geom. No effect without Friction2.");
+    d.field("Restitution", &SurfaceFields::restitution, number().within(0, 1), "Share of the speed that a bounce keeps.");
+    d.field("RollingFriction", &SurfaceFields::rollingFriction, metres().within(0, 10),
+            "Lever of the force that brakes rolling.");
+    d.field("Softness", &SurfaceFields::softness, unitOf("m/N").within(0, 1),
+            "How far each contact point gives per newton: a spring without damping.");
+}
+
+void RobotConfigFields::describe(Describe<RobotConfigFields>& d) {
+    d.help("A robot as a whole: bodies, joints and devices, to be placed by Robot, Grid or Scatter.");
+    d.field("SelfCollision", &RobotConfigFields::selfCollision, flag(), "Its bodies collide with each other, save joined ones.");
+}
+
+void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
+    d.help("Scenery: geoms fixed to the world, to be placed by Static.");
+}
+
+void RobotFields::describe(Describe<RobotFields>& d) {
+    d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without "
+           "joints, "
+           "devices and a controller it is a movable object, a ball or a crate, and is counted as one.");
+    describePose(d, "RobotConfig", "Position of its config frame at the start.");
+}
+
+void StaticFields::describe(Describe<StaticFields>& d) {
+    d.help("One piece of scenery in the world.");
+    describePose(d, "StaticConfig", "Its position.");
+}
+
+void GridFields::describe(Describe<GridFields>& d) {
+    d.help("Equal robots in rows. Takes what a Robot takes; its members are name_0, name_1 ...");
+    describePose(d, "RobotConfig", "Centre of the pattern.");
+    d.field("Count", &GridFields::count, whole(1, 200000).required().counted(1, 2), "How many along x, and along y.");
+    d.field("Spacing", &GridFields::spacing, metres().within(0, kFarthestCoordinate).required().counted(1, 2),
+            "Distance between neighbours, or along x and along y.");
+}
+
+void ScatterFields::describe(Describe<ScatterFields>& d) {
+    d.help("Equal robots at random places clear of scenery and of each other. Takes what a Robot takes; its members are name_0, "
+           "name_1 ...");
+    describePose(d, "RobotConfig", "Origin of the area.");
+    d.field("Count", &ScatterFields::count, whole(1, 200000).required(), "How many.");
+    d.field("Area", &ScatterFields::area, position().required(), "x0, y0, x1, y1 about Pos.");
+    d.field("MinDistance", &ScatterFields::minDistance, metres().within(0, kFarthestCoordinate),
+            "Between the members' origins; where absent, they just do not touch.");
+    d.field("Heading", &ScatterFields::heading, angles(), "Of every member; random where absent.");
+    d.field("Seed", &ScatterFields::seed, whole(0, kLargestWhole), "0 = the experiment's.");
+}
+
+void LightFields::describe(Describe<LightFields>& d) {
+    d.help("A light: the sun, which replaces the one that everything has, or a lamp.");
+    d.field("Mode", &LightFields::mode, oneOf("sun|lamp"), "The first sun counts, and up to eight lamps.");
+    d.field("Pos", &LightFields::pos, position(), "Of a lamp.");
+    d.field("Direction", &LightFields::direction, number().within(-1e6, 1e6), "Which way the sun shines.");
+    d.field("ColorRGB", &LightFields::colour, number().within(0, 1), "Red, green and blue.");
+    d.field("Intensity", &LightFields::intensity, number().within(0, 1e6), "Factor on its light; of a lamp, at 1 m.");
+    d.field("Shadows", &LightFields::shadows, flag(),
+            "Whether it casts shadows on floors. Of the lamps that do, the first three count.");
+}
+
+void SkyFields::describe(Describe<SkyFields>& d) {
+    d.help("The sky, and the light that comes from everywhere.");
+    const Quantity share = number().within(0, 1);
+    d.field("Zenith", &SkyFields::zenith, share, "Colour of the sky above: red, green and blue.");
+    d.field("Horizon", &SkyFields::horizon, share, "Colour of the sky low down, and of what is very far.");
+    d.field("Ambient", &SkyFields::ambient, number().within(0, 100), "Factor on the light that comes from sky and ground.");
+}
+
+void ViewFields::describe(Describe<ViewFields>& d) {
+    d.help("A place to look from, for pictures and movies.");
+    d.field("Mode", &ViewFields::mode, oneOf("fixed|follow|chase"),
+            "Fixed in the world; carried along with a robot; or carried and turned with it.");
+    d.field("Eye", &ViewFields::eye, position(), "Where it looks from; with a robot, from its origin.");
+    d.field("Target", &ViewFields::target, position(), "What is in its middle, in the same frame.");
+    d.field("Robot", &ViewFields::robot, reference("Robot"), "Which robot carries it.");
+    d.field("FieldOfView", &ViewFields::fieldOfView, degrees().within(1, 170), "From the left edge to the right one.");
+}
+
+void ControllerFields::describe(Describe<ControllerFields>& d) {
+    d.field("UpdatePeriod", &ControllerFields::updatePeriod, seconds().within(0, 1e6),
+            "Time between its updates; 0 = every tick.");
+    d.field("Isolation", &ControllerFields::isolation, oneOf("none|module|robot"),
+            "Which controllers share its process; where absent, the experiment's.");
+    d.field("Budget", &ControllerFields::budget, milliseconds().above(0), "Time one update may take.");
+}
+
+} // namespace trundle

@@ -1,0 +1,167 @@
+// Resolves bodies and their mass: Body.Mass distributed evenly over the geoms, the sum of the geoms' masses, or a given inertia.
+#include "lang/tree_edit.h"
+#include "model/kinds/config_fields.h"
+#include "model/mass_properties.h"
+#include "model/resolve/resolve_steps.h"
+
+namespace trundle {
+
+namespace {
+
+class BodyReader {
+public:
+    BodyReader(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides)
+        : m_context(context), m_part(part), m_overrides(overrides), m_scope(&scope) {
+        m_scope.declare(part.params);
+        context.evaluator.checkAll(m_scope);
+    }
+
+    std::optional<BodySpec> read() {
+        m_record = m_context.read(m_part, m_scope, m_overrides, Origin::Config);
+        bool good = m_record.complete;
+        for (const Part& part : m_part.parts) {
+            if (!part.usable || !part.is(Role::Geom)) {
+                good = good && !part.kind; // for example a duplicate name
+                continue;
+            }
+            std::optional<GeomSpec> geom = resolveGeom(m_context, part, m_scope, below(m_overrides, part.name), true);
+            if (!geom) good = false;
+            else {
+                m_body.geoms.push_back(std::move(*geom));
+                m_parts.push_back(&part);
+            }
+        }
+        m_fields = fieldsFrom<BodyFields>(m_record);
+        m_body.name = m_part.name;
+        m_body.pose = poseOf(m_fields.pos, m_fields.hpr);
+        m_body.range = m_part.range;
+        m_body.nameRange = m_part.nameRange();
+        if (!good) return std::nullopt;
+        // The mass of a body with a missing mesh is unknown: a dummy value lets it be shown. The missing file was reported.
+        const auto missing = [](const GeomSpec& g) {
+            return (g.shape == GeomShape::Mesh || g.shape == GeomShape::Convex) && !g.mesh;
+        };
+        if (std::any_of(m_body.geoms.begin(), m_body.geoms.end(), missing)) m_body.mass = {1, Vec3::Zero(), Mat3::Identity()};
+        else if (!readMass()) return std::nullopt;
+        return std::move(m_body);
+    }
+
+private:
+    SourceRange place(const char* property) const { return m_record.rangeOf(property, m_part.nameRange()); }
+
+    bool fail(SourceRange range, const std::string& message) {
+        m_context.diagnostics.error(Code::BadMass, range, message);
+        return false;
+    }
+
+    bool readMass() {
+        if (m_context.brokenText(m_part.range)) return false; // the part with errors may contain a mass
+        const bool good = m_fields.mass ? spread() : addUp();
+        if (!good) return false;
+        if (m_fields.centreOfMass) m_body.mass.centre = vec3(*m_fields.centreOfMass);
+        if (m_fields.inertia && !readInertia(*m_fields.inertia)) return false;
+        const Status status = checkMass(m_body.mass);
+        if (status.ok()) return true;
+        return fail(place(m_fields.inertia ? "Inertia" : "Mass"),
+                    "the mass of " + m_part.title() + " cannot be: " + status.error().message);
+    }
+
+    bool readInertia(const std::vector<double>& i) {
+        if (i.size() != 3 && i.size() != 6) {
+            m_context.diagnostics.error(Code::WrongCount, place("Inertia"),
+                                        "Inertia has " + std::to_string(i.size()) + " elements, it takes three or six numbers");
+            return false;
+        }
+        Mat3& m = m_body.mass.inertia;
+        m = Vec3(i[0], i[1], i[2]).asDiagonal();
+        if (i.size() == 6) {
+            m(0, 1) = m(1, 0) = i[3];
+            m(0, 2) = m(2, 0) = i[4];
+            m(1, 2) = m(2, 1) = i[5];
+        }
+        return true;
+    }
+
+    /// A geom's shape as a solid of density 1. An open mesh is replaced by its hull, if its mass is given: then only the inertia
+    /// is approximate.
+    Result<MassProperties> solid(const GeomSpec& geom, bool openAllowed) {
+        if (!geom.mesh) return solidOf(geom);
+        MeshShapes& shapes = *m_context.assets.shapes;
+        Result<MassProperties> own = shapes.solid(geom.mesh);
+        if (own.ok() || !openAllowed) return own;
+        const std::shared_ptr<const TriangleMesh> hull = shapes.hull(geom.mesh);
+        if (!hull) return Error{Code::BadMass, "the points of the mesh lie in one plane"};
+        return shapes.solid(hull);
+    }
+
+    /// Distributes Body.Mass evenly over the volumes of the geoms.
+    bool spread() {
+        std::vector<MassProperties> solids;
+        for (std::size_t i = 0; i < m_body.geoms.size(); ++i) {
+            const GeomSpec& geom = m_body.geoms[i];
+            if (geom.mass || geom.density) {
+                m_context.diagnostics.error(Code::Conflict, m_parts[i]->nameRange(),
+                                            m_part.title() + " has a Mass, which is spread over its geoms; " +
+                                                m_parts[i]->title() + " cannot have its own");
+                return false;
+            }
+            Result<MassProperties> s = solid(geom, true);
+            if (!s.ok())
+                return fail(m_parts[i]->nameRange(),
+                            m_parts[i]->title() + " cannot take part in the mass of its body: " + s.error().message);
+            solids.push_back(placed(s.value(), geom.pose));
+        }
+        if (solids.empty() && !m_fields.inertia) {
+            return fail(m_part.nameRange(),
+                        m_part.title() + " has a Mass but no geoms to spread it over; give it Inertia or a geom");
+        }
+        m_body.mass = solids.empty() ? MassProperties{*m_fields.mass, Vec3::Zero(), Mat3::Identity()}
+                                     : withMass(sum(solids), *m_fields.mass);
+        return true;
+    }
+
+    bool addUp() {
+        std::vector<MassProperties> solids;
+        for (std::size_t i = 0; i < m_body.geoms.size(); ++i) {
+            const GeomSpec& geom = m_body.geoms[i];
+            if (!geom.mass && !geom.density) continue;
+            Result<MassProperties> s = solid(geom, geom.mass.has_value());
+            if (!s.ok()) {
+                Diagnostic& d = m_context.diagnostics.error(Code::BadMass, m_parts[i]->nameRange(),
+                                                            m_parts[i]->title() + " has no mass: " + s.error().message +
+                                                                "; give it Mass in place of Density");
+                if (const SourceAssignment* a = m_parts[i]->assignments.find("Density")) {
+                    d.fixes.push_back({"Mass=1", {{a->keyRange(), "Mass"}, {a->valueRange(), "1"}}});
+                }
+                return false;
+            }
+            const double mass = geom.mass ? *geom.mass : s.value().mass * *geom.density;
+            solids.push_back(placed(withMass(s.value(), mass), geom.pose));
+        }
+        if (!solids.empty()) {
+            m_body.mass = sum(solids);
+            return true;
+        }
+        Diagnostic& d = m_context.diagnostics.error(Code::BadMass, m_part.nameRange(),
+                                                    m_part.title() + " has no mass; give one to it or to its geoms");
+        m_context.fixAdd(d, m_part, "Mass", "1");
+        return false;
+    }
+
+    ResolveContext& m_context;
+    const Part& m_part;
+    const OverrideNode* m_overrides;
+    ParamScope m_scope;
+    Record m_record;
+    BodyFields m_fields;
+    BodySpec m_body;
+    std::vector<const Part*> m_parts; ///< one for each geom
+};
+
+} // namespace
+
+std::optional<BodySpec> resolveBody(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides) {
+    return BodyReader(context, part, scope, overrides).read();
+}
+
+} // namespace trundle

@@ -1,0 +1,131 @@
+#include "model/resolve/resolve_context.h"
+
+#include <algorithm>
+
+#include "base/spelling.h"
+#include "lang/tree_edit.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+
+namespace {
+
+/// A help text in brackets for a message: " (full lengths along x, y and z)".
+std::string inBrackets(std::string help) {
+    if (help.empty()) return help;
+    if (help.back() == '.') help.pop_back();
+    if (help.size() > 1 && help[1] >= 'a' && help[1] <= 'z')
+        help[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(help[0])));
+    return " (" + help + ")";
+}
+
+} // namespace
+
+ComponentSpec componentFrom(const Record& record, const Part& part) {
+    ComponentSpec spec;
+    spec.kind = part.kind->name;
+    spec.name = part.name;
+    spec.range = part.range;
+    spec.nameRange = part.nameRange();
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+        if (record.values[i]) spec.values.emplace(part.kind->properties[i].name, *record.values[i]);
+    }
+    return spec;
+}
+
+void ResolveContext::fixAdd(Diagnostic& d, const Part& part, const std::string& key, const std::string& value) {
+    d.fixes.push_back({key + "=" + value, {editAddAssignment(*texts.trees[part.file], part.block, key, value)}});
+    d.suggestions.push_back(key + "=" + value);
+}
+
+Record ResolveContext::read(const Part& part, ParamScope& scope, const OverrideNode* overrides, Origin origin,
+                            const ExtraKeys& extra) {
+    Record record;
+    record.kind = part.kind;
+    fill(record, part.assignments, &part, scope, overrides, origin, extra);
+    return record;
+}
+
+Record ResolveContext::readSettings() {
+    Record record;
+    record.kind = registry.find("settings");
+    if (record.kind) fill(record, outline.settings, nullptr, globals, nullptr, Origin::Config, {});
+    return record;
+}
+
+std::optional<ResolvedValue> ResolveContext::readGiven(const Property& property, const GivenValue& given, Origin origin) {
+    std::optional<PropertyValue> value = readValue(property, given, diagnostics);
+    if (!value) return std::nullopt;
+    if (texts.commandLine(given.range.file)) origin = Origin::CommandLine;
+    else if (given.fromParam) origin = Origin::Param;
+    return ResolvedValue{std::move(*value), given.range, origin};
+}
+
+void ResolveContext::fill(Record& record, const AssignmentList& assignments, const Part* part, ParamScope& scope,
+                          const OverrideNode* overrides, Origin origin, const ExtraKeys& extra) {
+    const std::vector<Property>& properties = record.kind->properties;
+    record.values.resize(properties.size());
+    record.literal.resize(properties.size(), false);
+    std::vector<bool> validated(properties.size(), false);
+    std::vector<std::string> meant; ///< properties meant by misspelt keys: not reported as missing
+    for (const SourceAssignment& a : assignments.all()) {
+        const auto it = std::find_if(properties.begin(), properties.end(), [&](const Property& p) { return p.name == a.key; });
+        if (it == properties.end()) {
+            if (extra.take && extra.take(a)) continue;
+            unknownKey(*record.kind, a, part ? part->title() : std::string(), extra.words, meant);
+            continue;
+        }
+        const std::size_t i = static_cast<std::size_t>(it - properties.begin());
+        validated[i] = true;
+        if (const OverrideNode* node = below(overrides, a.key); node && node->value) continue; // the instance overrides it
+        const std::optional<GivenValue> given = evaluator.evaluate(*a.value, a.file, scope);
+        if (given) record.values[i] = readGiven(properties[i], *given, origin);
+        if (!record.values[i]) record.complete = false;
+        else record.literal[i] = !given->fromParam;
+    }
+    for (std::size_t i = 0; i < properties.size(); ++i) {
+        const Property& p = properties[i];
+        if (const OverrideNode* node = below(overrides, p.name); node && node->value) {
+            validated[i] = true;
+            record.values[i] = readGiven(p, *node->value, node->origin);
+            if (!record.values[i]) record.complete = false;
+        }
+        if (record.values[i]) continue;
+        if (p.defaultValue)
+            record.values[i] =
+                ResolvedValue{*p.defaultValue, {}, Origin::Default}; // also for an invalid value: others are still checked
+        if (!p.required || record.values[i]) continue;
+        record.complete = false;
+        if (validated[i] || !part || std::count(meant.begin(), meant.end(), p.name) || brokenText(part->range)) continue;
+        diagnostics.error(Code::MissingRequired, part->nameRange(), part->title() + " needs " + p.name + inBrackets(p.help));
+    }
+    if (part) checkAlternatives(record, *part, validated, meant);
+}
+
+void ResolveContext::unknownKey(const Kind& kind, const SourceAssignment& a, const std::string& title,
+                                const std::vector<std::string>& more, std::vector<std::string>& meant) {
+    if (a.path.size() > 1) {
+        Diagnostic& d =
+            diagnostics.error(Code::NoSuchPath, a.keyRange(),
+                              title.empty() ? "a path is set inside its Robot, Static, Grid or Scatter, not at the top level"
+                                            : "a path cannot be set in " + title + "; instances set paths into their config");
+        const Part* thing = title.empty() ? outline.world.find(a.path[0].text) : nullptr;
+        if (thing && !texts.commandLine(a.file)) {
+            const std::string rest = a.key.substr(a.path[0].text.size() + 1);
+            d.message = "write " + rest + " = ... inside " + thing->title();
+        }
+        return;
+    }
+    std::vector<std::string> words = propertyNames(kind);
+    words.insert(words.end(), more.begin(), more.end());
+    std::string message = title.empty() ? "there is no setting " + a.key : title + " has no property " + a.key;
+    std::vector<std::string> near;
+    if (!manyAlready(diagnostics)) near = nearestWords(a.key, words);
+    if (near.empty() && !words.empty()) message += "; it has " + listText(words, "and", 20);
+    if (near.empty() && title.empty()) message = "there is no setting " + a.key + "; there are " + listText(words, "and", 20);
+    if (!near.empty()) meant.push_back(near.front());
+    Diagnostic& d = diagnostics.error(Code::UnknownKey, a.keyRange(), message);
+    suggestWords(d, std::move(near), a.keyRange());
+}
+
+} // namespace trundle

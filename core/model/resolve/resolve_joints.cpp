@@ -1,0 +1,120 @@
+#include <cmath>
+
+#include "lang/tree_edit.h"
+#include "model/kinds/config_fields.h"
+#include "model/resolve/resolve_steps.h"
+
+namespace trundle {
+
+namespace {
+
+JointFields jointFields(const std::string& kind, const Record& record, JointType& type) {
+    if (kind == "Slider") {
+        type = JointType::Slider;
+        return fieldsFrom<SliderFields>(record);
+    }
+    if (kind == "Ball") {
+        type = JointType::Ball;
+        return fieldsFrom<BallFields>(record);
+    }
+    if (kind == "Universal") {
+        type = JointType::Universal;
+        return fieldsFrom<UniversalFields>(record);
+    }
+    if (kind == "Fixed") {
+        type = JointType::Fixed;
+        return fieldsFrom<FixedFields>(record);
+    }
+    if (kind == "Suspension") {
+        type = JointType::Suspension;
+        return fieldsFrom<SuspensionFields>(record);
+    }
+    type = JointType::Hinge;
+    return fieldsFrom<HingeFields>(record);
+}
+
+class JointReader {
+public:
+    JointReader(ResolveContext& context, const Part& part, const Record& record)
+        : m_context(context), m_part(part), m_record(record) {}
+
+    bool read(JointSpec& joint, const std::vector<BodySpec>& bodies, const BodyIndices& places) {
+        const JointFields f = jointFields(m_part.kind->name, m_record, joint.type);
+        if (f.parent == f.child) return fail("Child", "the child of " + m_part.title() + " is its parent as well");
+        joint.name = m_part.name;
+        joint.range = m_part.range;
+        joint.nameRange = m_part.nameRange();
+        if (!findBody(places, f.child, joint.child) || (f.parent != "world" && !findBody(places, f.parent, joint.parent)))
+            return false;
+        joint.anchor = f.anchor ? vec3(*f.anchor) : bodies[joint.child].pose.position;
+        joint.damping = f.damping;
+        joint.friction = f.friction;
+        joint.stiffness = f.stiffness;
+        joint.travel = f.travel;
+        joint.lowStop = f.lowStop;
+        joint.highStop = f.highStop;
+        return readAxes(joint, f) && checkStops(f);
+    }
+
+private:
+    bool fail(const char* property, const std::string& message) {
+        m_context.diagnostics.error(Code::BadJoint, m_record.rangeOf(property, m_part.nameRange()), message);
+        return false;
+    }
+
+    static bool findBody(const BodyIndices& places, const std::string& name, int& index) {
+        const auto it = places.find(name);
+        if (it == places.end()) return false; // it exists but has errors of its own
+        index = it->second;
+        return true;
+    }
+
+    bool readAxes(JointSpec& joint, const JointFields& f) {
+        const Vec3 axis = vec3(f.axis), axis2 = vec3(f.axis2);
+        if (!(axis.norm() > 1e-9)) return fail("Axis", "the Axis of " + m_part.title() + " is zero, it has no direction");
+        joint.axis = axis.normalized();
+        if (joint.type != JointType::Universal && joint.type != JointType::Suspension) return true;
+        if (!(axis2.norm() > 1e-9)) return fail("Axis2", "the Axis2 of " + m_part.title() + " is zero, it has no direction");
+        joint.axis2 = axis2.normalized();
+        const double along = std::abs(joint.axis.dot(joint.axis2));
+        if (along > 0.999) return fail("Axis2", "Axis and Axis2 of " + m_part.title() + " point the same way");
+        if (joint.type != JointType::Universal) return true;
+        if (along > 1e-3) return fail("Axis2", "Axis and Axis2 of " + m_part.title() + " are not at a right angle");
+        joint.axis2 = (joint.axis2 - joint.axis.dot(joint.axis2) * joint.axis).normalized();
+        return true;
+    }
+
+    bool checkStops(const JointFields& f) {
+        if (!f.lowStop || !f.highStop || *f.lowStop <= *f.highStop) return true;
+        const SourceRange low = m_record.rangeOf("LowStop", m_part.nameRange()),
+                          high = m_record.rangeOf("HighStop", m_part.nameRange());
+        Diagnostic& d =
+            m_context.diagnostics.error(Code::BadJoint, low, "the LowStop of " + m_part.title() + " is above its HighStop");
+        if (low.known() && high.known() && low != high) {
+            const std::string lowText(m_context.texts.slice(low)), highText(m_context.texts.slice(high));
+            d.fixes.push_back({"exchange them", {{low, highText}, {high, lowText}}});
+        }
+        return false;
+    }
+
+    ResolveContext& m_context;
+    const Part& m_part;
+    const Record& m_record;
+};
+
+} // namespace
+
+std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides,
+                                      const Part& config, const std::vector<BodySpec>& bodies, const BodyIndices& places) {
+    ParamScope own(&scope);
+    own.declare(part.params);
+    context.evaluator.checkAll(own);
+    const Record record = context.read(part, own, overrides, Origin::Config);
+    const bool known = context.checkReferences(record, config);
+    if (!record.complete || !known) return std::nullopt;
+    JointSpec joint;
+    if (!JointReader(context, part, record).read(joint, bodies, places)) return std::nullopt;
+    return joint;
+}
+
+} // namespace trundle

@@ -1,0 +1,56 @@
+#pragma once
+// The steps of the resolver, one file per step. Private to core/model.
+
+#include "model/resolve/resolve_context.h"
+
+namespace trundle {
+
+void resolveMaterials(ResolveContext& context);
+void resolveSurfaces(ResolveContext& context);
+[[nodiscard]] SettingsSpec resolveSettings(ResolveContext& context);
+
+/// Nothing, with a diagnostic, if the geom is invalid.
+[[nodiscard]] std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope,
+                                                  const OverrideNode* overrides, bool onBody);
+[[nodiscard]] std::optional<BodySpec> resolveBody(ResolveContext& context, const Part& part, ParamScope& scope,
+                                                  const OverrideNode* overrides);
+/// Index by name of the bodies that could be resolved.
+using BodyIndices = std::unordered_map<std::string, int>;
+[[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope,
+                                                    const OverrideNode* overrides, const Part& config,
+                                                    const std::vector<BodySpec>& bodies, const BodyIndices& places);
+[[nodiscard]] std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config,
+                                                                        ParamScope& scope, const OverrideNode* overrides);
+[[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config,
+                                                                               ParamScope& scope, const OverrideNode* overrides);
+/// Antenna patterns and the medium; requires the settings.
+void resolveRadio(ResolveContext& context);
+/// Reports a key that the language defines but this program does not use.
+void reportUnusedParts(ResolveContext& context, const std::string& key, SourceRange place);
+void resolveLogs(ResolveContext& context);
+/// Checks the cameras and views that FrameLogs name; requires robots and views.
+void checkFrameLogs(ResolveContext& context);
+/// Checks views and lights for invalid combinations of values, one after another.
+class AppearanceChecker {
+public:
+    explicit AppearanceChecker(ResolveContext& context) : m_context(context) {}
+    void check(const Record& record, const Part& part);
+
+private:
+    void checkView(const Record& record, const Part& part);
+    void checkLight(const Record& record, const Part& part);
+
+    ResolveContext& m_context;
+    std::size_t m_suns = 0, m_lamps = 0;
+};
+/// Checks Transceivers for inconsistent values; requires the robots.
+void checkRadios(ResolveContext& context);
+/// Robots, statics, grids and scatters, in text order.
+void resolveInstances(ResolveContext& context);
+
+/// The poses of a layout's members. Empty, with a diagnostic (E317), on failure.
+[[nodiscard]] std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Record& record);
+[[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record,
+                                             const RobotConfigSpec& config);
+
+} // namespace trundle

@@ -1,0 +1,132 @@
+#include "run/logs/log_choice.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/spelling.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMaxListed = 12;
+
+/// For messages: "robot0, robot1 and 98 more".
+std::string listed(const std::vector<std::string>& names) {
+    if (names.empty()) return "there are none";
+    std::string text = "there is ";
+    for (std::size_t i = 0; i < names.size() && i < kMaxListed; ++i) text += (i ? ", " : "") + names[i];
+    if (names.size() > kMaxListed) text += " and " + std::to_string(names.size() - kMaxListed) + " more";
+    return text;
+}
+
+/// Whether a name has the form of a member: `name` "swarm_12" for `grid` "swarm".
+bool isMemberOf(std::string_view name, std::string_view grid) {
+    if (name.size() < grid.size() + 2 || !name.starts_with(grid) || name[grid.size()] != '_') return false;
+    return name.find_first_not_of("0123456789", grid.size() + 1) == std::string_view::npos;
+}
+
+/// Reports an unknown name. `best`: the intended name if it is certain; replaces the list of names.
+void unknownName(const ComponentSpec& spec, const char* key, const std::string& what, const std::string& written,
+                 const std::vector<std::string>& names, const std::string& best, Diagnostics& diagnostics) {
+    const ResolvedValue* value = spec.find(key);
+    Diagnostic& d = diagnostics.error(Code::UnknownReference, value && value->range.known() ? value->range : spec.nameRange,
+                                      "no " + what + " is called '" + written + "'; " +
+                                          (best.empty() ? listed(names) : "its members are meant by '" + best + "'"));
+    d.suggestions = best.empty() ? nearestWords(written, names) : std::vector<std::string>{best};
+}
+
+/// The pattern "swarm_*/pose" for "swarm/pose", if swarm is a Grid or Scatter whose members have such a signal; else empty.
+std::string patternForMembers(const std::string& written, const SignalLayout& layout) {
+    const std::size_t slash = written.find('/');
+    if (slash == std::string::npos || slash == 0) return {};
+    const std::string grid = written.substr(0, slash), rest = written.substr(slash);
+    for (const SignalEntry& entry : layout.entries()) {
+        const std::size_t end = entry.path.find('/');
+        if (end == std::string::npos || !isMemberOf(std::string_view(entry.path).substr(0, end), grid)) continue;
+        if (matchesWildcard(rest, std::string_view(entry.path).substr(end))) return grid + "_*" + rest;
+    }
+    return {};
+}
+
+bool hasWildcard(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
+
+/// The signals of the robot or static that `written` begins with, or all signals.
+std::vector<std::string> signalNamesNear(const std::string& written, const SignalLayout& layout) {
+    const std::string owner = written.substr(0, written.find('/') == std::string::npos ? 0 : written.find('/') + 1);
+    std::vector<std::string> near, all;
+    for (const SignalEntry& entry : layout.entries()) {
+        all.push_back(entry.path);
+        if (!owner.empty() && entry.path.starts_with(owner)) near.push_back(entry.path);
+    }
+    return near.empty() ? all : near;
+}
+
+} // namespace
+
+bool matchesWildcard(std::string_view pattern, std::string_view text) {
+    std::size_t p = 0, t = 0, star = std::string_view::npos, resume = 0;
+    while (t < text.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            resume = t;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) {
+            ++p;
+            ++t;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            t = ++resume;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vector<RobotSpec>& robots, Diagnostics& diagnostics) {
+    std::vector<bool> chosen(robots.size(), false);
+    const std::vector<std::string> written = spec.texts("Robot");
+    if (written.empty()) chosen.assign(robots.size(), true);
+    for (const std::string& name : written) {
+        bool found = false;
+        for (std::size_t i = 0; i < robots.size(); ++i) {
+            if (!matchesWildcard(name, robots[i].name) && !isMemberOf(robots[i].name, name)) continue;
+            chosen[i] = found = true;
+        }
+        if (found) continue;
+        std::vector<std::string> names;
+        for (const RobotSpec& robot : robots) names.push_back(robot.name);
+        unknownName(spec, "Robot", "robot", name, names, {}, diagnostics);
+    }
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < robots.size(); ++i)
+        if (chosen[i]) indices.push_back(i);
+    return indices;
+}
+
+std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout, Diagnostics& diagnostics) {
+    std::vector<const SignalEntry*> signals;
+    std::set<std::uint32_t> taken;
+    const auto take = [&](const SignalEntry& entry) {
+        if (taken.insert(entry.offset).second) signals.push_back(&entry);
+    };
+    for (const std::string& name : spec.texts("Signals")) {
+        bool found = false;
+        if (const SignalEntry* entry = layout.find(name)) {
+            take(*entry);
+            found = true;
+        } else if (hasWildcard(name)) {
+            for (const SignalEntry& entry : layout.entries()) {
+                if (!matchesWildcard(name, entry.path)) continue;
+                take(entry);
+                found = true;
+            }
+        }
+        if (!found)
+            unknownName(spec, "Signals", "signal", name, signalNamesNear(name, layout), patternForMembers(name, layout),
+                        diagnostics);
+    }
+    return signals;
+}
+
+} // namespace trundle

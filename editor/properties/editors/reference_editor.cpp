@@ -1,0 +1,119 @@
+#include "editor/properties/editors/reference_editor.h"
+
+#include <QCompleter>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QStringListModel>
+#include <QToolButton>
+
+#include "editor/properties/editors/line_editor.h"
+#include "editor/properties/editors/value_field.h"
+#include "project/objects/value_text.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kMaxListed = 200; ///< in the menu; completion finds more
+
+/// The names in a value, without quotes.
+QStringList origin(const FieldValue& v) {
+    QStringList names;
+    for (std::size_t i = 0; i < v.elements.size(); ++i) names << QString::fromStdString(plainText(v.element(i)));
+    return names;
+}
+
+} // namespace
+
+ReferenceEditor::ReferenceEditor(QWidget* parent)
+    : RowEditor(parent), m_field(new ValueField(this)), m_button(new QToolButton(this)), m_menu(new QMenu(this)),
+      m_names(new QStringListModel(this)) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_field, 1);
+    layout->addWidget(m_button);
+    m_field->setObjectName(QStringLiteral("field"));
+    m_button->setObjectName(QStringLiteral("pick"));
+    m_button->setFixedWidth(22);
+    m_button->setToolTip(tr("Choose from matching names"));
+    m_button->setAccessibleName(m_button->toolTip());
+    m_button->setFocusPolicy(Qt::NoFocus); // Alt+Down in the field opens the same list
+    m_button->setMenu(m_menu);
+    m_button->setPopupMode(QToolButton::InstantPopup);
+    m_button->setFixedHeight(m_field->sizeHint().height());
+    setFocusProxy(m_field);
+    auto* completer = new QCompleter(m_names, this);
+    completer->setFilterMode(Qt::MatchContains);
+    completer->setCaseSensitivity(Qt::CaseInsensitive);
+    m_field->setCompleter(completer);
+    m_field->installEventFilter(this);
+    connect(completer, qOverload<const QString&>(&QCompleter::activated), this, [this](const QString& name) {
+        if (m_row.property()->maxCount == 1) pick(name);
+    });
+    connect(m_menu, &QMenu::aboutToShow, this, &ReferenceEditor::fillMenu);
+    connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
+    connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
+        const ParsedValue value = typed.isEmpty() ? ParsedValue() : typedValue(m_row, typed);
+        commit(m_field, [value](const FieldValue&) { return value; });
+    });
+}
+
+QWidget* ReferenceEditor::focusField() const { return m_field; }
+
+QStringList ReferenceEditor::names() const {
+    QStringList names;
+    if (!m_row.candidates) return names;
+    for (const std::string& name : m_row.candidates()) names << QString::fromStdString(name);
+    return names;
+}
+
+void ReferenceEditor::refresh() {
+    showLine(*m_field, m_row);
+    if (m_field->hasFocus()) m_names->setStringList(names());
+}
+
+bool ReferenceEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_field && event->type() == QEvent::FocusIn) m_names->setStringList(names());
+    if (watched == m_field && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Down && key->modifiers() == Qt::AltModifier) {
+            m_button->showMenu();
+            return true;
+        }
+    }
+    return RowEditor::eventFilter(watched, event);
+}
+
+void ReferenceEditor::fillMenu() {
+    m_menu->clear();
+    const QStringList fitting = names(), here = m_row.mixed() ? QStringList() : origin(m_row.first());
+    for (const QString& name : fitting.mid(0, kMaxListed)) {
+        QAction* action = m_menu->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(here.contains(name));
+        connect(action, &QAction::triggered, this, [this, name] { pick(name); });
+    }
+    if (fitting.size() > kMaxListed)
+        m_menu->addAction(tr("%1 more: type to filter").arg(fitting.size() - kMaxListed))->setEnabled(false);
+    if (fitting.isEmpty()) m_menu->addAction(tr("No matching names"))->setEnabled(false);
+}
+
+void ReferenceEditor::pick(const QString& name) {
+    const bool list = m_row.property()->maxCount > 1;
+    const std::string word = name.toStdString();
+    m_field->setModified(false);
+    commit(m_field, [list, word, name](const FieldValue& v) -> ParsedValue {
+        const ParsedValue picked = wordOrQuoted(word, v.given() && v.text.starts_with('"'));
+        if (!list || v.formula || v.text.empty()) return picked;
+        const auto at = origin(v).indexOf(name);
+        if (at < 0) return v.with(v.elements.size(), picked.text());
+        std::vector<std::string> rest;
+        for (std::size_t i = 0; i < v.elements.size(); ++i)
+            if (i != static_cast<std::size_t>(at)) rest.push_back(v.element(i));
+        return rest.empty() ? v.text : joined(rest, v.separator);
+    });
+}
+
+} // namespace trundle

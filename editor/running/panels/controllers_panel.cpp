@@ -1,0 +1,310 @@
+#include "editor/running/panels/controllers_panel.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QSplitter>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "editor/document/selection.h"
+#include "editor/running/panels/controller_commands.h"
+#include "editor/running/panels/controller_dialogs.h"
+#include "editor/running/panels/robot_states.h"
+#include "editor/widgets/actions.h"
+#include "editor/widgets/plain_text.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+/// Adds space between the columns.
+class SpacedColumns final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        constexpr int kGap = 18;
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(kGap, 0);
+    }
+};
+
+QTreeWidget* table(const char* name, const QStringList& columns) {
+    auto* made = new QTreeWidget;
+    made->setObjectName(QLatin1String(name));
+    made->setHeaderLabels(columns);
+    made->setRootIsDecorated(false);
+    made->setUniformRowHeights(true);
+    made->setAllColumnsShowFocus(true);
+    made->setItemDelegate(new SpacedColumns(made));
+    made->header()->setStretchLastSection(true);
+    return made;
+}
+
+QToolButton* textButton(const char* name, const QString& text, const QString& tip, const char* icon = "") {
+    auto* made = new QToolButton;
+    made->setObjectName(QLatin1String(name));
+    made->setText(text);
+    made->setIcon(themedIcon(QLatin1String(icon)));
+    made->setToolTip(tip);
+    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    made->setAutoRaise(true);
+    return made;
+}
+
+/// A tool button with a short text; menus show the action's full text, since they lack the context of the panel.
+QToolButton* actionButton(QAction& action, const QString& text) {
+    action.setIconText(text);
+    auto* made = new QToolButton;
+    made->setDefaultAction(&action);
+    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    made->setAutoRaise(true);
+    return made;
+}
+
+/// Without a dock title: the list's header describes it, and the title's room is needed for the buttons.
+QWidget* withTools(QTreeWidget* list, const QList<QWidget*>& tools) {
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(4, 3, 4, 3);
+    row->setSpacing(2);
+    for (QWidget* tool : tools) row->addWidget(tool);
+    row->addStretch(1);
+    column->addLayout(row);
+    column->addWidget(list, 1);
+    return box;
+}
+
+} // namespace
+
+ControllersPanel::ControllersPanel(Document& document, Selection& selection, RunSession& session, Actions& actions,
+                                   QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_session(session), m_actions(actions),
+      m_commands(new ControllerCommands(document, session, this)) {
+    setObjectName(QStringLiteral("ControllersPanel"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_notice = new QLabel(this);
+    m_notice->setObjectName(QStringLiteral("controllersNotice"));
+    m_notice->setWordWrap(true);
+    m_notice->setContentsMargins(8, 6, 8, 6);
+    m_notice->hide();
+    column->addWidget(m_notice);
+    auto* halves = new QSplitter(Qt::Horizontal, this);
+    halves->setChildrenCollapsible(false);
+    halves->addWidget(makeModules());
+    halves->addWidget(makeRobots());
+    for (int half : {0, 1}) halves->setStretchFactor(half, 1);
+    column->addWidget(halves, 1);
+
+    m_commands->setAsk([this](const QString& library, const QString& folder) { return askForTrust(library, folder, this); });
+    connect(m_commands, &ControllerCommands::refused, this, &ControllersPanel::refused);
+    connect(&document, &Document::changed, this, &ControllersPanel::refresh);
+    connect(&document, &Document::opened, this, [this] {
+        refresh();
+        if (!m_notice->isHidden()) Q_EMIT attentionRequested();
+    });
+    connect(&session, &RunSession::stateChanged, this, &ControllersPanel::showStates);
+    connect(&session, &RunSession::advanced, this, [this] {
+        if (m_session.results().snapshot && m_session.results().snapshot->ended.size() != m_shownEnded) showStates();
+    });
+    connect(&selection, &Selection::changed, this, &ControllersPanel::showButtons);
+    connectActions();
+    refresh();
+}
+
+QWidget* ControllersPanel::makeModules() {
+    m_modules = table("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
+    for (const int column : {0, 1, 2}) m_modules->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    QToolButton* load = actionButton(m_actions.at("controllers.load"), tr("Load…"));
+    load->setObjectName(QStringLiteral("moduleLoad"));
+    m_recent = new QMenu(tr("Load R&ecent"), load);
+    load->setMenu(m_recent);
+    load->setPopupMode(QToolButton::MenuButtonPopup);
+    connect(m_recent, &QMenu::aboutToShow, this, &ControllersPanel::showRecent);
+    m_unload = textButton("moduleUnload", tr("Unload"), tr("Remove the line that loads the module from the text"));
+    m_trust = textButton("moduleTrust", tr("Trust…"), tr("Allow the modules of this folder to run"));
+    QToolButton* reload = actionButton(m_actions.at("controllers.reload"), tr("Reload"));
+    connect(m_unload, &QToolButton::clicked, this, [this] {
+        if (const ModuleInfo* module = currentModule()) m_commands->unload(ModuleInfo(*module));
+    });
+    connect(m_trust, &QToolButton::clicked, this, [this] {
+        if (const ModuleInfo* module = currentModule()) m_commands->trust(ModuleInfo(*module));
+    });
+    connect(m_modules, &QTreeWidget::currentItemChanged, this, &ControllersPanel::showButtons);
+    connect(m_modules, &QTreeWidget::itemActivated, this, [this] {
+        const ModuleInfo* module = currentModule();
+        if (module && module->range.known()) Q_EMIT jumpTo(m_document.texts().files().at(module->range.file), module->range);
+    });
+    return withTools(m_modules, {load, reload, m_unload, m_trust});
+}
+
+QWidget* ControllersPanel::makeRobots() {
+    m_robots = table("robotControllers", {tr("Robot"), tr("Controller"), tr("State")});
+    m_robots->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    for (const int column : {0, 1}) m_robots->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    m_robots->header()->setResizeContentsPrecision(0); // measures only visible rows, since a swarm has many
+    connect(m_robots, &QTreeWidget::itemSelectionChanged, this, [this] {
+        std::vector<std::string> paths;
+        for (const QTreeWidgetItem* item : m_robots->selectedItems())
+            paths.push_back(item->data(0, Qt::UserRole).toString().toStdString());
+        if (paths.empty()) return;
+        m_choosing = true;
+        m_selection.set(std::move(paths));
+        m_choosing = false;
+    });
+    connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
+    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")),
+                                actionButton(m_actions.at("controllers.remove"), tr("Remove"))});
+}
+
+void ControllersPanel::connectActions() {
+    connect(&m_actions.at("controllers.load"), &QAction::triggered, this, &ControllersPanel::loadByDialog);
+    connect(&m_actions.at("controllers.assign"), &QAction::triggered, this, [this] { assignTo(chosenRobots()); });
+    connect(&m_actions.at("controllers.remove"), &QAction::triggered, this, [this] { m_commands->unassign(chosenRobots()); });
+    connect(&m_actions.at("controllers.reload"), &QAction::triggered, m_commands, &ControllerCommands::reload);
+}
+
+std::vector<std::string> ControllersPanel::chosenRobots() const {
+    return m_document.loaded() ? robotsAmong(*m_document.loaded(), m_selection.paths()) : std::vector<std::string>();
+}
+
+const ModuleInfo* ControllersPanel::currentModule() const {
+    const int row = m_modules->indexOfTopLevelItem(m_modules->currentItem());
+    return row >= 0 && row < static_cast<int>(m_infos.size()) ? &m_infos[static_cast<std::size_t>(row)] : nullptr;
+}
+
+void ControllersPanel::assignTo(const std::vector<std::string>& robots) {
+    if (robots.empty()) {
+        Q_EMIT refused(tr("Select the robots that shall have the controller."));
+        return;
+    }
+    const std::vector<ControllerChoice> choices = m_commands->choices();
+    if (const int chosen = chooseController(choices, robots, this); chosen >= 0)
+        m_commands->assign(robots, choices[static_cast<std::size_t>(chosen)]);
+}
+
+void ControllersPanel::loadByDialog() {
+    const QString start = m_document.isOpen() ? QFileInfo(QString::fromStdString(m_document.path())).absolutePath() : QString();
+    const QString library = QFileDialog::getOpenFileName(this, tr("Load Module"), start, tr("Modules (*.so);;All files (*)"));
+    if (!library.isEmpty()) m_commands->load(library);
+}
+
+void ControllersPanel::showRecent() {
+    m_recent->clear();
+    for (const QString& library : ControllerCommands::recent()) {
+        QAction* action = m_recent->addAction(withoutMnemonics(QFileInfo(library).fileName()), this,
+                                              [this, library] { m_commands->load(library); });
+        action->setToolTip(library);
+    }
+    if (m_recent->isEmpty()) m_recent->addAction(tr("No module was loaded yet"))->setEnabled(false);
+    m_recent->setToolTipsVisible(true);
+}
+
+// ---- display ----
+
+void ControllersPanel::refresh() {
+    refreshModules();
+    refreshRobots();
+    showButtons();
+}
+
+void ControllersPanel::refreshModules() {
+    m_infos = m_commands->modules();
+    const QSignalBlocker quiet(m_modules);
+    const int row = m_modules->indexOfTopLevelItem(m_modules->currentItem());
+    m_modules->clear();
+    QStringList untrusted;
+    for (const ModuleInfo& info : m_infos) {
+        QStringList kinds;
+        for (const std::string& kind : info.kinds) kinds.append(QString::fromStdString(kind));
+        const QString library = QString::fromStdString(info.library);
+        auto* item = new QTreeWidgetItem(m_modules, {QString::fromStdString(info.written), kinds.join(QStringLiteral(", ")),
+                                                     info.version, info.trouble.isEmpty() ? library : info.trouble});
+        for (int column = 0; column < 4; ++column)
+            item->setToolTip(column, info.trouble.isEmpty() ? library : info.trouble + u'\n' + library);
+        if (!info.trouble.isEmpty()) item->setForeground(3, ink(info.trusted ? Ink::Error : Ink::Warning));
+        if (!info.trusted) untrusted.append(QString::fromStdString(info.written));
+    }
+    if (m_modules->topLevelItemCount() > 0)
+        m_modules->setCurrentItem(m_modules->topLevelItem(std::clamp(row, 0, m_modules->topLevelItemCount() - 1)));
+    if (m_notice->isHidden() && !untrusted.isEmpty()) { // newly shown: Trust… must refer to the module in the notice
+        const auto first = std::ranges::find(m_infos, false, &ModuleInfo::trusted) - m_infos.begin();
+        m_modules->setCurrentItem(m_modules->topLevelItem(static_cast<int>(first)));
+    }
+    m_notice->setVisible(!untrusted.isEmpty());
+    m_notice->setText(tr("This experiment asks for code from a folder that you have not trusted: %1. None of it has run. "
+                         "Choose the module and Trust… "
+                         "if you know where it comes from.")
+                          .arg(untrusted.join(QStringLiteral(", "))));
+    const QString colour = QStringLiteral("QLabel { color: %1; }").arg(ink(Ink::Warning).name());
+    if (colour != m_notice->styleSheet()) m_notice->setStyleSheet(colour);
+}
+
+void ControllersPanel::refreshRobots() {
+    m_listed = m_document.loaded() ? controlledRobots(*m_document.loaded()) : std::vector<ControlledRobot>();
+    const QSignalBlocker quiet(m_robots);
+    m_robots->clear();
+    m_stale = !isVisible(); // the rows of a swarm take longer than the edit, so they are created when the panel is shown
+    if (m_stale) return;
+    for (const ControlledRobot& robot : m_listed) {
+        const QString name = QString::fromStdString(robot.path);
+        const QString shown = robot.members == 1 ? name : tr("%1 (%2 robots)").arg(name, QString::number(robot.members));
+        auto* item = new QTreeWidgetItem(
+            m_robots, {shown, robot.kind.empty() ? QStringLiteral("–") : QString::fromStdString(robot.kind), QString()});
+        item->setData(0, Qt::UserRole, name);
+        item->setSelected(m_selection.contains(robot.path));
+    }
+    showStates();
+}
+
+void ControllersPanel::showStates() {
+    m_shownEnded = m_session.results().snapshot ? m_session.results().snapshot->ended.size() : 0;
+    for (std::size_t i = 0; i < m_listed.size() && !m_stale; ++i) {
+        const ControllerState state = controllerState(m_session, m_listed[i]);
+        QTreeWidgetItem* item = m_robots->topLevelItem(static_cast<int>(i));
+        item->setText(2, state.text);
+        item->setToolTip(2, state.text);
+        item->setForeground(2, ink(state.failed ? Ink::Error : state.active ? Ink::Good : Ink::Faint));
+    }
+}
+
+void ControllersPanel::showButtons() {
+    const ModuleInfo* module = currentModule();
+    m_unload->setEnabled(module != nullptr);
+    m_trust->setVisible(module && !module->trusted);
+    const std::vector<std::string> robots = chosenRobots();
+    m_actions.at("controllers.load").setEnabled(m_document.isOpen());
+    m_actions.at("controllers.reload").setEnabled(m_document.isOpen());
+    m_actions.at("controllers.assign").setEnabled(!robots.empty());
+    bool any = false;
+    for (const ControlledRobot& robot : m_listed)
+        any = any || (!robot.kind.empty() && std::ranges::find(robots, robot.path) != robots.end());
+    m_actions.at("controllers.remove").setEnabled(any);
+    if (m_choosing) return;
+    const QSignalBlocker quiet(m_robots);
+    for (int i = 0; i < m_robots->topLevelItemCount(); ++i)
+        m_robots->topLevelItem(i)->setSelected(std::ranges::find(robots, m_listed[static_cast<std::size_t>(i)].path) !=
+                                               robots.end());
+}
+
+void ControllersPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (m_stale) refresh();
+}
+
+void ControllersPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_robots) refresh();
+}
+
+} // namespace trundle

@@ -1,0 +1,50 @@
+#include "editor/running/panels/robot_states.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+
+#include "editor/running/session.h"
+#include "project/edits/controllers.h"
+
+namespace trundle {
+namespace {
+
+QString trState(const char* text) { return QCoreApplication::translate("ControllersPanel", text); }
+
+bool isOf(const RunSession& session, const std::string& built, const ControlledRobot& robot) {
+    if (built == robot.path) return true;
+    const Part* layout = session.results().built ? layoutOfMember(*session.results().built->outline, built) : nullptr;
+    return layout && layout->name == robot.path;
+}
+
+} // namespace
+
+ControllerState controllerState(const RunSession& session, const ControlledRobot& robot) {
+    const auto experiment = session.results().experiment;
+    if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
+    const auto& robots = experiment->robots;
+    auto built = std::ranges::find(robots, robot.path, &RobotSpec::name);
+    if (built == robots.end()) // a Grid or Scatter: its first member represents it
+        built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isOf(session, spec.name, robot); });
+    if (built == robots.end()) return {trState("not in this run"), false, false};
+    if (!built->controller) return {trState("no controller"), false, false};
+    if (session.results().hasEnded(*built)) return {trState("ended by a fault, see Problems"), false, true};
+    const std::optional<LiveEnd>& end = session.results().end;
+    if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)
+        return {QString::fromStdString(end->failure->message), false, true};
+    if (built->controller->kind != robot.kind)
+        return {trState("%1 until Reset").arg(QString::fromStdString(built->controller->kind)), true, false};
+    switch (session.state()) {
+    case RunState::Building: return {trState("is created"), true, false};
+    case RunState::Running:
+        return {isOf(session, session.robots().driven(), robot) && !session.robots().driven().empty()
+                    ? trState("paused: driven from the keyboard")
+                    : trState("runs"),
+                true, false};
+    case RunState::Paused: return {trState("paused"), true, false};
+    default: return {trState("ended"), false, false};
+    }
+}
+
+} // namespace trundle
