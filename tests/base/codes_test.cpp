@@ -4,6 +4,8 @@
 
 #include "base/diagnostic.h"
 
+Q_DECLARE_METATYPE(trundle::Severity)
+
 using namespace trundle;
 
 class CodesTest : public QObject {
@@ -89,6 +91,36 @@ private Q_SLOTS:
         std::string words;
         for (int i = 0; i < 1000; ++i) words += "word ";
         QVERIFY(shortenedMessage(words).size() < 2100);
+    }
+
+    /// Errors and other messages fill limits of their own, of a file and of all files, whichever come first.
+    void errorsLeaveRoomForWarnings_data() {
+        QTest::addColumn<Severity>("first");
+        QTest::addColumn<Severity>("then");
+        QTest::newRow("warnings then errors") << Severity::Warning << Severity::Error;
+        QTest::newRow("errors then warnings") << Severity::Error << Severity::Warning;
+        QTest::newRow("errors then hints") << Severity::Error << Severity::Hint;
+    }
+    void errorsLeaveRoomForWarnings() {
+        QFETCH(Severity, first);
+        QFETCH(Severity, then);
+        Diagnostics all;
+        const auto fill = [&](Severity severity, FileId file, std::uint32_t count) {
+            const std::size_t before = all.all().size();
+            for (std::uint32_t i = 0; i < count; ++i) all.add(severity, Code::BadMass, {file, {i, i + 1}}, "again");
+            return all.all().size() - before;
+        };
+        QCOMPARE(fill(first, 0, 1001), std::size_t{1000});
+        QCOMPARE(fill(then, 0, 1001), std::size_t{1000});
+        for (FileId file = 1; file < 5; ++file) QCOMPARE(fill(first, file, 1000), std::size_t{1000});
+        QCOMPARE(fill(first, 5, 3), std::size_t{0}); // all files together
+        for (FileId file = 1; file < 4; ++file) QCOMPARE(fill(then, file, 1000), std::size_t{1000});
+        QCOMPARE(fill(then, 5, 1001), std::size_t{1000});
+        QCOMPARE(fill(then, 6, 1), std::size_t{0});
+        const std::size_t given = first == Severity::Error  ? 1001 + 4000 + 3
+                                  : then == Severity::Error ? 1001 + 3000 + 1001 + 1
+                                                            : 0;
+        QCOMPARE(all.errorCount(), given);
     }
 };
 

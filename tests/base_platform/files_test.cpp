@@ -4,6 +4,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <csignal>
+#include <filesystem>
+
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -11,6 +15,7 @@
 
 #include "base/platform/atomic_file.h"
 #include "base/platform/file_lock.h"
+#include "base/platform/locked_file.h"
 #include "base/platform/read_file.h"
 
 using namespace trundle;
@@ -69,6 +74,27 @@ private Q_SLOTS:
         const auto third = FileLock::takeAll({at("a.sim")}, std::chrono::milliseconds(0));
         QVERIFY(third.ok() && third.value().size() == 1);
         QVERIFY(!FileLock::takeAll({at("link.sim")}, std::chrono::milliseconds(0)).ok());
+    }
+
+    /// As on a full disk: the file keeps its old size, and the next append follows what was there.
+    void aFailedAppendLeavesTheFileAsItWas() {
+        Result<LockedFile> made = LockedFile::make(at("journal"));
+        QVERIFY(made.ok());
+        LockedFile file = std::move(made).value();
+        QVERIFY(file.append("first\n").ok());
+        rlimit before{};
+        QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        const auto old = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit small{100, before.rlim_max};
+        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
+        const Status failed = file.append(std::string(200, 'x')); // its first part is written
+        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &before), 0);
+        std::signal(SIGXFSZ, old);
+        QVERIFY(!failed.ok());
+        QVERIFY(failed.error().message.find("journal") != std::string::npos);
+        QCOMPARE(std::filesystem::file_size(at("journal")), std::uintmax_t{6});
+        QVERIFY(file.append("second\n").ok());
+        QCOMPARE(readRegularFile(at("journal"), 1000).value(), std::string("first\nsecond\n"));
     }
 
     void keepsModeOfRewrittenFile() {

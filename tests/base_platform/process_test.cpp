@@ -1,9 +1,15 @@
 // Child processes: pipes, time and memory limits.
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include <csignal>
+#include <cstdlib>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/platform/memory.h"
@@ -121,11 +127,18 @@ private Q_SLOTS:
         QCOMPARE(result.value().output, std::string("524288\n"));
     }
 
-    // As under a daemon: the pipes then get the file descriptors of the standard streams.
+    void toleratesClosedStandardStreams_data() {
+        QTest::addColumn<int>("closed");
+        for (int closed = 1; closed < 8; ++closed)
+            QTest::addRow("%s%s%s", closed & 1 ? "0" : "", closed & 2 ? "1" : "", closed & 4 ? "2" : "") << closed;
+    }
+    /// As under a daemon: the pipes then get file descriptors of the standard streams.
     void toleratesClosedStandardStreams() {
+        QFETCH(int, closed);
         const int kept[3] = {::dup(0), ::dup(1), ::dup(2)};
-        for (int file = 0; file < 3; ++file) ::close(file);
-        ProcessRequest request = shell("cat; echo err >&2");
+        for (int file = 0; file < 3; ++file)
+            if (closed & 1 << file) ::close(file);
+        ProcessRequest request = shell("cat; echo err >&2; exit 7");
         request.input = "in";
         const auto result = runProcess(request);
         for (int file = 0; file < 3; ++file) {
@@ -135,6 +148,34 @@ private Q_SLOTS:
         QVERIFY(result.ok());
         QCOMPARE(result.value().output, std::string("in"));
         QCOMPARE(result.value().errors, std::string("err\n"));
+        QCOMPARE(result.value().exitCode, 7);
+    }
+
+    /// The program that waits for it is killed, without a chance to end it.
+    void aChildEndsWithItsParent() {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("pipe").toStdString();
+        QCOMPARE(::mkfifo(path.c_str(), 0600), 0);
+        const pid_t parent = ::fork();
+        if (parent == 0) {
+            ProcessRequest request = shell("exec 9>" + path + "; echo $$ >&9; exec sleep 1000");
+            request.seconds = 100;
+            (void)runProcess(request);
+            ::_exit(0);
+        }
+        const int end = ::open(path.c_str(), O_RDONLY);
+        char text[32] = {};
+        const ssize_t count = ::read(end, text, sizeof text - 1);
+        const pid_t child = std::atoi(text);
+        ::kill(parent, SIGKILL);
+        ::waitpid(parent, nullptr, 0);
+        QVERIFY(count > 0 && child > 1);
+        // Only the child writes to the pipe, which closes with it.
+        pollfd pipe{end, POLLIN, 0};
+        const bool ended = ::poll(&pipe, 1, 10'000) == 1 && (pipe.revents & POLLHUP);
+        if (!ended) ::kill(child, SIGKILL);
+        ::close(end);
+        QVERIFY(ended);
     }
 
     void usesGivenWorkingFolder() {

@@ -52,6 +52,84 @@ private Q_SLOTS:
         }
     }
 
+    void fixes_data() {
+        QTest::addColumn<QByteArray>("broken");
+        QTest::addColumn<QByteArray>("fixed");
+        const auto row = [](const char* broken, const char* fixed) {
+            QTest::newRow(broken) << QByteArray(broken) << QByteArray(fixed);
+        };
+        row("+$n", "$n");
+        row("-$n", "$(-n)");
+        row("+$(n + 1)", "$(n + 1)");
+        row("-$(n + 1)", "$(-(n + 1))");
+        row("2, -$n, 4", "2, $(-n), 4");
+        row("- 3", "-3");
+        row("+ 3 cm", "3 cm");
+        row("7, - 3 cm, 8", "7, -3 cm, 8");
+        row("0.3 m /s", "0.3 m/s");
+        row("1, 9.81 m/s ^2, 2", "1, 9.81 m/s^2, 2");
+        row("3 N /m, 4", "3 N/m, 4");
+        row("0x1F", "31");
+        row("0XfF, 1", "255, 1");
+        row("12_345", "12345");
+        row("1.5f", "1.5");
+        row("(1, 2)", "1, 2");
+        row("[3, 4, 5]", "3, 4, 5");
+        row("{6, 7}", "6, 7");
+        row("1; 2; 3", "1, 2, 3");
+        row("1 2 3", "1, 2, 3");
+        row("'one'", "\"one\"");
+        row("a@b, d", "\"a@b\", d");
+        row("2*0.05", "$(2*0.05)");
+        row("1 - $n", "$(1 - n)");
+        row("$n/2", "$(n/2)");
+    }
+    /// The fix of one mistake in a value: the text that it gives, and what was read meanwhile is what the fixed text says.
+    void fixes() {
+        QFETCH(QByteArray, broken);
+        QFETCH(QByteArray, fixed);
+        const auto tree = parsed("Param n = 1\nx = " + broken.toStdString() + "\ny = 1\n");
+        QCOMPARE(tree->diagnostics().size(), std::size_t{1});
+        const Diagnostic& d = tree->diagnostics()[0];
+        QVERIFY(!d.fixes.empty());
+        const auto repaired = applied(*tree, d.fixes[0]);
+        QByteArray text = q(repaired->source().bytes());
+        QCOMPARE(text.replace(", ", ",").replace(" ", ""),
+                 ("Paramn=1\nx=" + QByteArray(fixed).replace(", ", ",").replace(" ", "") + "\ny=1\n"));
+        QVERIFY(repaired->diagnostics().empty());
+        const auto elements = [](const Tree& t) { return t.items().at(1).as<AssignmentItem>()->value.elements; };
+        const std::vector<Element> before = elements(*tree), after = elements(*repaired);
+        for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+            if (before[i].kind != after[i].kind) continue; // arithmetic is only read in $( )
+            QCOMPARE(before[i].text, after[i].text);
+            if (broken.startsWith("0")) continue; // a hexadecimal number is not read
+            QCOMPARE(before[i].unit, after[i].unit);
+        }
+    }
+
+    /// Words for numbers that are not finite, with either sign and without.
+    void numbersAreFinite() {
+        for (const char* word : {"inf", "INF", "infinity", "Infinity", "nan", "NaN"})
+            for (const char* sign : {"-", "+"}) {
+                const auto tree = parsed(std::string("x = ") + sign + word + "\n");
+                QCOMPARE(tree->diagnostics().size(), std::size_t{1});
+                QCOMPARE(tree->diagnostics()[0].message, std::string("numbers are finite"));
+                QCOMPARE(tree->diagnostics()[0].code, Code::BadNumber);
+                QCOMPARE(tree->diagnostics()[0].range.range, (TextRange{4, 5 + std::uint32_t(strlen(word))}));
+            }
+        QCOMPARE(parsed("x = -fast\n")->diagnostics()[0].message, std::string("a word has no sign"));
+    }
+
+    /// One error for a run of bytes that are no text, and one for the next run.
+    void bytesThatAreNoText() {
+        const auto tree = parsed("a = \"\xff\xfe\xff\" \n b = \"\xe2\x82 \x80\x80\"\n");
+        std::vector<std::uint32_t> places;
+        for (const Diagnostic& d : tree->diagnostics())
+            if (d.code == Code::InvalidBytes) places.push_back(d.range.range.begin);
+        QCOMPARE(places, (std::vector<std::uint32_t>{5, 17, 20}));
+        QVERIFY(tree->diagnostics()[0].message.find("0xFF") != std::string::npos);
+    }
+
     /// An error loses at most its own line: the text after it is read.
     void recoversAfterError() {
         for (const char* broken : {"Pos = 1,2,", "x",        "x y z",       "= 3",      "Pos =",    "Pos = 0 0 0",

@@ -109,6 +109,82 @@ private Q_SLOTS:
         // the turrets rotated
         for (int i = 0; i < kRobots; ++i) QVERIFY(std::abs(value(*world, "r" + std::to_string(i) + "/motor/position")) > 0.5);
     }
+
+    /// Each field of a Transceiver is the one of its radio, and each output the one that the medium counts.
+    void fieldsAndOutputsOfATransceiver() {
+        auto config = std::make_shared<RobotConfigSpec>();
+        config->bodies.push_back(body("base", {}, massOfBox(1, {0.1, 0.1, 0.1}), {box("hull", {0.1, 0.1, 0.1})}));
+        const std::map<std::string, double> numbers{{"MaxOutputPower", -3}, {"MinReceivePower", -81}, {"MaxReceivePower", -7},
+                                                    {"RssiStep", 0.25},     {"BufferLimit", 2},       {"Channel", 13},
+                                                    {"BitRate", 123456},    {"Address", 77},          {"ReceiveCurrent", 0.021},
+                                                    {"SupplyVoltage", 3.3}};
+        ComponentSpec radio;
+        radio.kind = "Transceiver";
+        radio.name = "radio";
+        for (const auto& [name, number] : numbers) radio.values[name] = numberValue(number);
+        radio.values["Body"] = textValue("base");
+        radio.values["PowerLevels"] = {{PropertyType::Number, {-20, -9, -3}, {}}, {}, Origin::Config};
+        radio.values["TransmitCurrent"] = {{PropertyType::Number, {0.011}, {}}, {}, Origin::Config};
+        config->devices.push_back(radio);
+        auto other = std::make_shared<RobotConfigSpec>(*config);
+        other->devices[0].values["Address"] = numberValue(78);
+        Scene scene;
+        scene.spec->settings.gravity = Vec3::Zero();
+        scene.robot("a", at(0, 0, 0), config);
+        scene.robot("b", at(1, 0, 0), other);
+        Diagnostics diagnostics;
+        const auto world = scene.build(code, diagnostics);
+        QVERIFY(world);
+
+        Medium& medium = *world->medium();
+        const RadioId a = *medium.find("a/radio"), b = *medium.find("b/radio");
+        const RadioDefinition& r = medium.radio(a);
+        QCOMPARE(r.maxOutputPower, -3.);
+        QCOMPARE(r.minReceivePower, -81.);
+        QCOMPARE(r.maxReceivePower, -7.);
+        QCOMPARE(r.rssiStep, 0.25);
+        QCOMPARE(r.bufferLimit, 2u);
+        QCOMPARE(r.channel, 13u);
+        QCOMPARE(r.bitRate, 123456.);
+        QCOMPARE(r.address, 77u);
+        QCOMPARE(r.receiveCurrent, 0.021);
+        QCOMPARE(r.supply, 3.3);
+        QCOMPARE(r.powerLevels, (std::vector<double>{-20, -9, -3}));
+        QCOMPARE(r.transmitCurrents, std::vector<double>{0.011});
+        QCOMPARE(medium.radio(b).address, 78u);
+
+        // a sends 5 packets, 2 of which find room in its queue at once; b reads none and holds 2
+        const std::vector<std::uint8_t> bytes(20, 7);
+        for (int round = 0; round < 3; ++round) {
+            for (int i = 0; i < 5; ++i) (void)medium.send(a, bytes, 78, -3);
+            for (int i = 0; i < 10; ++i) QVERIFY(world->tick());
+        }
+        (void)medium.send(b, bytes, 77, -3);
+        for (int i = 0; i < 10; ++i) QVERIFY(world->tick());
+        (void)medium.send(a, bytes, 78, -3);
+        (void)medium.send(a, bytes, 78, -3);
+        (void)world->tick();
+        for (const auto& [robot, radio] : {std::pair("a", a), {"b", b}}) {
+            const std::string path = std::string(robot) + "/radio/";
+            const RadioId id = radio;
+            const RadioCounts& c = medium.counts(id);
+            const auto output = [&](const char* signal) { return value(*world, path + signal); };
+            QCOMPARE(output("address"), double(medium.radio(id).address));
+            QCOMPARE(output("rssi"), c.lastRssi);
+            QCOMPARE(output("lqi"), double(c.lastLqi));
+            QCOMPARE(output("pending"), double(medium.pending(id)));
+            QCOMPARE(output("queued"), double(medium.queued(id)));
+            QCOMPARE(output("sent"), double(c.sent));
+            QCOMPARE(output("received"), double(c.received));
+            QCOMPARE(output("dropped"), double(c.dropped));
+            QCOMPARE(output("failed"), double(c.refused + c.noChannel + c.noAck));
+            QCOMPARE(output("energy"), c.energy);
+        }
+        QCOMPARE(value(*world, "b/radio/pending"), 2.);
+        QVERIFY(value(*world, "b/radio/dropped") > 0 && value(*world, "a/radio/failed") > 0);
+        QVERIFY(value(*world, "a/radio/received") == 1 && value(*world, "b/radio/received") > 1);
+        QVERIFY(value(*world, "a/radio/energy") > 0 && value(*world, "a/radio/rssi") < -30);
+    }
 };
 
 QTEST_APPLESS_MAIN(RadiosTest)
