@@ -132,6 +132,25 @@ private Q_SLOTS:
         QVERIFY(std::abs(base.at("odometry", 0) - .2) < 1e-12);
     }
 
+    /// `finished` is the sequence of the last amount that ended: it does not run ahead of one that is being driven.
+    void finishedFollowsTheSequence() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        base.robot.run(.1);
+        QCOMPARE(base.at("finished"), 0.);
+        for (int number = 1; number <= 3; ++number) {
+            base.command(.2, 0, .1, 0);
+            base.robot.run(.2);
+            QCOMPARE(base.at("busy"), 1.);
+            QCOMPARE(base.at("done"), 0.);
+            QCOMPARE(base.at("finished"), number - 1.);
+            base.robot.run(4);
+            QCOMPARE(base.at("busy"), 0.);
+            QCOMPARE(base.at("done"), 1.);
+            QCOMPARE(base.at("finished"), double(number));
+        }
+    }
+
     void moveEndsAnAmount() {
         Base base("servo");
         QCOMPARE(base.robot.setup(), std::string());

@@ -3,6 +3,8 @@
 
 #include <QtTest>
 
+#include <random>
+
 using namespace trundle;
 
 namespace {
@@ -105,6 +107,40 @@ private Q_SLOTS:
         const Driven d = driveOut(profile, .01, v0);
         QVERIFY2(std::abs(d.travel.linear - x) < 1e-12, qPrintable(QString::number(d.travel.linear, 'g', 17)));
         QVERIFY2(d.hardest <= kLimits.linear + 1e-6, qPrintable(QString::number(d.hardest)));
+    }
+
+    /// Amounts on both axes with unlike limits, or none on one: no axis exceeds its speed or its limit, and one of these is reached.
+    void bothAxesKeepTheirLimits() {
+        std::mt19937_64 random(20261123);
+        const auto within = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+        constexpr double h = 0.002;
+        for (int round = 0; round < 60; ++round) {
+            const DriveLimits limits{round % 3 == 1 ? 0 : within(0.2, 3), round % 3 == 2 ? 0 : within(0.2, 3)};
+            const double sign = round % 2 ? 1 : -1, turn = round % 4 < 2 ? 1 : -1;
+            const ChassisMotion speed{sign * within(0.1, 1), turn * within(0.1, 1)};
+            const ChassisMotion amount{sign * within(0.5, 2), turn * within(0.5, 2)};
+            DriveProfile profile;
+            QVERIFY(!profile.start(speed, amount, limits));
+            ChassisMotion travel, last, fastest, hardest;
+            for (int i = 0; profile.busy() && i < 100'000; ++i) {
+                const ChassisMotion v = profile.next(limits, h);
+                travel.linear += v.linear * h;
+                travel.angular += v.angular * h;
+                fastest = {std::max(fastest.linear, std::abs(v.linear)), std::max(fastest.angular, std::abs(v.angular))};
+                hardest = {std::max(hardest.linear, std::abs(v.linear - last.linear) / h),
+                           std::max(hardest.angular, std::abs(v.angular - last.angular) / h)};
+                last = v;
+            }
+            QVERIFY(std::abs(travel.linear - amount.linear) < 1e-9 && std::abs(travel.angular - amount.angular) < 1e-9);
+            const double shares[] = {fastest.linear / std::abs(speed.linear), fastest.angular / std::abs(speed.angular),
+                                     limits.linear > 0 ? hardest.linear / limits.linear : 0,
+                                     limits.angular > 0 ? hardest.angular / limits.angular : 0};
+            for (const double share : shares) QVERIFY2(share < 1 + 1e-6, qPrintable(QString::number(share)));
+            const double pace = std::max(shares[0], shares[1]), push = std::max(shares[2], shares[3]);
+            QVERIFY2(push > 1 - 1e-6, qPrintable(QString::number(push)));
+            const double length = std::max(std::abs(amount.linear / speed.linear), std::abs(amount.angular / speed.angular));
+            if (length > 8) QVERIFY2(pace > 1 - 1e-6, qPrintable(QString::number(pace))); // long enough to reach a speed
+        }
     }
 
     void rejectsInvalidValues_data() {

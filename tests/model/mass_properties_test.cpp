@@ -8,6 +8,8 @@
 #include "model/mass_properties.h"
 #include "model_fixture.h"
 
+Q_DECLARE_METATYPE(trundle::TriangleMesh)
+
 using namespace trundle;
 using sample::boxMesh;
 
@@ -37,6 +39,28 @@ private Q_SLOTS:
         TriangleMesh open = boxMesh({1, 1, 1}, {});
         open.triangles.pop_back();
         QVERIFY(!solidOf(open).ok());
+    }
+
+    /// Meshes without a known volume: each differs from a box in one place.
+    void meshesThatAreNoSolid_data() {
+        QTest::addColumn<TriangleMesh>("mesh");
+        const TriangleMesh box = boxMesh({1, 2, 3}, {Vec3(0.2, 5, -1), Quat::Identity()});
+        TriangleMesh twice = box, flipped = box, flat = box, extra = box;
+        twice.triangles.insert(twice.triangles.end(), box.triangles.begin(), box.triangles.end());
+        std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
+        for (auto& p : flat.points) p[1] = 7;
+        extra.triangles.push_back(box.triangles[5]);
+        QTest::newRow("each triangle twice") << twice;
+        QTest::newRow("one triangle twice") << extra;
+        QTest::newRow("one triangle turned over") << flipped;
+        QTest::newRow("flat") << flat;
+        QTest::newRow("empty") << TriangleMesh{};
+    }
+    void meshesThatAreNoSolid() {
+        QFETCH(TriangleMesh, mesh);
+        const auto solid = solidOf(mesh);
+        QVERIFY(!solid.ok());
+        QCOMPARE(solid.error().code, Code::BadMass);
     }
 
     /// Three separate vertices for each triangle, as in STL.

@@ -93,6 +93,13 @@ private Q_SLOTS:
         SAYS(r, "E203 the 3rd element of Size is -1, it must be above 0\n");
         const Resolved kind = sample::resolved(config("Hing j { Parent=arm Child=arm10 } Encoder e { Joint=j }"));
         QCOMPARE(kind.diagnostics.errorCount(), std::size_t{1}); // the unknown kind alone
+        for (const char* block : {"Transceiver r { Antenna=beam }", "TouchSensor t { Geom=slab.tip }"}) {
+            // a misspelt kind or a part inside one: not reported again where it is used
+            const Resolved r = sample::resolved("AntenaPattern beam { }\n" +
+                                                config(std::string("Bodi slab { Box tip { Size=1,1,1 } } ") + block));
+            QCOMPARE(r.diagnostics.errorCount(), std::size_t{2});
+            QVERIFY2(r.messages().find("E208") == std::string::npos, r.messages().c_str());
+        }
         const Resolved twice = sample::resolved(config("Hinge m1 { Parent=arm Child=arm10 } Encoder e { Joint=m1 }"));
         QVERIFY2(twice.messages().find("m1") != std::string::npos && twice.diagnostics.errorCount() == 2,
                  twice.messages().c_str());

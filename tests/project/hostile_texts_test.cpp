@@ -190,6 +190,19 @@ private Q_SLOTS:
         QCOMPARE(loaded->experiment->robots.size(), std::size_t(12'000));
     }
 
+    /// A link that leads back to itself, alone or through another one, is no missing file.
+    void circlesOfLinks() {
+        ProjectFixture fixture;
+        std::filesystem::create_symlink("own.sim", fixture.folder() + "/own.sim");
+        std::filesystem::create_symlink("there.sim", fixture.folder() + "/back.sim");
+        std::filesystem::create_symlink("back.sim", fixture.folder() + "/there.sim");
+        const auto loaded = fixture.open("#import own.sim\n#import back.sim\n#import lost.sim\n");
+        const std::string said = sample::messages(*loaded);
+        QVERIFY2(said.find("E322 own.sim is a link that leads back to itself\nE322 back.sim is a link that leads back to itself\n"
+                           "E308 lost.sim is not found") == 0,
+                 said.c_str());
+    }
+
     void longChainsOfParams() {
         ProjectFixture fixture;
         std::string text = "Param p0 = 1\n", lists = "Param q0 = 1,1\n";

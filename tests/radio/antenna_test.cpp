@@ -114,6 +114,46 @@ private Q_SLOTS:
         QVERIFY(near(p.value().gain(-90 * kDegree, 0), -1, 1e-9));
         QVERIFY(near(p.value().gain(0, 45 * kDegree), -2, 1e-9));
     }
+    void aFileIsTheSameHoweverItIsWritten_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("no heading") << QByteArray("0,-30,-9\n0,60,4\n90,-30,2\n90,60,-1\n250,-30,7\n250,60,0.5\n");
+        QTest::newRow("other order") << QByteArray("a,e,g\n250,60,0.5\n90,-30,2\n0,60,4\n250,-30,7\n90,60,-1\n0,-30,-9\n");
+        QTest::newRow("signs") << QByteArray("+0,-30,-9\n0,+60,+4\n90,-30,+2\n+90,60,-1\n250,-30,7\n250,60,+.5\n");
+        QTest::newRow("separators") << QByteArray("0\t-30\t-9\n 0 ; 60 ; 4 \n90, -30, 2\n90 60 -1\n250;-30;7;\n250,60,0.5,\n");
+        QTest::newRow("comments") << QByteArray("# a\n\n0,-30,-9\n# b\n0,60,4\n \t\n90,-30,2\n90,60,-1\n250,-30,7\n250,60,0.5");
+        QTest::newRow("returns") << QByteArray("0,-30,-9\r\n0,60,4\r\n90,-30,2\r\n90,60,-1\r\n250,-30,7\r\n250,60,0.5\r\n");
+        QTest::newRow("round once more") << QByteArray("360,-30,-9\n0,60,4\n450,-30,2\n-270,60,-1\n-110,-30,7\n610,60,0.5\n");
+        QTest::newRow("a line twice") << QByteArray("0,-30,-9\n0,60,4\n90,-30,2\n90,60,-1\n250,-30,7\n250,60,0.5\n360,60,4\n");
+    }
+    void aFileIsTheSameHoweverItIsWritten() {
+        QFETCH(QByteArray, text);
+        const Result<AntennaPattern> p = AntennaPattern::fromCsv(text.toStdString());
+        QVERIFY2(p.ok(), p ? "" : p.error().message.c_str());
+        const std::tuple<double, double, double> gains[] = {{0, -30, -9},     {0, 60, 4},      {90, -30, 2},   {90, 60, -1},
+                                                            {250, -30, 7},    {250, 60, 0.5},  {0, 15, -2.5},  {45, -30, -3.5},
+                                                            {170, 60, -0.25}, {305, 60, 2.25}, {-55, -30, -1}, {45, 15, -1}};
+        for (const auto& [azimuth, elevation, gain] : gains)
+            QVERIFY2(near(p.value().gain(azimuth * kDegree, elevation * kDegree), gain, 1e-9),
+                     qPrintable(QString("%1 %2").arg(azimuth).arg(elevation)));
+        QCOMPARE(p.value().peak(), 7.);
+        QVERIFY(near(p.value().gain(0, M_PI / 2), 4, 1e-9)); // beyond the last elevation
+    }
+
+    /// Cuts may be listed in any order, round more than once, and with the same angle again: then the last gain counts.
+    void cutsAreReadInAnyOrder() {
+        const AntennaPattern plain = AntennaPattern::fromCuts({{0, 6}, {100 * kDegree, 1}, {200 * kDegree, -7}},
+                                                              {{-80 * kDegree, -14}, {0, 6}, {50 * kDegree, -4}});
+        const AntennaPattern mixed =
+            AntennaPattern::fromCuts({{-160 * kDegree, -7}, {360 * kDegree, 9}, {460 * kDegree, 1}, {0, 6}},
+                                     {{50 * kDegree, -3}, {0, 6}, {-80 * kDegree, -14}, {50 * kDegree, -4}});
+        for (int azimuth = -180; azimuth <= 360; azimuth += 15)
+            for (int elevation = -90; elevation <= 90; elevation += 10)
+                QVERIFY(near(plain.gain(azimuth * kDegree, elevation * kDegree),
+                             mixed.gain(azimuth * kDegree, elevation * kDegree), 1e-9));
+        QVERIFY(near(mixed.gain(0, 25 * kDegree), 1, 1e-9));
+        QCOMPARE(mixed.peak(), plain.peak());
+    }
+
     void reportsBadFilesWithPosition_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("words");
@@ -123,6 +163,13 @@ private Q_SLOTS:
         QTest::newRow("hole") << QByteArray("0,0,1\n0,10,1\n90,0,1\n") << QByteArray("fill a grid of 2 azimuths and 2");
         QTest::newRow("twice") << QByteArray("0,0,1\n360,0,2\n") << QByteArray("line 2");
         QTest::newRow("elevation") << QByteArray("0,100,1\n") << QByteArray("between -90 and 90");
+        QTest::newRow("not a number") << QByteArray("0,0,1\n0,nan,1\n")
+                                      << QByteArray("line 2: an azimuth, an elevation and a gain");
+        QTest::newRow("no azimuth") << QByteArray("0,0,1\ninf,0,1\n")
+                                    << QByteArray("line 2: an azimuth, an elevation and a gain");
+        QTest::newRow("four numbers") << QByteArray("0,0,1\n0,1,1,1\n") << QByteArray("line 2");
+        QTest::newRow("two signs") << QByteArray("0,0,1\n0,++1,1\n") << QByteArray("line 2");
+        QTest::newRow("gain") << QByteArray("0,0,1\n0,10,101\n") << QByteArray("line 2: a gain lies between");
         QTest::newRow("infinite") << QByteArray("0,0,1\n0,0,inf\n") << QByteArray("line 2");
     }
     void reportsBadFilesWithPosition() {

@@ -97,6 +97,42 @@ class CsmaTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void carrierSensingAddsNoiseAndSignals_data() {
+        QTest::addColumn<double>("noise"); // dBm
+        QTest::addColumn<double>("signal");
+        QTest::addColumn<double>("threshold");
+        QTest::addColumn<bool>("waits");
+        QTest::newRow("the signal alone") << -130. << -80. << -80.1 << true;
+        QTest::newRow("a weaker signal") << -130. << -80. << -79.9 << false;
+        QTest::newRow("as much noise") << -80. << -80. << -77.1 << true;
+        QTest::newRow("as much noise, a higher threshold") << -80. << -80. << -76.9 << false;
+        QTest::newRow("mostly noise") << -80. << -90. << -79.7 << true;
+    }
+    /// A radio senses the channel while another sends a long frame, too weak to be received: it waits for its end or not.
+    void carrierSensingAddsNoiseAndSignals() {
+        QFETCH(double, noise);
+        QFETCH(double, signal);
+        QFETCH(double, threshold);
+        QFETCH(bool, waits);
+        MediumSettings settings = csma();
+        settings.noiseFloor = noise;
+        settings.carrierSense = threshold;
+        Medium medium(settings);
+        RadioDefinition deaf = radioNamed("deaf");
+        deaf.minReceivePower = -60;
+        const RadioId loud = open(medium, "loud", {0, 0, 0}),
+                      other = open(medium, deaf, {std::pow(10, (-signal - 40.2311) / 20), 0, 0});
+        const std::shared_ptr<RadioTrace> trace = medium.trace();
+        send(medium, loud, 116);
+        medium.advance(2700); // its longest backoff, listening and turnaround are over
+        QCOMPARE(trace->frames.size(), std::size_t{1});
+        send(medium, other, 1);
+        medium.advance(1'000'000);
+        QCOMPARE(trace->frames.size(), std::size_t{2});
+        const double end = trace->frames[0].time + double(airtimeUs(127, 250000)) * 1e-6;
+        QCOMPARE(trace->frames[1].time > end, waits);
+    }
+
     void packetsAreAcknowledged() {
         Medium medium(csma());
         const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {1, 0, 0});

@@ -123,6 +123,45 @@ private Q_SLOTS:
         QCOMPARE(medium.counts(b).energy, 0.);
     }
 
+    void currentOfALevel_data() {
+        QTest::addColumn<QList<double>>("levels");
+        QTest::addColumn<QList<double>>("currents");
+        QTest::addColumn<double>("power");
+        QTest::addColumn<double>("current");
+        const QList<double> levels{-20, -10, 0}, each{.003, .005, .009};
+        QTest::newRow("lowest") << levels << each << -15. << .003;
+        QTest::newRow("middle") << levels << each << -1. << .005;
+        QTest::newRow("highest") << levels << each << 9. << .009;
+        QTest::newRow("one for all") << levels << QList<double>{.004} << -1. << .004;
+        QTest::newRow("one for all powers") << QList<double>{} << QList<double>{.004} << -3.5 << .004;
+        QTest::newRow("fewer than levels") << levels << QList<double>{.003, .005} << 9. << .003;
+        QTest::newRow("none") << levels << QList<double>{} << -1. << 0.;
+    }
+    /// Energy of a second in which one frame is sent: while it is in the air its current flows, otherwise that of receiving.
+    void currentOfALevel() {
+        QFETCH(QList<double>, levels);
+        QFETCH(QList<double>, currents);
+        QFETCH(double, power);
+        QFETCH(double, current);
+        for (const double offsets : {0., 3.}) { // the spread of output powers moves all levels together
+            MediumSettings settings;
+            settings.offsets = offsets;
+            Medium medium(settings);
+            RadioDefinition d = radioNamed("a");
+            d.powerLevels.assign(levels.begin(), levels.end());
+            d.transmitCurrents.assign(currents.begin(), currents.end());
+            d.receiveCurrent = 0.02;
+            d.supply = 2.5;
+            const RadioId a = open(medium, d, {0, 0, 0});
+            send(medium, a, 40, kBroadcastAddress, power);
+            medium.advance(1'000'000);
+            const double sending = (40 + 17) * 32e-6; // header, check sum, preamble
+            const double expected = 2.5 * (sending * current + (1 - sending) * 0.02);
+            QVERIFY2(std::abs(medium.counts(a).energy - expected) < 1e-9,
+                     qPrintable(QString("%1 %2").arg(medium.counts(a).energy).arg(expected)));
+        }
+    }
+
     void aFullBufferDropsTheNewest() {
         Medium medium({});
         RadioDefinition d = radioNamed("b");
