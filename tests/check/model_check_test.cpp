@@ -118,6 +118,14 @@ private Q_SLOTS:
         row("a robot with wheels in the air", kRover + "Robot r { Config=Rover Pos=0,0,0.4 }", air, "400 mm above floor/ground",
             "r", true);
         row("turned, in the air", "Robot a { Config=Post Pos=0,0,1 HPR=0,90,0 }", air, "950 mm above", "a", true);
+        row("in a wall and wholly in a mesh",
+            kMeshes + "StaticConfig W { Box w { Size=4,0.02,4 } }\nStatic block { Config=Block }\nStatic wall { Config=W }\n"
+                      "Robot a { Config=Crate Pos=0.1,0,0.5 }",
+            in, "block/m", "a", true);
+        row("beside a table, its edge above it",
+            "StaticConfig T { Box t { Size=1,1,0.5 Pos=0,0,0.25 } }\nStatic table { Config=T }\n"
+            "Robot a { Config=Crate Pos=0,0.55,1 }",
+            air, "400 mm above table/t", "a", true);
         row("above a box",
             "StaticConfig T { Box t { Size=1,1,0.5 Pos=0,0,0.25 } }\nStatic table { Config=T }\n"
             "Robot a { Config=Crate Pos=0,0,1 }",
@@ -175,6 +183,29 @@ private Q_SLOTS:
         for (const Diagnostic& d : after.all()) {
             QVERIFY2(static_cast<int>(d.code) != code, afterStory.c_str());
             QVERIFY2(d.code != Code::BelowFloor, afterStory.c_str()); // the fix must not put it below the floor
+        }
+    }
+
+    /// Of several robots of one config the first is described, the others are counted.
+    void countsOthersInTheAir() {
+        const auto loaded = m_fixture.open(kThings + "Robot a { Config=Ball Pos=0,0,1 }\nRobot b { Config=Ball Pos=1,0,2 }\n"
+                                                     "Robot c { Config=Crate Pos=3,0,4 }\nRobot d { Config=Ball Pos=2,0,3 }");
+        const Diagnostics found = CheckFixture::check(*loaded);
+        QCOMPARE(found.all().size(), std::size_t{2});
+        QCOMPARE(found.all()[0].message,
+                 std::string("a starts 900 mm above floor/ground and falls onto it; to start there, lower it "
+                             "(and 2 more like it)"));
+        QCOMPARE(found.all()[1].message,
+                 std::string("c starts 3.9 m above floor/ground and falls onto it; to start there, lower it"));
+    }
+
+    /// The fix of a Grid moves the Grid, up only, although its first member stands elsewhere.
+    void fixOfAGrid() {
+        for (const auto& [given, fixed] : {std::pair("Pos=1,2,0", "Pos=1,2,0.1001"), {"", "Pos=0,0,0.1001"}}) {
+            const auto loaded = m_fixture.open(kThings + "Grid g { Config=Crate Count=3,3 Spacing=1 " + given + " }");
+            const Diagnostics found = CheckFixture::check(*loaded);
+            QCOMPARE(found.all().size(), std::size_t{1});
+            QCOMPARE(found.all()[0].fixes.at(0).title, std::string(fixed));
         }
     }
 

@@ -32,6 +32,7 @@ public:
     BlockWorld() : m_experiment(robotWithCameras()) {
         m_layout.beginRobot("robot0");
         m_layout.add("robot0/place", "m", SignalType::Real, SignalDirection::Truth);
+        m_layout.add("robot0/still/frame", "", SignalType::Integer, SignalDirection::Output); // not used: it has no period
         m_frame = m_layout.add("robot0/stream/frame", "", SignalType::Integer, SignalDirection::Output);
         m_block = std::make_unique<SignalBlock>(m_layout);
     }
@@ -81,8 +82,8 @@ struct Painter final : ImageSource {
         story += "view " + name + " ";
         return CameraImage{};
     }
-    Result<std::string> encode(const CameraImage& frame, const std::string&, const std::string& fileName) override {
-        return fileName + " of tick " + std::to_string(frame.tick);
+    Result<std::string> encode(const CameraImage& frame, const std::string& camera, const std::string& fileName) override {
+        return fileName + " of " + camera + " at tick " + std::to_string(frame.tick);
     }
     std::string objectName(std::uint32_t object) const override { return "object " + std::to_string(object); }
     std::string& story;
@@ -143,7 +144,10 @@ private Q_SLOTS:
     }
     void aFileIsOfWhatWasCaptured() {
         ticks(4);
-        QCOMPARE(m_cameraCapture->file("robot0/stream", "a.png").value(), std::string("a.png of tick 3"));
+        QCOMPARE(m_cameraCapture->file("robot0/stream", "a.png").value(), std::string("a.png of robot0/stream at tick 3"));
+        QCOMPARE(m_cameraCapture->file("robot0/still", "b.png").value(), std::string("b.png of robot0/still at tick 4"));
+        QCOMPARE(m_cameraCapture->viewFile("front", 4, 3, "c.png").value(), std::string("c.png of  at tick 0"));
+        QVERIFY(m_story.ends_with("view front "));
         QCOMPARE(m_cameraCapture->objectName(2), std::string("object 2"));
     }
     void triesOpenGlOnce() {

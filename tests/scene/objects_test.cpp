@@ -67,6 +67,33 @@ private Q_SLOTS:
         QVERIFY((objects.poseOf(*objects.find("robot1"), {}).position - robot.position).norm() < 1e-12);
     }
 
+    /// Whatever the pose of the first body in its config: a robot moved as a whole has moved by as much in all its parts.
+    void aMovedRobotMovesInAllItsParts() {
+        auto experiment = std::make_shared<ExperimentSpec>(*sampleExperiment({2}));
+        auto config = std::make_shared<RobotConfigSpec>(*experiment->robots[1].config);
+        for (std::size_t b = 0; b < config->bodies.size(); ++b)
+            config->bodies[b].pose = {Vec3(0.4, -0.1 * double(b), 0.2), rotationFromHpr({0.5, 0.3 * double(b), -0.9})};
+        experiment->robots[1].config = config;
+        experiment->robots[1].pose = {Vec3(3, 1, 0), rotationFromHpr({2, 0.1, 0.4})};
+        const ObjectIndex objects(experiment);
+        const BodyPoses start = startPoses(*experiment);
+        const Pose way{Vec3(-1, 7, 2), rotationFromHpr({-1, 0.6, 0.2})};
+        BodyPoses moved = start;
+        for (Pose& pose : moved) pose = way * pose;
+        for (const char* path : {"robot1", "robot1.chassis", "robot1.leftWheel", "robot1.leftWheel.tyre", "robot0"}) {
+            const ObjectRef object = *objects.find(path);
+            for (const auto& [is, was] : {std::pair(objects.poseOf(object, moved), objects.poseOf(object, start)),
+                                          {objects.frameOf(object, moved), objects.frameOf(object, start)}}) {
+                if (!objects.ownerOf(object) && is.position == Vec3::Zero()) continue; // its frame is the world
+                QVERIFY2((is.position - (way * was).position).norm() < 1e-9, path);
+                QVERIFY2(is.rotation.angularDistance((way * was).rotation) < 1e-9, path);
+            }
+        }
+        QVERIFY((objects.poseOf(*objects.find("robot1"), start).position - Vec3(3, 1, 0)).norm() < 1e-9);
+        QVERIFY(objects.poseOf(*objects.find("robot1"), start).rotation.angularDistance(experiment->robots[1].pose.rotation) <
+                1e-9);
+    }
+
     void boundsOfTurnedShapesAreTight() {
         GeomSpec cylinder;
         cylinder.shape = GeomShape::Cylinder;

@@ -5,7 +5,10 @@
 #include <numbers>
 #include <set>
 
+#include "scene/shapes/extents.h"
 #include "scene/shapes/shape_mesh.h"
+
+Q_DECLARE_METATYPE(trundle::GeomSpec)
 
 using namespace trundle;
 using Eigen::Vector3f;
@@ -143,6 +146,36 @@ private Q_SLOTS:
             QVERIFY(isClosed(shapeOf(geomOf(shape), {})));
         }
         QVERIFY(!isPlaceholder(geomOf(GeomShape::Box)));
+    }
+
+    /// However a shape is turned, its bounds hold all that is drawn of it, and little more.
+    void boundsHoldWhatIsDrawn_data() {
+        QTest::addColumn<GeomSpec>("geom");
+        auto wedge = std::make_shared<TriangleMesh>();
+        wedge->points = {{{0.1, 0, 0}}, {{0.7, 0.1, 0}}, {{0.2, 0.5, 0.1}}, {{0.3, 0.2, 0.9}}};
+        wedge->triangles = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
+        GeomSpec mesh = geomOf(GeomShape::Mesh);
+        mesh.mesh = wedge;
+        QTest::newRow("mesh") << mesh;
+        QTest::newRow("missing mesh") << geomOf(GeomShape::Mesh);
+        QTest::newRow("missing height map") << geomOf(GeomShape::Heightfield);
+        QTest::newRow("box") << geomOf(GeomShape::Box);
+        QTest::newRow("sphere") << geomOf(GeomShape::Sphere);
+        QTest::newRow("cylinder") << geomOf(GeomShape::Cylinder);
+        QTest::newRow("capsule") << geomOf(GeomShape::Capsule);
+    }
+    void boundsHoldWhatIsDrawn() {
+        QFETCH(GeomSpec, geom);
+        for (int round = 0; round < 12; ++round) {
+            geom.pose = {Vec3(0.3, -0.2, 0.1), rotationFromHpr(Vec3(0.7, 0.4, -1.1) * round)};
+            const Pose owner{Vec3(-2, 5, 1), rotationFromHpr(Vec3(0.2, -0.3, 0.9) * round)};
+            const Bounds bounds = boundsOf(geom, owner);
+            Bounds drawn;
+            const ShapeMesh shape = shapeOf(geom, {});
+            for (const Vector3f& p : shape.points) drawn.add(owner * geom.pose * Vec3(p.cast<double>()));
+            QVERIFY(((drawn.low - bounds.low).array() > -1e-6).all() && ((bounds.high - drawn.high).array() > -1e-6).all());
+            QVERIFY(((bounds.size() - drawn.size()).array() < 0.1 * geom.radius).all());
+        }
     }
 
     void edgesOfAMeshStaySharpAndRoundsBecomeSmooth() {
