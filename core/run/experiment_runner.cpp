@@ -79,7 +79,7 @@ ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot) {
         if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size())
             m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
     };
-    addCameras(outputs, robot.name);
+    m_pictures.addTo(outputs, robot.name);
     outputs.medium = m_world->medium();
     return outputs;
 }
@@ -119,9 +119,7 @@ void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
             continue;
         }
         log->usePictures([this, &spec](const PictureOptions& pictureOptions, const std::string& name) {
-            const Result<double> saved = savePicture(pictureOptions, name);
-            if (!saved) warnOfLost(spec, name, saved.error());
-            return saved;
+            return m_pictures.saveFor(spec, pictureOptions, name);
         });
         m_rows.clear();
         log->header(m_rows);

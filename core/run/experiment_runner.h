@@ -2,12 +2,12 @@
 // The Runner implementation; see runner.h for the contract.
 
 #include <optional>
-#include <set>
 #include <string>
 
 #include "run/console_limit.h"
 #include "run/logs/log.h"
 #include "run/logs/log_folder.h"
+#include "run/run_pictures.h"
 #include "run/runner.h"
 #include "run/schedule.h"
 #include "run/world_warnings.h"
@@ -53,12 +53,6 @@ private:
 
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
     ControllerOutputs outputsFor(const RobotSpec& robot);
-    void addCameras(ControllerOutputs& outputs, const std::string& robot);
-    [[nodiscard]] Status savePicture(const std::string& camera, const std::string& fileName);
-    [[nodiscard]] Result<double> savePicture(const PictureOptions& pictureOptions, const std::string& fileName);
-    [[nodiscard]] Status writePicture(const Result<std::string>& bytes, const std::string& fileName);
-    void warnOfPictures(const Error& error);
-    void warnOfLost(const ComponentSpec& log, const std::string& fileName, const Error& error);
     void addMessage(const std::string& who, int severity, const std::string& text);
     void reportDropped();
     Status fail(const Error& error, SourceRange range);
@@ -78,6 +72,7 @@ private:
     std::unique_ptr<World> m_world; // before the controllers, which refer to its signal block
     CameraCapture m_cameras;
     LogFolder m_folder; // before the controllers, which write into it
+    RunPictures m_pictures{*m_world, m_cameras, m_folder, m_warnings};
     std::vector<Controller> m_controllers;
     std::vector<OpenLog> m_logs;
     std::vector<LogFile*> m_controllerLogs; // index: the number returned to the controller
@@ -88,10 +83,7 @@ private:
     std::optional<RunFinish> m_finishAsked, m_finish; // requested in the current tick; set after that tick
     Schedule m_reportsDropped;                        // once per second
     std::string m_rows;
-    std::size_t m_pictures = 0;           // number of saved pictures
-    std::set<std::string> m_reportedLost; // log name and cause of left-out pictures, already reported
     WorldWarnings m_worldWarnings;
-    bool m_reportedNoPictures = false, m_reportedLostPicture = false;
     bool m_finished = false;
 };
 

@@ -19,7 +19,7 @@ struct ServiceCalls {
 
     static bool mayActOn(void* context, bool known, bool finite, const char* what) {
         const ServiceContext& call = caller(context);
-        if (!call.acting || !call.device) return false;
+        if (!call.acts()) return false;
         if (!known) call.device->note(std::string(what) + " was asked for something that is not there");
         else if (!finite) call.device->note(std::string(what) + " was asked for a value that is not finite");
         return known && finite;
@@ -101,7 +101,7 @@ struct ServiceCalls {
 
     static std::uint32_t contacts(void* context, std::uint32_t geom, TrundleContact* out, std::uint32_t capacity) {
         const DeviceHost& w = world(context);
-        if (!w.objects.isGeom(geom) || caller(context).ticks == 0) return 0;
+        if (!w.objects.isGeom(geom) || caller(context).phase->ticks == 0) return 0;
         const auto list = w.engine.contactsOf({geom});
         for (std::uint32_t i = 0; i < list.size() && i < capacity && out; ++i) {
             const EngineContact c = w.engine.contact(list[i]);
@@ -122,8 +122,7 @@ struct ServiceCalls {
                             TrundleHit* hit) {
         const DeviceHost& w = world(context);
         ActorHandle without;
-        if (const Device* device = caller(context).device; !own && device)
-            without = w.objects.robots()[device->robot].handles.actor;
+        if (!own) without = w.objects.robots()[caller(context).device->robot].handles.actor;
         const auto found = w.engine.ray(Vec3(origin), Vec3(direction), range, without);
         if (!found) return 0;
         if (hit) *hit = {found->distance, {found->normal.x(), found->normal.y(), found->normal.z()}, found->geom.index, 0};
@@ -132,12 +131,12 @@ struct ServiceCalls {
 
     static std::uint64_t random(void* context, std::uint64_t index) {
         const ServiceContext& call = caller(context);
-        return randomBits(call.host->experiment.settings.seed, call.device ? call.device->pathHash : 0, call.ticks, index);
+        return randomBits(call.host->experiment.settings.seed, call.device->pathHash, call.phase->ticks, index);
     }
 
     static void print(void* context, std::int32_t severity, const char* text) {
         const ServiceContext& call = caller(context);
-        if (call.device && text) call.host->texts.print(call.device->path, severity, moduleMessage(text).c_str());
+        if (call.isCalled() && text) call.host->texts.print(call.device->path, severity, moduleMessage(text).c_str());
     }
 };
 

@@ -19,6 +19,23 @@ class Engine;
 class WorldObjects;
 class WorldRadio;
 struct DeviceHost;
+struct Device;
+
+/// Which calls of devices are running.
+struct DevicePhase {
+    std::uint64_t ticks = 0;
+    enum class Calls { None, Act, Sense } calls = Calls::None;
+};
+
+/// The context of a device's TrundleServices: who calls, and when.
+struct ServiceContext {
+    const DeviceHost* host = nullptr;
+    Device* device = nullptr;
+    const DevicePhase* phase = nullptr;
+
+    [[nodiscard]] bool acts() const { return phase->calls == DevicePhase::Calls::Act; }
+    [[nodiscard]] bool isCalled() const { return phase->calls != DevicePhase::Calls::None; }
+};
 
 /// Its kind, instance and signal slots.
 struct Device {
@@ -34,6 +51,8 @@ struct Device {
     std::vector<std::uint32_t> slots; ///< slots of the kind's signals, in its order
     std::vector<std::uint32_t> peers; ///< indices of the devices whose signals it bound, each once
     TrundleMount mount{};
+    ServiceContext context;
+    TrundleServices services{};
     std::string failure; ///< the first failure reported
     std::string scratch; ///< owns a text returned to the device
 
@@ -64,14 +83,6 @@ struct DeviceHost {
     SignalBlock& block;
     DeviceTexts& texts;
     const DeviceList& devices;
-};
-
-/// The context of TrundleServices: who calls, and when.
-struct ServiceContext {
-    const DeviceHost* host = nullptr;
-    std::uint64_t ticks = 0;
-    Device* device = nullptr; ///< whose act or sense is running
-    bool acting = false;
 };
 
 } // namespace trundle

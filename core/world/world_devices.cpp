@@ -86,11 +86,11 @@ void WorldDevices::layOut(std::uint32_t robot, SignalLayout& layout) {
 }
 
 void WorldDevices::setup(const DeviceHost& host, Diagnostics& diagnostics) {
-    m_context.host = &host;
     m_tick = host.experiment.settings.tick;
-    fillServices(m_services, m_context, m_tick);
     for (auto& device : m_devices.all) {
         device->host = &host;
+        device->context = {&host, device.get(), &m_phase};
+        fillServices(device->services, device->context, m_tick);
         fillMount(*device, m_tick);
         if (!device->kind->setupDevice) continue;
         const MonitoredCall call(m_calls, device->target, "setup");
@@ -130,20 +130,19 @@ void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagno
 }
 
 const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
-    m_context.acting = acting;
-    m_context.ticks = ticks;
-    m_services.time = static_cast<double>(ticks) * m_tick;
+    m_phase = {ticks, acting ? DevicePhase::Calls::Act : DevicePhase::Calls::Sense};
+    const Device* failed = nullptr;
     for (const Call& call : acting ? m_acting : m_sensing) {
-        m_context.device = call.device;
+        call.device->services.time = static_cast<double>(ticks) * m_tick;
         const MonitoredCall monitored(m_calls, call.device->target, acting ? "act" : "sense");
-        const std::int32_t answer = call.run(call.instance, &m_services);
+        const std::int32_t answer = call.run(call.instance, &call.device->services);
         if (answer == 0 && call.device->failure.empty()) continue;
         if (call.device->failure.empty()) call.device->note(call.device->lastError());
-        m_context.device = nullptr;
-        return call.device;
+        failed = call.device;
+        break;
     }
-    m_context.device = nullptr;
-    return nullptr;
+    m_phase.calls = DevicePhase::Calls::None;
+    return failed;
 }
 
 void WorldDevices::end(std::uint32_t robot) {

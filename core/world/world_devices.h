@@ -49,11 +49,10 @@ private:
     [[nodiscard]] const Device* callAll(std::uint64_t ticks, bool acting);
 
     CallMonitor& m_calls;
+    DevicePhase m_phase; ///< outlives the devices
     DeviceList m_devices;
     std::vector<Call> m_acting, m_sensing; ///< in calling order; without devices that lack the function
-    ServiceContext m_context;
-    TrundleServices m_services{};
-    double m_tick = 0; ///< s
+    double m_tick = 0;                     ///< s
 };
 
 } // namespace trundle

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,18 +71,14 @@ public:
 
 private:
     struct PendingEdit;
-    [[nodiscard]] std::shared_ptr<PendingEdit> startEdit(const QString& name, const std::vector<std::string>& paths,
-                                                         Plan plan) const;
+    [[nodiscard]] std::shared_ptr<PendingEdit> startEdit(const QString& name, const std::vector<std::string>& paths, Plan plan,
+                                                         const std::string& mergeKey) const;
     Status renameEverywhere(const QString& name, const std::string& path, const std::string& to);
     Status advance(const std::shared_ptr<PendingEdit>& work);
+    [[nodiscard]] std::optional<Status> decide(const std::shared_ptr<PendingEdit>& work, const Part& config);
     Status ask(const std::shared_ptr<PendingEdit>& work, const Part& config);
-    [[nodiscard]] Status copy(PendingEdit& work, const Part& config);
-    /// A shipped material, surface, antenna pattern or Param, and the shipped configs that use it.
-    [[nodiscard]] Status copyDefinition(PendingEdit& work, const std::string& definition);
     [[nodiscard]] Result<std::string> copyDefinition(const std::string& definition, const std::string& mergeKey);
-    [[nodiscard]] Result<bool> expand(PendingEdit& work, const Part& config);
     Status finish(PendingEdit& work, const EditPlan& plan);
-    [[nodiscard]] Status reload(PendingEdit& work, const EditPlan& plan);
     [[nodiscard]] QString shown(const std::string& file) const;
     Status refuse(const Error& error); ///< reports it; the document does not change
 
