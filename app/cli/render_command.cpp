@@ -79,6 +79,35 @@ bool hasWrongSet(const LoadedProject& loaded) {
     });
 }
 
+/// Runs the experiment up to a simulated time, and draws the state then.
+ExitCode drawAfterRun(Application& application, const LoadedProject& loaded, double seconds, RenderJob& job) {
+    const auto calls = std::make_shared<CallMonitor>();
+    RunGuard guard({calls, "run", true, false}); // module code runs from here on
+    Diagnostics problems;
+    RunOptions options;
+    options.calls = calls;
+    const std::unique_ptr<Runner> runner = application.makeRunner(loaded, std::move(options), problems);
+    guard.restoreProcess();
+    printDiagnostics(problems.all(), loaded.sources);
+    if (!runner) return kExitText;
+    const std::uint64_t ticks = ticksFor(seconds, loaded.experiment->settings.tick);
+    while (!runner->finished() && runner->world().ticks() < ticks && !interrupted() && runner->tick().ok()) {}
+    if (isForkedCopy()) endForkedCopy();
+    guard.restoreProcess();
+    if (interrupted()) {
+        if (const std::string signal = unusualRequest(); !signal.empty()) printProblem("the signal " + signal + " ended the run");
+        return kExitInterrupted;
+    }
+    guard.endOnRequest();
+    if (const Diagnostic* failure = runner->failure()) { // report it together with the state reached
+        printDiagnostics({*failure}, loaded.sources);
+        return exitCodeFor(failure->code);
+    }
+    job.layout = &runner->world().layout();
+    job.block = &runner->world().block();
+    return draw(job);
+}
+
 ExitCode renderFile(Application& application, const RenderArguments& arguments) {
     RenderJob job;
     if (const auto size = pictureSize(arguments.size)) {
@@ -105,37 +134,35 @@ ExitCode renderFile(Application& application, const RenderArguments& arguments) 
     if (loaded.diagnostics.hasErrors()) return kExitText;
     if (const ExitCode wrong = checkBeforeRun(job); wrong != kExitDone) return wrong;
 
-    const auto calls = std::make_shared<CallMonitor>();
-    RunGuard guard({calls, "run", true, false}); // module code runs from here on
-    Diagnostics problems;
-    RunOptions options;
-    options.calls = calls;
-    const std::unique_ptr<Runner> runner = application.makeRunner(loaded, std::move(options), problems);
-    guard.restoreProcess();
-    printDiagnostics(problems.all(), loaded.sources);
-    if (!runner) return kExitText;
-    const std::uint64_t ticks = ticksFor(arguments.at, loaded.experiment->settings.tick);
-    while (!runner->finished() && runner->world().ticks() < ticks && !interrupted() && runner->tick().ok()) {}
-    if (isForkedCopy()) endForkedCopy();
-    guard.restoreProcess();
-    if (interrupted()) {
-        if (const std::string signal = unusualRequest(); !signal.empty()) printProblem("the signal " + signal + " ended the run");
-        return kExitInterrupted;
-    }
-    guard.endOnRequest();
-    if (const Diagnostic* failure = runner->failure()) { // report it together with the state reached
-        printDiagnostics({*failure}, loaded.sources);
-        return exitCodeFor(failure->code);
-    }
-    job.layout = &runner->world().layout();
-    job.block = &runner->world().block();
-    return draw(job);
+    return drawAfterRun(application, loaded, arguments.at, job);
 }
 
 constexpr const char* kRenderExamples = R"(Examples:
   trundle-cli render configs/experiments/swarm.sim -o swarm.png
   trundle-cli render my.sim --at 2 --camera robot0/eye -o what_it_sees.png
   trundle-cli render my.sim --at 5 --size 1920x1080 --eye 2,-2,1.5 --target 0,0,0.1 -o after_five_seconds.jpg)";
+
+void addViewOptions(CLI::App& command, RenderArguments& a, CLI::Option& camera, CLI::Option& view) {
+    CLI::Option* eye = command.add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")
+                           ->type_name("X,Y,Z")
+                           ->delimiter(',')
+                           ->expected(3)
+                           ->check(&finiteProblem)
+                           ->excludes(&camera)
+                           ->excludes(&view);
+    command.add_option("--target", a.target, "What is in the middle of it, m")
+        ->type_name("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(&finiteProblem)
+        ->needs(eye);
+    command.add_option("--fov", a.fieldOfView, "Horizontal field of view, deg")
+        ->type_name("DEG")
+        ->check(CLI::Range(1.0, 179.0))
+        ->check(&finiteProblem)
+        ->needs(eye)
+        ->capture_default_str();
+}
 
 } // namespace
 
@@ -162,25 +189,7 @@ void addRender(CLI::App& app, const ApplicationFactory& application, ChosenComma
                             ->type_name("WxH")
                             ->check(&sizeProblem)
                             ->capture_default_str();
-    CLI::Option* eye = command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")
-                           ->type_name("X,Y,Z")
-                           ->delimiter(',')
-                           ->expected(3)
-                           ->check(&finiteProblem)
-                           ->excludes(camera)
-                           ->excludes(view);
-    command->add_option("--target", a.target, "What is in the middle of it, m")
-        ->type_name("X,Y,Z")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(&finiteProblem)
-        ->needs(eye);
-    command->add_option("--fov", a.fieldOfView, "Horizontal field of view, deg")
-        ->type_name("DEG")
-        ->check(CLI::Range(1.0, 179.0))
-        ->check(&finiteProblem)
-        ->needs(eye)
-        ->capture_default_str();
+    addViewOptions(*command, a, *camera, *view);
     addLookOption(*command, a.look);
     addSetOption(*command, a.open);
     addOpenOptions(*command, a.open);

@@ -347,6 +347,38 @@ solver that takes more than 3 s is cut off).
 Logs are written out each second and when a module crashes. After a crash --json still prints its object, with "crashed".
 What modules print to standard output goes to standard error.)";
 
+struct SizeOptions {
+    CLI::Option *camera, *size;
+};
+
+SizeOptions addMovieOptions(CLI::App& command, RunArguments& a) {
+    CLI::Option* movie = command.add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")
+                             ->type_name("OUT")
+                             ->check(&endingProblem);
+    CLI::Option* view = command.add_option("--view", a.movie.view, "Which View of the text it shows; else everything")
+                            ->type_name("NAME")
+                            ->check(&emptyProblem)
+                            ->needs(movie);
+    CLI::Option* camera =
+        command.add_option("--camera", a.movie.camera, "Which robot's camera it shows, as robot0/eye, in its own size")
+            ->type_name("PATH")
+            ->check(&emptyProblem)
+            ->needs(movie)
+            ->excludes(view);
+    CLI::Option* size = command.add_option("--size", a.movieSize, "Width and height of the movie in pixels, up to 4096x4096")
+                            ->type_name("WxH")
+                            ->check(&sizeProblem)
+                            ->needs(movie)
+                            ->capture_default_str();
+    command.add_option("--fps", a.movie.framesPerSecond, "Pictures for each simulated second")
+        ->type_name("N")
+        ->check(CLI::Range(0.01, 1000.0))
+        ->check(&finiteProblem)
+        ->needs(movie)
+        ->capture_default_str();
+    return {camera, size};
+}
+
 } // namespace
 
 void addRun(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
@@ -366,30 +398,7 @@ void addRun(CLI::App& app, const ApplicationFactory& application, ChosenCommand&
                      "Folder for the logs, may be a link; by default logs/<experiment> in the project folder, which may not")
         ->type_name("DIR")
         ->check(&emptyProblem);
-    CLI::Option* movie = command->add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")
-                             ->type_name("OUT")
-                             ->check(&endingProblem);
-    CLI::Option* view = command->add_option("--view", a.movie.view, "Which View of the text it shows; else everything")
-                            ->type_name("NAME")
-                            ->check(&emptyProblem)
-                            ->needs(movie);
-    CLI::Option* camera =
-        command->add_option("--camera", a.movie.camera, "Which robot's camera it shows, as robot0/eye, in its own size")
-            ->type_name("PATH")
-            ->check(&emptyProblem)
-            ->needs(movie)
-            ->excludes(view);
-    CLI::Option* size = command->add_option("--size", a.movieSize, "Width and height of the movie in pixels, up to 4096x4096")
-                            ->type_name("WxH")
-                            ->check(&sizeProblem)
-                            ->needs(movie)
-                            ->capture_default_str();
-    command->add_option("--fps", a.movie.framesPerSecond, "Pictures for each simulated second")
-        ->type_name("N")
-        ->check(CLI::Range(0.01, 1000.0))
-        ->check(&finiteProblem)
-        ->needs(movie)
-        ->capture_default_str();
+    const SizeOptions movie = addMovieOptions(*command, a);
     addLookOption(*command, a.look);
     command->add_flag("--realtime", a.realtime, "No faster than real time");
     command->add_flag("--hash", a.hash, "End with `state-hash <16 hex digits> tick <n>`");
@@ -397,8 +406,8 @@ void addRun(CLI::App& app, const ApplicationFactory& application, ChosenCommand&
     command->add_flag("--quiet", a.quiet, "No progress and no summary");
     addOpenOptions(*command, a.open);
     command->footer(kRunExamples);
-    command->callback([arguments, &application, &chosen, camera, size] {
-        refuseSizeOfCamera(*camera, *size);
+    command->callback([arguments, &application, &chosen, movie] {
+        refuseSizeOfCamera(*movie.camera, *movie.size);
         chosen = [arguments, &application] { return RunCommand(application(), *arguments).go(); };
     });
 }

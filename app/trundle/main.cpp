@@ -98,6 +98,21 @@ void endAfterTimeout(int code) {
     }).detach();
 }
 
+/// Ends the program after its last event. Does not return if something must not be destroyed.
+int leave(trundle::MainWindow& window, int code, bool endRequested) {
+    if (endRequested) { // the journal has already been written
+        trundle::BufferedFile::writeOutAll();
+        endProcess(code);
+    }
+    if (window.session().endRuns()) {
+        endAfterTimeout(code);
+        return code;
+    }
+    // A controller call does not return. Objects that it uses must stay alive, so nothing is destroyed.
+    window.putAway();
+    endProcess(code);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -139,15 +154,5 @@ int main(int argc, char** argv) {
     watchExits();
     const auto endRequested = endOnRequest();
     const int code = QApplication::exec();
-    if (*endRequested) { // the journal has already been written
-        BufferedFile::writeOutAll();
-        endProcess(code);
-    }
-    if (window.session().endRuns()) {
-        endAfterTimeout(code);
-        return code;
-    }
-    // A controller call does not return. Objects that it uses must stay alive, so nothing is destroyed.
-    window.putAway();
-    endProcess(code);
+    return leave(window, code, *endRequested);
 }

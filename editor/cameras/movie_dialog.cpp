@@ -61,9 +61,24 @@ MovieDialog::MovieDialog(Application& application, RenderService& render, MovieD
     m_sum->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     column->addWidget(m_sum);
     column->addWidget(m_progress);
-    auto* buttons = m_box = new QDialogButtonBox;
-    m_close = buttons->addButton(QDialogButtonBox::Close);
-    m_record = buttons->addButton(tr("&Record"), QDialogButtonBox::ActionRole);
+    addButtons();
+    column->addWidget(m_box);
+    for (QPushButton* button : findChildren<QPushButton*>())
+        button->setAutoDefault(false); // else Enter would press the focused button
+    m_record->setDefault(true);
+    connect(m_recorder, &MovieRecorder::progressed, this, &MovieDialog::showProgress);
+    connect(m_recorder, &MovieRecorder::finished, this, &MovieDialog::end);
+    showSource();
+    if (isInstalled("ffmpeg")) return;
+    m_form->setEnabled(false);
+    m_record->setEnabled(false);
+    m_sum->setText(tr("Recording needs ffmpeg, which is not installed: sudo apt-get install ffmpeg"));
+}
+
+void MovieDialog::addButtons() {
+    m_box = new QDialogButtonBox;
+    m_close = m_box->addButton(QDialogButtonBox::Close);
+    m_record = m_box->addButton(tr("&Record"), QDialogButtonBox::ActionRole);
     m_record->setObjectName(QStringLiteral("movieRecord"));
     m_close->setObjectName(QStringLiteral("movieClose"));
     m_open = new QPushButton(tr("&Open"), this);
@@ -81,19 +96,8 @@ MovieDialog::MovieDialog(Application& application, RenderService& render, MovieD
     });
     m_opener = [](const QString& path) { return QDesktopServices::openUrl(QUrl::fromLocalFile(path)); };
     openMovieDialog(false);
-    column->addWidget(buttons);
-    for (QPushButton* button : findChildren<QPushButton*>())
-        button->setAutoDefault(false); // else Enter would press the focused button
-    m_record->setDefault(true);
     connect(m_record, &QPushButton::clicked, this, &MovieDialog::record);
     connect(m_close, &QPushButton::clicked, this, &MovieDialog::reject);
-    connect(m_recorder, &MovieRecorder::progressed, this, &MovieDialog::showProgress);
-    connect(m_recorder, &MovieRecorder::finished, this, &MovieDialog::end);
-    showSource();
-    if (isInstalled("ffmpeg")) return;
-    m_form->setEnabled(false);
-    m_record->setEnabled(false);
-    m_sum->setText(tr("Recording needs ffmpeg, which is not installed: sudo apt-get install ffmpeg"));
 }
 
 void MovieDialog::addRows(QFormLayout& form) {

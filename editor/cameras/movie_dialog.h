@@ -52,6 +52,7 @@ public Q_SLOTS:
 
 private:
     void addRows(QFormLayout& form);
+    void addButtons();
     void showSource();
     void showSum();
     void showProgress(quint64 pictures, double time);

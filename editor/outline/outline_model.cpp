@@ -58,7 +58,7 @@ QString tipOf(const OutlineRow& row) {
 } // namespace
 
 OutlineModel::OutlineModel(ObjectEdits& edits, ObjectMarks& marks, QObject* parent)
-    : QAbstractItemModel(parent), m_edits(edits), m_marks(marks), m_root(std::make_unique<OutlineNode>()) {
+    : QAbstractItemModel(parent), m_edits(edits), m_marks(marks), m_drops(edits), m_root(std::make_unique<OutlineNode>()) {
     connect(&marks, &ObjectMarks::hiddenChanged, this, &OutlineModel::marksChanged);
     connect(&marks, &ObjectMarks::lockedChanged, this, &OutlineModel::marksChanged);
 }
@@ -83,13 +83,13 @@ std::string OutlineModel::keyOf(const QModelIndex& index) const {
 
 QModelIndex OutlineModel::indexOf(const std::string& path) {
     if (!m_rows) return {};
-    if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
+    if (const OutlineNode* node = m_index.find(path)) return indexOf(*node);
     if (!placeOf(*m_rows->loaded(), path)) return {};
     const std::string first(firstWord(path)), inside(withoutFirstWord(path));
     if (!inside.empty()) {
         const QModelIndex above = indexOf(std::string(withoutLastWord(path)));
         if (above.isValid() && canFetchMore(above)) fetchMore(above);
-        if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
+        if (const OutlineNode* node = m_index.find(path)) return indexOf(*node);
     }
     const Part* layout = layoutOfMember(*m_rows->loaded()->outline, first);
     if (layout && layout->name != first) {
@@ -103,7 +103,7 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
         if (!withoutFirstWord(inside).empty()) break;
         if (!canFetchMore(group)) continue;
         fetchMore(group);
-        if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
+        if (const OutlineNode* node = m_index.find(path)) return indexOf(*node);
     }
     const std::string block = definedAt(*m_rows->loaded(), path); // in by-file mode a robot's parts have rows only in its config
     return block.empty() || block == path ? QModelIndex() : indexOf(block);
@@ -204,6 +204,23 @@ Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const {
     if (row->type != OutlineRow::Type::Object || row->member) return flags;
     flags |= Qt::ItemIsDragEnabled;
     return index.column() == NameColumn ? flags | Qt::ItemIsEditable : flags;
+}
+
+QMimeData* OutlineModel::mimeData(const QModelIndexList& indexes) const {
+    std::vector<std::string> paths;
+    for (const QModelIndex& index : indexes)
+        if (const OutlineRow* row = rowAt(index); row && index.column() == NameColumn && row->selectable)
+            paths.push_back(row->path);
+    return paths.empty() || !m_rows ? nullptr : m_drops.dragged(*m_rows->loaded(), paths);
+}
+
+bool OutlineModel::canDropMimeData(const QMimeData* mime, Qt::DropAction, int row, int, const QModelIndex& parent) const {
+    return mime && m_rows && m_drops.accepts(*m_rows->loaded(), *mime, nodeOf(parent), row);
+}
+
+bool OutlineModel::dropMimeData(const QMimeData* mime, Qt::DropAction action, int row, int column, const QModelIndex& parent) {
+    if (action == Qt::IgnoreAction) return true;
+    return canDropMimeData(mime, action, row, column, parent) && m_drops.drop(*mime, action, nodeOf(parent), row);
 }
 
 void OutlineModel::marksChanged() {

@@ -4,12 +4,13 @@
 
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include <QAbstractItemModel>
 
+#include "editor/outline/outline_drops.h"
+#include "editor/outline/outline_index.h"
 #include "editor/outline/outline_rows.h"
 #include "project/edits/change_set.h"
 
@@ -17,7 +18,6 @@ namespace trundle {
 
 class ObjectEdits;
 class ObjectMarks;
-struct OutlineNode;
 
 class OutlineModel final : public QAbstractItemModel {
     Q_OBJECT
@@ -48,25 +48,16 @@ public:
         std::size_t made = 0;     ///< rows that exist
         std::size_t computed = 0; ///< rows whose contents were computed so far
     };
-    [[nodiscard]] Work work() const { return m_work; }
+    [[nodiscard]] Work work() const { return {m_index.size(), m_computed}; }
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     QModelIndex parent(const QModelIndex& index) const override;
     int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
-    bool hasChildren(const QModelIndex& parent = {}) const override;
     bool canFetchMore(const QModelIndex& parent) const override;
     void fetchMore(const QModelIndex& parent) override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-    Qt::DropActions supportedDropActions() const override { return Qt::MoveAction | Qt::CopyAction; }
-    Qt::DropActions supportedDragActions() const override { return Qt::MoveAction | Qt::CopyAction; }
-    QStringList mimeTypes() const override;
     QMimeData* mimeData(const QModelIndexList& indexes) const override;
-    bool canDropMimeData(const QMimeData* mime, Qt::DropAction action, int row, int column,
-                         const QModelIndex& parent) const override;
+    bool canDropMimeData(const QMimeData* mime, Qt::DropAction, int row, int, const QModelIndex& parent) const override;
     bool dropMimeData(const QMimeData* mime, Qt::DropAction action, int row, int column, const QModelIndex& parent) override;
 
 Q_SIGNALS:
@@ -74,6 +65,16 @@ Q_SIGNALS:
     void arrowsChanged();
     /// An object was renamed; its row now has another path and key.
     void renamed(const std::string& fromPath, const std::string& toPath, const std::string& fromKey, const std::string& toKey);
+
+protected: // called by views
+    int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
+    bool hasChildren(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    Qt::DropActions supportedDropActions() const override { return Qt::MoveAction | Qt::CopyAction; }
+    Qt::DropActions supportedDragActions() const override { return Qt::MoveAction | Qt::CopyAction; }
+    QStringList mimeTypes() const override { return OutlineDrops::mimeTypes(); }
 
 private:
     [[nodiscard]] OutlineNode& nodeOf(const QModelIndex& index) const;
@@ -87,20 +88,17 @@ private:
     void dropGone(OutlineNode& node, const std::vector<OutlineRow>& rows);
     void addAt(OutlineNode& node, std::vector<OutlineRow>& rows, std::size_t at);
     void take(OutlineNode& node, OutlineRow row);
-    void indexNode(const OutlineNode& node);
-    void unindexNode(const OutlineNode& node);
     void marksChanged();
-    struct DropTarget;
-    [[nodiscard]] DropTarget dropTarget(int row, const QModelIndex& parent) const;
 
     ObjectEdits& m_edits;
     ObjectMarks& m_marks;
+    OutlineDrops m_drops;
     std::unique_ptr<OutlineRows> m_rows; // nullptr: nothing is open
     OutlineMode m_mode = OutlineMode::ByOwner;
     std::string m_filter;
     std::unique_ptr<OutlineNode> m_root;
-    std::unordered_map<std::string, const OutlineNode*> m_byPath;
-    mutable Work m_work;
+    OutlineIndex m_index;
+    mutable std::size_t m_computed = 0;
 };
 
 } // namespace trundle

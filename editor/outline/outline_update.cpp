@@ -30,20 +30,19 @@ using Keys = std::unordered_set<std::string_view>;
 std::vector<OutlineRow> OutlineModel::rowsBelow(const OutlineNode& node) const {
     if (!m_rows) return {};
     std::vector<OutlineRow> rows = node.parent ? m_rows->below(node.row) : m_rows->top();
-    m_work.computed += rows.size();
+    m_computed += rows.size();
     return rows;
 }
 
 void OutlineModel::reset() {
     beginResetModel();
     m_root = std::make_unique<OutlineNode>();
-    m_byPath.clear();
-    m_work.made = 0;
+    m_index.clear();
     m_root->fetched = true;
     std::vector<OutlineRow> rows = rowsBelow(*m_root);
     for (OutlineRow& row : rows) {
         m_root->children.push_back(std::make_unique<OutlineNode>(OutlineNode{m_root.get(), 0, std::move(row), {}, false}));
-        indexNode(*m_root->children.back());
+        m_index.add(*m_root->children.back());
     }
     m_root->number();
     endResetModel();
@@ -68,7 +67,7 @@ bool OutlineModel::relink(OutlineNode& node, const std::unordered_set<const Part
         if (node.parent && !m_rows->relink(child.row, node.row, i)) return false;
         if (child.row.type == OutlineRow::Type::Object && !child.row.member && changed.contains(child.row.part)) {
             take(child, m_rows->renewed(child.row, node.row));
-            ++m_work.computed;
+            ++m_computed;
         }
         if (!relink(child, changed)) return false;
     }
@@ -103,24 +102,13 @@ void OutlineModel::fetchMore(const QModelIndex& parent) {
     if (!rows.empty()) addAt(node, rows, 0);
 }
 
-void OutlineModel::indexNode(const OutlineNode& node) {
-    ++m_work.made;
-    if (node.row.selectable) m_byPath.try_emplace(node.row.path, &node);
-}
-
-void OutlineModel::unindexNode(const OutlineNode& node) {
-    --m_work.made;
-    if (const auto it = m_byPath.find(node.row.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
-    for (const auto& child : node.children) unindexNode(*child);
-}
-
 /// Inserts all rows consecutively before the child at `at`.
 void OutlineModel::addAt(OutlineNode& node, std::vector<OutlineRow>& rows, std::size_t at) {
     beginInsertRows(indexOf(node), static_cast<int>(at), static_cast<int>(at + rows.size()) - 1);
     std::vector<std::unique_ptr<OutlineNode>> fresh;
     for (OutlineRow& row : rows) {
         fresh.push_back(std::make_unique<OutlineNode>(OutlineNode{&node, 0, std::move(row), {}, false}));
-        indexNode(*fresh.back());
+        m_index.add(*fresh.back());
     }
     node.children.insert(node.children.begin() + std::ptrdiff_t(at), std::make_move_iterator(fresh.begin()),
                          std::make_move_iterator(fresh.end()));
@@ -131,10 +119,7 @@ void OutlineModel::addAt(OutlineNode& node, std::vector<OutlineRow>& rows, std::
 void OutlineModel::take(OutlineNode& node, OutlineRow row) {
     const bool same = hasSameContent(node.row, row);
     const OutlineRow old = std::exchange(node.row, std::move(row));
-    if (old.path != node.row.path || old.selectable != node.row.selectable) {
-        if (const auto it = m_byPath.find(old.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
-        if (node.row.selectable) m_byPath.insert_or_assign(node.row.path, &node);
-    }
+    m_index.update(node, old);
     if (!same) Q_EMIT dataChanged(indexOf(node), indexOf(node, ColumnCount - 1));
     if (!node.fetched && old.hasRows != node.row.hasRows) Q_EMIT arrowsChanged();
 }
@@ -162,7 +147,7 @@ void OutlineModel::dropGone(OutlineNode& node, const std::vector<OutlineRow>& ro
         }
         beginRemoveRows(indexOf(node), static_cast<int>(begin), static_cast<int>(end) - 1);
         const auto first = node.children.begin() + std::ptrdiff_t(begin), last = node.children.begin() + std::ptrdiff_t(end);
-        for (auto it = first; it != last; ++it) unindexNode(**it);
+        for (auto it = first; it != last; ++it) m_index.remove(**it);
         node.children.erase(first, last);
         node.number(begin);
         endRemoveRows();

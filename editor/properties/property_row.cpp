@@ -39,6 +39,13 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     : QWidget(parent), m_row(row), m_label(new ScrubLabel(this)), m_editor(makeEditor(kind, this)), m_mark(new OriginMark(this)),
       m_now(new QLabel(this)), m_note(new QLabel(this)), m_override(new QLabel(this)) {
     setObjectName(QStringLiteral("row.") + QString::fromStdString(row.id));
+    layOut();
+    connectParts();
+    display(row);
+    watch(m_editor);
+}
+
+void PropertyRow::layOut() {
     setSizePolicy(QSizePolicy::Preferred,
                   QSizePolicy::Minimum); // in a low panel the rows scroll instead of shrinking; notes wrap
     auto* grid = new QGridLayout(this);
@@ -67,6 +74,9 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     m_override->setObjectName(QStringLiteral("override"));
     m_override->setWordWrap(true);
     m_override->setTextFormat(Qt::RichText);
+}
+
+void PropertyRow::connectParts() {
     connect(m_override, &QLabel::linkActivated, this, [this](const QString& link) {
         Q_EMIT entered();
         if (link == QLatin1String("reset")) Q_EMIT resetRequested();
@@ -91,8 +101,6 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
         Q_EMIT entered();
         Q_EMIT menuRequested(m_mark->mapToGlobal(QPoint(0, m_mark->height())), nullptr);
     });
-    display(row);
-    watch(m_editor);
 }
 
 void PropertyRow::watch(QWidget* widget) {

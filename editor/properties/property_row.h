@@ -41,6 +41,8 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    void layOut();
+    void connectParts();
     [[nodiscard]] QString problemInText() const;
     void showLabel();
     void showNote();

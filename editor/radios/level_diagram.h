@@ -23,6 +23,10 @@ protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
+    struct Scale;
+    void drawReferences(QPainter& painter, const Scale& scale) const;
+    void drawStairs(QPainter& painter, const Scale& scale) const;
+
     std::optional<Levels> m_levels;
 };
 

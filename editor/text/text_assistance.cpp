@@ -48,23 +48,25 @@ TextAssistance::TextAssistance(Document& document, TextPages& pages, ResultsList
 
 void TextAssistance::watch(FilePage& page) {
     CodeEdit& edit = page.edit();
-    connect(&edit, &CodeEdit::hoverRequested, this,
+    connect(&edit.pointer(), &CodePointer::hoverRequested, this,
             [this, &page](std::uint32_t at, const QPoint& pos) { showHover(page, at, pos); });
-    connect(&edit, &CodeEdit::linkRequested, this, [this, &page](std::uint32_t at) { showLink(page, at); });
-    connect(&edit, &CodeEdit::linkFollowed, this, &TextAssistance::goToDefinition);
-    connect(&edit, &CodeEdit::menuRequested, this, [this, &page](const QPoint& pos) { showMenu(page, pos); });
+    connect(&edit.pointer(), &CodePointer::linkRequested, this, [this, &page](std::uint32_t at) { showLink(page, at); });
+    connect(&edit.pointer(), &CodePointer::linkFollowed, this, &TextAssistance::goToDefinition);
+    connect(&edit.pointer(), &CodePointer::menuRequested, this, [this, &page](const QPoint& pos) { showMenu(page, pos); });
 }
 
 void TextAssistance::showMessage(const QString& text) {
     Q_EMIT messageRequested(text);
     FilePage* page = m_pages.page();
-    if (page) showToolTip(page->edit().viewport()->mapToGlobal(page->edit().placeOf(page->edit().caret())), text, &page->edit());
+    if (page)
+        showToolTip(page->edit().viewport()->mapToGlobal(page->edit().geometry().placeOf(page->edit().caret())), text,
+                    &page->edit());
 }
 
 void TextAssistance::showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos) {
     page.flush();
     const FileId file = page.id();
-    if (offset == CodeEdit::kNowhere || file == kNoFile) return QToolTip::hideText();
+    if (offset == CodeGeometry::kNowhere || file == kNoFile) return QToolTip::hideText();
     std::vector<const Diagnostic*> problems;
     for (const Diagnostic& problem : page.problems())
         if (touches(problem.range.range, offset)) problems.push_back(&problem);
@@ -75,7 +77,7 @@ void TextAssistance::showHover(FilePage& page, std::uint32_t offset, const QPoin
 
 void TextAssistance::showLink(FilePage& page, std::uint32_t offset) {
     TextRange link;
-    if (offset != CodeEdit::kNowhere && page.flush() && page.id() != kNoFile) {
+    if (offset != CodeGeometry::kNowhere && page.flush() && page.id() != kNoFile) {
         const auto found = definitionAt(*m_document.loaded(), page.id(), offset);
         if (found) link = found->word.range;
     }
@@ -149,7 +151,7 @@ void TextAssistance::renameAt(std::uint32_t offset) {
     connect(m_rename, &RenameField::renameRequested, page,
             [this, page, renaming, name](const QString& to) { rename(*page, *renaming, name, to); });
     connect(&m_document, &Document::changed, m_rename, &QWidget::hide); // the name may have changed
-    m_rename->open(edit.placeOf(symbol->word.range.begin) - QPoint(4, edit.lineHeight() + 4), name);
+    m_rename->open(edit.geometry().placeOf(symbol->word.range.begin) - QPoint(4, edit.geometry().lineHeight() + 4), name);
     offerOthers(*renaming);
 }
 
@@ -216,7 +218,7 @@ QMenu* TextAssistance::showFixes() {
         }
     }
     menu->setActiveAction(first);
-    menu->popup(page->edit().viewport()->mapToGlobal(page->edit().placeOf(caret)));
+    menu->popup(page->edit().viewport()->mapToGlobal(page->edit().geometry().placeOf(caret)));
     return menu;
 }
 

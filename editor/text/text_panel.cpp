@@ -133,8 +133,8 @@ void TextPanel::onChanged() {
 
 void TextPanel::connectPage(FilePage& page) {
     CodeEdit& edit = page.edit();
-    edit.setWrapLines(m_wrap);
-    connect(&edit, &CodeEdit::wrapsLinesChanged, this, &TextPanel::showWrap);
+    edit.wrapping().setMode(m_wrap);
+    connect(&edit.wrapping(), &CodeWrapping::changed, this, &TextPanel::showWrap);
     m_commands->watch(edit);
     m_completing->watch(page); // installed last: an open list gets the keys first
     m_assistance->watch(page);
@@ -187,7 +187,7 @@ void TextPanel::markSelected(bool scroll) {
         if (!page->pending()) page->edit().marks().showBlock(here ? block.range : TextRange{});
         if (!here || !scroll) continue;
         m_pages->setCurrentWidget(page);
-        page->edit().scrollTo(block.range);
+        page->edit().geometry().scrollTo(block.range);
     }
 }
 
@@ -195,19 +195,19 @@ void TextPanel::reveal(const std::string& file, TextRange range, bool focus) { m
 
 void TextPanel::revealBlock(const std::string& file, TextRange block) {
     reveal(file, {block.begin, block.begin}, true);
-    if (FilePage* page = pageOf(file)) page->edit().scrollTo(block);
+    if (FilePage* page = pageOf(file)) page->edit().geometry().scrollTo(block);
 }
 
 // --- commands ---
 
 void TextPanel::setWrapLines(WrapLines wrap) {
     m_wrap = wrap;
-    for (FilePage* page : pages()) page->edit().setWrapLines(wrap);
+    for (FilePage* page : pages()) page->edit().wrapping().setMode(wrap);
     showWrap();
 }
 
 /// The action's check mark shows the state of the current text; toggling it applies to panes of every width.
-void TextPanel::showWrap() { m_actions.at("text.wrap").setChecked(page() && page()->edit().wrapsLines()); }
+void TextPanel::showWrap() { m_actions.at("text.wrap").setChecked(page() && page()->edit().wrapping().wraps()); }
 
 void TextPanel::addCommands() {
     const auto withEdit = [this](auto run) {
@@ -228,7 +228,6 @@ void TextPanel::addCommands() {
     m_commands->inText("edit.paste", withEdit([](CodeEdit& edit) { edit.paste(); }));
     m_commands->inText("edit.delete", withEdit([](CodeEdit& edit) { edit.removeForward(); }));
     m_commands->inText("edit.selectAll", withEdit([](CodeEdit& edit) { edit.selectAll(); }));
-    m_commands->inText("edit.duplicate", withEdit([](CodeEdit& edit) { edit.duplicateLines(); }));
     m_commands->inText("edit.rename", withEdit([this](CodeEdit& edit) { m_assistance->renameAt(edit.caret()); }));
     m_commands->inText("edit.find", [this] { m_finding->open(false); });
     m_commands->own("edit.findInFiles", [this] { m_finding->openInFiles(); });
@@ -244,17 +243,36 @@ void TextPanel::addCommands() {
         if (FilePage* page = this->page()) m_assistance->showUses(page->edit().caret());
     });
     m_commands->own("text.format", [this] { m_assistance->formatText(); });
-    m_commands->own("text.comment", withEdit([](CodeEdit& edit) { edit.toggleComment(); }));
-    m_commands->own("text.lineUp", withEdit([](CodeEdit& edit) { edit.moveLines(-1); }));
-    m_commands->own("text.lineDown", withEdit([](CodeEdit& edit) { edit.moveLines(+1); }));
+    addLineCommands();
     connect(&m_actions.at("text.wrap"), &QAction::triggered, this, [this](bool wraps) {
         Preferences preferences = loadPreferences();
         preferences.wrapLines = wraps ? WrapLines::Always : WrapLines::Never;
         savePreferences(preferences);
         setWrapLines(preferences.wrapLines);
     });
-    m_commands->own("text.fold", withEdit([](CodeEdit& edit) { edit.foldEverything(true); }));
-    m_commands->own("text.unfold", withEdit([](CodeEdit& edit) { edit.foldEverything(false); }));
+}
+
+void TextPanel::addLineCommands() {
+    const auto changeLines = [this](auto command) {
+        return [this, command] {
+            if (FilePage* page = this->page()) page->edit().changeLines(command);
+        };
+    };
+    const auto fold = [this](bool folded) {
+        return [this, folded] {
+            if (FilePage* page = this->page()) page->edit().styling().foldEverything(folded);
+        };
+    };
+    m_commands->inText("edit.duplicate", changeLines([this](auto text, auto anchor, auto caret) {
+                           return duplicateLines(text, anchor, caret, page()->edit().lineEnd());
+                       }));
+    m_commands->own("text.comment", changeLines(toggleComment));
+    m_commands->own("text.lineUp",
+                    changeLines([](auto text, auto anchor, auto caret) { return moveLines(text, anchor, caret, -1); }));
+    m_commands->own("text.lineDown",
+                    changeLines([](auto text, auto anchor, auto caret) { return moveLines(text, anchor, caret, +1); }));
+    m_commands->own("text.fold", fold(true));
+    m_commands->own("text.unfold", fold(false));
 }
 
 } // namespace trundle

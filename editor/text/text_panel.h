@@ -78,6 +78,7 @@ private:
     void onSelectionChanged();
     void showWrap();
     void addCommands();
+    void addLineCommands();
     void selectAtCaret();
     void markSelected(bool scroll);
     void connectPage(FilePage& page);

@@ -1,7 +1,5 @@
 #include "editor/text/code/code_marks.h"
 
-#include <algorithm>
-
 namespace trundle {
 namespace {
 
@@ -16,16 +14,6 @@ int markerOf(Severity severity) {
 
 } // namespace
 
-long CodeMarks::position(std::uint32_t offset) const {
-    const long place = offset > m_bom ? static_cast<long>(offset - m_bom) : 0;
-    return std::min(place, m_edit.SendScintilla(Sci::SCI_GETLENGTH));
-}
-
-unsigned long CodeMarks::lineAt(std::uint32_t offset) const {
-    return static_cast<unsigned long>(
-        m_edit.SendScintilla(Sci::SCI_LINEFROMPOSITION, static_cast<unsigned long>(position(offset))));
-}
-
 void CodeMarks::mark(int indicator, long from, long to) {
     if (from >= to) return;
     m_edit.SendScintilla(Sci::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(indicator));
@@ -34,7 +22,7 @@ void CodeMarks::mark(int indicator, long from, long to) {
 
 void CodeMarks::clear(int indicator) {
     m_edit.SendScintilla(Sci::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(indicator));
-    m_edit.SendScintilla(Sci::SCI_INDICATORCLEARRANGE, 0UL, m_edit.SendScintilla(Sci::SCI_GETLENGTH));
+    m_edit.SendScintilla(Sci::SCI_INDICATORCLEARRANGE, 0UL, m_text.size());
 }
 
 void CodeMarks::showProblems(const std::vector<Diagnostic>& problems) {
@@ -43,7 +31,7 @@ void CodeMarks::showProblems(const std::vector<Diagnostic>& problems) {
         m_edit.SendScintilla(Sci::SCI_MARKERDELETEALL, static_cast<unsigned long>(marker));
     for (const Diagnostic& problem : problems) {
         const TextRange range = problem.range.range;
-        long from = position(range.begin), to = position(range.end);
+        long from = m_text.position(range.begin), to = m_text.position(range.end);
         if (from >= to) { // the error is an omission: mark the character next to it
             to = m_edit.SendScintilla(Sci::SCI_POSITIONAFTER, static_cast<unsigned long>(from));
             if (to == from || m_edit.SendScintilla(Sci::SCI_GETCHARAT, static_cast<unsigned long>(from)) <= ' ') {
@@ -52,7 +40,7 @@ void CodeMarks::showProblems(const std::vector<Diagnostic>& problems) {
             }
         }
         mark(indicatorOf(problem.severity), from, to);
-        m_edit.SendScintilla(Sci::SCI_MARKERADD, lineAt(range.begin), static_cast<long>(markerOf(problem.severity)));
+        m_edit.SendScintilla(Sci::SCI_MARKERADD, m_text.lineAt(range.begin), static_cast<long>(markerOf(problem.severity)));
     }
 }
 
@@ -66,7 +54,7 @@ void CodeMarks::showBlock(TextRange block) {
     m_edit.SendScintilla(Sci::SCI_MARKERDELETEALL, static_cast<unsigned long>(kBlockMark));
     if (block.size() == 0 || !m_blocksShown) return;
     mark(kBlockRange, block);
-    for (unsigned long i = lineAt(block.begin), last = lineAt(block.end); i <= last; ++i)
+    for (unsigned long i = m_text.lineAt(block.begin), last = m_text.lineAt(block.end); i <= last; ++i)
         m_edit.SendScintilla(Sci::SCI_MARKERADD, i, static_cast<long>(kBlockMark));
 }
 

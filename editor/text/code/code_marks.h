@@ -1,11 +1,10 @@
 #pragma once
 // Marks in a text: problems, matches of a search, the selected block, a link.
 
-#include <cstdint>
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "editor/text/code/qscintilla.h"
+#include "editor/text/code/code_text.h"
 
 namespace trundle {
 
@@ -16,10 +15,9 @@ enum CodeMarker { kHintMark = 1, kWarningMark = 2, kErrorMark = 3, kBlockMark = 
 
 class CodeMarks {
 public:
-    /// `edit` must outlive this object.
-    explicit CodeMarks(QsciScintilla& edit) : m_edit(edit) {}
+    /// Both must outlive this object.
+    CodeMarks(QsciScintilla& edit, const CodeText& text) : m_edit(edit), m_text(text) {}
 
-    void setBom(std::uint32_t bytes) { m_bom = bytes; }        ///< length of the hidden BOM, which offsets include
     void setBlocksShown(bool shown) { m_blocksShown = shown; } ///< false for large texts
 
     void showProblems(const std::vector<Diagnostic>& problems); ///< diagnostics of this text
@@ -28,14 +26,12 @@ public:
     void showLink(TextRange link);   ///< underlines what Ctrl+click opens
 
 private:
-    [[nodiscard]] long position(std::uint32_t offset) const;
-    [[nodiscard]] unsigned long lineAt(std::uint32_t offset) const;
     void mark(int indicator, long from, long to);
-    void mark(int indicator, TextRange range) { mark(indicator, position(range.begin), position(range.end)); }
+    void mark(int indicator, TextRange range) { mark(indicator, m_text.position(range.begin), m_text.position(range.end)); }
     void clear(int indicator);
 
     QsciScintilla& m_edit;
-    std::uint32_t m_bom = 0;
+    const CodeText& m_text;
     bool m_blocksShown = true;
 };
 

@@ -93,7 +93,8 @@ void CompletionSession::list(FilePage& page, bool asked, bool fresh) {
     m_asked = asked;
     show(page);
     if (asked && !isShown())
-        showToolTip(page.edit().viewport()->mapToGlobal(page.edit().placeOf(caret)), tr("No completions here"), &page.edit());
+        showToolTip(page.edit().viewport()->mapToGlobal(page.edit().geometry().placeOf(caret)), tr("No completions here"),
+                    &page.edit());
 }
 
 /// Filters the found completions by the letters typed so far.
@@ -114,8 +115,8 @@ void CompletionSession::show(FilePage& page) {
         return;
     }
     if (m_popup)
-        m_popup->showItems(m_shown, page.edit().viewport()->mapToGlobal(page.edit().placeOf(m_found.word.begin)),
-                           page.edit().lineHeight());
+        m_popup->showItems(m_shown, page.edit().viewport()->mapToGlobal(page.edit().geometry().placeOf(m_found.word.begin)),
+                           page.edit().geometry().lineHeight());
 }
 
 void CompletionSession::accept() {

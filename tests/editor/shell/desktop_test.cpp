@@ -185,7 +185,7 @@ private Q_SLOTS:
     void keysGoWhereOneClicked() {
         QAction &move = m_window->actions().at("tool.move"), &select = m_window->actions().at("tool.select");
         CodeEdit& edit = m_window->text().page()->edit();
-        click(*edit.viewport(), edit.placeOf(0) + QPoint(1, -edit.lineHeight() / 2));
+        click(*edit.viewport(), edit.geometry().placeOf(0) + QPoint(1, -edit.geometry().lineHeight() / 2));
         EVENTUALLY(edit.hasFocus());
         QVERIFY(keys(QStringLiteral("w Delete Right Right Right BackSpace 1")));
         EVENTUALLY_EQUAL(text().left(5), QByteArray("wic1 ")); // in the text, W is not a tool and Delete removes no objects

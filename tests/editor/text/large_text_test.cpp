@@ -40,7 +40,7 @@ void LargeTextTest::showsLargeTextsOnRequest() {
     window.panel.reveal(window.page().file(), {place, place + 5}); // as after a click on a diagnostic
     QTest::mouseClick(open, Qt::LeftButton);
     QVERIFY(window.page().isTextShown() && window.edit().isVisible() && !notice->isVisible());
-    QVERIFY(window.edit().isPlain() && !window.edit().wrapsLines());
+    QVERIFY(window.edit().styling().isPlain() && !window.edit().wrapping().wraps());
     QVERIFY(window.shown() == large);
     QCOMPARE(window.edit().selection(), (TextRange{place, place + 5}));
     QTest::keyClicks(&window.edit(), QStringLiteral("x"));
@@ -52,8 +52,8 @@ void LargeTextTest::showsLargeTextsOnRequest() {
     QVERIFY(window.shown() == large);
     // Another file is shown in full, with syntax highlighting.
     window.panel.reveal(window.document.texts().files()[1], {0, 5});
-    QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
-    QCOMPARE(window.edit().styleAt(0), TextStyle::Keyword);
+    QVERIFY(window.page().isTextShown() && !window.edit().styling().isPlain());
+    QCOMPARE(window.edit().styling().styleAt(0), TextStyle::Keyword);
 }
 
 /// The document, the loaded project and the disk state share the bytes; the editor converts none of them to a QString.
@@ -91,7 +91,7 @@ void LargeTextTest::aTextThatShrinksIsShown() {
     window.open(file);
     QVERIFY(!window.page().isTextShown());
     QVERIFY(window.document.edits().replaceText(QStringLiteral("Shorter"), file, "Param p = 1\n").ok());
-    QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
+    QVERIFY(window.page().isTextShown() && !window.edit().styling().isPlain());
     QCOMPARE(window.shown(), QByteArray("Param p = 1\n"));
     window.document.edits().undo();
     QVERIFY(!window.page().isTextShown() && window.edit().bytes().empty());

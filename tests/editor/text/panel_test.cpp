@@ -46,8 +46,8 @@ void PanelTest::showsTheOpenedFile() {
     openDrive(w);
     QCOMPARE(w.shown(), QByteArray(kDrive));
     QCOMPARE(w.panel.pages().size(), std::size_t{1});
-    QCOMPARE(w.edit().styleAt(0), TextStyle::Comment);
-    QCOMPARE(w.edit().styleAt(static_cast<std::uint32_t>(w.shown().indexOf("Material red"))), TextStyle::Kind);
+    QCOMPARE(w.edit().styling().styleAt(0), TextStyle::Comment);
+    QCOMPARE(w.edit().styling().styleAt(static_cast<std::uint32_t>(w.shown().indexOf("Material red"))), TextStyle::Kind);
     QVERIFY(w.page().problems().empty());
     QVERIFY(!w.document.edits().history().canUndo());
 }
@@ -187,7 +187,7 @@ void PanelTest::editsElsewhereKeepWhatIsTyped() {
 void PanelTest::editsElsewhereKeepFolds() {
     TextFixture w;
     openDrive(w);
-    w.edit().foldEverything(true);
+    w.edit().styling().foldEverything(true);
     const auto visible = [&](int line) {
         return w.edit().SendScintilla(QsciScintillaBase::SCI_GETLINEVISIBLE, static_cast<unsigned long>(line)) != 0;
     };
@@ -289,21 +289,21 @@ void PanelTest::linesWrapInNarrowPanes() {
     const auto rows = [&w] { return w.edit().SendScintilla(QsciScintillaBase::SCI_WRAPCOUNT, 0UL); };
     QAction& wrap = w.actions.at("text.wrap");
     w.panel.resize(1400, 500);
-    EVENTUALLY(!w.edit().wrapsLines());
+    EVENTUALLY(!w.edit().wrapping().wraps());
     QCOMPARE(rows(), 1L);
     QVERIFY(!wrap.isChecked());
     w.panel.resize(400, 500);
-    EVENTUALLY(w.edit().wrapsLines());
+    EVENTUALLY(w.edit().wrapping().wraps());
     EVENTUALLY(rows() > 1L);
     QVERIFY(wrap.isChecked());
     w.edit().select({static_cast<std::uint32_t>(text.indexOf("Tick")), static_cast<std::uint32_t>(text.indexOf("Tick"))});
     QCOMPARE(w.shown(), text); // nothing is inserted
     wrap.trigger();
-    QVERIFY(!w.edit().wrapsLines());
+    QVERIFY(!w.edit().wrapping().wraps());
     QVERIFY(loadPreferences().wrapLines == WrapLines::Never);
     wrap.trigger();
     w.panel.resize(1400, 500);
-    QVERIFY(w.edit().wrapsLines());
+    QVERIFY(w.edit().wrapping().wraps());
     QVERIFY(loadPreferences().wrapLines == WrapLines::Always);
     QSettings().clear();
 }

@@ -186,7 +186,7 @@ void TabsTest::ctrlClickFollows() {
     TextFixture w;
     openDrive(w);
     const auto at = static_cast<std::uint32_t>(w.shown().indexOf("parts.sim") + 2);
-    const QPoint place = w.edit().placeOf(at) - QPoint(-2, w.edit().lineHeight() / 2);
+    const QPoint place = w.edit().geometry().placeOf(at) - QPoint(-2, w.edit().geometry().lineHeight() / 2);
     QTest::mouseClick(w.edit().viewport(), Qt::LeftButton, Qt::ControlModifier, place);
     QCOMPARE(w.page().file(), w.document.texts().files().at(1));
     QCOMPARE(w.shown(), QByteArray(kParts));
