@@ -288,6 +288,7 @@ private Q_SLOTS:
                 scene.robot(i ? "right" : "left", at(i ? 0.198 : 0, 0, 1), config);
             }
             auto world = scene.build(code);
+            QVERIFY(world->push("left/b", {50, 0, 0}, {0, 0, 1}).ok());
             QVERIFY(world->tick().ok());
             QVERIFY(seen[0].size() == 1 && seen[1].size() == 1);
             QVERIFY(seen[0][0].normal[0] < -0.99 && seen[1][0].normal[0] > 0.99);

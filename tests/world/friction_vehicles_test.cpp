@@ -24,6 +24,18 @@ Vehicle tailDriven(double mu) {
     v.centre = {0.06, 0, 0.06};
     return v;
 }
+Vehicle heavyTail() {
+    Vehicle v = tailDriven(0.3);
+    v.mass = 12;
+    return v;
+}
+Vehicle longTail() {
+    Vehicle v = tailDriven(0.4);
+    v.mass = 3;
+    v.sliders = {{0.25, 0, 0}};
+    v.centre = {0.12, 0, 0.05};
+    return v;
+}
 Vehicle fourWheels(double mu, double mass = 3, double a = 0.12, double b = 0.15) {
     Vehicle v;
     v.mass = mass;
@@ -31,6 +43,15 @@ Vehicle fourWheels(double mu, double mass = 3, double a = 0.12, double b = 0.15)
     v.wheels = {{a, b, 0}, {a, -b, 0}, {-a, b, 0}, {-a, -b, 0}};
     v.centre = {0, 0, 0.05};
     return v;
+}
+
+/// Lands nose first on spinning wheels, as it turns about itself while they spin up: the mean acceleration, of which `more` is beyond the
+/// balance of moments at rest. That is from an integration of the rigid vehicle in steps of 5 us, each blow without restitution.
+Measure lands(Vehicle v, double drop, double more) {
+    return [=](const Conditions& c) -> Figures {
+        const Figures f = startsOff(v, 0, 1, drop)(c);
+        return {f.measured, f.expected * (1 + more)};
+    };
 }
 
 /// Parked with its wheels locked: stays or slips `off` degrees from its limit, on a slope that rises towards `heading` of the vehicle.
@@ -225,7 +246,10 @@ std::vector<Case> cases() {
         {"four wheels up 15 deg, mu .7", startsOff(fourWheels(0.7), 15, 1), 0.02, 0.04, 0},
         {"front drive up 8 deg, mu .7", startsOff(r0Like(0.7), 8, 1), 0.02, 0.04, 0},
         {"lands on spinning wheels", startsOff(fourWheels(0.4), 0, 1, 0.09), 0.02, 0.04, 0},
-        {"lands on spinning rear wheels", startsOff(tailDriven(0.3), 0, 1, 0.06), 0.036, 0.04, 0},
+        {"lands on spinning rear wheels", lands(tailDriven(0.3), 0.06, 0.0126), 0.02, 0.04, 0},
+        {"lands on spinning rear wheels, mu .6", lands(tailDriven(0.6), 0.06, 0.0208), 0.02, 0.04, 0},
+        {"lands on spinning rear wheels, 12 kg", lands(heavyTail(), 0.06, 0.0022), 0.02, 0.04, 0},
+        {"lands on spinning rear wheels, long", lands(longTail(), 0.05, 0.0063), 0.02, 0.04, 0},
         {"front wheels lock", stops(r0Like(0.25), 2), 0.02, 0.04, 0},
         {"rear wheels lock", stops(tailDriven(0.5), 1.5), 0.02, 0.04, 0},
         {"four wheels lock", stops(fourWheels(0.9, 12), 3), 0.02, 0.04, 0},

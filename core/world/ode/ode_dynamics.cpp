@@ -30,6 +30,22 @@ void OdeDynamics::step(double h) {
     solve(h);
     m_pinned.after(m_objects.bodies);
     m_rotation.after(m_objects.bodies, h);
+    moveAside(h);
+}
+
+/// What a contact pushed out. Rates turn with their bodies, which keeps the energy.
+void OdeDynamics::moveAside(double h) const {
+    for (const ClusterSolver::Aside& a : m_solver.aside()) {
+        const OdeBody& b = m_objects.bodies[a.body];
+        const Vec3 to = vec(b.p) + h * a.linear;
+        dReal q[4];
+        const Quat turned = turnedBy(h * a.angular);
+        const Vec3 rate = turned * vec(b.w);
+        toOde(turned * quat(b.q), q);
+        dBodySetPosition(b.id, to.x(), to.y(), to.z());
+        dBodySetQuaternion(b.id, q);
+        dBodySetAngularVel(b.id, rate.x(), rate.y(), rate.z());
+    }
 }
 
 void OdeDynamics::solve(double h) {
@@ -49,8 +65,19 @@ void OdeDynamics::solve(double h) {
         m_rows.make(m_contacts, h);
         m_solver.stepAgain(h, m_plan);
     }
+    if (m_settings.solver != SolverChoice::Quick) keepVelocities(h);
     m_rows.clear();
     keepContacts(h);
+}
+
+/// What a contact pushes out is moved, not thrown.
+void OdeDynamics::keepVelocities(double h) {
+    const auto pushed = m_pushOut.find(m_contacts, m_objects, m_settings.surfaces, m_rows, h);
+    if (pushed.empty()) return;
+    std::vector<std::uint32_t> bodies;
+    for (const std::uint32_t i : pushed) bodies.push_back(m_objects.geoms[m_contacts.all[i].first].body);
+    m_rows.remake(m_contacts, pushed, h);
+    m_solver.solveVelocities(h, m_plan, bodies);
 }
 
 void OdeDynamics::recordLargest() {

@@ -4,6 +4,7 @@
 
 #include "world/ode/contacts/contact_memory.h"
 #include "world/ode/contacts/impacts.h"
+#include "world/ode/contacts/push_out.h"
 #include "world/ode/motion/body_rotation.h"
 #include "world/ode/solver/cluster_solver.h"
 #include "world/ode/solver/heap_forces.h"
@@ -29,6 +30,8 @@ public:
 
 private:
     void solve(double h);
+    void keepVelocities(double h);
+    void moveAside(double h) const;
     void recordLargest();
     void keepContacts(double h);
 
@@ -38,6 +41,7 @@ private:
     ContactRows m_rows;
     ContactMemory m_memory;
     Impacts m_impacts;
+    PushOut m_pushOut;
     BodyRotation m_rotation;
     PinnedBodies m_pinned;
     JointDrift m_drift;

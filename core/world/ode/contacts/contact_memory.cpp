@@ -9,17 +9,14 @@ namespace trundle {
 namespace {
 
 constexpr double kSameSide = 0.7; // cosine of two normals of one side
-// Friction that takes load off its own contact would swing from tick to tick. The sum over time stays that of the loads.
-constexpr double kInertia = 1.0 / 3;
 
 } // namespace
 
 void ContactMemory::keep(const OdeContact& c, const Vec3& force, const Vec3& moved) {
     const Vec3 normal = vec(c.normal);
     const double load = std::max(0.0, normal.dot(force));
-    const double expected = c.bounded ? load + kInertia * (c.expected - load) : load;
     m_kept.push_back({c.first, c.second, c.actor, c.ticks + 1, vec(c.position) + moved, normal,
-                      force - normal.dot(force) * normal, load, c.load, expected, c.bounded, false});
+                      force - normal.dot(force) * normal, load, c.load, false});
 }
 
 void ContactMemory::forget(std::uint32_t actor) {
@@ -48,22 +45,26 @@ void ContactMemory::recallPair(OdeContact* begin, OdeContact* end, Kept* from, K
         c.ticks = k.ticks;
         c.load = k.load;
         c.earlier = k.earlier;
-        c.expected = k.expected;
-        c.bounded = k.bounded;
         Vec3::Map(c.grip) = k.grip;
         k.taken = true;
     };
-    for (OdeContact* c = begin; c != end; ++c) {
+    for (;;) { // the nearest two first, whatever their order
+        OdeContact* next = nullptr;
         Kept* best = nullptr;
         double nearest = 0;
-        for (Kept* k = from; k != to; ++k) {
-            if (k->taken || k->normal.dot(vec(c->normal)) < kSameSide) continue;
-            const double far = (k->position - vec(c->position)).squaredNorm();
-            if (best && far >= nearest) continue;
-            best = k;
-            nearest = far;
+        for (OdeContact* c = begin; c != end; ++c) {
+            if (c->ticks > 0) continue;
+            for (Kept* k = from; k != to; ++k) {
+                if (k->taken || k->normal.dot(vec(c->normal)) < kSameSide) continue;
+                const double far = (k->position - vec(c->position)).squaredNorm();
+                if (best && far >= nearest) continue;
+                next = c;
+                best = k;
+                nearest = far;
+            }
         }
-        if (best) take(*c, *best);
+        if (!best) break;
+        take(*next, *best);
     }
     for (Kept* k = from; k != to; ++k) { // left over: to those that are new, else to all of its side
         if (k->taken || !(k->load > 0)) continue;
@@ -76,10 +77,8 @@ void ContactMemory::recallPair(OdeContact* begin, OdeContact* end, Kept* from, K
                 if (!heir(*c)) continue;
                 if (c->ticks == 0) c->heir = true;
                 c->ticks = std::max(c->ticks, k->ticks);
-                c->bounded = c->bounded || k->bounded;
                 c->load += k->load / static_cast<double>(heirs);
                 c->earlier += k->earlier / static_cast<double>(heirs);
-                c->expected += k->expected / static_cast<double>(heirs);
                 for (int i = 0; i < 3; ++i) c->grip[i] += k->grip[i] / static_cast<double>(heirs);
             }
             return heirs > 0;

@@ -23,8 +23,8 @@ private:
     struct Kept {
         std::uint32_t first, second, actor, ticks;
         Vec3 position, normal, grip;
-        double load, earlier, expected;
-        bool bounded, taken;
+        double load, earlier;
+        bool taken;
     };
     void recallPair(OdeContact* begin, OdeContact* end, Kept* from, Kept* to) const;
 

@@ -9,14 +9,11 @@ namespace trundle {
 namespace {
 
 constexpr double kSlipSpeed = 1e-7; // m/s: below it friction's axes are ODE's own choice
-constexpr std::uint32_t kYoung = 2; // ticks
 constexpr double kQuiet = 0.4;      // share of the limit
 constexpr double kLevel = 0.8;      // square of the cosine between normal and gravity
 // m/s, of a row across that carries its limit: with less give the wheels of one axle, which cannot move against each other, push each
 // other to their limits.
 constexpr double kYield = 3e-6;
-constexpr double kImpact = 0.1;  // s: longer than an impact lasts
-constexpr double kSettled = 0.7; // share of the load before: with more change than that an impact is not over
 
 } // namespace
 
@@ -25,14 +22,17 @@ ContactRows::ContactRows(const EngineSettings& settings, const OdeWorld& world, 
       m_group(dJointGroupCreate(0)) {}
 
 void ContactRows::make(TickContacts& contacts, double h) {
-    const bool quick = m_settings.solver == SolverChoice::Quick;
-    const auto young = static_cast<std::uint32_t>(kYoung + kImpact / h);
     contacts.rows.assign(contacts.all.size(), nullptr);
     for (std::size_t i = 0; i < contacts.all.size(); ++i) {
-        OdeContact& c = contacts.all[i];
-        const bool settled = c.load > kSettled * c.earlier && kSettled * c.load < c.earlier;
-        c.bounded = !quick && !c.iterated && c.expected > 0 && (c.bounded || (c.ticks >= kYoung && (settled || c.ticks > young)));
+        const OdeContact& c = contacts.all[i];
         if (!c.outside && !c.iterated) contacts.rows[i] = add(c, h, m_group.get(), &contacts.feedbacks[i]);
+    }
+}
+
+void ContactRows::remake(TickContacts& contacts, std::span<const std::uint32_t> which, double h) {
+    for (const std::uint32_t i : which) {
+        if (contacts.rows[i]) dJointDisable(contacts.rows[i]);
+        contacts.rows[i] = add(contacts.all[i], h, m_group.get(), &contacts.feedbacks[i]);
     }
 }
 
@@ -120,15 +120,14 @@ Vec3 ContactRows::restAxis(const OdeContact& c, const Vec3& normal, const Vec3& 
     return rest.normalized();
 }
 
-/// Far from its limit on level ground: ODE's own bound is good enough there, and cheaper.
+/// Far from its limit on level ground: it needs no cone.
 bool ContactRows::restsQuietly(const OdeContact& c, const FrictionLaw& law) const {
-    const double limit = kQuiet * law.along * c.expected, up = law.normal.dot(m_settings.gravity);
+    const double limit = kQuiet * law.along * c.load, up = law.normal.dot(m_settings.gravity);
     return law.along == law.across && Vec3::Map(c.grip).squaredNorm() < limit * limit &&
            up * up > kLevel * m_settings.gravity.squaredNorm();
 }
 
-/// The cone's two rows. They are bounded by the load that the contact carried in the last tick: ODE's own bound (dContactApprox1)
-/// takes the load as it would be without any friction, and so is only for contacts too young to have one, or still in their impact.
+/// The cone's two rows, bounded by the load of the same solution (of the quick solver: as it would be without any friction).
 void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3& speed, double h, dContact& out) const {
     const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
     const Vec3& normal = law.normal;
@@ -139,19 +138,17 @@ void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3&
     slip -= slip.dot(normal) * normal;
     const Vec3 rest = restAxis(c, normal, slip, h);
     if (law.direction.squaredNorm() == 0) law.direction = rest;
-    const bool quiet = c.bounded && restsQuietly(c, law);
+    const bool exact = !c.iterated && m_settings.solver != SolverChoice::Quick, quiet = exact && restsQuietly(c, law);
     const FrictionRows rows =
-        quiet ? FrictionRows{rest, law.along, law.across, 0, 0} : frictionRows(law, {slip, Vec3::Map(c.grip), c.expected}, rest);
+        quiet ? FrictionRows{rest, law.along, law.across, 0, 0} : frictionRows(law, {slip, Vec3::Map(c.grip), c.load}, rest);
 
     dSurfaceParameters& s = out.surface;
-    s.mode |= dContactFDir1 | dContactAxisDep;
-    const bool bounded = (c.bounded && !quiet) || c.loadNow >= 0;
-    if (!bounded) s.mode |= dContactApprox1;
-    const double load = c.loadNow >= 0 ? c.loadNow : bounded ? c.expected : 1;
-    s.mu = rows.limit * load;
-    s.mu2 = rows.acrossLimit * load;
+    s.mode |= dContactFDir1 | dContactAxisDep | dContactApprox1;
+    s.mu = rows.limit;
+    s.mu2 = rows.acrossLimit;
     for (int k = 0; k < 3; ++k) out.fdir1[k] = rows.axis[k];
-    const double yield = c.bounded ? std::max(rows.give, kYield / std::max(rows.acrossLimit * c.expected, kYield)) : rows.give;
+    const double yield =
+        exact && c.load > 0 ? std::max(rows.give, kYield / std::max(rows.acrossLimit * c.load, kYield)) : rows.give;
     if (yield > kWorldCfm) { // less would take the place of that, and leave the rows of many contacts singular
         s.mode |= dContactSlip2;
         s.slip2 = yield;
@@ -165,7 +162,7 @@ void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3&
         std::max(m_settings.surfaces[g1.surface].rollingFriction, m_settings.surfaces[g2.surface].rollingFriction);
     if (rolling > 0) {
         s.mode |= dContactRolling;
-        s.rho = s.rho2 = rolling * load;
+        s.rho = s.rho2 = rolling;
         s.rhoN = 0;
     }
 }

@@ -15,12 +15,18 @@ public:
 
     /// Rows of all contacts that are neither outside nor iterated, for a step of `h` seconds; their forces go to the feedbacks.
     void make(TickContacts& contacts, double h);
-    /// Removes those.
+    /// Makes the rows of these contacts anew.
+    void remake(TickContacts& contacts, std::span<const std::uint32_t> which, double h);
+    /// Removes all.
     void clear();
     /// The rows of one contact.
     dJointID add(const OdeContact& contact, double h, dJointGroupID group, dJointFeedback* feedback) const;
 
+    /// N/m: of the ground alone, without what surfaces give.
+    [[nodiscard]] double stiffness(const OdeContact& contact) const { return stiffer(contact).stiffness; }
+
 private:
+    [[nodiscard]] const OdeActor& stiffer(const OdeContact& contact) const;
     void fillSurface(const OdeContact& contact, double h, dContact& out) const;
     void fillSpring(const OdeContact& contact, double h, dContact& out) const; // contact_spring.cpp
     [[nodiscard]] double mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const;

@@ -28,11 +28,14 @@ double ContactRows::mobility(std::uint32_t geom, const Vec3& point, const Vec3& 
     return 1 / mass.mass + arm.dot(inertia.inverse() * arm);
 }
 
+/// Of the two actors, so that the heavier is carried.
+const OdeActor& ContactRows::stiffer(const OdeContact& c) const {
+    const OdeActor& first = m_objects.actors[c.actor];
+    return c.partner == kNoActor || m_objects.actors[c.partner].stiffness < first.stiffness ? first : m_objects.actors[c.partner];
+}
+
 void ContactRows::fillSpring(const OdeContact& c, double h, dContact& out) const {
-    // The stiffer of the two actors, so that the heavier is carried; then both surfaces' give on top.
-    const OdeActor& a1 = m_objects.actors[c.actor];
-    const OdeActor& a2 =
-        c.partner == kNoActor || m_objects.actors[c.partner].stiffness < a1.stiffness ? a1 : m_objects.actors[c.partner];
+    const OdeActor& a2 = stiffer(c); // then both surfaces' give on top
     const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
     const double softness = m_settings.surfaces[g1.surface].softness + m_settings.surfaces[g2.surface].softness;
     const double kp = softness > 0 ? 1 / (1 / a2.stiffness + softness) : a2.stiffness;
@@ -49,7 +52,7 @@ void ContactRows::fillSpring(const OdeContact& c, double h, dContact& out) const
     s.mode = dContactSoftERP | dContactSoftCFM;
     s.soft_erp = h * kp / row.give;
     s.soft_cfm = 1 / row.give;
-    if (!swings) out.geom.depth = std::min(c.depth, kCorrectingSpeed * h / s.soft_erp);
+    if (!swings) out.geom.depth = c.borne >= 0 ? c.borne : std::min(c.depth, kCorrectingSpeed * h / s.soft_erp);
     if (!swings && c.gap == 0) return;
     const Vec3 point = vec(c.position);
     s.mode |= dContactMotionN;

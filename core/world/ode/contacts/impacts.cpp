@@ -13,9 +13,6 @@ constexpr double kTiny = 1e-9;  // of the energy that goes back and forth
 constexpr double kLess = 0.999; // keeps an estimate on the safe side
 constexpr double kStep = 0.8;   // where an estimate was too high
 constexpr int kMostTries = 8;
-constexpr int kFrictionRounds = 2;
-constexpr double kNearlySlips = 0.8;
-constexpr double kSameLoad = 0.003;
 
 } // namespace
 
@@ -24,7 +21,6 @@ void Impacts::find(std::span<OdeContact> contacts, std::span<const OdeBody> bodi
     m_struck.clear();
     m_touching.assign(bodies.size(), false);
     m_bounces = m_joined = false;
-    m_frictionRounds = 0;
     const auto speedOf = [&](std::uint32_t body, const Vec3& point) {
         if (body == kNone) return Vec3(Vec3::Zero());
         return Vec3(vec(bodies[body].v) + vec(bodies[body].w).cross(point - vec(bodies[body].p)));
@@ -42,11 +38,7 @@ void Impacts::find(std::span<OdeContact> contacts, std::span<const OdeBody> bodi
         if (second != kNone) m_struck[second] = true;
     }
     if (m_struck.empty()) return;
-    m_struckActors.assign(bodies.back().actor + 1, false);
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (m_struck[i]) m_struckActors[bodies[i].actor] = true;
     for (OdeContact& c : contacts) {
-        c.friction = std::min(surfaces[geoms[c.first].surface].friction, surfaces[geoms[c.second].surface].friction);
         const std::uint32_t second = geoms[c.second].body;
         c.bounces = c.restitution > 0 && m_struck[geoms[c.first].body] && (second == kNone || m_struck[second]);
         m_bounces = m_bounces || c.bounces;
@@ -75,33 +67,9 @@ void Impacts::join(std::span<const OdeContact> contacts, std::span<const OdeGeom
     }
 }
 
+/// The work of a force is that along the mean of the velocities before and after, joints or not.
 bool Impacts::needRepeat(std::span<OdeContact> contacts, std::span<const dJointFeedback> forces, std::span<const OdeBody> bodies,
                          std::span<const OdeGeom> geoms, std::span<const RawState> before) {
-    if (m_struck.empty()) return false;
-    return boundFriction(contacts, forces) || addedEnergy(contacts, forces, bodies, geoms, before);
-}
-
-/// Of wheels of actors that take a blow, where friction is near its limit and no load of an earlier tick bounds it.
-bool Impacts::boundFriction(std::span<OdeContact> contacts, std::span<const dJointFeedback> forces) {
-    if (m_frictionRounds++ >= kFrictionRounds) return false;
-    bool changed = false;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        OdeContact& c = contacts[i];
-        const bool rolls = !Vec3::Map(c.slide).isZero();
-        if (!rolls || c.bounded || (!m_struckActors[c.actor] && (c.partner == kNoActor || !m_struckActors[c.partner]))) continue;
-        const Vec3 normal = vec(c.normal), force = vec(forces[i].f1);
-        const double load = std::max(0.0, normal.dot(force)), grip = (force - normal.dot(force) * normal).norm();
-        if (c.loadNow < 0 && grip <= kNearlySlips * c.friction * load) continue;
-        const double next = c.loadNow < 0 ? load : (c.loadNow + load) / 2;
-        changed = changed || std::abs(next - c.loadNow) > kSameLoad * load;
-        c.loadNow = next;
-    }
-    return changed;
-}
-
-/// The work of a force is that along the mean of the velocities before and after, joints or not.
-bool Impacts::addedEnergy(std::span<OdeContact> contacts, std::span<const dJointFeedback> forces, std::span<const OdeBody> bodies,
-                          std::span<const OdeGeom> geoms, std::span<const RawState> before) {
     if (!m_bounces) return false;
     if (!m_joined) join(contacts, geoms, bodies.back().actor + 1);
     const auto work = [&](std::uint32_t geom, const dReal* force, const dReal* torque) {

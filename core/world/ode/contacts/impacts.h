@@ -1,8 +1,7 @@
 #pragma once
 // Blows: contacts that meet fast. Restitution is that of Newton at every point where two bodies meet, receding points included, which
 // alone never adds energy. With friction, or where materials differ, it can; the work of all contact forces of what touches then comes
-// out positive, and the tick is taken again with less restitution there. A wheel's friction in a blow is bounded by the load of the
-// solution before, as long as no earlier tick has one.
+// out positive, and the tick is taken again with less restitution there.
 
 #include <cstdint>
 #include <span>
@@ -25,10 +24,6 @@ public:
                                   std::span<const RawState> before);
 
 private:
-    [[nodiscard]] bool boundFriction(std::span<OdeContact> contacts, std::span<const dJointFeedback> forces);
-    [[nodiscard]] bool addedEnergy(std::span<OdeContact> contacts, std::span<const dJointFeedback> forces,
-                                   std::span<const OdeBody> bodies, std::span<const OdeGeom> geoms,
-                                   std::span<const RawState> before);
     /// Of actors that touch each other.
     struct Cluster {
         bool bounces = false, driven = false; ///< driven: by a surface velocity, which may add energy, or not solved exactly
@@ -41,12 +36,10 @@ private:
     [[nodiscard]] std::uint32_t rootOf(std::uint32_t actor);
     [[nodiscard]] static bool reduce(Cluster& cluster);
 
-    int m_frictionRounds = 0;
     bool m_bounces = false, m_joined = false;
     std::vector<bool> m_touching, m_struck; ///< by body; struck: takes a blow, empty where none does
-    std::vector<bool> m_struckActors;
-    std::vector<std::uint32_t> m_parents; ///< by actor
-    std::vector<Cluster> m_clusters;      ///< by their first actor
+    std::vector<std::uint32_t> m_parents;   ///< by actor
+    std::vector<Cluster> m_clusters;        ///< by their first actor
 };
 
 } // namespace trundle

@@ -24,6 +24,7 @@ public:
     /// get there.
     [[nodiscard]] bool solve(const BoxProblem& problem, unsigned rows);
     [[nodiscard]] std::span<const double> solution() const { return m_x; }
+    [[nodiscard]] bool isAtBound(unsigned row) const { return m_sides[row] != Side::Inside; }
 
 private:
     enum class Side : unsigned char { Inside, Low, High };

@@ -12,6 +12,34 @@ namespace {
 constexpr unsigned kFewRows = 48;    // that many are a full matrix, and their order does not matter
 constexpr unsigned kFewBounded = 14; // with more some mostly are at their bounds
 constexpr double kHuge = 1e300;
+constexpr int kMostRounds = 10, kFastRounds = 8, kLoadSweeps = 100;
+constexpr double kSameLoad = 1e-6;
+constexpr double kLeastPivot = 1e-12; // of the largest value
+
+/// Solves `count` equations, each followed by its right side, which becomes its solution. False where they are nearly singular.
+bool solveDense(std::vector<double>& rows, unsigned count) {
+    const unsigned width = count + 1;
+    double largest = 0;
+    for (const double x : rows) largest = std::max(largest, std::abs(x));
+    const auto at = [&](unsigned row, unsigned column) -> double& { return rows[std::size_t(row) * width + column]; };
+    for (unsigned k = 0; k < count; ++k) {
+        unsigned pivot = k;
+        for (unsigned i = k + 1; i < count; ++i)
+            if (std::abs(at(i, k)) > std::abs(at(pivot, k))) pivot = i;
+        if (!(std::abs(at(pivot, k)) > kLeastPivot * largest)) return false;
+        if (pivot != k) std::swap_ranges(&at(k, 0), &at(k, 0) + width, &at(pivot, 0));
+        for (unsigned i = k + 1; i < count; ++i) {
+            const double share = at(i, k) / at(k, k);
+            if (share == 0) continue;
+            for (unsigned j = k + 1; j < width; ++j) at(i, j) -= share * at(k, j);
+        }
+    }
+    for (unsigned k = count; k-- > 0;) {
+        for (unsigned j = k + 1; j < count; ++j) at(k, count) -= at(k, j) * at(j, count);
+        at(k, count) /= at(k, k);
+    }
+    return true;
+}
 
 } // namespace
 
@@ -44,7 +72,7 @@ bool RowSolver::write(const IslandRows& island, double* pairs) const {
 /// As it mostly is with robots that drive: all rows are inside their bounds, and one elimination says so. False where some are not.
 bool RowSolver::solveInside(const IslandRows& island, double* pairs) {
     place(static_cast<unsigned>(m_free.size()));
-    const unsigned last = island.rows, noFriction = m_begin + m_frictionBegin;
+    const unsigned last = island.rows;
     m_matrix.start(last + 1, true);
     fillFull(island);
     double* const right = m_matrix.rowOf(last);
@@ -53,12 +81,8 @@ bool RowSolver::solveInside(const IslandRows& island, double* pairs) {
     if (!m_matrix.eliminate(TileMatrix::padded(last + 1))) return false;
     m_x.assign(TileMatrix::padded(last + 1), 0);
     m_x[last] = -1;
-    if (m_frictionBegin < m_bounded.size()) {
-        m_matrix.solveBack(m_begin / TileMatrix::kTile * TileMatrix::kTile, noFriction, m_x.data());
-        if (!isInside(m_frictionBegin)) return false;
-        boundFriction(island);
-    }
     m_matrix.solveBack(0, last, m_x.data());
+    boundFriction(island);
     return isInside(static_cast<unsigned>(m_bounded.size())) && write(island, pairs);
 }
 
@@ -94,11 +118,11 @@ void RowSolver::bound(const IslandRows& island) {
     }
 }
 
-/// Of friction, from the solution without any.
+/// Of friction, from the solution so far.
 void RowSolver::boundFriction(const IslandRows& island) {
     for (unsigned i = m_frictionBegin; i < m_bounded.size(); ++i) {
         const double load = m_x[m_places[static_cast<unsigned>(island.normals[m_bounded[i]])]];
-        m_high[i] = load == 0 ? 0 : std::abs(island.bounds[2 * m_bounded[i] + 1] * load);
+        m_high[i] = load > 0 ? island.bounds[2 * m_bounded[i] + 1] * load : 0;
         m_low[i] = -m_high[i];
     }
 }
@@ -200,19 +224,97 @@ void RowSolver::pack(bool full) {
     else pack([this](unsigned row, unsigned column) { return m_matrix.at(row, column); });
 }
 
+bool RowSolver::solveBox(unsigned rows) {
+    const BoxProblem problem{m_rest.data(), static_cast<unsigned>(m_bounded.size()), m_right, m_low, m_high};
+    if (!m_box.solve(problem, rows)) return false;
+    std::copy_n(m_box.solution().begin(), rows, m_x.begin() + m_begin);
+    return true;
+}
+
 bool RowSolver::solveBounded(const IslandRows& island) {
     const auto bounded = static_cast<unsigned>(m_bounded.size());
-    const BoxProblem problem{m_rest.data(), bounded, m_right, m_low, m_high};
     m_box.start(bounded);
-    const auto solve = [&](unsigned rows) {
-        if (!m_box.solve(problem, rows)) return false;
-        std::copy_n(m_box.solution().begin(), rows, m_x.begin() + m_begin);
-        return true;
-    };
-    if (!solve(m_frictionBegin)) return false;
+    if (!solveBox(m_frictionBegin)) return false;
     if (m_frictionBegin == bounded) return true;
     boundFriction(island);
-    return solve(bounded);
+    return solveBox(bounded) && followLoads(island);
+}
+
+/// Friction changes the loads that bound it. Each round takes from the last one which rows are at their bounds, and solves for loads and
+/// friction together; where those rows stay the same, that is the solution.
+bool RowSolver::followLoads(const IslandRows& island) {
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    for (int round = 0; round < kMostRounds; ++round) {
+        boundFriction(island);
+        if (isConsistent()) return true;
+        if (round >= kFastRounds || !slide(island)) sweep(island);
+        if (!solveBox(bounded)) return false;
+    }
+    return true;
+}
+
+/// One row after the other, friction within what its load allows just then: slower, and comes to an end where sides would change for ever.
+void RowSolver::sweep(const IslandRows& island) {
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    double* const x = m_x.data() + m_begin;
+    for (int round = 0; round < kLoadSweeps; ++round)
+        for (unsigned i = 0; i < bounded; ++i) {
+            const double* const row = m_rest.data() + std::size_t(i) * bounded;
+            double excess = -m_right[i];
+            for (unsigned j = 0; j < bounded; ++j) excess += row[j] * x[j];
+            if (i >= m_frictionBegin) {
+                m_high[i] = std::max(0.0, island.bounds[2 * m_bounded[i] + 1] * x[loadOf(island, i)]);
+                m_low[i] = -m_high[i];
+            }
+            x[i] = std::clamp(x[i] - excess / row[i], m_low[i], m_high[i]);
+        }
+}
+
+/// Whether friction is what its bounds say, as they follow from the solution.
+bool RowSolver::isConsistent() const {
+    for (unsigned i = m_frictionBegin; i < m_bounded.size(); ++i) {
+        const double x = std::abs(m_x[m_begin + i]), allowed = kSameLoad * m_high[i];
+        if (x > m_high[i] + allowed || (m_box.isAtBound(i) && x < m_high[i] - allowed)) return false;
+    }
+    return true;
+}
+
+/// The bounds of friction where rows stay on their sides. False where there is no such solution.
+bool RowSolver::slide(const IslandRows& island) {
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    m_inside.clear();
+    for (unsigned i = 0; i < bounded; ++i)
+        if (!m_box.isAtBound(i) && std::abs(m_x[m_begin + i]) <= m_high[i]) m_inside.push_back(i);
+    const auto count = static_cast<unsigned>(m_inside.size());
+    std::vector<unsigned>& places = m_columns;
+    places.assign(bounded, count);
+    for (unsigned k = 0; k < count; ++k) places[m_inside[k]] = k;
+    m_dense.assign(std::size_t(count) * (count + 1), 0);
+    for (unsigned k = 0; k < count; ++k) {
+        const double* const from = m_rest.data() + std::size_t(m_inside[k]) * bounded;
+        double* const to = m_dense.data() + std::size_t(k) * (count + 1);
+        to[count] = m_right[m_inside[k]];
+        for (unsigned j = 0; j < bounded; ++j) {
+            if (places[j] < count) to[places[j]] += from[j];
+            else if (j < m_frictionBegin) to[count] -= from[j] * m_x[m_begin + j];
+            else if (const unsigned load = places[loadOf(island, j)]; load < count)
+                to[load] += (m_x[m_begin + j] < 0 ? -from[j] : from[j]) * island.bounds[2 * m_bounded[j] + 1];
+        }
+    }
+    if (!solveDense(m_dense, count)) return false;
+    for (unsigned j = m_frictionBegin; j < bounded; ++j) {
+        const unsigned load = places[loadOf(island, j)];
+        m_high[j] = load < count
+                        ? std::max(0.0, island.bounds[2 * m_bounded[j] + 1] * m_dense[std::size_t(load) * (count + 1) + count])
+                        : 0;
+        m_low[j] = -m_high[j];
+    }
+    return true;
+}
+
+/// Among the bounded rows.
+unsigned RowSolver::loadOf(const IslandRows& island, unsigned friction) const {
+    return m_places[static_cast<unsigned>(island.normals[m_bounded[friction]])] - m_begin;
 }
 
 } // namespace trundle

@@ -12,7 +12,7 @@
 
 namespace trundle {
 
-/// As ODE hands it over. A row with `normals` >= 0 is friction: its bounds are its `high` times what that row has without any friction.
+/// As ODE hands it over. A row with `normals` >= 0 is friction: its bounds are its `high` times what that row has, in the same solution.
 struct IslandRows {
     unsigned rows;
     const double* matrix; ///< lower triangle, row after row
@@ -41,6 +41,12 @@ private:
     void boundFriction(const IslandRows& island);
     [[nodiscard]] bool write(const IslandRows& island, double* pairs) const;
     [[nodiscard]] bool solveBounded(const IslandRows& island);
+    [[nodiscard]] bool solveBox(unsigned rows);
+    [[nodiscard]] bool followLoads(const IslandRows& island);
+    void sweep(const IslandRows& island);
+    [[nodiscard]] bool isConsistent() const;
+    [[nodiscard]] unsigned loadOf(const IslandRows& island, unsigned friction) const;
+    [[nodiscard]] bool slide(const IslandRows& island);
 
     std::vector<unsigned> m_free, m_bounded; ///< rows; of the bounded ones friction comes last
     unsigned m_frictionBegin = 0;            ///< in m_bounded
@@ -53,6 +59,8 @@ private:
     TileMatrix m_matrix;
     std::vector<double> m_rest, m_right, m_low, m_high, m_x; ///< m_rest: both triangles
     BoxSolver m_box;
+    std::vector<unsigned> m_inside, m_columns;
+    std::vector<double> m_dense;
 };
 
 } // namespace trundle

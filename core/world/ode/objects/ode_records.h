@@ -119,8 +119,7 @@ struct OdeContact {
     double speed = 0;                             ///< m/s along the normal before the tick; negative: they approach
     double restitution = 0, restitutionShare = 1; ///< the share that leaves the energy as it was
     bool bounces = false;
-    double friction = 0;   ///< of a blow and what goes with it: the smaller of both surfaces'
-    double loadNow = -1;   ///< N in the last solution of this tick, which bounds friction in the next one; negative: none
+    double borne = -1;     ///< m of its depth that presses in a solution for velocities alone (PushOut); negative: all of it
     bool outside = false;  ///< pushes by HeapForces, not by rows of the solver
     double raised = 0;     ///< m: how much higher its rows act than it is
     bool level = false;    ///< of a wall and what HeapForces pushes: friction acts in the plane of the floor alone
@@ -128,9 +127,7 @@ struct OdeContact {
     // Of the contact of the last tick that this one continues (ContactMemory):
     std::uint32_t ticks = 0;      ///< that it has lasted
     bool heir = false;            ///< has only what others left
-    bool bounded = false;         ///< friction is bounded by `expected`
     double load = 0, earlier = 0; ///< N along the normal in the last tick and in the previous one
-    double expected = 0;          ///< N, the load smoothed
     double grip[3] = {};          ///< N across the normal on the first body
 };
 

@@ -28,6 +28,7 @@ ClusterSolver::ClusterSolver(const EngineSettings& settings, OdeWorld& world, co
 
 void ClusterSolver::step(double h, SolverPlan& plan) {
     m_countedQuick = m_countedRescue = false;
+    m_aside.clear();
     run(h, plan);
     ++m_tick;
 }
@@ -170,6 +171,34 @@ void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
     }
 }
 
+void ClusterSolver::solveVelocities(double h, SolverPlan& plan, std::span<const std::uint32_t> bodies) {
+    plan.findClusters(m_contacts.all, m_objects.geoms);
+    BodyClusters& clusters = plan.clusters();
+    std::vector<std::uint32_t> names;
+    for (const std::uint32_t body : bodies)
+        if (!isQuick(body)) names.push_back(clusters.of(body));
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::vector<RawState> pushed;
+    disableAll();
+    for (const std::uint32_t name : names)
+        for (const std::uint32_t body : clusters.bodies(name)) {
+            pushed.push_back(rawState(m_objects.bodies[body]));
+            restore(body);
+        }
+    enableOnly(clusters, names);
+    const bool solved = tryExactly(h);
+    auto from = pushed.begin();
+    for (const std::uint32_t name : names)
+        for (const std::uint32_t body : clusters.bodies(name)) {
+            const OdeBody& b = m_objects.bodies[body];
+            if (solved) m_aside.push_back({body, vec(from->v) - vec(b.v), vec(from->w) - vec(b.w)});
+            else setRawState(b, *from);
+            ++from;
+        }
+    enableAll();
+}
+
 /// Short steps of the quick solver, with the contacts that the tick began with. All bodies are disabled before and after.
 void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
     const double part = h / kShortSteps;
@@ -185,7 +214,6 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
     std::vector<dJointFeedback> felt(contacts.size());
     for (const std::size_t i : contacts) {
         m_contacts.feedbacks[i] = {};
-        m_contacts.all[i].bounded = false;
         if (m_contacts.rows[i]) dJointDisable(m_contacts.rows[i]);
         moved.push_back(m_contacts.all[i]);
     }

@@ -24,6 +24,15 @@ public:
     void takeBack() const;
     /// Then the same tick once more, with contact rows as they are now.
     void stepAgain(double h, SolverPlan& plan);
+    /// Of a body: what it moves faster than its velocity says.
+    struct Aside {
+        std::uint32_t body;
+        Vec3 linear, angular;
+    };
+    /// Solves the clusters of these bodies once more, with contact rows as they are now.
+    void solveVelocities(double h, SolverPlan& plan, std::span<const std::uint32_t> bodies);
+    /// What of the motion of this tick was in the solution before that alone.
+    [[nodiscard]] std::span<const Aside> aside() const { return m_aside; }
     [[nodiscard]] std::span<const RawState> before() const { return m_saved; } ///< by body: before the last step
 
     [[nodiscard]] bool isQuick(std::uint32_t body) const;                       ///< in the last step
@@ -55,7 +64,8 @@ private:
     OwnedJointGroup m_group;                       ///< contacts of a short step
     std::vector<RawState> m_saved;                 ///< before the step, should it have to be taken again
     std::vector<std::uint32_t> m_bent, m_stumbles; ///< m_stumbles: by body, of clusters that it named
-    std::vector<std::uint32_t> m_quick;            ///< bodies iterated in this step, sorted
+    std::vector<Aside> m_aside;
+    std::vector<std::uint32_t> m_quick; ///< bodies iterated in this step, sorted
     bool m_rescued = false, m_allQuick = false, m_anyDisabled = false;
     bool m_countedQuick = false, m_countedRescue = false; ///< in this tick
     std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0;
