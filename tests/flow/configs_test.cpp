@@ -1,6 +1,17 @@
 // The shipped texts in configs/: printed byte for byte, loaded without diagnostics, well formatted, and run.
 #include "flow/cli.h"
 
+namespace {
+
+QList<double> numbersIn(const QByteArray& line) {
+    QList<double> numbers;
+    static const QRegularExpression number("-?[0-9][0-9.]*(e[-+]?[0-9]+)?");
+    for (auto at = number.globalMatch(line); at.hasNext();) numbers << at.next().captured().toDouble();
+    return numbers;
+}
+
+} // namespace
+
 class ConfigsTest : public QObject {
     Q_OBJECT
 
@@ -70,6 +81,40 @@ private Q_SLOTS:
             QVERIFY(QJsonDocument::fromJson(cli({"describe", kind, "--json"}).out).object()["properties"].isArray());
             QVERIFY(cli({"describe"}).out.contains(kind));
         }
+    }
+
+    /// The page of each built-in kind has all that its JSON says of a property: unit, limits, need, choices, and whether it is live.
+    void pagesOfTheManualAreWhole() {
+        const QJsonArray kinds = QJsonDocument::fromJson(cli({"describe", "--json"}).out).array();
+        QVERIFY(kinds.size() > 30);
+        int limits = 0, whole = 0;
+        for (const char* name : {"RotaryMotor", "Encoder", "Transceiver", "Camera", "TouchSensor", "Body", "Cylinder", "Hinge",
+                                 "Grid", "Scatter", "Surface", "PoseLog", "Light"}) {
+            const auto kind = std::ranges::find_if(kinds, [&](const QJsonValue& k) { return k["name"] == QString(name); });
+            QVERIFY2(kind != kinds.end(), name);
+            const Outcome page = cli({"describe", name});
+            QVERIFY2(page.out.contains(QJsonValue(*kind)["help"].toString().toUtf8()), shown(page));
+            for (const QJsonValue& property : QJsonValue(*kind)["properties"].toArray()) {
+                const QByteArray start = "\n  " + property["name"].toString().toUtf8() + " ";
+                const qsizetype at = page.out.indexOf(start);
+                QVERIFY2(at > 0, start + page.out);
+                const QByteArray line = page.out.mid(at + 1, page.out.indexOf('\n', at + 1) - at - 1);
+                QCOMPARE(line.contains(", required"), property["required"].toBool());
+                QCOMPARE(line.contains(", may change during a run"), property["live"].toBool());
+                const QByteArray unit = property["unit"].toString().toUtf8();
+                QVERIFY2(unit.isEmpty() || line.contains(" in " + unit), line);
+                for (const QJsonValue& choice : property["choices"].toArray())
+                    QVERIFY2(line.contains(choice.toString().toUtf8()), line);
+                for (const char* limit : {"minimum", "maximum"}) {
+                    if (property[limit].isNull()) continue;
+                    QVERIFY2(numbersIn(line).contains(property[limit].toDouble()), line);
+                    ++limits;
+                    whole += property["type"] == QString("integer");
+                }
+                QVERIFY2(page.out.mid(at).contains(property["help"].toString().left(40).toUtf8()), line);
+            }
+        }
+        QVERIFY(limits > 50 && whole > 5);
     }
 };
 

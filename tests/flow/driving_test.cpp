@@ -59,6 +59,8 @@ private Q_SLOTS:
     void theMotorIsStableAtEveryTick();
     void pressedAgainstAWallItStays_data();
     void pressedAgainstAWallItStays();
+    void backsOffAndTurns_data();
+    void backsOffAndTurns();
     void withoutWhatMovesItTheRobotStays_data();
     void withoutWhatMovesItTheRobotStays();
 };
@@ -77,6 +79,7 @@ void DrivingFlowTest::servoDrivesStraight() {
     const Outcome run =
         drive(QString("LinearMotion brain { Distance=%1 Speed=%2 }").arg(distance).arg(speed), std::abs(distance) / speed + 2);
     QVERIFY2(run.code == 0, shown(run));
+    QVERIFY2(run.err.contains(QString(" m of %1 m by odometry").arg(std::abs(distance)).toUtf8()), shown(run));
     const AxlePose end = axle(run);
     QVERIFY2(std::hypot(end.x - distance, end.y) < 5e-5, shown(run));
 }
@@ -175,6 +178,41 @@ void DrivingFlowTest::pressedAgainstAWallItStays() {
     const double hull = distance < 0 ? -2 + 0.15 : 2 - 0.17; // walls at 2 m; the hull touches behind, the bumper in front
     QVERIFY2(std::abs(robot["pos"].toArray()[0].toDouble() - hull) < 1e-3, shown(run));
     QVERIFY2(std::abs(robot["pos"].toArray()[1].toDouble()) < 2e-3, shown(run));
+}
+
+void DrivingFlowTest::backsOffAndTurns_data() {
+    QTest::addColumn<double>("backOff");
+    QTest::addColumn<double>("angle");
+    QTest::newRow("a right angle") << 0.2 << 90.;
+    QTest::newRow("nearly round") << 0.45 << 150.;
+    QTest::newRow("less") << 0.4 << 60.;
+}
+
+// A wall at 1.05 m: the bumper, 0.17 m ahead, touches it. The robot backs off by the whole distance, turns by the whole angle and
+// drives on from there.
+void DrivingFlowTest::backsOffAndTurns() {
+    QFETCH(double, backOff);
+    QFETCH(double, angle);
+    const QString file = m_folder.filePath("bump.sim");
+    const QString text =
+        QString("#import robots/simple_robot.sim\n#loadModule controllers/bump_and_turn\n"
+                "StaticConfig Wall { Box w { Size=0.1,9,0.5 Pos=1.1,0,0.25 } Plane floor { Surface=rubber } }\n"
+                "Static wall { Config=Wall }\n"
+                "Robot robot0 { Config=SimpleRobot BumpAndTurn brain { Speed=0.3 BackOff=%1 TurnRate=2 TurnAngle=%2,%2 } }\n")
+            .arg(backOff)
+            .arg(angle);
+    QVERIFY(writeFile(file, text.toUtf8()));
+    const double turning = 0.88 / 0.3 + backOff / 0.3 + angle * kDegree / 2 + 2.5; // braking and starting take 1.5 s
+    const Outcome run = cli({"run", file, "-I", configPath(""), "--json", "--duration", QString::number(turning), "--log-dir",
+                             m_folder.filePath("logs")});
+    QVERIFY2(run.code == 0, shown(run));
+    const AxlePose end = axle(run);
+    QVERIFY2(std::abs(std::abs(end.heading) - angle * kDegree) < 2 * kDegree, shown(run));
+    // It drives on from where backing off ended, by up to 5 cm farther: it slips at the wall.
+    const double x = 0.88 - backOff + 0.06;
+    const double aside = (end.x - x) * std::sin(end.heading) - end.y * std::cos(end.heading);
+    const double along = (end.x - x) * std::cos(end.heading) + end.y * std::sin(end.heading);
+    QVERIFY2(std::abs(aside) < 0.06 && along > 0.05, shown(run));
 }
 
 void DrivingFlowTest::withoutWhatMovesItTheRobotStays_data() {
