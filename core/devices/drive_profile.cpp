@@ -37,8 +37,10 @@ double UnitTrapezoid::duration() const {
     return std::isfinite(peak()) ? 1 / peak() + peak() / acceleration : 0;
 } // infinite rate: nothing left to drive
 
+double UnitTrapezoid::riseTime() const { return std::isfinite(peak()) ? peak() / acceleration : 0; }
+
 double UnitTrapezoid::position(double t) const {
-    const double total = duration(), rise = peak() / acceleration;
+    const double total = duration(), rise = riseTime();
     if (t <= 0) return 0;
     if (t >= total) return 1;
     if (t < rise) return acceleration * t * t / 2;
@@ -47,7 +49,7 @@ double UnitTrapezoid::position(double t) const {
 }
 
 double UnitTrapezoid::velocity(double t) const {
-    const double total = duration(), rise = peak() / acceleration;
+    const double total = duration(), rise = riseTime();
     if (t <= 0 || t >= total) return 0;
     if (t < rise) return acceleration * t;
     return t > total - rise ? acceleration * (total - t) : peak();
@@ -72,14 +74,15 @@ std::optional<std::string> DriveProfile::start(const ChassisMotion& velocity, co
     m_brakeTime = rampTime(m_now, limits);
     m_remainder = {wanted.linear == 0 ? 0 : wanted.linear - m_now.linear * m_brakeTime / 2,
                    wanted.angular == 0 ? 0 : wanted.angular - m_now.angular * m_brakeTime / 2};
-    // Braking and starting overlap if both have the same direction, since the speed is then kept. Otherwise brake first.
+    // Braking and starting overlap if both have the same direction, since the speed is then kept; the final braking begins when
+    // the first has ended. Otherwise brake first.
     const bool brakeFirst =
         opposed(m_now.linear, wanted.linear, m_remainder.linear) || opposed(m_now.angular, wanted.angular, m_remainder.angular);
-    m_delay = brakeFirst ? m_brakeTime : 0;
     m_shape.rate = std::min(scaleLimit(std::abs(velocity.linear), m_remainder.linear),
                             scaleLimit(std::abs(velocity.angular), m_remainder.angular));
     m_shape.acceleration = std::min(limits.linear > 0 ? scaleLimit(limits.linear, m_remainder.linear) : kInfinity,
                                     limits.angular > 0 ? scaleLimit(limits.angular, m_remainder.angular) : kInfinity);
+    m_delay = brakeFirst ? m_brakeTime : std::max(0.0, m_brakeTime - (m_shape.duration() - m_shape.riseTime()));
     m_elapsed = 0;
     m_busy = true;
     return {};

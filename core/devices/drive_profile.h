@@ -18,6 +18,7 @@ namespace trundle {
 struct UnitTrapezoid {
     double rate = 1, acceleration = 1;
     [[nodiscard]] double duration() const;
+    [[nodiscard]] double riseTime() const; ///< s; braking takes as long
     [[nodiscard]] double position(double t) const;
     [[nodiscard]] double velocity(double t) const;
 

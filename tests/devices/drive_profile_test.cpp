@@ -92,6 +92,8 @@ private Q_SLOTS:
         QTest::newRow("faster than wanted") << 1.5 << 0. << 2.;
         QTest::newRow("the other way") << -.5 << 0. << 2.;
         QTest::newRow("shorter than the way to stop") << .5 << 0. << .01;
+        QTest::newRow("hardly longer than the way to stop") << .5 << 0. << .1251;
+        QTest::newRow("just the way to stop") << .5 << 0. << .125;
         QTest::newRow("while turning") << .2 << 1. << 1.;
     }
     void fromAnyVelocityTheAmountCountsFromTheCommand() {
