@@ -42,6 +42,14 @@ private Q_SLOTS:
         QCOMPARE(describeEnd(shell(""), result.value()), std::string("exited with code 3"));
     }
 
+    void itsTimeIsInSeconds() {
+        QElapsedTimer clock;
+        clock.start();
+        const auto result = runProcess(shell("exit 0"));
+        QVERIFY(result.ok() && result.value().seconds > 0);
+        QVERIFY(result.value().seconds <= double(clock.nsecsElapsed()) * 1e-9);
+    }
+
     void argumentsArriveAsTheyAre() {
         ProcessRequest request;
         request.program = "/usr/bin/printf";

@@ -98,13 +98,15 @@ private Q_SLOTS:
     void truthIsTheMiddleBetweenTheWheels() {
         Base base("servo");
         QCOMPARE(base.robot.setup(), std::string());
-        // heading 90 degrees: left is -x
-        std::copy_n(std::array{.875, 2., .05}.data(), 3, base.robot.joint("leftAxle").anchor);
-        std::copy_n(std::array{1.125, 2., .05}.data(), 3, base.robot.joint("rightAxle").anchor);
-        base.robot.tick();
-        QCOMPARE(base.at("pose", 0), 1.);
-        QCOMPARE(base.at("pose", 1), 2.);
-        QVERIFY(std::abs(base.at("pose", 2) - M_PI / 2) < 1e-12);
+        for (const double heading : {0., .3, M_PI / 2, 2.5, -3., -1.2}) {
+            const double aside = std::cos(heading) / 8, ahead = -std::sin(heading) / 8; // from the middle to the left wheel
+            std::copy_n(std::array{1 + ahead, 2 + aside, .05}.data(), 3, base.robot.joint("leftAxle").anchor);
+            std::copy_n(std::array{1 - ahead, 2 - aside, .05}.data(), 3, base.robot.joint("rightAxle").anchor);
+            base.robot.tick();
+            QVERIFY(std::abs(base.at("pose", 0) - 1) < 1e-12);
+            QVERIFY(std::abs(base.at("pose", 1) - 2) < 1e-12);
+            QVERIFY(std::abs(base.at("pose", 2) - heading) < 1e-12);
+        }
     }
 
     void rejectsInvalidCommandAndReportsIt() {

@@ -48,18 +48,23 @@ private Q_SLOTS:
         QCOMPARE(encoderCount(angle, 512), count);
     }
 
+    void encoderPublishesWhatItCounted_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {.01, .0025, .03}) QTest::addRow("%g s", tick) << tick;
+    }
     void encoderPublishesWhatItCounted() {
-        BenchRobot robot(.01);
+        QFETCH(double, tick);
+        BenchRobot robot(tick);
         addEncoder(robot, 100);
         QCOMPARE(robot.setup(), std::string());
-        robot.joint("axle").rate = 3.3; // .525 counts a tick
+        robot.joint("axle").rate = .033 / tick; // .525 counts a tick
         robot.tick();
         QCOMPARE(robot.signal("encoder/count")[0], 0.);
         QCOMPARE(robot.signal("encoder/rate")[0], 0.);
         robot.tick();
         QCOMPARE(robot.signal("encoder/count")[0], 1.);
         QCOMPARE(robot.signal("encoder/angle")[0], kTurn / 100);
-        QVERIFY(std::abs(robot.signal("encoder/rate")[0] - kTurn) < 1e-12);
+        QVERIFY(std::abs(robot.signal("encoder/rate")[0] - kTurn / 100 / tick) < 1e-12 / tick);
         QCOMPARE(robot.signal("encoder/index")[0], 0.);
     }
 

@@ -130,6 +130,17 @@ private Q_SLOTS:
         QCOMPARE(names(0), std::string("red rubber"));
         QCOMPARE(names(1), std::string("blue ice"));
         QCOMPARE(geoms[2].material + geoms[2].surface, 0u);
+        const Resolved byParam = sample::resolved(
+            "Material blue { } Material red { } Surface ice { } Surface rubber { }\nParam paint = red\nParam sole = rubber\n"
+            "StaticConfig Land { Param inner = ice  Plane a { Material=$paint Surface=$sole } Plane b { Material=blue "
+            "Surface=$inner } }\n"
+            "Static land { Config=Land }\n");
+        SAYS(byParam, "");
+        const std::vector<GeomSpec>& painted = *byParam.experiment->statics.at(0).geoms;
+        QCOMPARE(byParam.experiment->materials.at(painted[0].material).name, std::string("red"));
+        QCOMPARE(byParam.experiment->surfaces.at(painted[0].surface).name, std::string("rubber"));
+        QCOMPARE(byParam.experiment->materials.at(painted[1].material).name, std::string("blue"));
+        QCOMPARE(byParam.experiment->surfaces.at(painted[1].surface).name, std::string("ice"));
         const Resolved wrong = sample::resolved(
             "Material grey { } Surface grip { }\nStaticConfig Land { Plane a { Material=grip Surface=grey } }\n");
         QVERIFY(wrong.messages().starts_with("E208 Material names grip, but there is no such Material"));

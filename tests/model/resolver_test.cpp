@@ -225,6 +225,28 @@ private Q_SLOTS:
         QVERIFY(r.experiment->robots[0].pose.rotation.isApprox(rotationFromHpr(Vec3(90, 0, 0) * kDegree), 1e-12));
     }
 
+    /// A name of a member is taken, and only such a name.
+    void namesOfMembersAreTaken() {
+        const auto messages = [](const std::string& name) {
+            return sample::resolved(sample::rover("Grid swarm { Config=Rover Count=3 Spacing=1 }\nRobot " + name +
+                                                  " { Config=Rover Pos=9,0,0 }\n"))
+                .messages();
+        };
+        for (const char* taken : {"swarm_0", "swarm_2"})
+            QCOMPARE(messages(taken), std::string("E303 the name ") + taken + " belongs to a member of Grid swarm\n");
+        for (const char* free : {"swarm_3", "swarm_", "swarm_02", "swarm0", "swarm_x"}) QCOMPARE(messages(free), std::string());
+    }
+
+    /// A block of an unknown kind may be the body that a config lacks: only the kind is reported.
+    void configsOfUnknownParts() {
+        const auto errors = [](const char* inside) {
+            return sample::resolved(std::string("RobotConfig C { ") + inside + " }\nRobot r { Config=C }\n")
+                .diagnostics.errorCount();
+        };
+        QCOMPARE(errors(""), std::size_t{1});
+        QCOMPARE(errors("Bodi b { Box x { Size=1,1,1 Mass=1 } }"), std::size_t{1});
+    }
+
     /// Members of a Scatter: inside the turned and moved area, apart, clear of a turned obstacle; the seed moves all of them.
     void scatters() {
         const std::string text = "StaticConfig Wall { Box b { Size=6,0.4,1 Pos=0,0,0.5 Material=grey Surface=rubber } }\n"

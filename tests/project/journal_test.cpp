@@ -66,6 +66,31 @@ private Q_SLOTS:
         QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
     }
 
+    /// However often a large text is changed, its journal stays small, and gives the last text.
+    void manyChangesLeaveASmallFile() {
+        const std::string base(100'000, 'b');
+        std::string text = base;
+        std::uint64_t largest = 0;
+        int shrunk = 0;
+        {
+            Journal journal(m_project, {m_project + "/main.sim", {}});
+            std::uint64_t before = 0;
+            for (int i = 0; i < 120; ++i) {
+                text.assign(100'000, char('a' + i % 7));
+                QVERIFY(journal.note("a.sim", base, text).ok());
+                const std::uint64_t size = fs::file_size(journal.file()->path());
+                shrunk += size < before;
+                before = size;
+                largest = std::max(largest, size);
+            }
+        }
+        QVERIFY2(largest < 3'100'000, std::to_string(largest).c_str()); // 2 * (1 MiB + twice both texts), and one change
+        QVERIFY2(shrunk >= 3, std::to_string(shrunk).c_str());
+        const auto found = findRecoveries(m_project);
+        QCOMPARE(found.size(), std::size_t{1});
+        QVERIFY(found[0].files.at("a.sim").base == base && found[0].files.at("a.sim").text == text);
+    }
+
     void newestFirst() {
         leave("base\n", {"text"}); // now
         for (const std::int64_t time : {1'500'000'000, 1'100'000'000, 1'300'000'000, 1'400'000'000, 1'200'000'000}) {

@@ -118,6 +118,7 @@ private Q_SLOTS:
             return plan.ok() ? std::string() : plan.error().message;
         };
         QCOMPARE(why({"s"}), std::string());
+        QCOMPARE(planGroup(*loaded, {"s", "s"}, "Piece").value().text, planGroup(*loaded, {"s"}, "Piece").value().text);
         QVERIFY(why({"s", "r"}).find("cannot be one piece") != std::string::npos);
         QVERIFY(why({"d"}).find("without joints, devices and controller") != std::string::npos);
         QVERIFY(why({"g_1"}).find("one of many") != std::string::npos);

@@ -114,6 +114,58 @@ private Q_SLOTS:
         else QCOMPARE(QString::fromStdString(diagnostics.all()[0].message), said);
     }
 
+    /// A decimal comma is repaired where both parts are written as digits beside it; a value of a Param has no text to repair.
+    void suggestsADecimalPoint_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("literal");
+        QTest::addColumn<QString>("fixed");
+        QTest::newRow("comma") << "0,25" << true << "0.25";
+        QTest::newRow("zeros") << "3,050" << true << "3.050";
+        QTest::newRow("from a Param") << "0,25" << false << "";
+        QTest::newRow("a blank") << "0, 25" << true << "";
+        QTest::newRow("a fraction") << "1.5,2" << true << "";
+        QTest::newRow("a sign") << "0,-2" << true << "";
+        QTest::newRow("three") << "1,2,3" << true << "";
+    }
+    void suggestsADecimalPoint() {
+        QFETCH(QString, text);
+        QFETCH(bool, literal);
+        QFETCH(QString, fixed);
+        GivenValue given;
+        for (qsizetype at = 0; at < text.size();) {
+            const qsizetype end = text.indexOf(',', at) < 0 ? text.size() : text.indexOf(',', at);
+            while (text[at] == ' ') ++at;
+            GivenElement e = number(text.mid(at, end - at).toDouble());
+            e.literal = literal;
+            e.range = {0, {std::uint32_t(at), std::uint32_t(end)}};
+            given.elements.push_back(e);
+            at = end + 1;
+        }
+        const Kind kind = kindOf<Thing>("Thing", Role::Device, {});
+        Diagnostics d;
+        QVERIFY(!readValue(*kind.find("Ratio"), given, d));
+        QCOMPARE(d.all()[0].fixes.empty(), fixed.isEmpty());
+        if (fixed.isEmpty()) return;
+        const TextEdit& edit = d.all()[0].fixes[0].edits.at(0);
+        QCOMPARE(text.replace(edit.range.range.begin, edit.range.range.size(), QString::fromStdString(edit.text)), fixed);
+    }
+
+    /// A number that only becomes infinite in SI units is out of range too.
+    void numbersStayFiniteInSiUnits() {
+        Property p;
+        p.name = "Rate";
+        p.scale = 1e6;
+        p.minimum = -HUGE_VAL;
+        p.maximum = HUGE_VAL;
+        for (const auto& [n, good] : {std::pair(1e301, true), {1e303, false}, {-1e303, false}}) {
+            Diagnostics d;
+            GivenValue g;
+            g.elements = {number(n)};
+            QCOMPARE(readValue(p, g, d).has_value(), good);
+            if (!good) QVERIFY(d.all()[0].message.ends_with("it must be smaller"));
+        }
+    }
+
     void readsListsAndWords() {
         const Kind kind = kindOf<Thing>("Thing", Role::Device, {});
         Diagnostics d;
