@@ -138,6 +138,12 @@ private Q_SLOTS:
             "0.06", true);
         row("wheels farther apart", rover("WheelSeparation=0.3", "WheelSeparation=25 cm"), Code::WheelGeometry, "apart by 300 mm",
             "25 cm", true);
+        row("sprung wheels of another size",
+            QString::fromStdString(rover("WheelRadius=0.05 Wh", "WheelRadius=0.06 Wh"))
+                .replace("Hinge ", "Suspension ")
+                .replace("Axis=0,1,0", "Axis2=0,1,0 Stiffness=2000 Damping=50 Travel=0.02")
+                .toStdString(),
+            Code::WheelGeometry, "radius of 50 mm", "0.06", true);
         row("wheels from a Param", rover("WheelRadius=0.05 Wh", "WheelRadius=$(2*wheelRadius) Wh"), Code::WheelGeometry,
             "100 % off", "$(2*wheelRadius)", false);
         row("one motor for both wheels", rover("RightMotor=rightMotor", "RightMotor=leftMotor"), Code::DeviceSetup, "same motor",
@@ -229,6 +235,8 @@ private Q_SLOTS:
                                               "Robot a { Config=Arm Pos=0,0,0.1 }");
         row("beside a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.601,0,0.1 }");
         row("a larger instance in its place", kMeshes + "Robot a { Config=Sized Pos=0,0,0.2 s=0.4 }");
+        row("motors on joints whose names begin alike",
+            QString::fromStdString(kRover).replace("rightAxle", "leftAxle1").toStdString() + "Robot r { Config=Rover }");
         row("wheels on the floor", kRover + "Robot r { Config=Rover Pos=1,1,0 HPR=33,0,0 }");
         row("no gravity", "Gravity=0,0,0\nRobot a { Config=Ball Pos=0,0,5 }");
         row("a shape that collides with nothing",

@@ -84,7 +84,7 @@ private Q_SLOTS:
                 largest = std::max(largest, size);
             }
         }
-        QVERIFY2(largest < 3'100'000, std::to_string(largest).c_str()); // 2 * (1 MiB + twice both texts), and one change
+        QVERIFY2(largest < 3'000'000, std::to_string(largest).c_str()); // 2 * (1 MiB + twice both texts), and one change
         QVERIFY2(shrunk >= 3, std::to_string(shrunk).c_str());
         const auto found = findRecoveries(m_project);
         QCOMPARE(found.size(), std::size_t{1});

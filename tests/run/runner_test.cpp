@@ -30,6 +30,7 @@ public:
     Status tick(std::uint64_t tick, double time, double sinceLast) override {
         if (tick == failAt) return Error{Code::ControllerFailed, "brain failed"};
         if (tick >= finishAt) outputs.finish("reached " + std::to_string(tick));
+        if (tick >= finishAt) outputs.finish("again"); // of several in one tick the first counts
         *story += "think ";
         gaps->push_back(sinceLast);
         outputs.print(TRUNDLE_INFO, "t=" + std::to_string(time));
