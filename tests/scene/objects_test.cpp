@@ -7,6 +7,7 @@
 #include "scene/queries/camera_model.h"
 #include "scene/queries/framing.h"
 #include "scene/queries/ghosts.h"
+#include "scene/queries/radio_model.h"
 #include "scene/queries/ray_cast.h"
 #include "scene/scene.h"
 
@@ -141,6 +142,54 @@ private Q_SLOTS:
         QCOMPARE(solidsBetween(objects, {}, {0, 1.5, 0}, {0, 1.7, 0}, none, none), 0);
         QCOMPARE(solidsBetween(objects, {}, {0, -3, 0}, {0, 6, 0}, none, none), 4);
         QCOMPARE(solidsBetween(objects, {}, {0, 1, 0.2}, {0, 1, 0.2}, none, none), 0);
+    }
+
+    /// Radios in the middle of their robots' hulls: neither of the two hulls is a wall for their link, that of a third robot is.
+    void wallsBetweenRadios() {
+        auto config = std::make_shared<RobotConfigSpec>();
+        BodySpec body;
+        body.name = "hull";
+        GeomSpec box;
+        box.name = "box";
+        box.size = {0.4, 0.4, 0.4};
+        body.geoms = {box};
+        config->bodies = {body};
+        ComponentSpec radio{"Transceiver", "radio", {}, {}, {}};
+        const auto given = [&](const char* key, std::vector<double> numbers) {
+            radio.values[key] = {{PropertyType::Number, std::move(numbers), {}}, {}, Origin::Config};
+        };
+        given("Channel", {13});
+        given("MaxOutputPower", {-3});
+        given("MinReceivePower", {-81});
+        given("MaxReceivePower", {-7});
+        given("RssiStep", {0.25});
+        given("BitRate", {123456});
+        given("Pos", {0.01, 0.02, 0.03});
+        given("PowerLevels", {-20, -3});
+        config->devices = {radio};
+        auto experiment = std::make_shared<ExperimentSpec>();
+        for (const double x : {0., 1., 2., 3.}) {
+            RobotSpec robot;
+            robot.name = "r" + std::to_string(int(x));
+            robot.config = config;
+            robot.pose.position = {x, 0, 0};
+            experiment->robots.push_back(robot);
+        }
+        const std::vector<RadioNode> nodes = radioNodesOf(*experiment);
+        QCOMPARE(nodes.size(), std::size_t{4});
+        QCOMPARE(nodes[2].robot, std::string("r2"));
+        QCOMPARE(nodes[2].body, std::size_t{2});
+        QCOMPARE(nodes[2].mounting.position, Vec3(0.01, 0.02, 0.03));
+        const RadioDefinition& r = nodes[2].radio;
+        QCOMPARE(r.path, std::string("r2/radio"));
+        QVERIFY(r.channel == 13 && r.maxOutputPower == -3 && r.minReceivePower == -81 && r.maxReceivePower == -7);
+        QVERIFY(r.rssiStep == 0.25 && r.bitRate == 123456 && r.powerLevels == (std::vector<double>{-20, -3}));
+        const auto walls = wallsBetween(std::make_shared<const ObjectIndex>(experiment),
+                                        std::make_shared<const BodyPoses>(startPoses(*experiment)), nodes);
+        for (RadioId a = 0; a < 4; ++a)
+            for (RadioId b = 0; b < 4; ++b)
+                if (a != b) QCOMPARE(walls(a, {double(a), 0, 0}, b, {double(b), 0, 0}), std::abs(int(a) - int(b)) - 1);
+        QCOMPARE(walls(9, {-1, 0, 0}, 1, {1, 0, 0}), 1); // a radio of no robot
     }
 
     /// A View in the world, beside a robot, and one that turns with it: its Eye and Target from the robot's origin, which is not that of
