@@ -1,11 +1,13 @@
-// Classes that do not depend on the engine: grids compared with brute force, wheel contacts, the order of devices.
+// Parts by themselves: grids compared with brute force, contacts of wheels, an actor that fails, the order of devices.
 #include <QtTest>
 
 #include <random>
 
 #include "world/broad_phase.h"
 #include "world/device_order.h"
+#include "world/engine.h"
 #include "world/fixtures.h"
+#include "world/ode/collision/cylinder_on_box.h"
 #include "world/wheel_contact.h"
 
 using namespace fixture;
@@ -95,6 +97,91 @@ private Q_SLOTS:
                 QVERIFY(std::abs(c.depth - 0.001 * std::cos(lean * kPi / 180)) < 1e-12);
             }
         }
+    }
+
+    /// ODE finds no contact of such wheels: they enter a bumper sideways, above or below its middle by more than half its height.
+    void wheelMeetsBumper() {
+        std::mt19937 rng(5);
+        std::uniform_real_distribution<double> unit(0, 1);
+        const Vec3 half(0.01, 0.15, 0.02);
+        int measured = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double heading = 2.8 * (unit(rng) - 0.5), deep = 0.018 * unit(rng) - 0.003, below = 0.02 + 0.01 * unit(rng);
+            const double chord = std::sqrt(0.05 * 0.05 - (below - 0.02) * (below - 0.02));
+            const double reach = chord * std::abs(std::cos(heading)) + 0.015 * std::abs(std::sin(heading));
+            const Mat3 axes = (rotationFromHpr(Vec3(heading, 0, 0)) * rotationFromHpr(degrees(0, 0, 90)) *
+                               rotationFromHpr(Vec3(6 * unit(rng), 0, 0)))
+                                  .toRotationMatrix();
+            const Vec3 at(0.01 + reach - deep, 0.16 * (unit(rng) - 0.5), (i % 2 ? 1 : -1) * below);
+            const PlacedCylinder wheel{at, axes, 0.05, 0.015};
+            const PlacedBox bumper{Vec3::Zero(), Mat3::Identity(), half};
+            if (std::abs(deep) < 2e-4) continue;
+            QCOMPARE(overlap(wheel, bumper), deep > 0);
+            if (deep < 0) continue;
+            const FlatTouch touch = cylinderOnBox(wheel, bumper);
+            QVERIFY(!touch.apart);
+            if (touch.normal.x() < 0.99) continue; // another face is nearer
+            double deepest = 0;
+            for (const FlatContact& c : touch.contacts) deepest = std::max(deepest, c.depth);
+            if (touch.contacts.empty()) continue; // only edges cross
+            ++measured;
+            QVERIFY2(std::abs(deepest - deep) < 5e-4, qPrintable(QString("%1 for %2").arg(deepest).arg(deep)));
+        }
+        QVERIFY(measured > 1000);
+    }
+
+    /// Of any orientation, against random points of the cylinder.
+    void cylinderOverlapsBox() {
+        std::mt19937 rng(9);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        const Vec3 half(0.05, 0.1, 0.025);
+        int overlapping = 0;
+        for (int i = 0; i < 400; ++i) {
+            const Quat turn = Quat(unit(rng), unit(rng), unit(rng), unit(rng)).normalized();
+            const Vec3 at(0.12 * unit(rng), 0.15 * unit(rng), 0.1 * unit(rng));
+            bool sampled = false;
+            for (int k = 0; k < 20000 && !sampled; ++k) {
+                const Vec3 p(0.05 * unit(rng), 0.05 * unit(rng), 0.03 * unit(rng));
+                sampled = std::hypot(p.x(), p.y()) < 0.05 && ((at + turn * p).cwiseAbs().array() < half.array()).all();
+            }
+            const bool found = overlap({at, turn.toRotationMatrix(), 0.05, 0.03}, {Vec3::Zero(), Mat3::Identity(), half});
+            overlapping += sampled;
+            if (sampled) QVERIFY(found);
+            else if (found) QVERIFY(overlap({at, turn.toRotationMatrix(), 0.053, 0.033}, {Vec3::Zero(), Mat3::Identity(), half}));
+        }
+        QVERIFY(overlapping > 100);
+    }
+
+    /// What could be made of an actor that fails is gone again: the next one is as if it had come first.
+    void failedActorLeavesNothing() {
+        const auto ends = [](bool failsFirst) {
+            const EngineSettings settings{{0, 0, -g}, 1, SolverChoice::Auto, 20, 0.8, {SurfaceSpec{"s", 0.5, 0, 0, 0, {}}}};
+            auto engine = std::move(makeOdeEngine(settings)).value();
+            (void)engine->addStatic(plane(), {});
+            const auto config = std::make_shared<RobotConfigSpec>(*r0({1, true, false, 0, 0, 0}));
+            auto broken = std::make_shared<RobotConfigSpec>(*config);
+            GeomSpec empty = box("empty", {1, 1, 1});
+            empty.shape = GeomShape::Mesh;
+            broken->bodies[2].geoms.push_back(empty);
+            const auto add = [&](const RobotConfigSpec& of) {
+                ActorDef def{at(0, 0, 0.01), {}, &of.joints, true};
+                for (const BodySpec& body : of.bodies) def.bodies.push_back({def.frame * body.pose, &body});
+                return engine->addActor(def);
+            };
+            if (failsFirst && add(*broken)) return std::vector<double>{};
+            const auto made = add(*config);
+            if (!made) return std::vector<double>{};
+            engine->setMotor(made.value().joints[0], {3, 0.1, 2, 0});
+            for (int i = 0; i < 50; ++i)
+                if (engine->step(0.01)) return std::vector<double>{};
+            std::vector<double> state{double(made.value().actor.index), double(engine->contactCount())};
+            for (const BodyHandle body : made.value().bodies)
+                for (const double x : {engine->state(body).position.x(), engine->state(body).linear.x()}) state.push_back(x);
+            return state;
+        };
+        const std::vector<double> expected = ends(false);
+        QVERIFY(expected.size() > 2);
+        QVERIFY(ends(true) == expected);
     }
 
     void devicesActBeforeTheirPeers() {

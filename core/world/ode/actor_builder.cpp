@@ -23,8 +23,35 @@ Result<ActorHandles> ActorBuilder::addActor(const ActorDef& def) {
         prepareThread();
         buildActor(def, handles, failure);
     } catch (const OdeFault&) { failure = kRefused; }
-    if (!failure.empty()) return Error{Code::BadGeometry, failure};
-    return handles;
+    if (failure.empty()) return handles;
+    removeLast();
+    return Error{Code::BadGeometry, failure};
+}
+
+/// What there is of an actor that could not be built. A part that ODE itself could not make stays in its world, joined to nothing.
+void ActorBuilder::removeLast() {
+    const OdeActor actor = m_objects.actors.back();
+    try {
+        for (std::size_t i = actor.geoms.begin; i < m_objects.geoms.size(); ++i)
+            for (const dGeomID id : {m_objects.geoms[i].id, m_objects.geoms[i].asSphere})
+                if (id) dGeomDestroy(id);
+        for (std::size_t i = actor.bodies.begin; i < m_objects.bodies.size(); ++i) {
+            const dBodyID body = m_objects.bodies[i].id;
+            while (dBodyGetNumJoints(body) > 0) dJointDestroy(dBodyGetJoint(body, 0));
+            dBodyDestroy(body);
+        }
+    } catch (const OdeFault&) { // better lost than dead
+    }
+    m_objects.actors.pop_back();
+    m_objects.actorBoxes.resize(m_objects.actors.size());
+    m_objects.bodies.resize(actor.bodies.begin);
+    m_objects.inertias.resize(actor.bodies.begin);
+    m_objects.states.resize(actor.bodies.begin);
+    m_objects.geoms.resize(actor.geoms.begin);
+    m_objects.centres.resize(actor.geoms.begin);
+    m_objects.boxes.resize(actor.geoms.begin);
+    m_objects.joints.resize(actor.joints.begin);
+    m_rows.forget(actor.joints.begin);
 }
 
 void ActorBuilder::buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure) {
@@ -38,6 +65,7 @@ void ActorBuilder::buildActor(const ActorDef& def, ActorHandles& handles, std::s
     for (const BodyDef& body : def.bodies) addBody(body, index, handles, failure);
     actor.bodies.end = static_cast<std::uint32_t>(m_objects.bodies.size());
     actor.geoms.end = static_cast<std::uint32_t>(m_objects.geoms.size());
+    if (!failure.empty()) return;
     if (def.joints)
         for (const JointSpec& joint : *def.joints) {
             handles.joints.push_back({static_cast<std::uint32_t>(m_objects.joints.size())});
@@ -163,10 +191,10 @@ Result<GeomHandle> ActorBuilder::addStatic(const GeomSpec& spec, const Pose& at)
             toOde(pose.rotation, q);
             dGeomSetPosition(geom.id, pose.position.x(), pose.position.y(), pose.position.z());
             dGeomSetQuaternion(geom.id, q);
-            m_objects.statics.push_back(index);
         }
         geom.axes = pose.rotation.toRotationMatrix();
         const Vec3 half = reach(geom.axes, geom.half), lo = pose.position - half, hi = pose.position + half;
+        if (spec.shape != GeomShape::Plane) m_objects.statics.push_back(index);
         m_objects.geoms.push_back(std::move(geom));
         m_objects.centres.push_back(pose.position);
         m_objects.boxes.push_back({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}});

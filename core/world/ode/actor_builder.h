@@ -11,13 +11,14 @@ class ActorBuilder {
 public:
     /// All of these outlive this.
     ActorBuilder(const EngineSettings& settings, const OdeWorld& world, OdeObjects& objects, JointRows& rows)
-        : m_settings(settings), m_world(world.id()), m_objects(objects), m_joints(world, objects, rows) {}
+        : m_settings(settings), m_world(world.id()), m_objects(objects), m_rows(rows), m_joints(world, objects, rows) {}
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor);
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose);
 
 private:
     void buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure);
+    void removeLast();
     void addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& handles, std::string& failure);
     [[nodiscard]] bool addGeom(const GeomSpec& spec, std::uint32_t body, std::string& failure);
     void setStiffness(OdeActor& actor) const;
@@ -26,6 +27,7 @@ private:
     const EngineSettings& m_settings;
     dWorldID m_world;
     OdeObjects& m_objects;
+    JointRows& m_rows;
     JointBuilder m_joints;
 };
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "world/ode/collision/contact_choice.h"
+#include "world/ode/collision/cylinder_on_box.h"
 
 namespace trundle {
 
@@ -117,7 +119,8 @@ void GeomCollider::wheelAgainst(std::uint32_t index, std::uint32_t other, bool w
     }
     const bool rough = o.shape == GeomShape::Mesh || o.shape == GeomShape::Heightfield;
     dContactGeom found[kMaxFound];
-    const int count = dCollide(rough && g.asSphere ? g.asSphere : g.id, o.id, kMaxFound, found, sizeof(dContactGeom));
+    const int count =
+        rough && g.asSphere ? dCollide(g.asSphere, o.id, kMaxFound, found, sizeof(dContactGeom)) : collide(index, other, found);
     UsedPoints used{};
     for (int round = 0; round < kMaxDirections; ++round) {
         Vec3 normal;
@@ -129,6 +132,30 @@ void GeomCollider::wheelAgainst(std::uint32_t index, std::uint32_t other, bool w
         if (length < kSideHit) emit(vec(top.pos), vec(top.normal), top.depth, false);
         else emit(wheel.centre - wheel.radius / length * down, normal, top.depth, true);
     }
+}
+
+/// Of the same two geoms by ODE, normals towards the first; at most kMaxFound.
+int GeomCollider::collide(std::uint32_t first, std::uint32_t second, dContactGeom* found) const {
+    const OdeGeom &a = m_objects.geoms[first], &b = m_objects.geoms[second];
+    const int count = dCollide(a.id, b.id, kMaxFound, found, sizeof(dContactGeom));
+    const bool cylinderFirst = a.shape == GeomShape::Cylinder && b.shape == GeomShape::Box;
+    if (count > 0 || (!cylinderFirst && (a.shape != GeomShape::Box || b.shape != GeomShape::Cylinder))) return count;
+    const std::uint32_t cylinder = cylinderFirst ? first : second, box = cylinderFirst ? second : first;
+    const OdeGeom &c = m_objects.geoms[cylinder], &o = m_objects.geoms[box];
+    FlatTouch touch = cylinderOnBox({m_objects.centres[cylinder], m_objects.axesOf(c), c.radius, c.half.z()},
+                                    {m_objects.centres[box], m_objects.axesOf(o), o.half});
+    std::ranges::sort(touch.contacts, std::greater(), &FlatContact::depth);
+    const auto most = std::min<std::size_t>(touch.contacts.size(), kMaxFound);
+    for (std::size_t i = 0; i < most; ++i) {
+        dContactGeom& out = found[i];
+        out = {};
+        for (int k = 0; k < 3; ++k) {
+            out.pos[k] = touch.contacts[i].position[k];
+            out.normal[k] = (cylinderFirst ? 1 : -1) * touch.normal[k];
+        }
+        out.depth = std::max(0.0, touch.contacts[i].depth);
+    }
+    return static_cast<int>(most);
 }
 
 int GeomCollider::mostContacts(std::uint32_t first, std::uint32_t second) const {
@@ -145,7 +172,7 @@ void GeomCollider::genericContacts(std::uint32_t first, std::uint32_t second, Co
         return;
     }
     dContactGeom found[kMaxFound];
-    const int count = dCollide(m_objects.geoms[first].id, m_objects.geoms[second].id, kMaxFound, found, sizeof(dContactGeom));
+    const int count = collide(first, second, found);
     if (count == 0) return;
     UsedPoints used{};
     for (int round = 0; round < kMaxDirections; ++round) {

@@ -26,6 +26,7 @@ private:
     void sphereOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
     void boxOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
     void genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts);
+    [[nodiscard]] int collide(std::uint32_t first, std::uint32_t second, dContactGeom* found) const;
     [[nodiscard]] int mostContacts(std::uint32_t first, std::uint32_t second) const;
     OdeContact& addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal, double depth,
                            Contacts& contacts) const;

@@ -2,6 +2,7 @@
 // The inertia that a joint's motor or spring moves: articulated bodies on both sides of the joint, all other joints without effort.
 // Contacts are not part of it, so the real inertia may be larger, never smaller.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,8 @@ public:
 
     /// To be called for each joint once it is complete.
     void add(std::uint32_t joint);
+    /// Those of bodies that are gone.
+    void forgetRemoved() { m_jointsOf.resize(std::min(m_jointsOf.size(), m_bodies.size())); }
     /// Writes the joint's `inertia` for the current poses.
     void update(OdeJoint& joint, std::uint32_t index);
 

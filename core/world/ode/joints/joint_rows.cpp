@@ -57,6 +57,11 @@ dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, st
     return motor;
 }
 
+void JointRows::forget(std::uint32_t joint) {
+    for (auto* const list : {&m_updated, &m_driven}) std::erase_if(*list, [joint](std::uint32_t i) { return i >= joint; });
+    m_inertias.forgetRemoved();
+}
+
 void JointRows::add(std::uint32_t index, const JointSpec& spec, const Vec3& axis, const Vec3& axis2) {
     OdeJoint& joint = m_joints[index];
     m_inertias.add(index);

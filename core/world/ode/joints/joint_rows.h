@@ -20,6 +20,8 @@ public:
 
     /// Adds the rows of a joint that is already in the array; axes in the world.
     void add(std::uint32_t joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2);
+    /// This joint and all later ones, which are gone.
+    void forget(std::uint32_t joint);
     void setMotor(std::uint32_t joint, const MotorConstraint& motor);
     /// Prepares all rows for a step with these contacts. `errorReduction`: of a suspension at the end of its travel.
     void update(double h, std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms, double errorReduction);

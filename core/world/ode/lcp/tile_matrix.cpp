@@ -10,7 +10,7 @@ namespace trundle {
 namespace {
 
 constexpr unsigned kTile = TileMatrix::kTile, kArea = kTile * kTile;
-constexpr double kLeastPivot = 1e-14; // of the value on the diagonal before
+constexpr double kLeastRest = 1e-14; // of the value on the diagonal before
 
 using Column = double __attribute__((vector_size(kTile * sizeof(double))));
 
@@ -54,7 +54,7 @@ TRUNDLE_INLINE bool factorTile(double* tile, const double* before) {
         for (unsigned k = 0; k < j; ++k)
             for (unsigned i = j; i < kTile; ++i) t[j * kTile + i] -= t[k * kTile + i] * t[k * kTile + j];
         const double pivot = t[j * kTile + j];
-        if (!(pivot > kLeastPivot * before[j])) return false;
+        if (!(pivot > kLeastRest * before[j])) return false;
         const double scale = std::sqrt(pivot) * (1 / pivot); // both at the same time
         for (unsigned i = j + 1; i < kTile; ++i) t[j * kTile + i] *= scale;
         t[j * kTile + j] = scale;

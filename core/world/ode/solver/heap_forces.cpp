@@ -11,8 +11,7 @@ namespace {
 
 // Measured: less lets heaps of 200 build up pressure, more makes them quiver until somebody climbs.
 constexpr int kSweeps = 20;
-constexpr double kTrust = 0.5;      // share of what a group did in the last tick that it is expected to do again
-constexpr double kRelaxed = 0.7;    // of Gauss-Seidel: the groups give less than as free bodies
+constexpr double kRelaxed = 0.5;    // of Gauss-Seidel: the groups give less than as free bodies
 constexpr double kRest = 1e-4;      // m: how deep what rests against each other is
 constexpr double kClosing = 0.05;   // share of the rest of the depth, per tick
 constexpr double kFloor = 0.7;      // cosine between its normal and the vertical
@@ -44,12 +43,13 @@ void HeapForces::apply(double h, std::span<OdeContact> contacts, std::span<const
     measure(bodies, clusters);
     for (Push& push : m_pushes) prepare(push, contacts[push.contact], geoms, h);
     expectOthers(contacts);
-    for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (int sweep = 0; sweep < kSweeps; sweep += 2) { // to and fro: in one order only, they would push a heap aside
         for (Push& push : m_pushes) solve(push);
+        for (auto push = m_pushes.rbegin(); push != m_pushes.rend(); ++push) solve(*push);
+    }
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
         const Group& g = m_groups[i];
-        Expected& expected = m_expected[m_names[i]];
-        expected = {m_tick, expected.tick + 1 != m_tick, g.velocity - g.pushed, g.pushed, g.turn - g.twisted, g.twisted};
+        m_expected[m_names[i]] = {m_tick, g.velocity - g.pushed, g.turn - g.twisted};
     }
     push(h, contacts, bodies, geoms, feedbacks);
     ++m_tick;
@@ -270,11 +270,10 @@ void HeapForces::expectOthers(std::span<const OdeContact> contacts) {
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
         Group& g = m_groups[i];
         const Group& old = before[i];
-        Expected& expected = m_expected[m_names[i]];
+        const Expected& expected = m_expected[m_names[i]];
         if (isKnown(i)) {
-            const double trust = expected.guessed ? 1 : kTrust;
-            g.pushed = expected.pushed + trust * (old.velocity - expected.velocity - expected.pushed);
-            g.twisted = expected.twisted + trust * (old.turn - expected.turn - expected.twisted);
+            g.pushed = old.velocity - expected.velocity;
+            g.twisted = old.turn - expected.turn;
         } else {
             g.pushed = old.velocity - g.velocity;
             g.twisted = old.turn - g.turn;

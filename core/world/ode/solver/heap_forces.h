@@ -58,12 +58,11 @@ private:
         double friction = 0, target = 0;     ///< target: m/s; friction of a floor: N s
         bool rolls = false;
     };
-    /// What a group was to do by its contacts, and what all others were expected to do to it.
+    /// What a group was to do by its contacts alone.
     struct Expected {
         std::uint64_t tick = 0;
-        bool guessed = false; ///< by nothing but the contacts
-        Vec3 velocity = Vec3::Zero(), pushed = Vec3::Zero();
-        double turn = 0, twisted = 0;
+        Vec3 velocity = Vec3::Zero();
+        double turn = 0;
     };
     [[nodiscard]] std::uint32_t groupIndex(std::uint32_t group);
     void gather(std::span<OdeContact> contacts, std::span<const OdeBody> bodies, std::span<const OdeGeom> geoms,
