@@ -4,6 +4,7 @@
 
 #include "base/platform/module_text.h"
 #include "base/spelling.h"
+#include "model/dotted_path.h"
 #include "world/device_radio.h"
 #include "world/device_texts.h"
 #include "world/signal_plan.h"
@@ -96,10 +97,7 @@ struct MountCalls {
     static std::int32_t geom(void* context, const char* path, std::uint32_t* out) {
         Device& d = device(context);
         const std::string asked = moduleName(path);
-        const std::string_view whole = asked;
-        const std::size_t dot = whole.find('.');
-        const std::string_view bodyName = whole.substr(0, dot),
-                               geomName = dot == std::string_view::npos ? "" : whole.substr(dot + 1);
+        const std::string_view bodyName = firstWord(asked), geomName = withoutFirstWord(asked);
         const int b = indexOf(config(d).bodies, bodyName);
         if (b < 0) {
             d.note(unknownName("body", bodyName, config(d).bodies));

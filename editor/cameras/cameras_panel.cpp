@@ -18,6 +18,7 @@
 #include "editor/cameras/camera_list.h"
 #include "editor/document/document.h"
 #include "editor/running/session.h"
+#include "editor/widgets/empty_page.h"
 #include "editor/widgets/save_question.h"
 #include "editor/widgets/theme.h"
 #include "scene/scene.h"
@@ -33,11 +34,7 @@ CamerasPanel::CamerasPanel(Document& document, RunSession& session, RenderServic
     m_pages = new QStackedWidget(this);
     column->addWidget(m_pages);
     m_empty = new QLabel;
-    m_empty->setObjectName(QStringLiteral("camerasEmpty"));
-    m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setMargin(16);
-    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    styleEmptyPage(*m_empty, "camerasEmpty");
     m_pages->addWidget(m_empty);
     m_pages->addWidget(makeWork());
 

@@ -9,6 +9,7 @@
 #include "editor/properties/origin_text.h"
 #include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
+#include "model/dotted_path.h"
 #include "project/edits/plans.h"
 
 namespace trundle {
@@ -122,7 +123,9 @@ void ObjectHeader::showSeveral(const Objects& objects) {
 }
 
 void ObjectHeader::showPath(const ObjectValues& object) {
-    const QStringList words = toQString(object.shownPath()).split(QLatin1Char('.'), Qt::SkipEmptyParts);
+    QStringList words;
+    const DottedPath path(object.shownPath());
+    for (const std::string& word : path.words()) words << toQString(word);
     m_path->setVisible(!words.isEmpty());
     if (words.isEmpty()) return;
     QStringList steps{link(QStringLiteral("select:"), tr("experiment"))};

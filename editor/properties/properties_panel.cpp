@@ -21,6 +21,7 @@
 #include "editor/properties/rows.h"
 #include "editor/properties/section.h"
 #include "editor/running/session.h"
+#include "editor/widgets/empty_page.h"
 #include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 
@@ -52,11 +53,7 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_nothing->setObjectName(QStringLiteral("nothing"));
-    m_nothing->setAlignment(Qt::AlignCenter);
-    m_nothing->setForegroundRole(QPalette::PlaceholderText);
-    m_nothing->setWordWrap(true);
-    m_nothing->setMargin(16);
+    styleEmptyPage(*m_nothing, "nothing");
     connect(m_header, &ObjectHeader::selectRequested, this, [this](const std::string& path) {
         if (path.empty()) m_selection.clear();
         else m_selection.select(path);

@@ -13,6 +13,7 @@
 #include "editor/radios/budget_page.h"
 #include "editor/radios/packets_page.h"
 #include "editor/running/session.h"
+#include "editor/widgets/empty_page.h"
 #include "editor/widgets/save_question.h"
 #include "scene/queries/radio_model.h"
 
@@ -32,11 +33,7 @@ RadiosPanel::RadiosPanel(Document& document, Selection& selection, RunSession& s
     m_pages = new QStackedWidget(this);
     column->addWidget(m_pages);
     m_empty = new QLabel;
-    m_empty->setObjectName(QStringLiteral("radiosEmpty"));
-    m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setMargin(16);
-    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    styleEmptyPage(*m_empty, "radiosEmpty");
     m_pages->addWidget(m_empty);
     m_pages->addWidget(makeWork());
 
@@ -168,7 +165,8 @@ void RadiosPanel::useExperiment(std::shared_ptr<const ExperimentSpec> experiment
 void RadiosPanel::placeNodes() {
     if (!m_nodes) return;
     std::shared_ptr<const BodyPoses> poses = m_session.results().poses;
-    if (!poses || m_session.results().experiment != m_experiment) poses = std::make_shared<const BodyPoses>(startPoses(*m_experiment));
+    if (!poses || m_session.results().experiment != m_experiment)
+        poses = std::make_shared<const BodyPoses>(startPoses(*m_experiment));
     if (m_objects) m_nodes->setWalls(wallsBetween(m_objects, poses, m_nodes->all()));
     m_nodes->place(*poses);
 }

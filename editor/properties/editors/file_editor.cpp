@@ -2,10 +2,8 @@
 
 #include <QDir>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QToolButton>
 
-#include "editor/properties/editors/line_editor.h"
 #include "editor/properties/editors/value_field.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/theme.h"
@@ -24,32 +22,13 @@ QString relativeName(const QString& file, const QString& folder, const QStringLi
     return folder.isEmpty() ? whole : QDir(folder).relativeFilePath(whole);
 }
 
-FileEditor::FileEditor(QWidget* parent) : RowEditor(parent), m_field(new ValueField(this)), m_button(new QToolButton(this)) {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(m_field, 1);
-    layout->addWidget(m_button);
-    m_field->setObjectName(QStringLiteral("field"));
-    m_button->setObjectName(QStringLiteral("browse"));
-    m_button->setIcon(themedIcon(QStringLiteral("open")));
-    m_button->setIconSize({14, 14});
-    m_button->setToolTip(tr("Choose a file"));
-    m_button->setAccessibleName(m_button->toolTip());
-    m_button->setFocusPolicy(Qt::TabFocus);
-    m_button->setFixedHeight(m_field->sizeHint().height());
-    setFocusProxy(m_field);
-    connect(m_button, &QToolButton::clicked, this, &FileEditor::choose);
-    connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
-    connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
-        const ParsedValue value = typed.isEmpty() ? ParsedValue() : typedValue(m_row, typed);
-        commit(m_field, [value](const FieldValue&) { return value; });
-    });
+FileEditor::FileEditor(QWidget* parent) : FieldEditor(parent) {
+    QToolButton* button = addButton(QStringLiteral("browse"), tr("Choose a file"));
+    button->setIcon(themedIcon(QStringLiteral("open")));
+    button->setIconSize({14, 14});
+    button->setFocusPolicy(Qt::TabFocus);
+    connect(button, &QToolButton::clicked, this, &FileEditor::choose);
 }
-
-QWidget* FileEditor::focusField() const { return m_field; }
-
-void FileEditor::refresh() { showLine(*m_field, m_row); }
 
 void FileEditor::choose() {
     QStringList endings;

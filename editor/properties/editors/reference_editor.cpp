@@ -2,13 +2,11 @@
 
 #include <QCompleter>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QStringListModel>
 #include <QToolButton>
 
-#include "editor/properties/editors/line_editor.h"
 #include "editor/properties/editors/value_field.h"
 #include "project/objects/value_text.h"
 
@@ -27,23 +25,12 @@ QStringList origin(const FieldValue& v) {
 } // namespace
 
 ReferenceEditor::ReferenceEditor(QWidget* parent)
-    : RowEditor(parent), m_field(new ValueField(this)), m_button(new QToolButton(this)), m_menu(new QMenu(this)),
+    : FieldEditor(parent), m_button(addButton(QStringLiteral("pick"), tr("Choose from matching names"))), m_menu(new QMenu(this)),
       m_names(new QStringListModel(this)) {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(m_field, 1);
-    layout->addWidget(m_button);
-    m_field->setObjectName(QStringLiteral("field"));
-    m_button->setObjectName(QStringLiteral("pick"));
     m_button->setFixedWidth(22);
-    m_button->setToolTip(tr("Choose from matching names"));
-    m_button->setAccessibleName(m_button->toolTip());
     m_button->setFocusPolicy(Qt::NoFocus); // Alt+Down in the field opens the same list
     m_button->setMenu(m_menu);
     m_button->setPopupMode(QToolButton::InstantPopup);
-    m_button->setFixedHeight(m_field->sizeHint().height());
-    setFocusProxy(m_field);
     auto* completer = new QCompleter(m_names, this);
     completer->setFilterMode(Qt::MatchContains);
     completer->setCaseSensitivity(Qt::CaseInsensitive);
@@ -53,14 +40,7 @@ ReferenceEditor::ReferenceEditor(QWidget* parent)
         if (m_row.property()->maxCount == 1) pick(name);
     });
     connect(m_menu, &QMenu::aboutToShow, this, &ReferenceEditor::fillMenu);
-    connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
-    connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
-        const ParsedValue value = typed.isEmpty() ? ParsedValue() : typedValue(m_row, typed);
-        commit(m_field, [value](const FieldValue&) { return value; });
-    });
 }
-
-QWidget* ReferenceEditor::focusField() const { return m_field; }
 
 QStringList ReferenceEditor::names() const {
     QStringList names;
@@ -70,7 +50,7 @@ QStringList ReferenceEditor::names() const {
 }
 
 void ReferenceEditor::refresh() {
-    showLine(*m_field, m_row);
+    FieldEditor::refresh();
     if (m_field->hasFocus()) m_names->setStringList(names());
 }
 

@@ -1,20 +1,18 @@
 #pragma once
-#include "editor/properties/editors/row_editor.h"
+#include "editor/properties/editors/field_editor.h"
 
 class QCompleter;
 class QMenu;
 class QStringListModel;
-class QToolButton;
 
 namespace trundle {
 
 /// Edits a reference to a named object: typed with completion, or selected from a list. For a list of references, selecting a
 /// name adds or removes it.
-class ReferenceEditor final : public RowEditor {
+class ReferenceEditor final : public FieldEditor {
     Q_OBJECT
 public:
     explicit ReferenceEditor(QWidget* parent);
-    [[nodiscard]] QWidget* focusField() const override;
 
 protected:
     void refresh() override;
@@ -25,7 +23,6 @@ private:
     void pick(const QString& name);
     [[nodiscard]] QStringList names() const;
 
-    ValueField* m_field;
     QToolButton* m_button;
     QMenu* m_menu;
     QStringListModel* m_names;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lang/characters.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 namespace {
@@ -170,10 +171,9 @@ private:
     /// `leftMotor.` may be a single token.
     void splitPath() {
         if (m_context.where != Where::Statement || m_context.before.empty()) return;
-        std::string_view rest = m_context.before;
-        m_context.where = rest.ends_with('.') ? Where::Override : Where::Nowhere;
-        for (std::size_t dot; (dot = rest.find('.')) != std::string_view::npos; rest.remove_prefix(dot + 1))
-            m_context.path.emplace_back(rest.substr(0, dot));
+        m_context.where = m_context.before.ends_with('.') ? Where::Override : Where::Nowhere;
+        const std::vector<std::string> words = DottedPath(m_context.before).words();
+        m_context.path.insert(m_context.path.end(), words.begin(), words.end() - 1); // the last one is being typed
     }
 
     void number() {
