@@ -208,6 +208,26 @@ private Q_SLOTS:
         QCOMPARE(fixture.text(), "Tick" + before.substr(4));
     }
 
+    /// After a fix the problem that followed is selected, after that of the last one the one before.
+    void theNextProblemIsSelected() {
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open("Tikc = 0.01\nDuratoin = 1\nGravty = 0,0,-9\nSede = 3\n"));
+        QCOMPARE(fixture.model().rowCount(), 4);
+        for (const auto& [row, next] : {std::pair(1, "Gravty"), {2, "Gravty"}, {0, "Gravty"}}) {
+            const QModelIndex top = fixture.model().index(row, 0);
+            for (int i = 0; i < fixture.model().rowCount(top); ++i) {
+                const QModelIndex child = fixture.model().index(i, 0, top);
+                const bool isFix = child.data().toString().startsWith(QStringLiteral("Fix"));
+                QCOMPARE(!child.data(Qt::DecorationRole).isNull(), isFix);
+            }
+            fixture.view().setCurrentIndex(top);
+            QTest::mouseClick(&fixture.button("applyFix"), Qt::LeftButton);
+            QVERIFY2(fixture.view().currentIndex().data().toString().contains(QLatin1String(next)),
+                     qPrintable(fixture.view().currentIndex().data().toString()));
+        }
+        QCOMPARE(fixture.model().rowCount(), 1);
+    }
+
     void typingKeepsProblemList() {
         ProblemsFixture fixture;
         QVERIFY(fixture.open(kBad));
