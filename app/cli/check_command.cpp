@@ -12,7 +12,6 @@
 #include "cli/subcommands.h"
 #include "project/loading/modules.h"
 #include "run/logs/log_kinds.h"
-#include "world/signal_plan.h"
 #include "world/validate.h"
 
 namespace trundle {
@@ -47,12 +46,9 @@ void buildOnce(Application& application, const LoadedProject& loaded, Diagnostic
 
 /// Reports what would make `run` fail or give wrong results although the text itself is valid.
 void checkForRun(Application& application, const LoadedProject& loaded, Diagnostics& diagnostics) {
-    checkLogs(*loaded.experiment, diagnostics);
-    if (diagnostics.hasErrors() || !isBuildable(*loaded.experiment, diagnostics)) return;
-    const bool allKindsKnown =
-        std::ranges::none_of(diagnostics.all(), [](const Diagnostic& d) { return isUnavailableModule(d.code); });
-    if (allKindsKnown) // an unknown device may have any signal
-        checkLogSignals(*loaded.experiment, plannedLayout(*loaded.experiment, *loaded.registry), diagnostics);
+    const bool hasErrors = diagnostics.hasErrors(), allKindsKnown = hasAllModules(diagnostics);
+    if (!hasErrors && !isBuildable(*loaded.experiment, diagnostics)) return;
+    checkLogs(*loaded.experiment, *loaded.registry, allKindsKnown && !hasErrors, diagnostics);
     checkModel(loaded, diagnostics);
     if (allKindsKnown && !diagnostics.hasErrors() && !loaded.experiment->robots.empty())
         buildOnce(application, loaded, diagnostics);

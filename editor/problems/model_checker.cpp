@@ -1,6 +1,8 @@
 #include "editor/problems/model_checker.h"
 
 #include "check/model_check.h"
+#include "project/loading/modules.h"
+#include "run/logs/log_kinds.h"
 
 namespace trundle {
 
@@ -35,6 +37,8 @@ void ModelChecker::start() {
     m_stop = std::stop_source();
     m_pool.start([this, loaded = m_wanted, stop = m_stop.get_token()]() mutable {
         Diagnostics found;
+        if (!loaded->diagnostics.hasErrors() && !loaded->pending)
+            checkLogs(*loaded->experiment, *loaded->registry, hasAllModules(loaded->diagnostics), found);
         checkModel(*loaded, found, stop); // runs no module code
         // The project is moved along: if this is its last reference, it is destroyed in this object's thread.
         QMetaObject::invokeMethod(

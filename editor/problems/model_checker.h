@@ -14,7 +14,7 @@
 
 namespace trundle {
 
-/// Runs one check at a time, of the model only: no module code runs and no port is bound.
+/// Runs one check at a time, of the model and the logs only: no module code runs and no port is bound.
 class ModelChecker final : public QObject {
     Q_OBJECT
 public:

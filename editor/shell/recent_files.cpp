@@ -35,7 +35,7 @@ QList<Sample> sampleExperiments(const QString& configs) {
         {"turn_angle", "Turn angle", "How exactly a turn finds the bearings of five motes."},
         {"sensor_network_amr", "Sensor network", "A carrier follows nine motes to the one out of its range."},
         {"network_navigation", "Network navigation", "By signal strength alone to a target that is out of range."},
-        {"thesis_figure_3_4", "Figure 3.4", "The experiment of the thesis's figure 3.4."},
+        {"thesis_figure_3_4", "Figure 3.4", "After the thesis's figure 3.4; robot and arena are ours."},
     };
     QList<Sample> found;
     for (const auto& [name, title, description] : samples) {

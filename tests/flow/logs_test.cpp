@@ -99,6 +99,16 @@ private Q_SLOTS:
         const Outcome checked = cli({"check", m_folder.filePath("x.sim")}); // the check reports the same without building a world
         QVERIFY2(checked.code == 1 && checked.err == done.err.left(checked.err.size()), shown(checked) + shown(done));
     }
+
+    void aWrongLogHidesNoOtherProblem() {
+        const QString path = m_folder.filePath("sunk.sim");
+        QVERIFY(writeFile(
+            path, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nStatic floor { Config=OpenFloor }\n"
+                  "Robot r { Config=SimpleRobot Pos=0,0,-0.04 }\nPoseLog p { Robot=s }\nSignalLog q { Signals=\"r/speed\" }\n"));
+        const Outcome checked = cli({"check", path});
+        QVERIFY2(checked.code == 1 && checked.err.contains("no robot is called 's'"), shown(checked));
+        QVERIFY2(checked.err.contains("r/speed") && checked.err.contains("warning E325"), shown(checked));
+    }
 };
 
 QTEST_GUILESS_MAIN(LogsFlowTest)

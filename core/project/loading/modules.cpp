@@ -1,5 +1,6 @@
 #include "project/loading/modules.h"
 
+#include <algorithm>
 #include <set>
 
 #include "model/kinds/model_kinds.h"
@@ -8,6 +9,10 @@
 namespace trundle {
 
 bool isUnavailableModule(Code code) { return code == Code::ModuleNotTrusted || code == Code::ModuleUndescribed; }
+
+bool hasAllModules(const Diagnostics& diagnostics) {
+    return std::ranges::none_of(diagnostics.all(), [](const Diagnostic& d) { return isUnavailableModule(d.code); });
+}
 
 FoundModules findModules(const std::vector<ModuleReference>& references, ModuleCatalog& catalog, Registry& registry,
                          Diagnostics& diagnostics) {

@@ -12,6 +12,8 @@ struct LoadedProject;
 /// Whether a module is unavailable although the text is correct: it can be viewed and edited, its blocks kept unparsed, but it
 /// does not run without its controllers.
 [[nodiscard]] bool isUnavailableModule(Code code);
+/// Whether all modules are available, by the diagnostics of their project.
+[[nodiscard]] bool hasAllModules(const Diagnostics& diagnostics);
 
 /// Queries the catalog once for each module and adds its kinds to the registry.
 struct FoundModules {

@@ -5,6 +5,8 @@
 #include "run/logs/log_choice.h"
 #include "run/logs/log_folder.h"
 #include "run/logs/log_settings.h"
+#include "world/signal_plan.h"
+#include "world/validate.h"
 
 namespace trundle {
 namespace {
@@ -58,6 +60,13 @@ void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
         diagnostics.error(Code::DuplicateName, place, "two logs write the file " + name.value())
             .notes.emplace_back("the first one", writer->second->nameRange);
     }
+}
+
+void checkLogs(const ExperimentSpec& experiment, const Registry& registry, bool allKindsKnown, Diagnostics& diagnostics) {
+    checkLogs(experiment, diagnostics);
+    Diagnostics silent; // a run reports the reason
+    if (allKindsKnown && isBuildable(experiment, silent))
+        checkLogSignals(experiment, plannedLayout(experiment, registry), diagnostics);
 }
 
 void checkLogSignals(const ExperimentSpec& experiment, const SignalLayout& layout, Diagnostics& diagnostics) {

@@ -18,6 +18,10 @@ namespace trundle {
 /// Checks an experiment's logs without a world: unknown robots, invalid file names, duplicate file names. Does not check signals.
 void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 
+/// checkLogs() and, if the engine can build the world and all kinds are known, checkLogSignals(): an unknown device may have any
+/// signal.
+void checkLogs(const ExperimentSpec& experiment, const Registry& registry, bool allKindsKnown, Diagnostics& diagnostics);
+
 /// Reports Signals of the logs that do not exist in the layout of the experiment's world.
 void checkLogSignals(const ExperimentSpec& experiment, const SignalLayout& layout, Diagnostics& diagnostics);
 

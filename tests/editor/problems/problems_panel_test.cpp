@@ -294,6 +294,18 @@ private Q_SLOTS:
         QTRY_COMPARE(fixture.model().rowCount(), 1);
     }
 
+    /// What a run would refuse without running code of a module.
+    void listsLogsThatARunRefuses() {
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open(kInWall + "PoseLog path { Robot=crane }\nSignalLog all { Signals=\"crate/speed\" }\n"));
+        QTRY_COMPARE(fixture.model().rowCount(), 3);
+        QVERIFY2(fixture.messages().at(1).contains(QStringLiteral("no robot is called 'crane'")),
+                 qPrintable(fixture.messages()[1]));
+        QCOMPARE(fixture.model().index(1, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:8:22"));
+        QVERIFY2(fixture.messages().at(2).contains(QStringLiteral("crate/speed")), qPrintable(fixture.messages()[2]));
+        QCOMPARE(fixture.panel.errors(), 2);
+    }
+
     /// A run that is refused because of problems that the check has reported adds no problem.
     void reportsRefusedRunOnce() {
         ProblemsFixture fixture;
