@@ -128,6 +128,7 @@ private Q_SLOTS:
         QTest::newRow("2 links, 5 ms") << 2 << 0.005;
         QTest::newRow("2 links, 10 ms") << 2 << 0.01;
         QTest::newRow("5 links, 5 ms") << 5 << 0.005;
+        QTest::newRow("5 links, 10 ms") << 5 << 0.01;
     }
     /// A chain of rods that starts level whips about: its energy after 20 s within a tenth of what it had to fall. Longer ticks are
     /// too long for chains like these.

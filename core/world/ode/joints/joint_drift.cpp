@@ -11,7 +11,6 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastGain = 0.05; // with less the bodies would have to stand too far aside
-constexpr double kOpen = 1e-6;      // m: a joint may be off by so much
 constexpr double kSmall = 0.05;     // rad in a tick: a series does
 
 /// m/s: the mean velocity of an anchor in a tick, less that at its start.
@@ -113,12 +112,12 @@ void JointDrift::shiftBack(std::span<const OdeBody> bodies) {
 }
 
 void JointDrift::findUnexpected(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h,
-                                std::vector<std::uint32_t>& found) const {
+                                std::vector<std::uint32_t>& found, double open) const {
     found.clear();
     for (const Edge& edge : m_edges) {
         if (!edge.closed) continue;
         const Vec3 gap = gapOf(edge, joints[edge.joint], h, [&](std::uint32_t body) { return vec(bodies[body].w); });
-        if ((gap - edge.gap).squaredNorm() > kOpen * kOpen) found.push_back(edge.to);
+        if ((gap - edge.gap).squaredNorm() > open * open) found.push_back(edge.to);
     }
 }
 

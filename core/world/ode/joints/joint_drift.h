@@ -22,9 +22,10 @@ public:
     /// Before and after the solver, of what is enabled; `gain`: share of a gap that the solver closes in a tick.
     void shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h, double gain);
     void shiftBack(std::span<const OdeBody> bodies);
-    /// After the solver: of each joint that was opened too far, since bodies turned otherwise than expected, one body.
+    static constexpr double kOpen = 1e-6; ///< m: a joint may be off by so much
+    /// After the solver: of each joint that was opened farther than `open`, since bodies turned otherwise than expected, one body.
     void findUnexpected(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h,
-                        std::vector<std::uint32_t>& found) const;
+                        std::vector<std::uint32_t>& found, double open = kOpen) const;
     /// The rates that these bodies have now.
     void expect(std::span<const OdeBody> bodies, std::span<const std::uint32_t> which);
 

@@ -17,6 +17,8 @@ namespace {
 /// the quick solver.
 constexpr std::uint32_t kMaxStumbles = 100;
 constexpr int kMaxRepeats = 3;
+constexpr int kWhipSteps = 8;
+constexpr double kWhip = 2e-4; // m that a joint is off
 constexpr int kShortSteps = 8; // measured: a stack of ten boxes stands with 4
 
 } // namespace
@@ -144,10 +146,10 @@ void ClusterSolver::rescue(double h, BodyClusters& clusters, std::uint32_t name)
     if (!solved) iterate(h, bodies);
 }
 
-/// Where bodies turn otherwise than their joints were prepared for, their clusters are taken again.
+/// Where bodies turn otherwise than their joints were prepared for, their clusters are taken again, at last in short steps.
 void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
-    for (int again = 0; again < kMaxRepeats; ++again) {
-        m_drift.findUnexpected(m_objects.bodies, m_objects.joints, h, m_bent);
+    for (int again = 0; again <= kMaxRepeats; ++again) {
+        m_drift.findUnexpected(m_objects.bodies, m_objects.joints, h, m_bent, again < kMaxRepeats ? JointDrift::kOpen : kWhip);
         if (m_bent.empty()) return;
         plan.findClusters(m_contacts.all, m_objects.geoms);
         BodyClusters& clusters = plan.clusters();
@@ -155,8 +157,13 @@ void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
         std::ranges::sort(m_bent);
         m_bent.erase(std::unique(m_bent.begin(), m_bent.end()), m_bent.end());
         std::erase_if(m_bent, [&](std::uint32_t name) { return std::ranges::find(m_quick, name) != m_quick.end(); });
+        if (again == kMaxRepeats) std::erase_if(m_bent, [&](std::uint32_t name) { return !isPlain(clusters, name); });
         if (m_bent.empty()) return;
         disableAll();
+        if (again == kMaxRepeats) {
+            for (const std::uint32_t name : m_bent) whip(h, clusters, name);
+            return;
+        }
         for (const std::uint32_t name : m_bent) {
             m_drift.expect(m_objects.bodies, clusters.bodies(name));
             for (const std::uint32_t body : clusters.bodies(name)) restore(body);
@@ -197,6 +204,48 @@ void ClusterSolver::solveVelocities(double h, SolverPlan& plan, std::span<const 
             ++from;
         }
     enableAll();
+}
+
+/// Whether its joints have no rows that were prepared for the whole tick.
+bool ClusterSolver::isPlain(const BodyClusters& clusters, std::uint32_t name) const {
+    return std::ranges::none_of(m_objects.joints, [&](const OdeJoint& joint) {
+        const bool prepared = joint.driven || joint.spring || joint.stop || joint.type == JointType::Suspension;
+        return prepared && clusters.of(joint.child) == name;
+    });
+}
+
+/// A chain that whips about, in short steps. All bodies are disabled before and after. Where the exact solver fails the cluster stays as
+/// the whole tick left it.
+void ClusterSolver::whip(double h, BodyClusters& clusters, std::uint32_t name) {
+    const double part = h / kWhipSteps;
+    const auto bodies = clusters.bodies(name);
+    std::vector<RawState> whole, from;
+    for (const std::uint32_t body : bodies) {
+        whole.push_back(rawState(m_objects.bodies[body]));
+        restore(body);
+    }
+    const auto putBack = [&](const std::vector<RawState>& states) {
+        for (std::size_t i = 0; i < bodies.size(); ++i) setRawState(m_objects.bodies[bodies[i]], states[i]);
+    };
+    enableOnly(clusters, std::span(&name, 1));
+    bool solved = true;
+    for (int k = 0; k < kWhipSteps && solved; ++k) {
+        from.clear();
+        for (const std::uint32_t body : bodies) {
+            from.push_back(rawState(m_objects.bodies[body]));
+            std::memcpy(from.back().force, m_saved[body].force, sizeof from.back().force);
+            std::memcpy(from.back().torque, m_saved[body].torque, sizeof from.back().torque);
+        }
+        for (int again = 0; again <= kMaxRepeats && solved; ++again) {
+            m_drift.expect(m_objects.bodies, bodies);
+            putBack(from);
+            solved = tryExactly(part);
+            m_drift.findUnexpected(m_objects.bodies, m_objects.joints, part, m_unexpected);
+            if (std::ranges::none_of(m_unexpected, [&](std::uint32_t body) { return clusters.of(body) == name; })) break;
+        }
+    }
+    if (!solved) putBack(whole);
+    disableAll();
 }
 
 /// Short steps of the quick solver, with the contacts that the tick began with. All bodies are disabled before and after.

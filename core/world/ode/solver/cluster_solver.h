@@ -47,6 +47,8 @@ private:
     void stepByThemselves(double h, BodyClusters& clusters, std::span<const std::uint32_t> names);
     void rescue(double h, BodyClusters& clusters, std::uint32_t name);
     void repeatBent(double h, SolverPlan& plan);
+    [[nodiscard]] bool isPlain(const BodyClusters& clusters, std::uint32_t name) const;
+    void whip(double h, BodyClusters& clusters, std::uint32_t name);
     void iterate(double h, std::span<const std::uint32_t> bodies);
     void seed() const;
     void save();
@@ -63,6 +65,7 @@ private:
     JointDrift& m_drift;
     OwnedJointGroup m_group;                       ///< contacts of a short step
     std::vector<RawState> m_saved;                 ///< before the step, should it have to be taken again
+    std::vector<std::uint32_t> m_unexpected;       ///< bodies
     std::vector<std::uint32_t> m_bent, m_stumbles; ///< m_stumbles: by body, of clusters that it named
     std::vector<Aside> m_aside;
     std::vector<std::uint32_t> m_quick; ///< bodies iterated in this step, sorted
