@@ -101,6 +101,22 @@ private Q_SLOTS:
             // The label shows the same value.
             const QString shown = m_window->find<QLabel>("budgetTerm6")->text();
             QCOMPARE(shown, QStringLiteral("%1 dBm").arg(report().link.power, 0, 'f', 1));
+            // So do those of the other terms, and a negative margin is put into words.
+            const LinkReport& l = report();
+            for (const auto& [term, value] : {std::pair(0, l.outputPower),
+                                              {1, l.link.sendGain},
+                                              {2, l.link.pathLoss},
+                                              {3, l.link.shadow},
+                                              {4, l.link.wallLoss},
+                                              {5, l.link.receiveGain},
+                                              {10, l.snr},
+                                              {12, l.margin}}) {
+                const QString text = m_window->find<QLabel>(qPrintable(QStringLiteral("budgetTerm%1").arg(term)))->text();
+                QVERIFY2(std::abs(text.section(QLatin1Char(' '), 0, 0).toDouble() - value) < 0.051, qPrintable(text));
+            }
+            const auto labels = m_window->panel.findChildren<QLabel*>();
+            QCOMPARE(std::ranges::any_of(labels, [](QLabel* l) { return l->text() == QStringLiteral("receives nothing"); }),
+                     l.margin < 0);
         }
         QVERIFY(pairs.size() > 40);
         QCOMPARE(walled, medium.contains("WallLoss"));
