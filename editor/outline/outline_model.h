@@ -44,7 +44,7 @@ public:
     [[nodiscard]] QModelIndex indexOf(const std::string& path);
     /// Why the row's object cannot have this name; empty if it can.
     [[nodiscard]] QString nameProblem(const QModelIndex& index, const QString& name) const;
-    struct Work {
+    struct Work {                 ///< for tests
         std::size_t made = 0;     ///< rows that exist
         std::size_t computed = 0; ///< rows whose contents were computed so far
     };

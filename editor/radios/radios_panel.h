@@ -33,7 +33,7 @@ public:
     /// All must outlive this object.
     RadiosPanel(Document& document, Selection& selection, RunSession& session, QWidget* parent = nullptr);
 
-    [[nodiscard]] PacketsPage& packets() { return *m_packets; }
+    [[nodiscard]] PacketsPage& packets() { return *m_packets; } ///< for tests
     [[nodiscard]] BudgetPage& budget() { return *m_budget; }
     void showPage(Page page);
     /// The visible content is up to date. For tests.

@@ -19,7 +19,7 @@ public:
 
     void update(); ///< reads the tokens of a changed text, and folds it by them
     void styleUpTo(int position);
-    [[nodiscard]] TextStyle styleAt(std::uint32_t offset);
+    [[nodiscard]] TextStyle styleAt(std::uint32_t offset); ///< for tests
     void foldEverything(bool folded);
 
 private:

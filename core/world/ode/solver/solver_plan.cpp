@@ -81,10 +81,6 @@ void SolverPlan::iterateLarge(std::span<OdeContact> contacts, std::span<const Od
     m_iterated.erase(std::unique(m_iterated.begin(), m_iterated.end()), m_iterated.end());
 }
 
-bool SolverPlan::isIterated(std::uint32_t body) const {
-    return !m_iterated.empty() && std::binary_search(m_iterated.begin(), m_iterated.end(), m_clusters.of(body));
-}
-
 void SolverPlan::findLargest(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms) {
     for (const OdeContact& c : contacts) {
         const std::uint32_t cluster = m_clusters.of(geoms[c.first].body);

@@ -22,7 +22,6 @@ public:
     [[nodiscard]] BodyClusters& clusters() { return m_clusters; }
     /// By cluster name, ascending.
     [[nodiscard]] std::span<const std::uint32_t> iterated() const { return m_iterated; }
-    [[nodiscard]] bool isIterated(std::uint32_t body) const;
     [[nodiscard]] bool hasOutside() const { return m_hasOutside; }
     /// Contacts in the largest cluster of this tick that is solved exactly, and its name; 0 without contacts between bodies.
     [[nodiscard]] std::uint32_t largest() const { return m_largest; }
