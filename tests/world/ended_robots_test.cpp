@@ -10,8 +10,9 @@ using namespace fixture;
 namespace {
 
 /// R0 at another scale; its motors as strong for their load.
-std::shared_ptr<RobotConfigSpec> small(double scale) {
+std::shared_ptr<RobotConfigSpec> small(double scale, bool bumper) {
     auto config = std::make_shared<RobotConfigSpec>(*r0());
+    if (bumper) config->bodies[0].geoms.push_back(box("bumper", {0.02, 0.3, 0.04}, at(0.13, 0, 0.07), 3));
     for (BodySpec& b : config->bodies) {
         b.pose.position *= scale;
         b.mass.mass *= std::pow(scale, 3);
@@ -30,7 +31,7 @@ std::shared_ptr<RobotConfigSpec> small(double scale) {
 
 /// 64 of them in a walled room, R0 scaled, each with other commands every 0.3 s.
 struct Swarm {
-    explicit Swarm(double tick, double scale, double speed) : scale(scale), speed(speed) {
+    Swarm(double tick, double scale, double speed, bool bumper = false) : scale(scale), speed(speed) {
         Scene scene = r0Scene(tick);
         const double side = 8 * scale;
         std::vector<GeomSpec> room{plane("floor", {}, 1)};
@@ -39,7 +40,7 @@ struct Swarm {
             room.push_back(box("y" + std::to_string(k), {side + 0.2, 0.1, 0.3}, at(0, k * (side / 2 + 0.05), 0.15), 3));
         }
         scene.scenery(room);
-        const auto config = small(scale);
+        const auto config = small(scale, bumper);
         for (int i = 0; i < 64; ++i)
             scene.robot("r" + std::to_string(i), at(scale * (i % 8 - 3.5), scale * (i / 8 - 3.5), 0), config);
         world = scene.build();
@@ -157,6 +158,14 @@ private Q_SLOTS:
         QVERIFY(std::abs(velocity(*world, "b/body").z() + 0.2 * g) < 1e-9);
         QVERIFY(world->push("b/body", {0, 0, 1e7}, {1, 0, 5}).ok());
         QVERIFY(!world->tick().ok() && world->fault());
+    }
+
+    /// Bumpers of 6 mm that move 4 mm in a tick brush others and touch them from behind, but pass through none.
+    void slowBumpersPassThroughNothing() {
+        Swarm swarm(0.01, 0.3, 0.4, true);
+        QVERIFY(swarm.world && swarm.run(6));
+        QVERIFY(swarm.world->sweeps().bodies > 100); // else this shows nothing
+        QCOMPARE(swarm.world->sweeps().passed.size(), std::size_t(0));
     }
 
     void smallRobotsAtLongTicks_data() {

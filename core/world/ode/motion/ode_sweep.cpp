@@ -16,6 +16,7 @@ constexpr double kGrazing = 0.01; // sine of the angle to a surface below which 
 constexpr int kMostSamples = 200; // of a path; what is thinner than that is found by its centre
 constexpr int kHalvings = 24;
 constexpr double kDeeper = 0.02; // of a thickness, that a contact may deepen in a tick
+constexpr double kThrough = 0.5; // of the smaller half extent: as deep as that is what passes through another
 constexpr std::size_t kMostPassages = 20;
 
 Box3 around(const Box3& box, const Vec3& by) {
@@ -171,15 +172,17 @@ double OdeSweep::freeShare(std::uint32_t geom, const Path& path, bool jointed) {
     return stopped;
 }
 
-/// `ahead`: in a way that stops the first on its way.
-bool OdeSweep::touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead) {
+/// How deep; negative: not at all. `ahead`: in a way that stops the first on its way.
+double OdeSweep::touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead) {
     m_contacts.clear();
     if (m_objects.boxes[first].touches(m_objects.boxes[second])) m_collider.meet(first, second, m_contacts);
     ahead = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const OdeContact& c) { return vec(c.normal).dot(way) < 0; });
-    return !m_contacts.empty();
+    double depth = -1;
+    for (const OdeContact& c : m_contacts) depth = std::max(depth, c.depth);
+    return depth;
 }
 
-/// Has the geom met a geom of another actor on its way, and not in the end or from behind?
+/// Has the geom met a geom of another actor on its way, and not in the end or from behind? What only brushed a corner has not.
 void OdeSweep::findPassages(std::uint32_t geom, double h) {
     const OdeGeom& g = m_objects.geoms[geom];
     const Path own = pathOf(g.body, h);
@@ -198,13 +201,17 @@ void OdeSweep::findPassages(std::uint32_t geom, double h) {
             const Path path = pathOf(m_objects.geoms[k].body, h);
             const RawState mine = stateOf(m_objects.bodies[g.body]), its = stateOf(m_objects.bodies[m_objects.geoms[k].body]);
             const double steps = std::clamp(std::ceil(way.norm() / (kShare * g.half.minCoeff())), 1.0, double(kMostSamples));
+            const double thin = m_objects.geoms[k].half.minCoeff();
+            if (way.norm() < g.half.minCoeff() + thin) continue; // not even from the first touch to its middle
+            const double through = kThrough * std::min(g.half.minCoeff(), thin);
             bool met = false, ahead = false;
             for (int i = 0; i <= static_cast<int>(steps); ++i) {
                 put(g.body, own, i / steps);
                 put(m_objects.geoms[k].body, path, i / steps);
-                const bool touches = touch(geom, k, way, ahead);
+                const double depth = touch(geom, k, way, ahead);
+                const bool touches = depth >= 0;
                 if (i == 0 && touches) break; // they know of each other
-                met = met || touches;
+                met = met || depth > through;
                 if (i == static_cast<int>(steps) && met && !(touches && ahead)) m_passages.emplace_back(geom, k);
             }
             putBack(g.body, mine);

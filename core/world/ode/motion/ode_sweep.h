@@ -49,7 +49,7 @@ private:
     [[nodiscard]] double depthIn(std::uint32_t geom, const Obstacle& obstacle, const Path& path);
     [[nodiscard]] bool isStopped(std::uint32_t geom, const Path& path, double t);
     [[nodiscard]] double freeShare(std::uint32_t geom, const Path& path, bool jointed);
-    [[nodiscard]] bool touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead);
+    [[nodiscard]] double touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead);
     void findPassages(std::uint32_t geom, double h);
     void stopAt(std::uint32_t actor, double t, double h, std::span<const OdeContact> contacts);
 
