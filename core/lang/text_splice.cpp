@@ -35,4 +35,15 @@ std::string unspliced(std::string_view after, const TextSplice& splice) {
     return replaced(after, splice.at, splice.inserted.size(), splice.removed);
 }
 
+TextSplice joined(const TextSplice& first, const TextSplice& second, std::string_view middle) {
+    const std::uint64_t begin = std::min<std::uint64_t>({first.at, second.at, middle.size()}),
+                        end = std::max(first.at + first.inserted.size(), second.at + second.removed.size());
+    const std::string_view changed = middle.substr(begin, std::max(begin, end) - begin);
+    const std::string before = replaced(changed, first.at - begin, first.inserted.size(), first.removed),
+                      after = replaced(changed, second.at - begin, second.removed.size(), second.inserted);
+    TextSplice whole = spliceBetween(before, after);
+    whole.at += begin;
+    return whole;
+}
+
 } // namespace trundle

@@ -21,5 +21,7 @@ struct TextSplice {
 [[nodiscard]] std::string spliced(std::string_view before, const TextSplice& splice);
 /// Reverts a splice.
 [[nodiscard]] std::string unspliced(std::string_view after, const TextSplice& splice);
+/// One splice with the effect of two in sequence; `middle` is the text after the first and before the second.
+[[nodiscard]] TextSplice joined(const TextSplice& first, const TextSplice& second, std::string_view middle);
 
 } // namespace trundle

@@ -80,7 +80,7 @@ void DocumentLoading::readNamed() {
 }
 
 void DocumentLoading::notifyChanged() {
-    const ChangeSet changes = m_state.changes; // a copy: a slot may edit
+    const ChangeSet changes = std::exchange(m_state.changes, {}); // a slot may edit; the texts before the edit are not kept
     Q_EMIT changed(changes);
 }
 

@@ -35,7 +35,7 @@ struct DocumentState {
     std::string opened; ///< absolute path of the opened file; for a new text, its path in the text overlay
     std::string name;   ///< of a new text; "" once it is saved to a file
     std::shared_ptr<const LoadedProject> loaded, lastValid;
-    ChangeSet changes; ///< of the last load
+    ChangeSet changes; ///< of the last load, until it is notified
     History history;
     std::uint64_t revision = 0;
     DocumentMessages messages;

@@ -14,8 +14,8 @@ void History::join(const HistoryEntry& entry) {
     for (const auto& [file, after] : entry.after) {
         const std::string& now = *entry.before.at(file);
         const auto known = last.splices.find(file);
-        const std::string start = known == last.splices.end() ? now : unspliced(now, known->second);
-        TextSplice whole = spliceBetween(start, *after);
+        TextSplice whole = spliceBetween(now, *after);
+        if (known != last.splices.end()) whole = joined(known->second, whole, now);
         if (whole.empty()) last.splices.erase(file);
         else last.splices.insert_or_assign(file, std::move(whole));
     }

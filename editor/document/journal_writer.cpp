@@ -55,7 +55,7 @@ Status JournalWriter::write() {
     Status first;
     for (const std::string& path : m_files.inWritingOrder()) {
         const OpenFile& file = *m_files.find(path);
-        const Status done = file.edited() ? m_journal->note(path, *file.disk, *file.text, file.made) : m_journal->forget(path);
+        const Status done = file.edited() ? m_journal->note(path, file.disk, file.text, file.made) : m_journal->forget(path);
         if (!done && first) first = done;
     }
     // One pending sync is enough: the next write starts another.

@@ -89,6 +89,10 @@ private Q_SLOTS:
             QCOMPARE(spliced(before, splice), after);
             QCOMPARE(unspliced(after, splice), before);
             QCOMPARE(splice.empty(), before == after);
+            const std::string last = text();
+            const TextSplice both = joined(splice, spliceBetween(after, last), after);
+            QCOMPARE(spliced(before, both), last);
+            QCOMPARE(unspliced(last, both), before);
         }
     }
 };

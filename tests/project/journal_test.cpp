@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+SharedText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
+
 std::string bytesOf(const std::string& path) {
     const auto bytes = readRegularFile(path);
     return bytes ? bytes.value() : std::string();
@@ -77,7 +79,7 @@ private Q_SLOTS:
             std::uint64_t before = 0;
             for (int i = 0; i < 120; ++i) {
                 text.assign(100'000, char('a' + i % 7));
-                QVERIFY(journal.note("a.sim", base, text).ok());
+                QVERIFY(journal.note("a.sim", shared(base), shared(text)).ok());
                 const std::uint64_t size = fs::file_size(journal.file()->path());
                 shrunk += size < before;
                 before = size;
@@ -110,15 +112,15 @@ private Q_SLOTS:
 
     void ignoresJournalOfLiveWindow() {
         Journal journal(m_project, {m_project + "/main.sim", {}});
-        QVERIFY(journal.note("a.sim", "base", "text").ok());
+        QVERIFY(journal.note("a.sim", shared("base"), shared("text")).ok());
         QVERIFY(findRecoveries(m_project).empty());
     }
 
     void savingClearsJournal() {
         {
             Journal journal(m_project, {m_project + "/main.sim", {}});
-            QVERIFY(journal.note("a.sim", "a", "a1").ok());
-            QVERIFY(journal.note("b.sim", "b", "b1").ok());
+            QVERIFY(journal.note("a.sim", shared("a"), shared("a1")).ok());
+            QVERIFY(journal.note("b.sim", shared("b"), shared("b1")).ok());
             QVERIFY(journal.forget("a.sim").ok());
             QVERIFY(!journal.holds("a.sim"));
         }
@@ -130,11 +132,11 @@ private Q_SLOTS:
 
     void lastSaveRemovesJournal() {
         Journal journal(m_project, {m_project + "/main.sim", {}});
-        QVERIFY(journal.note("a.sim", "a", "a1").ok());
+        QVERIFY(journal.note("a.sim", shared("a"), shared("a1")).ok());
         QVERIFY(entriesIn(journals()) > 0);
         QVERIFY(journal.forget("a.sim").ok());
         QCOMPARE(entriesIn(journals()), 0u);
-        QVERIFY(journal.note("a.sim", "a1", "a2").ok());
+        QVERIFY(journal.note("a.sim", shared("a1"), shared("a2")).ok());
         QVERIFY(entriesIn(journals()) > 0);
         QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
     }
@@ -142,8 +144,8 @@ private Q_SLOTS:
     void aSaveInBetweenIsANewBase() {
         {
             Journal journal(m_project, {m_project + "/main.sim", {}});
-            QVERIFY(journal.note("a.sim", "one", "two").ok());
-            QVERIFY(journal.note("a.sim", "two", "three").ok());
+            QVERIFY(journal.note("a.sim", shared("one"), shared("two")).ok());
+            QVERIFY(journal.note("a.sim", shared("two"), shared("three")).ok());
         }
         const auto found = findRecoveries(m_project);
         QCOMPARE(found.at(0).files.at("a.sim").base, "two");
@@ -249,7 +251,7 @@ private Q_SLOTS:
             std::string text(20000, 'x');
             for (int edit = 0; edit < 300; ++edit) {
                 text.assign(20000, static_cast<char>('a' + edit % 26));
-                QVERIFY(journal.note("a.sim", "base", text).ok());
+                QVERIFY(journal.note("a.sim", shared("base"), shared(text)).ok());
             }
             path = journal.file()->path();
             QVERIFY(fs::file_size(path) < 4u << 20);
@@ -265,7 +267,7 @@ private Q_SLOTS:
         fs::create_directories(plain);
         {
             Journal journal(plain, {plain + "/main.sim", {}});
-            QVERIFY(journal.note("a.sim", "a", "b").ok());
+            QVERIFY(journal.note("a.sim", shared("a"), shared("b")).ok());
             const ProjectLock lock(plain, plain + "/main.sim");
             QVERIFY(lock.taken());
             QCOMPARE(entriesIn(plain), 0u);
@@ -276,7 +278,7 @@ private Q_SLOTS:
     void aFolderThatCannotBeWritten() {
         write(m_folder + "/state", "a file where a folder should be");
         Journal journal(m_project, {m_project + "/main.sim", {}});
-        const Status noted = journal.note("a.sim", "a", "b");
+        const Status noted = journal.note("a.sim", shared("a"), shared("b"));
         QVERIFY(!noted.ok());
         QVERIFY2(noted.error().message.find(m_folder + "/state/") != std::string::npos, noted.error().message.c_str());
         QVERIFY(findRecoveries(m_project).empty());
@@ -369,7 +371,7 @@ private:
     std::string leave(const std::string& base, const std::vector<std::string>& texts) {
         Journal journal(m_project, {m_project + "/main.sim", {}});
         for (const std::string& text : texts)
-            if (!journal.note("a.sim", base, text)) return {};
+            if (!journal.note("a.sim", shared(base), shared(text))) return {};
         return bytesOf(journal.file()->path());
     }
 

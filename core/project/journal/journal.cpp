@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "base/platform/process_identity.h"
-#include "lang/text_splice.h"
 #include "project/journal/journal_record.h"
 #include "project/journal/state_folder.h"
 
@@ -63,26 +62,31 @@ Status Journal::append(const std::string& record) {
 }
 
 std::string Journal::beginBytes(const std::string& file, const JournaledText& journaled) {
-    JournalRecord record{JournalRecord::Begin, {file, journaled.base, now()}};
-    if (journaled.isCreated) record.fields.emplace_back(kCreatedMark);
-    return journalBytes(record);
+    const std::string time = now();
+    std::vector<std::string_view> fields{file, *journaled.base, time};
+    if (journaled.isCreated) fields.push_back(kCreatedMark);
+    return journalBytes(JournalRecord::Begin, fields);
 }
 
-Status Journal::note(const std::string& file, const std::string& base, const std::string& text, bool isCreated) {
+std::string Journal::changeBytes(const std::string& file, const TextSplice& splice) {
+    return journalBytes({JournalRecord::Change,
+                         {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
+}
+
+Status Journal::note(const std::string& file, SharedText base, SharedText text, bool isCreated) {
     if (!m_file) {
         if (Status made = makeFile(); !made) return made;
     }
     const auto known = m_journaled.find(file);
-    const bool begins = known == m_journaled.end() || known->second.base != base || known->second.isCreated != isCreated;
-    const std::string& before = begins ? base : known->second.text;
-    const TextSplice splice = spliceBetween(before, text);
+    const bool begins = known == m_journaled.end() || *known->second.base != *base || known->second.isCreated != isCreated;
+    const TextSplice splice = spliceBetween(begins ? *base : *known->second.text, *text);
     if (!begins && splice.empty()) return {};
-    const JournaledText journaled{base, text, isCreated};
-    std::string record = begins ? beginBytes(file, journaled) : std::string();
-    record += journalBytes({JournalRecord::Change,
-                            {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
-    if (Status written = append(record); !written) return written;
-    m_journaled.insert_or_assign(file, journaled);
+    JournaledText journaled{std::move(base), std::move(text), isCreated};
+    if (begins) {
+        if (Status written = append(beginBytes(file, journaled)); !written) return written;
+    }
+    if (Status written = append(changeBytes(file, splice)); !written) return written;
+    m_journaled.insert_or_assign(file, std::move(journaled));
     return compact();
 }
 
@@ -98,17 +102,15 @@ Status Journal::forget(const std::string& file) {
 // Keeps the file small: it is replaced by one that gives the same texts in fewer bytes.
 Status Journal::compact() {
     std::uint64_t needed = kSmallJournal;
-    for (const auto& [file, journaled] : m_journaled) needed += 2 * (journaled.base.size() + journaled.text.size());
+    for (const auto& [file, journaled] : m_journaled) needed += 2 * (journaled.base->size() + journaled.text->size());
     if (m_bytes <= 2 * needed) return {};
     const std::string path = m_file->path();
     Result<LockedFile> fresh = LockedFile::make(path + ".new");
     if (!fresh) return {}; // keep the current file
     std::string bytes = headBytes(m_head);
     for (const auto& [file, journaled] : m_journaled) {
-        const TextSplice splice = spliceBetween(journaled.base, journaled.text);
         bytes += beginBytes(file, journaled);
-        bytes += journalBytes({JournalRecord::Change,
-                               {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
+        bytes += changeBytes(file, spliceBetween(*journaled.base, *journaled.text));
     }
     LockedFile& file = fresh.value();
     if (!file.append(bytes) || !file.sync() || !file.renameTo(path)) {

@@ -10,6 +10,8 @@
 
 #include "base/platform/locked_file.h"
 #include "base/result.h"
+#include "lang/text_splice.h"
+#include "project/loading/text_overlay.h"
 
 namespace trundle {
 
@@ -30,7 +32,7 @@ public:
 
     /// Records that a file with the bytes `base` on disk now has the text `text`; writes only the difference to the last note.
     /// `isCreated`: see RecoveredText.
-    [[nodiscard]] Status note(const std::string& file, const std::string& base, const std::string& text, bool isCreated = false);
+    [[nodiscard]] Status note(const std::string& file, SharedText base, SharedText text, bool isCreated = false);
     /// Records that a file was saved. Removes the journal when no unsaved text is left.
     [[nodiscard]] Status forget(const std::string& file);
     [[nodiscard]] bool holds(const std::string& file) const { return m_journaled.contains(file); }
@@ -43,10 +45,11 @@ public:
 
 private:
     struct JournaledText {
-        std::string base, text;
+        SharedText base, text;
         bool isCreated = false;
     };
     [[nodiscard]] static std::string beginBytes(const std::string& file, const JournaledText& journaled);
+    [[nodiscard]] static std::string changeBytes(const std::string& file, const TextSplice& splice);
     [[nodiscard]] Status makeFile();
     [[nodiscard]] Status append(const std::string& record);
     [[nodiscard]] Status compact();

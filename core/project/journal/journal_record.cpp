@@ -6,7 +6,7 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kMaxFields = 16;
+constexpr std::size_t kMaxFields = 16, kNumberBytes = 4;
 
 /// CRC-32 as in ISO 3309 (polynomial 0xEDB88320 reflected).
 std::uint32_t checksum(std::string_view bytes) {
@@ -38,15 +38,25 @@ std::optional<std::uint32_t> readNumber(std::string_view& bytes) {
 } // namespace
 
 std::string journalBytes(const JournalRecord& record) {
-    std::string content(1, record.kind);
-    for (const std::string& field : record.fields) {
-        putNumber(content, static_cast<std::uint32_t>(field.size()));
-        content += field;
-    }
+    const std::vector<std::string_view> fields(record.fields.begin(), record.fields.end());
+    return journalBytes(static_cast<JournalRecord::Kind>(record.kind), fields);
+}
+
+std::string journalBytes(JournalRecord::Kind kind, std::span<const std::string_view> fields) {
+    std::size_t size = 1;
+    for (const std::string_view field : fields) size += kNumberBytes + field.size();
     std::string bytes;
-    putNumber(bytes, static_cast<std::uint32_t>(content.size()));
-    putNumber(bytes, checksum(content));
-    return bytes + content;
+    bytes.reserve(2 * kNumberBytes + size);
+    putNumber(bytes, static_cast<std::uint32_t>(size));
+    putNumber(bytes, 0); // the checksum
+    bytes += static_cast<char>(kind);
+    for (const std::string_view field : fields) {
+        putNumber(bytes, static_cast<std::uint32_t>(field.size()));
+        bytes += field;
+    }
+    std::string sum;
+    putNumber(sum, checksum(std::string_view(bytes).substr(2 * kNumberBytes)));
+    return bytes.replace(kNumberBytes, kNumberBytes, sum);
 }
 
 std::optional<JournalRecord> nextRecord(std::string_view& bytes) {

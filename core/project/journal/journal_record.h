@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,8 @@ struct JournalRecord {
 
 /// Encodes a record: length, checksum, content.
 [[nodiscard]] std::string journalBytes(const JournalRecord& record);
+/// The same from fields that may be large: they are copied once.
+[[nodiscard]] std::string journalBytes(JournalRecord::Kind kind, std::span<const std::string_view> fields);
 /// Removes the next record from the front of `bytes`; nothing at the end, or if it is not a complete record.
 [[nodiscard]] std::optional<JournalRecord> nextRecord(std::string_view& bytes);
 

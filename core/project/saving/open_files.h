@@ -11,8 +11,6 @@
 
 namespace trundle {
 
-using SharedText = std::shared_ptr<const std::string>;
-
 struct OpenFile {
     SharedText text;   ///< current text
     SharedText disk;   ///< last known content on disk; for a new text, its initial content

@@ -18,6 +18,7 @@ public:
     explicit CodeEdit(QWidget* parent = nullptr);
 
     [[nodiscard]] std::string bytes() const { return m_text.bytes(); }
+    [[nodiscard]] bool shows(std::string_view bytes) const { return m_text.is(bytes); }
     void load(std::string_view bytes); ///< replaces the text; caret at the start
     /// Updates the text after an external change: caret, selection, scroll position and folds keep their positions in it.
     /// Returns the end of the last change.

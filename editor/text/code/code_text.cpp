@@ -20,6 +20,11 @@ std::string CodeText::bytes() const {
     return all;
 }
 
+bool CodeText::is(std::string_view bytes) const {
+    const std::string_view bom = kBom.substr(0, m_bom);
+    return bytes.starts_with(bom) && bytes.substr(bom.size()) == view();
+}
+
 std::string_view CodeText::hideBom(std::string_view bytes) {
     m_bom = bytes.starts_with(kBom) ? static_cast<std::uint32_t>(kBom.size()) : 0;
     return bytes.substr(m_bom);

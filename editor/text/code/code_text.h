@@ -17,7 +17,8 @@ public:
     explicit CodeText(QsciScintilla& edit) : m_edit(edit) {}
 
     [[nodiscard]] std::string bytes() const;
-    [[nodiscard]] std::string_view view() const; ///< without the BOM; valid until the next change
+    [[nodiscard]] bool is(std::string_view bytes) const; ///< whether bytes() are these
+    [[nodiscard]] std::string_view view() const;         ///< without the BOM; valid until the next change
     /// Remembers whether a text begins with a BOM, and returns what follows it.
     [[nodiscard]] std::string_view hideBom(std::string_view bytes);
 

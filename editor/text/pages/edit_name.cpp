@@ -4,8 +4,6 @@
 
 #include <QCoreApplication>
 
-#include "lang/text_splice.h"
-
 namespace trundle {
 namespace {
 
@@ -21,8 +19,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Typing", text
 
 } // namespace
 
-QString typedName(std::string_view before, std::string_view after, const std::string& file) {
-    const TextSplice change = spliceBetween(before, after);
+QString typedName(const TextSplice& change, std::string_view after, const std::string& file) {
     const auto until = after.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(change.at, after.size()));
     const auto line = 1 + std::count(after.begin(), until, '\n');
     const QString place = QStringLiteral("%1:%2").arg(QString::fromStdString(file), QString::number(line));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
@@ -35,9 +36,13 @@ FilePage::FilePage(Document& document, std::string file, QWidget* parent)
     connect(m_edit, &CodeEdit::actionBegins, this, [this] { m_typing.beginAction(); });
     connect(m_edit, &CodeEdit::edited, this, [this](std::size_t at, std::string_view removed, std::string_view inserted) {
         if (m_typing.startsEntry(at, removed.size(), inserted)) {
-            std::string before = m_edit->bytes();
-            before.replace(at, inserted.size(), removed);
-            m_typing.close(std::move(before));
+            if (m_edit->styling().isPlain()) {
+                m_endsWord = true; // one entry until the next flush: a large text for each would take too much memory
+            } else {
+                std::string before = m_edit->bytes();
+                before.replace(at, inserted.size(), removed);
+                m_typing.close(std::move(before));
+            }
         }
         m_typing.changed(at, inserted);
         // The timer is not restarted by later keys, so that the rest of the window follows continuous typing. If loading is
@@ -134,13 +139,14 @@ bool FilePage::flush() {
     bool taken = true;
     {
         const QScopedValueRollback<bool> flushing(m_flushing, true);
-        std::string before = m_base ? *m_base : std::string();
+        std::shared_ptr<const std::string> before = m_base;
         for (TypingMerger::Entry& entry : m_typing.take(m_edit->bytes())) {
-            const QString name = nameOf(entry, before);
-            before = entry.bytes;
+            const QString name = nameOf(entry, before ? std::string_view(*before) : std::string_view());
             taken = taken && m_document.edits().replaceText(name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
+            before = m_document.texts().text(m_file);
         }
     }
+    if (std::exchange(m_endsWord, false)) m_typing.endWord();
     m_cost = static_cast<int>(clock.elapsed());
     m_sinceFlush.start();
     if (!taken) {
@@ -153,27 +159,25 @@ bool FilePage::flush() {
     return taken;
 }
 
-QString FilePage::nameOf(const TypingMerger::Entry& entry, const std::string& before) {
-    if (entry.mergeKey != m_wordKey) {
-        m_wordKey = entry.mergeKey;
-        m_wordBase = before;
-    }
-    return entry.named ? entry.name : typedName(m_wordBase, entry.bytes, std::filesystem::path(m_file).filename().string());
+QString FilePage::nameOf(const TypingMerger::Entry& entry, std::string_view before) {
+    const TextSplice change = spliceBetween(before, entry.bytes);
+    m_word = entry.mergeKey == m_wordKey ? joined(m_word, change, before) : change;
+    m_wordKey = entry.mergeKey;
+    return entry.named ? entry.name : typedName(m_word, entry.bytes, std::filesystem::path(m_file).filename().string());
 }
 
 void FilePage::follow() {
     if (m_flushing) return;
     const std::shared_ptr<const std::string> now = m_document.texts().text(m_file);
     if (!now || now == m_base) return;
-    const std::string shown = m_shown ? m_edit->bytes() : std::string();
     if (m_typing.pending()) { // typing and an external change at the same time: merge
         m_typing.joinAll();
-        (void)m_edit->bring(merged(*m_base, shown, *now));
+        (void)m_edit->bring(merged(*m_base, m_shown ? m_edit->bytes() : std::string(), *now));
         m_base = now;
         return;
     }
     m_base = now;
-    if (m_shown && shown == *now) return;
+    if (m_shown && m_edit->shows(*now)) return;
     m_typing.endWord();
     if (!m_shown || isTooLarge()) {
         showText();

@@ -12,6 +12,7 @@
 
 #include "base/diagnostic.h"
 #include "editor/text/pages/typing_merger.h"
+#include "lang/text_splice.h"
 
 class QLabel;
 
@@ -65,7 +66,7 @@ private:
     void showText();
     [[nodiscard]] bool isTooLarge() const;
     void readWays();
-    [[nodiscard]] QString nameOf(const TypingMerger::Entry& entry, const std::string& before);
+    [[nodiscard]] QString nameOf(const TypingMerger::Entry& entry, std::string_view before);
 
     Document& m_document;
     std::string m_file;
@@ -73,13 +74,15 @@ private:
     LargeTextNotice* m_notice = nullptr; ///< created for the first text that is too large
     TypingMerger m_typing;
     std::shared_ptr<const std::string> m_base; ///< the document's text that the editor's text is based on
-    std::string m_wordKey, m_wordBase;         ///< merge key of the current history entry, and the text before it
+    std::string m_wordKey;                     ///< merge key of the current history entry
+    TextSplice m_word;                         ///< all of that entry's changes
     std::vector<Diagnostic> m_problems;
     std::shared_ptr<const ModelProblems> m_modelProblems;
     QTimer m_timer;
     int m_cost = 0; ///< ms that the last flush took
     QElapsedTimer m_sinceFlush;
     bool m_flushing = false;
+    bool m_endsWord = false; ///< after the next flush, a new entry begins
     bool m_shown = true;     ///< the editor has the text
     bool m_asText = false;   ///< the user chose to show it despite its size
     TextRange m_selectLater; ///< pending select(), until the text is shown

@@ -213,7 +213,8 @@ private:
     /// Leaves a journal as a crashed window does.
     void leave(const JournalHead& head, const std::map<std::string, RecoveredText>& files) {
         Journal journal(m_fixture->path("configs"), head);
-        for (const auto& [path, text] : files) QVERIFY(journal.note(path, text.base, text.text).ok());
+        for (const auto& [path, text] : files)
+            QVERIFY(journal.note(path, std::make_shared<std::string>(text.base), std::make_shared<std::string>(text.text)).ok());
     }
 
     std::unique_ptr<Application> m_application;

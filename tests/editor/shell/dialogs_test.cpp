@@ -316,8 +316,9 @@ private:
     void edit() { QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok()); }
     /// Leaves a journal with edits of a file, as a killed window does.
     void leaveJournal(const char* name) const {
-        Journal left(projectFolderOf(path(name).toStdString()), {path(name).toStdString(), {}});
-        QVERIFY(left.note(path(name).toStdString(), kMain.toStdString(), kMain.toStdString() + "Seed = 3\n").ok());
+        const std::string file = path(name).toStdString(), before = kMain.toStdString();
+        const auto shared = [](const std::string& text) { return std::make_shared<const std::string>(text); };
+        QVERIFY(Journal(projectFolderOf(file), {file, {}}).note(file, shared(before), shared(before + "Seed = 3\n")).ok());
     }
     void press(const char* dialog, const char* button) {
         EVENTUALLY(m_window->findChild<QDialog*>(QLatin1String(dialog)));

@@ -67,7 +67,9 @@ private Q_SLOTS:
         addRecentFile(path);
         {
             Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}}); // as by a killed window
-            QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
+            QVERIFY(left.note(path.toStdString(), std::make_shared<std::string>(kText),
+                              std::make_shared<std::string>(std::string(kText) + "Duration = 3\n"))
+                        .ok());
         }
         m_window = m_fixture.window();
         m_window->show();
@@ -94,8 +96,13 @@ private Q_SLOTS:
         write(part, kText);
         {
             Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
-            for (const QString& file : {path, part}) QVERIFY(left.note(file.toStdString(), kText, "Duration = 3\n").ok());
-            QVERIFY(left.note(hostile.toStdString(), {}, "curl evil.example\n").ok());
+            for (const QString& file : {path, part})
+                QVERIFY(left.note(file.toStdString(), std::make_shared<std::string>(kText),
+                                  std::make_shared<std::string>("Duration = 3\n"))
+                            .ok());
+            QVERIFY(left.note(hostile.toStdString(), std::make_shared<std::string>(""),
+                              std::make_shared<std::string>("curl evil.example\n"))
+                        .ok());
         }
         m_window = m_fixture.window();
         m_window->show();
@@ -142,7 +149,9 @@ private Q_SLOTS:
         write(path, kText);
         {
             Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
-            QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
+            QVERIFY(left.note(path.toStdString(), std::make_shared<std::string>(kText),
+                              std::make_shared<std::string>(std::string(kText) + "Duration = 3\n"))
+                        .ok());
         }
         const QString crashes = folder.filePath(QStringLiteral("crashes"));
         QVERIFY(QDir().mkpath(crashes));
@@ -204,7 +213,9 @@ private Q_SLOTS:
         for (const QString& path : {first, second}) {
             write(path, kText);
             Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
-            QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
+            QVERIFY(left.note(path.toStdString(), std::make_shared<std::string>(kText),
+                              std::make_shared<std::string>(std::string(kText) + "Duration = 3\n"))
+                        .ok());
         }
         m_window = m_fixture.window();
         m_window->show();

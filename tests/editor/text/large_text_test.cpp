@@ -1,10 +1,14 @@
 // Texts that are too large to be shown in full, and marks that are set from outside the editor.
 
+#include <malloc.h>
+
+#include <QDir>
 #include <QLabel>
 #include <QPushButton>
 
 #include "editor/text/pages/large_text.h"
 #include "editor/text/text_fixture.h"
+#include "project/journal/state_folder.h"
 
 using namespace trundle;
 using namespace trundle::test;
@@ -14,6 +18,7 @@ class LargeTextTest final : public QObject {
 private Q_SLOTS:
     void showsLargeTextsOnRequest();
     void aLargeTextIsNotCopied();
+    void typingCopiesALargeTextOnce();
     void longLinesAreNotShown();
     void aTextThatShrinksIsShown();
     void marksModelDiagnostics();
@@ -70,6 +75,37 @@ void LargeTextTest::aLargeTextIsNotCopied() {
     QCOMPARE(notifications, 0);
     QTest::keyClicks(&window.edit(), QStringLiteral("x"));
     QVERIFY(notifications > 0);
+}
+
+/// The document gets the new text beside the one on disk; history, journal and names of edits store only what was typed.
+void LargeTextTest::typingCopiesALargeTextOnce() {
+    TextFixture window;
+    const QByteArray large = largeText("// " + QByteArray(300, 'x') + "\n");
+    const std::string file = window.write("main.sim", large);
+    window.open(file);
+    QTest::mouseClick(window.page().findChild<QPushButton*>(QStringLiteral("openAsText")), Qt::LeftButton);
+    const QDir journals(QString::fromStdString(projectStateFolder(window.document.loaded()->projectFolder) + "/journal"));
+    const auto bytesInUse = [] { // by malloc; always 0 with a sanitizer
+        const struct mallinfo2 now = mallinfo2();
+        return double(now.uordblks) + double(now.hblkhd);
+    };
+    const double before = bytesInUse();
+    for (const char* word : {"one", " two", " three"}) {
+        QTest::keyClicks(&window.edit(), QLatin1String(word));
+        window.panel.flush();
+    }
+    QTRY_VERIFY(!journals.entryList(QDir::Files).isEmpty());
+    const double copies = (bytesInUse() - before) / double(large.size());
+    QVERIFY2(copies < 2, qPrintable(QString::number(copies)));
+    QCOMPARE(window.document.edits().history().entries().back().name, QStringLiteral("Type “three” at main.sim:1"));
+    QVERIFY(window.text() == "one two three" + large);
+    // What is typed faster than it is flushed is one entry.
+    const auto entries = window.document.edits().history().entries().size();
+    QTest::keyClicks(&window.edit(), QStringLiteral("four five"));
+    window.panel.flush();
+    QVERIFY(window.document.edits().history().entries().size() <= entries + 1);
+    while (window.document.edits().history().canUndo()) window.document.edits().undo();
+    QVERIFY(window.text() == large && window.shown() == large);
 }
 
 void LargeTextTest::longLinesAreNotShown() {
