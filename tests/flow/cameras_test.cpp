@@ -217,20 +217,22 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), (QStringList{"a.mp4", "ffmpeg"}));
     }
 
-    /// The temporary file of the movie exists already, as a link that came with the project: it is not followed.
+    /// The movie file is a link that came with the project: it is replaced, not followed. The temporary file of a movie whose
+    /// program was killed is removed, a younger one and a link are not.
     void aMovieIsWrittenThroughNoLink() {
         QTemporaryDir folder, outside;
         const QString movie = folder.filePath("a.mp4"), precious = outside.filePath("precious");
-        QVERIFY(writeFile(precious, "precious"));
-        QVERIFY(QFile::link(precious, folder.filePath(".a.mp4.part")) && QFile::link(precious, folder.filePath(".a.part.mp4")));
-        const Outcome run = cli({"run", kExperiment, "--duration", "0.2", "--movie", movie, "--camera", "seeker_0/eye",
-                                 "--log-dir", folder.filePath("logs")});
-        QVERIFY2(run.code == 1 && run.err.contains("symbolic link"), shown(run));
-        QCOMPARE(contentOf(precious), QByteArray("precious"));
-        // The movie file is a link: it is replaced, not followed.
-        QVERIFY(QFile::remove(folder.filePath(".a.mp4.part")) && QFile::link(precious, movie));
+        const QString abandoned = folder.filePath(".trundle-1-0.tmp"), young = folder.filePath(".trundle-1-1.tmp");
+        QVERIFY(writeFile(precious, "precious") && writeFile(abandoned, "half a movie") && writeFile(young, "half a movie"));
+        QFile old(abandoned);
+        QVERIFY(old.open(QIODevice::ReadWrite) &&
+                old.setFileTime(QDateTime::currentDateTime().addSecs(-120), QFileDevice::FileModificationTime));
+        old.close();
+        QVERIFY(QFile::link(precious, movie) && QFile::link(precious, folder.filePath(".trundle-1-2.tmp")));
         const Outcome again = cli({"run", kExperiment, "--duration", "0.2", "--movie", movie, "--camera", "seeker_0/eye",
                                    "--log-dir", folder.filePath("logs")});
+        QCOMPARE(QDir(folder.path()).entryList({".*.tmp"}, QDir::Files | QDir::Hidden),
+                 (QStringList{".trundle-1-1.tmp", ".trundle-1-2.tmp"}));
         QVERIFY2(again.code == 0 && !QFileInfo(movie).isSymLink() && QFileInfo(movie).size() > 100, shown(again));
         QCOMPARE(contentOf(precious), QByteArray("precious"));
     }

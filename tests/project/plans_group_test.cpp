@@ -83,6 +83,31 @@ private Q_SLOTS:
         }
     }
 
+    /// The members of a Grid become bodies where they were, with its overrides.
+    void membersOfAGridBecomeBodies() {
+        const auto before = m_fixture.open("RobotConfig C { Body b { Box x { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                           "Robot r { Config=C Pos=5,0,0.1 }\n"
+                                           "Grid g { Config=C Pos=1,2,0.1 HPR=30,0,0 Count=3,2 Spacing=0.5 b.x.Mass=2 }\n");
+        QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
+        const auto group = planGroup(*before, {"r", "g"}, "Piece");
+        QVERIFY2(group.ok(), group.ok() ? "" : group.error().message.c_str());
+        sample::Texts texts = sample::PlanFixture::after(*before, group.value().plan);
+        texts[group.value().file] = group.value().text;
+        const auto after = m_fixture.read(texts);
+        QVERIFY2(!after->diagnostics.hasErrors(), (sample::messages(*after) + group.value().text).c_str());
+        QCOMPARE(after->experiment->robots.size(), std::size_t(1));
+        const auto was = shapesOf(*before->experiment), is = shapesOf(*after->experiment);
+        QCOMPARE(is.size(), std::size_t(7));
+        for (const auto& [pose, geom] : was)
+            QVERIFY2(std::ranges::any_of(is,
+                                         [&, &pose = pose, &geom = geom](const auto& other) {
+                                             return (other.first.position - pose.position).norm() < 1e-6 &&
+                                                    other.first.rotation.angularDistance(pose.rotation) < 1e-6 &&
+                                                    other.second.mass == geom.mass;
+                                         }),
+                     group.value().text.c_str());
+    }
+
     /// The new file cannot use Params of the experiment: moved values are written out.
     void movedObjectsKeepValues() {
         const auto before =
@@ -121,7 +146,8 @@ private Q_SLOTS:
         QCOMPARE(planGroup(*loaded, {"s", "s"}, "Piece").value().text, planGroup(*loaded, {"s"}, "Piece").value().text);
         QVERIFY(why({"s", "r"}).find("cannot be one piece") != std::string::npos);
         QVERIFY(why({"d"}).find("without joints, devices and controller") != std::string::npos);
-        QVERIFY(why({"g_1"}).find("one of many") != std::string::npos);
+        QVERIFY(why({"g_1"}).find("select g to group all of them") != std::string::npos);
+        QCOMPARE(why({"g"}), std::string());
         QVERIFY(why({"r"}).find("named by PoseLog l") != std::string::npos);
         QVERIFY(why({}).find("select") != std::string::npos);
         QVERIFY(why({"s"}, "S").find("already") != std::string::npos);

@@ -410,6 +410,22 @@ private Q_SLOTS:
         QCOMPARE(freeName(*loaded, "nowhere", "x"), "x");
     }
 
+    void shippedDefinitionsGoWithTheirImport() {
+        PlanFixture fixture;
+        fixture.options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";
+        const auto removed = [&](const std::string& text, const char* path) {
+            return fixture.text(fixture.open(text), planRemove(*fixture.open(text), {path}));
+        };
+        const std::string import = "#import robots/evbot.sim\n", rest = "Material mine { ColorRGB=1,0,0 }\n";
+        QCOMPARE(removed(import + rest, "RobotConfig.EvBot"), rest);
+        QCOMPARE(removed(import + rest + "Robot r { Config=EvBot }\n", "RobotConfig.EvBot"),
+                 "refused: RobotConfig EvBot is still used by Robot r (Config)");
+        const std::string own = "StaticConfig A { Box b { Size=1,1,1 Material=black } }\n";
+        QCOMPARE(removed(import + own, "RobotConfig.EvBot"), "#import common/materials.sim\n" + own);
+        QVERIFY(
+            removed(import + own, "Material.green").starts_with("refused: Material green is read-only, it came with Trundle"));
+    }
+
     /// A file imported by two configs is kept when either is removed.
     void sharedPieceIsNotExclusive() {
         PlanFixture fixture;

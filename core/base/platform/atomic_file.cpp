@@ -45,13 +45,10 @@ struct Temporary {
     int file = -1;
 
     explicit Temporary(const fs::path& folder) {
-        static std::atomic<unsigned> counter{0};
         for (int attempt = 0; attempt < 100 && file < 0; ++attempt) {
-            path = (folder /
-                    (std::string(kPrefix) + std::to_string(::getpid()) + "-" + std::to_string(counter++) + std::string(kSuffix)))
-                       .string();
+            path = (folder / temporaryName()).string();
             file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (file >= 0) (void)::flock(file, LOCK_EX | LOCK_NB); // the lock prevents removal by sweep()
+            if (file >= 0) lockTemporaryFile(file);
             if (file < 0 && errno != EEXIST) return;
         }
     }
@@ -70,16 +67,32 @@ struct Temporary {
     }
 };
 
-/// ".trundle-<number>-<number>.tmp", as Temporary makes them.
+/// As temporaryName() makes them.
 bool isTemporaryName(std::string_view name) {
     if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix) || name.size() <= kPrefix.size() + kSuffix.size()) return false;
     name = name.substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size());
     return name.find('-') != std::string_view::npos && name.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
-/// Removes temporary files of writers that were killed. A live writer holds a lock, except just after creating its file; see the
-/// age limit.
-void sweep(const fs::path& folder) {
+// Some file systems cannot fsync a folder. The rename has already happened, so this is not a failure.
+void syncFolder(const fs::path& folder) {
+    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) return;
+    (void)::fsync(file);
+    ::close(file);
+}
+
+} // namespace
+
+std::string temporaryName() {
+    static std::atomic<unsigned> counter{0};
+    return std::string(kPrefix) + std::to_string(::getpid()) + "-" + std::to_string(counter++) + std::string(kSuffix);
+}
+
+void lockTemporaryFile(int file) { (void)::flock(file, LOCK_EX | LOCK_NB); }
+
+// A live writer holds a lock, except just after creating its file; hence the age limit.
+void removeAbandonedFiles(const std::string& folder) {
     std::error_code none;
     for (fs::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
         const std::string path = at->path().string();
@@ -92,16 +105,6 @@ void sweep(const fs::path& folder) {
         ::close(file);
     }
 }
-
-// Some file systems cannot fsync a folder. The rename has already happened, so this is not a failure.
-void syncFolder(const fs::path& folder) {
-    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file < 0) return;
-    (void)::fsync(file);
-    ::close(file);
-}
-
-} // namespace
 
 Status writeFileAtomically(const std::string& path, std::string_view bytes) {
     const std::optional<fs::path> target = targetOf(path);
@@ -131,7 +134,7 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
         return failure(path, std::strerror(errno));
     if (::rename(temporary.path.c_str(), target->c_str()) != 0) return failure(path, std::strerror(errno));
     temporary.path.clear();
-    sweep(folder);
+    removeAbandonedFiles(folder.string());
     syncFolder(folder);
     return {};
 }

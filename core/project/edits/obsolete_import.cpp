@@ -84,14 +84,19 @@ std::optional<ObsoleteImport> obsoleteImport(const LoadedProject& loaded, const 
     if (!isShippedFile(loaded, config.file) || !hasProblems(loaded, config) ||
         !std::ranges::all_of(instancesOf(loaded, config), isCopied))
         return std::nullopt;
+    return unusedImport(loaded, config, copied, home);
+}
+
+std::optional<ObsoleteImport> unusedImport(const LoadedProject& loaded, const Part& definition,
+                                           const std::vector<const Part*>& copied, FileId home) {
     const TextSet& texts = loaded.outline->texts();
     for (const Item& item : loaded.trees[home]->items()) {
         const auto* import = item.as<ImportItem>();
         const auto found = import ? texts.imports.find(import) : texts.imports.end();
-        if (found == texts.imports.end() || found->second != config.file) continue;
+        if (found == texts.imports.end() || found->second != definition.file) continue;
         const ImportedFiles remaining(texts, import);
-        const std::set<FileId> used = filesInUse(loaded, config, copied, remaining);
-        if (remaining.has(config.file) || used.contains(config.file)) return std::nullopt;
+        const std::set<FileId> used = filesInUse(loaded, definition, copied, remaining);
+        if (remaining.has(definition.file) || used.contains(definition.file)) return std::nullopt;
         ObsoleteImport obsolete{import, {home, item.range}, {}};
         for (const FileId file : used) obsolete.needed.push_back(loaded.paths[file]);
         return obsolete;

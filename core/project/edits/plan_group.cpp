@@ -1,4 +1,4 @@
-// needs: Statics, or Robots without joints, devices and controllers, all in the opened file.
+// needs: Statics, or Robots, Grids and Scatters of robots without joints, devices and controllers, all in the opened file.
 // assumes: only the pose of a geom or body depends on the grouping; it is rewritten, all other properties are kept.
 // method: each geom of each object becomes a geom of the new config, with its pose relative to the common centre; literal values
 // are copied as written, others are evaluated. Names used by the values are imported from their files, or moved along if they are
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -28,6 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMaxItems = 500;
 constexpr double kDigits = 1e6; // 1/m; the group's own Pos is rounded to 1e-6 m
 
 /// The file name for a config: "red_wall" for "RedWall".
@@ -66,6 +68,13 @@ bool isLiteral(const Value& value) {
                        [](const Element& e) { return e.kind != Element::Kind::ParamRef && e.kind != Element::Kind::Expression; });
 }
 
+/// What becomes parts of the new config.
+struct GroupedObject {
+    const Part* part = nullptr; ///< the Static, Robot, Grid or Scatter
+    Pose pose;                  ///< of its config in the world
+    std::string name;           ///< of the object, or of the member
+};
+
 class GroupPlanner {
 public:
     GroupPlanner(const LoadedProject& loaded, std::string name) : m_loaded(loaded), m_name(std::move(name)), m_sheet(loaded) {}
@@ -74,10 +83,10 @@ public:
         if (Status status = take(paths); !status.ok()) return status.error();
         findMiddle();
         std::string parts;
-        for (const Part* part : m_objects) {
-            Result<std::string> text = m_scenery ? geomsOf(*part, *configOf(m_loaded, *part), m_inverse * poseOf(*part),
-                                                           m_objects.size() > 1 ? part->name : "")
-                                                 : bodiesOf(*part);
+        for (const GroupedObject& item : m_items) {
+            Result<std::string> text = m_scenery ? geomsOf(*item.part, *configOf(m_loaded, *item.part), m_inverse * item.pose,
+                                                           m_items.size() > 1 ? item.name : "")
+                                                 : bodiesOf(item);
             if (!text.ok()) return text.error();
             parts += text.value();
         }
@@ -85,11 +94,12 @@ public:
         if (!head.ok()) return head.error();
         GroupPlan group;
         group.file = pieceFile(m_loaded.projectFolder, m_name);
-        group.text = "// " + m_name + ": " + std::to_string(m_objects.size()) + (m_scenery ? " pieces of scenery" : " objects") +
+        group.text = "// " + m_name + ": " + std::to_string(m_items.size()) + (m_scenery ? " pieces of scenery" : " objects") +
                      " grouped. Its origin is the middle of its base.\n" + head.value() + m_moved + "\n" +
                      (m_scenery ? "StaticConfig " : "RobotConfig ") + m_name + " {\n" +
-                     (m_scenery || m_objects.size() < 2 ? "" : "  SelfCollision=true\n") + parts + "}\n";
-        const std::string instance = UsedNames(m_loaded, nullptr, m_objects.front()->kind).take(lowerFirstOf(m_name));
+                     (m_scenery || m_items.size() < 2 ? "" : "  SelfCollision=true\n") + parts + "}\n";
+        const std::string instance =
+            UsedNames(m_loaded, nullptr, m_loaded.registry->find(m_scenery ? "Static" : "Robot")).take(lowerFirstOf(m_name));
         for (const Part* part : m_objects) m_sheet.removeItem(part->range);
         m_sheet.addItem(0, nullptr,
                         std::string(m_scenery ? "Static " : "Robot ") + instance + " { Config=" + m_name +
@@ -109,11 +119,11 @@ private:
             const auto place = placeOf(m_loaded, path);
             const Part* part = place ? place->part : nullptr;
             if (place && place->member)
-                return Error{Code::ReplaceBySingles,
-                             path + " is one of many; replace its Grid or Scatter by single robots first"};
+                return Error{Code::ReplaceBySingles, path + " is one of many; select " + place->instance->name +
+                                                         " to group all of them, or replace it by single robots first"};
             const Part* config = part && part == place->instance ? configOf(m_loaded, *part) : nullptr;
             const bool scenery = part && part->kind && part->kind->name == "Static";
-            if (!config || !part->is(Role::Instance) || (!scenery && !isPassive(*part, config)))
+            if (!config || !isPlaced(*part) || (!scenery && !isPassive(*part, config)))
                 return Error{Code::WrongPlace, (part ? part->title() : path) +
                                                    " cannot be part of a piece: select scenery, or robots "
                                                    "without joints, devices and controller"};
@@ -130,6 +140,7 @@ private:
         if (m_objects.empty()) return Error{Code::WrongPlace, "select what is to be one piece"};
         std::sort(m_objects.begin(), m_objects.end(),
                   [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
+        if (Status status = addItems(); !status.ok()) return status;
         for (const NameReference& reference : referencesIn(m_loaded))
             for (const Part* part : m_objects)
                 if (reference.target == part->block && reference.user)
@@ -138,19 +149,28 @@ private:
         return {};
     }
 
-    [[nodiscard]] Pose poseOf(const Part& instance) const {
-        const auto place = placeOf(m_loaded, instance.name);
-        return poseAt(m_loaded, *place);
+    /// One for each object, and for each member of a Grid or Scatter.
+    Status addItems() {
+        for (const Part* part : m_objects) {
+            if (!part->is(Role::Layout)) {
+                m_items.push_back({part, poseAt(m_loaded, *placeOf(m_loaded, part->name)), part->name});
+                continue;
+            }
+            for (const RobotSpec& robot : m_loaded.experiment->robots)
+                if (robot.range == part->range) m_items.push_back({part, robot.pose, robot.name});
+        }
+        if (m_items.size() <= kMaxItems) return {};
+        return Error{Code::WrongPlace, "a piece has at most " + std::to_string(kMaxItems) + " objects, these are " +
+                                           std::to_string(m_items.size())};
     }
 
     /// The centre of the objects, at the height of the lowest one, rounded.
     void findMiddle() {
         m_middle = Vec3::Zero();
-        double low = poseOf(*m_objects.front()).position.z();
-        for (const Part* part : m_objects) {
-            const Vec3 at = poseOf(*part).position;
-            m_middle += at / double(m_objects.size());
-            low = std::min(low, at.z());
+        double low = HUGE_VAL;
+        for (const GroupedObject& item : m_items) {
+            m_middle += item.pose.position / double(m_items.size());
+            low = std::min(low, item.pose.position.z());
         }
         m_middle.z() = low;
         for (int k = 0; k < 3; ++k) m_middle[k] = std::round(m_middle[k] * kDigits) / kDigits;
@@ -183,8 +203,9 @@ private:
         return text;
     }
 
-    Result<std::string> bodiesOf(const Part& instance) {
+    Result<std::string> bodiesOf(const GroupedObject& item) {
         std::string text;
+        const Part& instance = *item.part;
         const Part& config = *configOf(m_loaded, instance);
         const auto bodies =
             std::count_if(config.parts.begin(), config.parts.end(), [](const Part& p) { return p.is(Role::Body); });
@@ -196,9 +217,8 @@ private:
             m_geomNames.clear();
             Result<std::string> geoms = geomsOf(instance, body, Pose{}, "");
             if (!geoms.ok()) return geoms.error();
-            text += "  Body " + free(m_names, bodies == 1 ? instance.name : instance.name + "_" + body.name) + " { " +
-                    placeText(m_inverse * poseOf(instance) * poseAt(m_loaded, *place)) + values.value() + "\n" + geoms.value() +
-                    "  }\n";
+            text += "  Body " + free(m_names, bodies == 1 ? item.name : item.name + "_" + body.name) + " { " +
+                    placeText(m_inverse * item.pose * poseAt(m_loaded, *place)) + values.value() + "\n" + geoms.value() + "  }\n";
         }
         return text;
     }
@@ -284,6 +304,7 @@ private:
     const std::string m_name;
     EditBuilder m_sheet;
     std::vector<const Part*> m_objects; // in text order
+    std::vector<GroupedObject> m_items;
     bool m_scenery = false;
     Vec3 m_middle = Vec3::Zero();
     Pose m_inverse;

@@ -16,7 +16,7 @@ struct GroupPlan {
 
 /// A free name for a grouped config: "Piece", "Piece2" ... Its file must not hide a shipped one with the same relative path.
 [[nodiscard]] std::string freeGroupName(const LoadedProject& loaded, const std::string& shippedConfigs);
-/// Statics become one StaticConfig, Robots that nothing drives one RobotConfig with their bodies; `name` is the name of the
+/// Statics become one StaticConfig, Robots that nothing drives one RobotConfig with their bodies, those of a Grid or Scatter too; `name` is the name of the
 /// config, and its file is objects/<name>.sim in the project's folder. Every shape keeps its pose in the world. Params and
 /// overrides are replaced by their values. Materials and surfaces of the opened file that are used are moved to the new file.
 /// Fails if something else refers to one of the objects, if one is in another file, or if both types are mixed.

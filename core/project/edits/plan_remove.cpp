@@ -1,8 +1,13 @@
+#include <algorithm>
 #include <set>
 
 #include "project/edits/edit_builder.h"
+#include "project/edits/edit_target.h"
+#include "project/edits/obsolete_import.h"
 #include "project/edits/plan_dependents.h"
 #include "project/edits/plan_targets.h"
+#include "project/loading/import_lines.h"
+#include "project/loading/search.h"
 
 namespace trundle {
 namespace {
@@ -48,6 +53,21 @@ bool isRemovedToo(const NameReference& reference) {
     for (const Role role : {Role::Joint, Role::Device, Role::Controller, Role::Log, Role::Look})
         if (user.is(role)) return true;
     return isPlaced(user) && reference.property == "Config";
+}
+
+/// Of a definition that came with the program and is read-only, and that nothing refers to.
+Status removeImportOf(const LoadedProject& loaded, const Part& definition, EditBuilder& sheet) {
+    const std::optional<ObsoleteImport> unused = unusedImport(loaded, definition, {}, 0);
+    if (!unused)
+        return Error{Code::FileUnwritable,
+                     definition.title() + " is read-only, it came with Trundle in " +
+                         shownInProject(loaded.paths[definition.file], loaded.projectFolder) +
+                         ", which is imported for other things that are used; it may stay, nothing uses it"};
+    sheet.removeItem(unused->directive);
+    Result<std::vector<TextEdit>> imports = editsForImports(loaded, 0, unused->needed, unused->import);
+    if (!imports.ok()) return imports.error();
+    for (TextEdit& edit : imports.value()) sheet.addFirst(std::move(edit));
+    return {};
 }
 
 } // namespace
@@ -97,6 +117,10 @@ Result<EditPlan> planRemove(const LoadedProject& loaded, const std::vector<std::
     EditBuilder sheet(loaded);
     for (const Chosen& c : all.value()) {
         const Part& part = *c.place.part;
+        if (c.place.above.empty() && isShippedFile(loaded, part.file)) {
+            if (Status done = removeImportOf(loaded, part, sheet); !done) return done.error();
+            continue;
+        }
         sheet.removeItem(withComment(loaded, part.range));
         if (part.block->name || c.place.above.empty()) continue;
         std::vector<const Part*> except;

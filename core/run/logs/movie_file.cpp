@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/platform/atomic_file.h"
 #include "base/platform/piped_process.h"
 
 namespace trundle {
@@ -26,8 +27,7 @@ bool isWebm(const std::string& path) {
 } // namespace
 
 MovieFile::MovieFile(std::string path, double framesPerSecond)
-    : m_path(std::move(path)), m_part("." + std::filesystem::path(m_path).filename().string() + ".part"),
-      m_framesPerSecond(framesPerSecond) {}
+    : m_path(std::move(path)), m_part(temporaryName()), m_framesPerSecond(framesPerSecond) {}
 
 MovieFile::~MovieFile() {
     m_ffmpeg.reset(); // it has the temporary file open
@@ -55,6 +55,8 @@ Status MovieFile::createTemporaryFile() {
     const Result<std::FILE*> file = m_folder->makeFile(m_part);
     if (!file) return failedMovie(m_path, m_part + " beside it: " + file.error().message);
     m_file = file.value();
+    lockTemporaryFile(::fileno(m_file));
+    removeAbandonedFiles(folder.empty() ? "." : folder.string());
     return {};
 }
 

@@ -275,7 +275,7 @@ private:
     }
     /// Temporary files of movies that were not finished.
     QStringList hiddenFiles() {
-        return QDir(m_window->folder.path()).entryList({QStringLiteral(".*.part.*")}, QDir::Files | QDir::Hidden);
+        return QDir(m_window->folder.path()).entryList({QStringLiteral(".*.tmp")}, QDir::Files | QDir::Hidden);
     }
     std::unique_ptr<RenderService> m_render;
     std::unique_ptr<CameraWindow> m_window;
