@@ -127,7 +127,7 @@ const QList<WordRule>& wordRules() {
         word("window memory", "SavedWindowState"),
         word("users of", "dependentsOf"),
         word("look at disk", "checkExternalChanges"),
-        word("note disk", "applyExternalChange"),
+        word("note disk", "ExternalChanges::apply"),
         word("last good", "lastValid"),
         name("\\bsay[A-Z]\\w*\\(", "report..., add..., notify..."),
         name("\\bsaid[A-Z(]", "reported..., description()"),
