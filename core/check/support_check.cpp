@@ -10,6 +10,7 @@
 #include "check/checks.h"
 #include "check/extent.h"
 #include "check/pose_fix.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kHigh = 0.05;            // m; smaller drops are not reported
 constexpr double kHighForMachines = 0.35; // m; articulated robots are often placed above the ground, in the thesis by 0.3 m
+constexpr double kUpright = 0.999;        // cosine of the angle between up and z at which a plane at z = 0 is a floor
 constexpr double kFar = 1e4;              // m, range of a ray
 constexpr double kLeave = 1e-4;           // m, clearance after a fix
 constexpr std::size_t kMaxMeasured = 300; // pieces measured; further ones of the same config are only counted
@@ -33,7 +35,8 @@ public:
         : m_loaded(loaded), m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics), m_up(scene.up()) {}
 
     void check(const std::stop_token& stop) {
-        if (m_up.isZero() || m_experiment.statics.empty()) return; // without scenery there is no ground to start on
+        if (m_up.isZero()) return;
+        if (m_experiment.statics.empty()) return reportNoScenery();
         markTouching();
         for (std::uint32_t r = 0; r < m_experiment.robots.size() && !stop.stop_requested(); ++r)
             for (const Piece& piece : loosePieces(r)) measure(piece);
@@ -47,6 +50,25 @@ private:
         std::string ground;
         std::size_t others = 0;
     };
+
+    /// Without scenery everything falls that no joint holds: one finding for all robots, at the first.
+    void reportNoScenery() {
+        const RobotSpec* first = nullptr;
+        std::size_t others = 0;
+        for (std::uint32_t r = 0; r < m_experiment.robots.size(); ++r) {
+            if (loosePieces(r).empty()) continue;
+            if (first) ++others;
+            else first = &m_experiment.robots[r];
+        }
+        if (!first) return;
+        const std::string who = first->name + (others > 0 ? " and " + std::to_string(others) + " more fall" : " falls");
+        Diagnostic& d =
+            m_diagnostics.hint(Code::Unsupported, first->nameRange,
+                               "the experiment has no scenery: " + who + " without an end; a Static with a Plane is a floor");
+        const auto floor = planInsert(m_loaded, {}, "StaticConfig Floor { Plane floor { } }\nStatic floor { Config=Floor }\n");
+        if (floor.ok() && floor.value().edits.size() == 1 && m_up.z() > kUpright)
+            d.fixes.push_back({"add a floor", floor.value().edits.begin()->second});
+    }
 
     void markTouching() {
         for (std::size_t i = 0; i < m_scene.contactCount(); ++i) {

@@ -44,6 +44,28 @@ class ModelCheckTest : public QObject {
     CheckFixture m_fixture;
 
 private Q_SLOTS:
+    /// One hint, however many robots fall, and a floor as its fix.
+    void missesTheFloor() {
+        const std::string things = kThings.substr(kThings.find("RobotConfig"));
+        const auto loaded = m_fixture.open(things + "Robot a { Config=Crate Pos=0,0,0.1 }\nRobot b { Config=Ball Pos=1,0,0.1 }\n"
+                                                    "Grid g { Config=Crate Pos=0,3,0.1 Count=2,2 Spacing=1 }\n");
+        QVERIFY(loaded);
+        const Diagnostics found = CheckFixture::check(*loaded);
+        QCOMPARE(found.all().size(), std::size_t(1));
+        const Diagnostic& d = found.all()[0];
+        QCOMPARE(d.code, Code::Unsupported);
+        QCOMPARE(d.severity, Severity::Hint);
+        QVERIFY2(d.message.find("no scenery: a and 5 more fall") != std::string::npos, d.message.c_str());
+        QCOMPARE(d.fixes.size(), std::size_t(1));
+        const auto fixed = m_fixture.open(CheckFixture::applied(*loaded, d.fixes[0]));
+        QVERIFY(fixed && !fixed->diagnostics.hasErrors());
+        QCOMPARE(CheckFixture::shown(*fixed, CheckFixture::check(*fixed)), std::string());
+        const auto held = m_fixture.open("RobotConfig Arm { Body b { Box hull { Size=0.2,0.2,0.2 Mass=1 } } "
+                                         "Hinge h { Parent=world Child=b } }\nRobot a { Config=Arm }\n");
+        QVERIFY(held);
+        QCOMPARE(CheckFixture::shown(*held, CheckFixture::check(*held)), std::string());
+    }
+
     void faults_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("code");

@@ -326,8 +326,8 @@ private Q_SLOTS:
         const auto text = [&](const char* kind, const char* parent) {
             return templateOf(*loaded, *loaded->registry->find(kind), parent);
         };
-        QCOMPARE(text("Sphere", "r.chassis"), "Sphere sphere { Radius=0.1 Material=red Mass=0.1 }");
-        QCOMPARE(text("Box", "StaticConfig.A"), "Box box { Size=0.1,0.1,0.1 Material=red }");
+        QCOMPARE(text("Sphere", "r.chassis"), "Sphere sphere { Radius=0.1 Pos=0,0,0.6 Material=red Mass=0.1 }");
+        QCOMPARE(text("Box", "StaticConfig.A"), "Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Material=red }");
         QCOMPARE(text("Robot", ""), "Robot robot0 { Config=Cart Pos=0,0,0 }");
         QCOMPARE(text("Static", ""), "Static static { Config=A Pos=0,0,0 }");
         QCOMPARE(text("Encoder", "r"), "Encoder encoder { Joint=axle }");

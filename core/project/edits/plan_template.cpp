@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "project/edits/plan_targets.h"
 #include "project/edits/plans.h"
+#include "project/edits/template_position.h"
 #include "project/objects/object_names.h"
 #include "project/objects/part_values.h"
 
@@ -39,7 +40,7 @@ double likelyNumber(const Property& p) {
 
 class Template {
 public:
-    Template(const LoadedProject& loaded, const std::string& parent) : m_loaded(loaded) {
+    Template(const LoadedProject& loaded, const std::string& parent) : m_loaded(loaded), m_parent(parent) {
         const std::optional<ObjectLocation> place = placeOf(loaded, parent);
         if (!place || !place->part) return;
         m_chain = place->above;
@@ -88,10 +89,11 @@ private:
             for (const Property& p : kind.properties)
                 if (p.required) text += " " + p.name + "=" + value(kind, p, name, depth);
         for (const Alternatives& choice : kind.alternatives) text += alternative(kind, choice, name, depth);
-        if (kind.role == Role::Geom) text += looks(kind, target) + mass(kind, target);
+        if (kind.role == Role::Geom) text += position(kind, target) + looks(kind, target) + mass(kind, target);
         if (kind.role == Role::Instance || kind.role == Role::Layout) text += " Pos=0,0,0";
         if (kind.role == Role::Body)
-            text += " Box box { Size=0.1,0.1,0.1" + looks(*m_loaded.registry->find("Box"), nullptr) + " Mass=0.1 }";
+            text += position(*m_loaded.registry->find("Box"), target) + " Box box { Size=0.1,0.1,0.1" +
+                    looks(*m_loaded.registry->find("Box"), nullptr) + " Mass=0.1 }";
         if (kind.name == "RobotConfig")
             text += "\n  Body chassis { Box hull { Size=0.2,0.2,0.1 Pos=0,0,0.05" + looks(kind, nullptr) + " Mass=1 } }\n";
         else if (kind.name == "StaticConfig")
@@ -248,6 +250,14 @@ private:
 
     // --- geoms ---
 
+    /// Pos of a geom, or of a body with that geom: on what is there already, above the floor.
+    std::string position(const Kind& geom, const Part* target) const {
+        const std::optional<GeomSpec> shape = target ? templateShape(geom) : std::nullopt;
+        if (!shape) return {};
+        const Vec3 p = templatePosition(m_loaded, m_parent, *target, *shape);
+        return p.isZero() ? std::string() : " Pos=" + positionText(p);
+    }
+
     /// Material and Surface as used by the sibling geoms, else the first ones defined.
     std::string looks(const Kind& kind, const Part* target) const {
         (void)kind;
@@ -298,6 +308,7 @@ private:
     }
 
     const LoadedProject& m_loaded;
+    const std::string m_parent;
     std::vector<const Part*> m_chain; ///< from the outermost block to the parent
     const Part* m_config = nullptr;
     std::vector<std::string> m_texts;

@@ -7,6 +7,7 @@
 #include "editor/outline/insert_menu.h"
 #include "eventually.h"
 #include "model/passive_objects.h"
+#include "model/resolve/footprint.h"
 #include "outline_fixture.h"
 
 using namespace trundle;
@@ -14,6 +15,15 @@ using namespace trundle;
 namespace {
 
 const QByteArray kWithController = "#loadModule controllers/linear_motion\n" + kRovers;
+
+/// What the model check reports.
+QString findingsOf(const OutlineFixture& o) {
+    Diagnostics found;
+    checkModel(*o.document.loaded(), found);
+    QStringList all;
+    for (const Diagnostic& d : found.all()) all.append(QString::fromStdString(codeName(d.code) + " " + d.message));
+    return all.join(QLatin1Char('\n'));
+}
 
 /// The selection under which a block of the kind can be inserted.
 const char* placeFor(const Kind& kind) {
@@ -41,6 +51,8 @@ private Q_SLOTS:
     void insertsEveryKindWhereAllowed();
     void offersWhatFitsTheSelection();
     void newObjectsStandFree();
+    void newShapesStandFree_data();
+    void newShapesStandFree();
     void theFloorIsInTheWayOfRobotsOnly();
     void newObjectsComeToTheInsertionPoint();
     void aRobotHasOneController();
@@ -153,14 +165,7 @@ void InsertTest::newObjectsStandFree() {
     OutlineFixture o;
     QVERIFY(o.open(kRovers));
     InsertMenu insert(o.document, o.selection, o.edits);
-    const auto findings = [&] {
-        Diagnostics found;
-        checkModel(*o.document.loaded(), found);
-        QStringList all;
-        for (const Diagnostic& d : found.all()) all.append(QString::fromStdString(codeName(d.code) + " " + d.message));
-        return all.join(QLatin1Char('\n'));
-    };
-    const QString before = findings();
+    const QString before = findingsOf(o);
     std::size_t edits = 0;
     for (const char* name : {"insertObject.Box", "insertObject.Box", "insertObject.Box", "insert.Robot", "insert.Static"}) {
         o.selection.select("");
@@ -170,7 +175,7 @@ void InsertTest::newObjectsStandFree() {
         QVERIFY(action);
         action->trigger();
         QCOMPARE(o.refusals, QStringList());
-        QCOMPARE(findings(), before);
+        QCOMPARE(findingsOf(o), before);
         QCOMPARE(o.document.edits().history().entries().size(), ++edits);
     }
     for (const RobotSpec& robot : o.document.loaded()->experiment->robots) { // near, and on the floor
@@ -181,6 +186,35 @@ void InsertTest::newObjectsStandFree() {
     QCOMPARE(last.size(), std::size_t(1));
     for (std::size_t i = 0; i < edits; ++i) o.document.edits().undo();
     QCOMPARE(o.text(), kRovers);
+}
+
+void InsertTest::newShapesStandFree_data() {
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QString>("place");
+    for (const char* kind : {"Box", "Sphere", "Cylinder", "Capsule"})
+        for (const char* place : {"robot0.chassis", "RobotConfig.Rover.leftWheel"})
+            QTest::addRow("%s in %s", kind, place) << QString::fromLatin1(kind) << QString::fromLatin1(place);
+    QTest::newRow("Hinge with its body") << QStringLiteral("Hinge") << QStringLiteral("robot0");
+}
+
+/// On top of the body or the robot: the model check has nothing to say.
+void InsertTest::newShapesStandFree() {
+    QFETCH(QString, kind);
+    QFETCH(QString, place);
+    OutlineFixture o;
+    QVERIFY(o.open(kRovers));
+    QCOMPARE(findingsOf(o), QString());
+    QVERIFY(o.edits.insertKind(*o.document.loaded()->registry->find(kind.toStdString()), place.toStdString()).ok());
+    QCOMPARE(o.errors(), QString());
+    QCOMPARE(findingsOf(o), QString());
+    QCOMPARE(o.document.edits().history().entries().size(), std::size_t(1));
+    const auto& bodies = o.document.loaded()->experiment->robots[0].config->bodies;
+    const auto& body = kind == u"Hinge" ? bodies.back() : place.endsWith(u"chassis") ? bodies[0] : bodies[1];
+    const double top = kind == u"Hinge" || place.endsWith(u"chassis") ? 0.14 : 0.1; // of what was there
+    const GeomSpec& geom = body.geoms.back();
+    double low = HUGE_VAL;
+    for (const Footprint& foot : footprintsOf(geom, body.pose)) low = std::min(low, foot.low);
+    QVERIFY2(low > top - 1e-9 && low < top + 2e-3, o.text().constData());
 }
 
 /// Where nothing else is, a robot whose origin is its centre is raised onto the floor, and scenery stays in it.
