@@ -18,6 +18,7 @@
 #include "editor/cameras/camera_list.h"
 #include "editor/document/document.h"
 #include "editor/running/session.h"
+#include "editor/widgets/controls.h"
 #include "editor/widgets/empty_page.h"
 #include "editor/widgets/save_question.h"
 #include "editor/widgets/theme.h"
@@ -115,7 +116,7 @@ QWidget* CamerasPanel::makeTools() {
     m_save->setObjectName(QStringLiteral("cameraSave"));
     m_save->setText(tr("Save Picture…"));
     m_save->setIcon(themedIcon(QStringLiteral("save")));
-    m_save->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    showTextBesideIcon(*m_save);
     m_save->setToolTip(tr("Write the chosen picture to a file"));
     m_save->setAutoRaise(true);
     row->addWidget(m_mode);

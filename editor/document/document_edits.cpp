@@ -7,10 +7,12 @@
 #include "editor/document/document_state.h"
 #include "editor/document/document_texts.h"
 #include "editor/document/project_access.h"
+#include "editor/document/selection.h"
 #include "lang/tree_edit.h"
 #include "project/edits/edit_target.h"
 #include "project/loading/loader.h"
 #include "project/loading/search.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 
@@ -52,6 +54,7 @@ Status DocumentEdits::enter(const QString& name, FileTexts after, const std::str
     }
     if (entry.after.empty()) return {};
     if (Status put = m_loading.replace(entry.after, validate); !put) return put;
+    if (!m_state.history.canDiscardMerge(mergeKey)) keepSelection();
     m_state.history.push(std::move(entry));
     notifyEdited();
     return {};
@@ -153,12 +156,34 @@ void DocumentEdits::moveTo(std::size_t position) {
     }
     const std::size_t before = m_state.history.position();
     if (std::min(position, m_state.history.entries().size()) == before) return;
+    keepSelection();
+    const std::shared_ptr<const LoadedProject> was = m_state.loaded;
     if (const Status moved = m_loading.replace(m_state.history.moveTo(position)); !moved) {
         (void)m_state.history.moveTo(before);
         (void)m_state.report(moved);
         return;
     }
     notifyEdited();
+    selectAgain(*was);
+}
+
+void DocumentEdits::keepSelection() {
+    if (m_selection) m_selected[m_state.history.position()] = m_selection->paths();
+}
+
+/// After a step of undo or redo from `was`: a rename takes the selection to the other name, and what appears again is selected if
+/// it was when this position was left.
+void DocumentEdits::selectAgain(const LoadedProject& was) {
+    const auto then = m_selected.find(m_state.history.position());
+    if (!m_selection || then == m_selected.end()) return;
+    const auto exists = [](const LoadedProject& loaded, const std::string& path) { return placeOf(loaded, path).has_value(); };
+    std::vector<std::string> paths = then->second;
+    std::erase_if(paths, [&](const std::string& path) { return !exists(*m_state.loaded, path); });
+    const bool lost =
+        std::ranges::any_of(m_selection->paths(), [&](const std::string& p) { return !exists(*m_state.loaded, p); });
+    const bool appears =
+        m_selection->empty() && std::ranges::any_of(paths, [&](const std::string& p) { return !exists(was, p); });
+    if (!paths.empty() && (lost || appears)) Q_EMIT m_state.messages.selectionRequested(paths);
 }
 
 } // namespace trundle

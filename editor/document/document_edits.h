@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace trundle {
 
 class DocumentTexts;
 class ProjectAccess;
+class Selection;
 struct DocumentState;
 
 /// The only place that changes a text. Each edit adds one entry to the history, or extends the last one if that has the same
@@ -44,6 +46,8 @@ public:
     void undo();
     void redo();
     void moveTo(std::size_t position); ///< position in the history
+    /// Undo and redo restore the selection where objects of it disappear, or were only there then. It must outlive this object.
+    void restoreSelection(const Selection& selection) { m_selection = &selection; }
 
     /// Replaces whole texts as one entry, without asking whether they may be edited: for what was found on disk or in a journal.
     [[nodiscard]] Status enter(const QString& name, FileTexts after, const std::string& mergeKey = {},
@@ -57,10 +61,15 @@ private:
     [[nodiscard]] Result<FileTexts> textsAfter(const FileEdits& edits) const;
     [[nodiscard]] Status mayChange(const FileEdits& edits) const; ///< fails if one edit changes an imported sample file
 
+    void keepSelection();
+    void selectAgain(const LoadedProject& was);
+
     DocumentState& m_state;
     DocumentTexts& m_texts;
     DocumentLoading& m_loading;
     ProjectAccess& m_access;
+    const Selection* m_selection = nullptr;
+    std::map<std::size_t, std::vector<std::string>> m_selected; // when each position of the history was left
 };
 
 } // namespace trundle

@@ -10,6 +10,8 @@
 
 namespace trundle {
 
+static constexpr int kIcon = 16;
+
 HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_list(new QListWidget(this)) {
     setObjectName(u"historyPanel"_qs);
@@ -17,6 +19,7 @@ HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
     m_list->setAccessibleName(tr("History of edits"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setUniformItemSizes(true);
+    m_list->setIconSize({kIcon, kIcon}); // the rows keep their height when the first one has a mark
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setTextElideMode(Qt::ElideRight);
     auto* layout = new QVBoxLayout(this);
@@ -47,7 +50,7 @@ void HistoryPanel::findSaved() {
 void HistoryPanel::fillRows() {
     findSaved();
     const QSignalBlocker quiet(m_list);
-    QPixmap nothing(16, 16);
+    QPixmap nothing(kIcon, kIcon);
     nothing.fill(Qt::transparent);
     const auto& entries = m_document.edits().history().entries();
     const int rows = m_document.isOpen() ? static_cast<int>(entries.size()) + 1 : 0;

@@ -33,6 +33,17 @@ bool LibrarySectionFilter::filterAcceptsRow(int row, const QModelIndex& parent) 
                        [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
 
+QStringList libraryTitleLines(const QString& title, const QFontMetrics& metrics, int width) {
+    if (metrics.horizontalAdvance(title) <= width) return {title};
+    for (qsizetype at = title.size() - 1; at > 0; --at) {
+        const bool splits = title[at] == u' ' || (title[at].isUpper() && !title[at - 1].isUpper()) || title[at - 1] == u'_';
+        const QString first = splits ? title.left(at).trimmed() : QString();
+        if (!first.isEmpty() && metrics.horizontalAdvance(first) <= width)
+            return {first, metrics.elidedText(title.mid(at).trimmed(), Qt::ElideRight, width)};
+    }
+    return {metrics.elidedText(title, Qt::ElideRight, width)};
+}
+
 void LibraryDelegate::paintPicture(QPainter& painter, const QStyleOptionViewItem& option, const QRect& where,
                                    const QModelIndex& index) const {
     painter.save();
@@ -83,17 +94,21 @@ void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
         painter->drawText(text.adjusted(0, text.height() / 2, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
                           metrics.elidedText(help, Qt::ElideRight, text.width()));
     } else {
-        const int line = metrics.height();
-        paintPicture(*painter, option, r.adjusted(0, 0, 0, -line - 3), index);
-        painter->drawText(QRect(r.left(), r.bottom() - line, r.width(), line + 1), Qt::AlignCenter,
-                          metrics.elidedText(title, Qt::ElideRight, r.width()));
+        const int height = titleLines * metrics.height();
+        paintPicture(*painter, option, r.adjusted(0, 0, 0, -height - 3), index);
+        painter->drawText(QRect(r.left(), r.bottom() - height, r.width(), height + 1), Qt::AlignHCenter | Qt::AlignTop,
+                          libraryTitleLines(title, metrics, r.width()).join(u'\n'));
     }
     painter->restore();
 }
 
 QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
     const auto* list = qobject_cast<const QListView*>(option.widget);
-    return {std::max(scaledToFont(kCell), list ? list->gridSize().width() : 0), scaledToFont(asList ? kRow : kCellHeight)};
+    return {std::max(scaledToFont(kCell), list ? list->gridSize().width() : 0), height(option.fontMetrics)};
+}
+
+int LibraryDelegate::height(const QFontMetrics& metrics) const {
+    return asList ? scaledToFont(kRow) : scaledToFont(kCellHeight) + (titleLines - 1) * metrics.height();
 }
 
 LibraryList::LibraryList(QWidget* parent) : QListView(parent), m_delegate(new LibraryDelegate(this)) {
@@ -125,10 +140,18 @@ void LibraryList::fit() {
     const int count = model() ? model()->rowCount() : 0, cell = scaledToFont(kCell);
     const int room = std::max(viewport()->width() - 1, cell); // less one: at the exact width the last column would not fit
     const int columns = m_delegate->asList ? 1 : std::max(1, room / cell);
-    const int height = scaledToFont(m_delegate->asList ? kRow : kCellHeight);
+    m_delegate->titleLines = titleLines(room / columns);
+    const int height = m_delegate->height(fontMetrics());
     setGridSize(QSize(room / columns, height));
     setFixedHeight((count + columns - 1) / columns * height + 2);
     doItemsLayout(); // now: the delayed layout would use the old width
+}
+
+/// Two if a title does not fit into one line of a cell.
+int LibraryList::titleLines(int cell) const {
+    for (int row = 0; model() && row < model()->rowCount(); ++row)
+        if (fontMetrics().horizontalAdvance(model()->index(row, 0).data().toString()) > cell - 2 * kPad) return 2;
+    return 1;
 }
 
 void LibraryList::resizeEvent(QResizeEvent* event) {

@@ -23,15 +23,21 @@ private:
     QStringList m_words;
 };
 
+/// A title in at most two lines of `width` pixels, split at a blank or before a capital ("Differential", "Drive") and elided where
+/// that is not enough.
+[[nodiscard]] QStringList libraryTitleLines(const QString& title, const QFontMetrics& metrics, int width);
+
 /// Draws an item: its preview above the name, or next to name and help.
 class LibraryDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
     bool asList = false;
+    int titleLines = 1; ///< below a preview
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    [[nodiscard]] int height(const QFontMetrics& metrics) const; ///< of an item
 
 private:
     void paintPicture(QPainter& painter, const QStyleOptionViewItem& option, const QRect& where, const QModelIndex& index) const;
@@ -57,6 +63,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override { event->ignore(); } // the scroll area handles it
 
 private:
+    [[nodiscard]] int titleLines(int cell) const;
     LibraryDelegate* m_delegate;
 };
 

@@ -121,6 +121,11 @@ void OutlineDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& o
     painter.setPen(textColour(option, faint));
     painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, shown);
     rest.setLeft(rest.left() + metrics.horizontalAdvance(shown) + kGap + 2);
+    if (const QString ended = index.data(OutlineModel::EndedRole).toString(); !ended.isEmpty() && shown == name) {
+        painter.setPen(selected ? option.palette.color(QPalette::HighlightedText) : ink(Ink::Error));
+        painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, ended);
+        rest.setLeft(rest.left() + metrics.horizontalAdvance(ended) + kGap + 2);
+    }
     const QString kind = shown == name ? metrics.elidedText(detail, Qt::ElideRight, rest.width()) : QString();
     if (kind == detail || kind.size() > kLeastOfKind) { // else only in the tooltip
         painter.setPen(textColour(option, true));

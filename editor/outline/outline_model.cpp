@@ -8,6 +8,7 @@
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_node.h"
+#include "editor/running/session.h"
 #include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
 #include "project/edits/insert_positions.h"
@@ -44,15 +45,36 @@ QString iconOf(const OutlineRow& row) {
     return QStringLiteral("kind-unknown");
 }
 
-QString tipOf(const OutlineRow& row) {
-    QString tip = row.detail.empty() ? toQString(row.tip) : toQString(row.name + "  " + row.detail); // the row may elide it
-    if (!row.detail.empty() && !row.tip.empty()) tip += u'\n' + toQString(row.tip);
-    const auto say = [&](int count, const QString& what) {
-        if (count > 0) tip += (tip.isEmpty() ? QString() : QStringLiteral("\n")) + QStringLiteral("%1 %2").arg(count).arg(what);
-    };
-    say(row.problems.errors, row.problems.errors == 1 ? OutlineModel::tr("error") : OutlineModel::tr("errors"));
-    say(row.problems.warnings, row.problems.warnings == 1 ? OutlineModel::tr("warning") : OutlineModel::tr("warnings"));
-    return tip;
+QString tipOf(const OutlineRow& row, const EndedRobots* ended) {
+    QStringList lines;
+    if (!row.detail.empty()) lines << toQString(row.name + "  " + row.detail); // the row may elide it
+    if (!row.tip.empty()) lines << toQString(row.tip);
+    if (ended && row.selectable)
+        if (const QString why = ended->explanation(row.path); !why.isEmpty()) lines << why;
+    const auto [errors, warnings] = row.problems;
+    if (errors > 0)
+        lines << QStringLiteral("%1 %2").arg(QString::number(errors),
+                                             errors == 1 ? OutlineModel::tr("error") : OutlineModel::tr("errors"));
+    if (warnings > 0)
+        lines << QStringLiteral("%1 %2").arg(QString::number(warnings),
+                                             warnings == 1 ? OutlineModel::tr("warning") : OutlineModel::tr("warnings"));
+    return lines.join(u'\n');
+}
+
+/// "ended", "3 ended"; empty for parts of a robot.
+QString endedLabel(const OutlineRow& row, const EndedRobots* ended, const OutlineRows& rows) {
+    if (!ended || ended->empty()) return {};
+    if (row.type != OutlineRow::Type::Members) return row.path.empty() ? QString() : ended->label(row.path);
+    const std::vector<RobotSpec>& robots = rows.loaded()->experiment->robots;
+    std::size_t count = 0;
+    for (std::size_t i = row.first; i < std::min(row.last, robots.size()); ++i) count += ended->countOf(robots[i].name);
+    return count == 0 ? QString() : OutlineModel::tr("%1 ended").arg(count);
+}
+
+QVariant markOf(const ObjectMarks& marks, const OutlineRow& row, bool hidden) {
+    if (!row.markable) return OutlineModel::NoMark;
+    if ((hidden ? marks.hidden() : marks.locked()).contains(row.path)) return OutlineModel::Marked;
+    return (hidden ? marks.isHidden(row.path) : marks.isLocked(row.path)) ? OutlineModel::MarkedAbove : OutlineModel::Unmarked;
 }
 
 } // namespace
@@ -149,11 +171,15 @@ bool OutlineModel::hasChildren(const QModelIndex& parent) const {
     return node.fetched || !node.parent ? !node.children.empty() : node.row.hasRows;
 }
 
-QVariant OutlineModel::markOf(const OutlineRow& row, bool hidden) const {
-    if (!row.markable) return NoMark;
-    const ObjectMarks::Paths& marks = hidden ? m_marks.hidden() : m_marks.locked();
-    if (marks.contains(row.path)) return Marked;
-    return (hidden ? m_marks.isHidden(row.path) : m_marks.isLocked(row.path)) ? MarkedAbove : Unmarked;
+void OutlineModel::showEnded(const EndedRobots& ended) {
+    m_ended = &ended;
+    connect(&ended, &EndedRobots::changed, this, &OutlineModel::marksChanged);
+    marksChanged();
+}
+
+bool OutlineModel::isFaint(const OutlineRow& row) const {
+    if ((row.markable && m_marks.isHidden(row.path)) || (!m_filter.empty() && !row.matches)) return true;
+    return m_ended && row.selectable && m_ended->hasEnded(row.path);
 }
 
 QVariant OutlineModel::data(const QModelIndex& index, int role) const {
@@ -161,7 +187,7 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     const OutlineRow& row = nodeOf(index).row;
     if (index.column() != NameColumn) {
         const bool hidden = index.column() == VisibleColumn;
-        if (role == MarkRole) return markOf(row, hidden);
+        if (role == MarkRole) return markOf(m_marks, row, hidden);
         if (role != Qt::ToolTipRole || !row.markable) return {};
         if (hidden) return m_marks.isHidden(row.path) ? tr("Hidden: click to show") : tr("Click to hide in the 3D views");
         return m_marks.isLocked(row.path) ? tr("Locked: click to unlock") : tr("Click to lock against moving and deleting");
@@ -169,8 +195,9 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole: return toQString(row.name);
-    case Qt::ToolTipRole: return tipOf(row);
-    case Qt::AccessibleTextRole: return toQString(row.name + " " + row.detail);
+    case Qt::ToolTipRole: return tipOf(row, m_ended);
+    case Qt::AccessibleTextRole:
+        return (toQString(row.name + " " + row.detail) + u' ' + endedLabel(row, m_ended, *m_rows)).trimmed();
     case DetailRole: return toQString(row.detail);
     case IconRole: return iconOf(row);
     case ErrorsRole: return row.problems.errors;
@@ -178,7 +205,8 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     case ColourRole:
         return row.colour ? QVariant(QColor::fromRgbF(float((*row.colour)[0]), float((*row.colour)[1]), float((*row.colour)[2])))
                           : QVariant();
-    case FaintRole: return (row.markable && m_marks.isHidden(row.path)) || (!m_filter.empty() && !row.matches);
+    case FaintRole: return isFaint(row);
+    case EndedRole: return endedLabel(row, m_ended, *m_rows);
     default: return {};
     }
 }

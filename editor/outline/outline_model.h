@@ -16,6 +16,7 @@
 
 namespace trundle {
 
+class EndedRobots;
 class ObjectEdits;
 class ObjectMarks;
 
@@ -23,12 +24,14 @@ class OutlineModel final : public QAbstractItemModel {
     Q_OBJECT
 public:
     enum Column { NameColumn, VisibleColumn, LockedColumn, ColumnCount };
-    enum Role { DetailRole = Qt::UserRole + 1, IconRole, ErrorsRole, WarningsRole, ColourRole, MarkRole, FaintRole };
+    enum Role { DetailRole = Qt::UserRole + 1, IconRole, ErrorsRole, WarningsRole, ColourRole, MarkRole, FaintRole, EndedRole };
     enum Mark { NoMark, Unmarked, Marked, MarkedAbove }; ///< under MarkRole; MarkedAbove: an enclosing object is
 
     OutlineModel(ObjectEdits& edits, ObjectMarks& marks, QObject* parent = nullptr);
     ~OutlineModel() override;
 
+    /// Marks the robots of a run that have ended by a fault, and everything in them. They must outlive the model.
+    void showEnded(const EndedRobots& ended);
     /// The project after an edit. Only the rows of what has changed are computed again.
     void follow(const ChangeSet& changes);
     // Both reset the model.
@@ -81,7 +84,7 @@ private:
     [[nodiscard]] QModelIndex indexOf(const OutlineNode& node, int column = 0) const;
     [[nodiscard]] QModelIndex indexOfMember(const std::string& layout, const std::string& name);
     [[nodiscard]] std::vector<OutlineRow> rowsBelow(const OutlineNode& node) const;
-    [[nodiscard]] QVariant markOf(const OutlineRow& row, bool hidden) const;
+    [[nodiscard]] bool isFaint(const OutlineRow& row) const;
     void reset();
     void update(OutlineNode& node);
     [[nodiscard]] bool relink(OutlineNode& node, const std::unordered_set<const Part*>& changed);
@@ -93,6 +96,7 @@ private:
     ObjectEdits& m_edits;
     ObjectMarks& m_marks;
     OutlineDrops m_drops;
+    const EndedRobots* m_ended = nullptr;
     std::unique_ptr<OutlineRows> m_rows; // nullptr: nothing is open
     OutlineMode m_mode = OutlineMode::ByOwner;
     std::string m_filter;

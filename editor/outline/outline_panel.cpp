@@ -120,6 +120,7 @@ void OutlinePanel::connectAll() {
 void OutlinePanel::showValuesOf(const RunSession& session) {
     m_tree->setMoreTip([&session](const std::string& path) { return session.values().tip(path); });
     connect(&session.values(), &RunValues::changed, m_tree, &OutlineView::renewTip);
+    m_model->showEnded(session.robots().ended());
 }
 
 void OutlinePanel::showDocument(const ChangeSet& changes) {

@@ -182,9 +182,10 @@ OutlineView::Tip OutlineView::tipAt(const QModelIndex& index) const {
     const bool named = row && row->selectable && index.column() == OutlineModel::NameColumn;
     const QString more = named && m_moreTip ? m_moreTip(row->path) : QString();
     if (more.isEmpty()) return {always, false};
-    return {(always.isEmpty() ? QString() : QStringLiteral("<p style='white-space:pre'>%1</p>").arg(always.toHtmlEscaped())) +
-                more,
-            true};
+    return {
+        (always.isEmpty() ? QString() : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(always.toHtmlEscaped())) +
+            more,
+        true};
 }
 
 bool OutlineView::viewportEvent(QEvent* event) {

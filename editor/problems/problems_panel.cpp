@@ -1,5 +1,6 @@
 #include "editor/problems/problems_panel.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -20,6 +21,7 @@
 #include "editor/problems/model_checker.h"
 #include "editor/problems/problem_icons.h"
 #include "editor/problems/problems_model.h"
+#include "editor/widgets/controls.h"
 #include "editor/widgets/middle_elided.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
@@ -35,8 +37,7 @@ QToolButton* makeFilter(QWidget* parent, const char* name, const QIcon& icon, co
     button->setCheckable(true);
     button->setChecked(true);
     button->setIcon(icon);
-    button->setIconSize({15, 15});
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    showTextBesideIcon(*button, 15);
     button->setToolTip(tip);
     return button;
 }
@@ -51,7 +52,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
       m_checker(new ModelChecker(this)), m_view(new QTreeView(this)), m_none(new QLabel(tr("No problems"), m_view)),
       m_errors(makeFilter(this, "showErrors", severityIcon(Severity::Error), tr("Show errors"))),
       m_warnings(makeFilter(this, "showWarnings", severityIcon(Severity::Warning), tr("Show warnings and hints"))),
-      m_order(new QToolButton(this)), m_fix(new QToolButton(this)), m_words(new QLineEdit(this)) {
+      m_fix(new QToolButton(this)), m_order(new QCheckBox(this)), m_words(new QLineEdit(this)) {
     setObjectName(QStringLiteral("problemsPanel"));
     makeBar();
     m_view->setObjectName(QStringLiteral("problems"));
@@ -108,18 +109,17 @@ void ProblemsPanel::makeBar() {
     m_words->setMaximumWidth(260);
     bar->insertStretch(3, 1);
     m_order->setObjectName(QStringLiteral("problemOrder"));
-    m_order->setCheckable(true);
     m_order->setText(tr("Errors first"));
     m_order->setToolTip(tr("Sorts by severity; else by file and line"));
     m_fix->setObjectName(QStringLiteral("applyFix"));
     m_fix->setText(tr("Fix"));
     m_fix->setIcon(themedIcon(QStringLiteral("fix")));
-    m_fix->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    showTextBesideIcon(*m_fix);
     connect(m_errors, &QToolButton::toggled, this, &ProblemsPanel::applyFilter);
     connect(m_warnings, &QToolButton::toggled, this, &ProblemsPanel::applyFilter);
     connect(m_words, &QLineEdit::textChanged, this, &ProblemsPanel::applyFilter);
     connect(m_fix, &QToolButton::clicked, this, &ProblemsPanel::fixCurrent);
-    connect(m_order, &QToolButton::toggled, this, [this](bool severity) {
+    connect(m_order, &QCheckBox::toggled, this, [this](bool severity) {
         m_model->setOrder(severity ? ProblemOrder::Severity : ProblemOrder::Place);
         showCounts();
     });

@@ -7,6 +7,7 @@
 #include "base/diagnostic.h"
 #include "project/edits/change_set.h"
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QToolButton;
@@ -63,7 +64,8 @@ private:
     ModelChecker* m_checker;
     QTreeView* m_view;
     QLabel* m_none;
-    QToolButton *m_errors, *m_warnings, *m_order, *m_fix;
+    QToolButton *m_errors, *m_warnings, *m_fix;
+    QCheckBox* m_order;
     QLineEdit* m_words;
     std::vector<Diagnostic> m_run;
     std::shared_ptr<const LoadedProject> m_runTexts, m_shown;

@@ -22,6 +22,7 @@
 #include "editor/properties/section.h"
 #include "editor/running/session.h"
 #include "editor/widgets/empty_page.h"
+#include "editor/widgets/theme.h"
 #include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 
@@ -31,17 +32,52 @@ namespace {
 constexpr std::size_t kMaxLiveGroups = 8;
 constexpr int kLeastColumns = 24, kLeastLines = 8; ///< of text, in the smallest panel
 
+/// Why a selected robot has ended; hidden without text.
+QLabel* newEndedBanner(QWidget* parent) {
+    auto* banner = new QLabel(parent);
+    banner->setObjectName(QStringLiteral("endedBanner"));
+    banner->setWordWrap(true);
+    banner->setContentsMargins(10, 6, 10, 6);
+    banner->hide();
+    return banner;
+}
+
+void showBanner(QLabel& banner, const QString& text) {
+    banner.setText(text);
+    banner.setVisible(!text.isEmpty());
+    const QString style = QStringLiteral("QLabel { color: %1; }").arg(ink(Ink::Error).name());
+    if (!text.isEmpty() && banner.styleSheet() != style) banner.setStyleSheet(style);
+}
+
+/// Explains why values are missing, or why not all selected objects are shown.
+QString liveHint(const Document& document, const Selection& selection, const RunSession& session) {
+    const std::string path = selection.current();
+    if (!session.results().snapshot || path.empty()) return {};
+    if (const std::size_t count = selection.paths().size(); count > 1)
+        return count > kMaxLiveGroups ? PropertiesPanel::tr("The first %1 of %2 selected objects.").arg(kMaxLiveGroups).arg(count)
+                                      : QString();
+    if (!session.values().of(path).empty()) return {};
+    const auto place = placeOf(*document.loaded(), path);
+    if (!place || !place->part) return {};
+    if (place->part->is(Role::Layout) && !place->member)
+        return PropertiesPanel::tr("Click one of its members in the 3D view to see its values.");
+    if (place->instance && !session.edits().isOfRun(std::string(firstWord(path))))
+        return PropertiesPanel::tr("Not in this run: new or renamed since it started.");
+    return {};
+}
+
 } // namespace
 
 PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSession* session, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session),
-      m_header(new ObjectHeader(document, this)), m_scroll(new QScrollArea(this)), m_live(new LiveTable(this)),
-      m_strip(new HelpStrip(this)), m_nothing(new QLabel(this)) {
+      m_header(new ObjectHeader(document, this)), m_ended(newEndedBanner(this)), m_scroll(new QScrollArea(this)),
+      m_live(new LiveTable(this)), m_strip(new HelpStrip(this)), m_nothing(new QLabel(this)) {
     setObjectName(QStringLiteral("propertiesPanel"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_header);
+    layout->addWidget(m_ended);
     layout->addWidget(m_scroll, 1);
     layout->addWidget(m_live);
     layout->addWidget(m_nothing, 1);
@@ -68,6 +104,7 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
         connect(session, &RunSession::stateChanged, this, &PropertiesPanel::refresh);
         connect(&session->edits(), &RunEdits::changed, this, &PropertiesPanel::refresh);
         connect(&session->values(), &RunValues::changed, this, &PropertiesPanel::showNow);
+        connect(&session->robots().ended(), &EndedRobots::changed, this, &PropertiesPanel::showEnded);
     }
     showNothing(tr("Nothing is open"));
 }
@@ -76,6 +113,7 @@ void PropertiesPanel::showNothing(const QString& why) {
     m_current.clear();
     dropRows();
     m_header->hide();
+    m_ended->hide();
     m_scroll->hide();
     m_live->hide();
     m_strip->hide();
@@ -166,7 +204,13 @@ void PropertiesPanel::refresh() {
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_header, m_scroll, m_strip}) w->show();
     showHelp();
+    showEnded();
     showLive();
+}
+
+void PropertiesPanel::showEnded() {
+    const QString why = m_session && m_body ? m_session->robots().ended().explanation(m_selection.current()) : QString();
+    showBanner(*m_ended, why);
 }
 
 /// The live values of the selected objects, of at most the first few; of the whole run if nothing is selected.
@@ -186,7 +230,7 @@ std::vector<LiveGroup> PropertiesPanel::liveGroups() const {
 /// The objects have changed, or a run started or ended.
 void PropertiesPanel::showLive() {
     if (!m_session || !m_document.isOpen()) return m_live->hide();
-    m_live->display(liveGroups(), liveHint());
+    m_live->display(liveGroups(), liveHint(m_document, m_selection, *m_session));
 }
 
 /// A new tick: updates the values only.
@@ -194,21 +238,6 @@ void PropertiesPanel::showNow() {
     if (!isVisible() || !m_document.isOpen() || !m_body) return;
     if (const auto groups = liveGroups(); m_live->isHidden() != groups.empty() || !m_live->update(groups)) showLive();
     for (PropertyRow* row : m_rows) row->setNow(row->row().now ? row->row().now() : QString());
-}
-
-/// Explains why values are missing, or why not all selected objects are shown.
-QString PropertiesPanel::liveHint() const {
-    const std::string path = m_selection.current();
-    if (!m_session->results().snapshot || path.empty()) return {};
-    if (const std::size_t count = m_selection.paths().size(); count > 1)
-        return count > kMaxLiveGroups ? tr("The first %1 of %2 selected objects.").arg(kMaxLiveGroups).arg(count) : QString();
-    if (!m_session->values().of(path).empty()) return {};
-    const auto place = placeOf(*m_document.loaded(), path);
-    if (!place || !place->part) return {};
-    if (place->part->is(Role::Layout) && !place->member) return tr("Click one of its members in the 3D view to see its values.");
-    if (place->instance && !m_session->edits().isOfRun(std::string(firstWord(path))))
-        return tr("Not in this run: new or renamed since it started.");
-    return {};
 }
 
 EditorKind PropertiesPanel::kindOf(const Row& row) const { return m_asText.count(row.id) ? EditorKind::Line : row.editor(); }

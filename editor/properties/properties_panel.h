@@ -69,10 +69,10 @@ private:
     void addRow(const Row& row, EditorKind kind, Section& section);
     void alignLabels();
     void showHelp();
+    void showEnded();
     void showLive();
     void showNow();
     [[nodiscard]] std::vector<LiveGroup> liveGroups() const;
-    [[nodiscard]] QString liveHint() const;
     void showFailure(const std::string& id, const Status& status); ///< shows the error in the help strip; clears it on success
     void openMenu(PropertyRow* row, const QPoint& place, QMenu* under);
     void setAsText(const std::string& id);
@@ -85,6 +85,7 @@ private:
     Selection& m_selection;
     RunSession* m_session;
     ObjectHeader* m_header;
+    QLabel* m_ended; ///< why a selected robot has ended
     QScrollArea* m_scroll;
     QWidget* m_body = nullptr; ///< parent of the rows
     LiveTable* m_live;

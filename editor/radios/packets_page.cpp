@@ -84,7 +84,7 @@ void PacketsPage::makeTools() {
     m_export->setObjectName(QStringLiteral("radioExport"));
     m_export->setText(tr("Export"));
     m_export->setIcon(themedIcon(QStringLiteral("save")));
-    m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    showTextBesideIcon(*m_export);
     m_export->setPopupMode(QToolButton::InstantPopup);
     m_export->setAutoRaise(true);
     m_export->setToolTip(tr("Write all stored packets to a file"));

@@ -1,7 +1,5 @@
 #include "editor/running/active_run.h"
 
-#include <algorithm>
-
 #include <QCoreApplication>
 
 namespace trundle {
@@ -22,11 +20,6 @@ const RobotSpec* RunResults::robot(const std::string& name) const {
     for (const RobotSpec& robot : experiment->robots)
         if (robot.name == name) return &robot;
     return nullptr;
-}
-
-bool RunResults::hasEnded(const RobotSpec& robot) const {
-    return snapshot &&
-           std::ranges::any_of(snapshot->ended, [&](std::size_t i) { return experiment->robots[i].name == robot.name; });
 }
 
 } // namespace trundle

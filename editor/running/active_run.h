@@ -36,8 +36,6 @@ struct RunResults {
     [[nodiscard]] QString finishText() const;
     /// The robot of the running experiment; null if no robot has that name.
     [[nodiscard]] const RobotSpec* robot(const std::string& name) const;
-    /// It ended by a fault of its own, while the run continues.
-    [[nodiscard]] bool hasEnded(const RobotSpec& robot) const;
 };
 
 struct ActiveRun : RunResults {

@@ -4,10 +4,12 @@
 
 #include "editor/document/document.h"
 #include "editor/document/structure_edits.h"
+#include "editor/running/ended_robots.h"
 #include "editor/running/pose_overlay.h"
 #include "editor/running/run_edits.h"
 #include "editor/running/run_messages.h"
 #include "editor/running/start_poses.h"
+#include "editor/widgets/strings.h"
 #include "project/objects/unplaced_configs.h"
 
 namespace trundle {
@@ -22,9 +24,9 @@ const ComponentSpec* driveOf(const RobotSpec& robot) {
 
 } // namespace
 
-RobotCommands::RobotCommands(const ActiveRun& run, const RunEdits& edits, RunMessages& messages, Document& document,
-                             QObject* parent)
-    : QObject(parent), m_run(run), m_edits(edits), m_messages(messages), m_document(document) {}
+RobotCommands::RobotCommands(const ActiveRun& run, const RunEdits& edits, const EndedRobots& ended, RunMessages& messages,
+                             Document& document, QObject* parent)
+    : QObject(parent), m_run(run), m_edits(edits), m_ended(ended), m_messages(messages), m_document(document) {}
 
 std::optional<Pose> RobotCommands::pose(const std::string& robot) const {
     for (const PlaceCommand& place : m_placed)
@@ -36,6 +38,8 @@ std::optional<Pose> RobotCommands::pose(const std::string& robot) const {
 
 bool RobotCommands::push(const std::string& body, const Vec3& force, const Vec3& point) {
     if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A body can be pushed while the experiment runs."));
+    if (const QString why = endedRefusal(std::string_view(body).substr(0, body.find('/'))); !why.isEmpty())
+        return m_messages.refuse(why);
     if (!force.allFinite() || !point.allFinite()) return false;
     m_run.live->keepPushing(PushCommand{body, force, point});
     return true;
@@ -49,6 +53,7 @@ bool RobotCommands::place(const std::string& robot, const Pose& to) {
     if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A robot can be moved while the experiment is running or paused."));
     if (!m_run.robot(robot) || !m_edits.isOfRun(robot))
         return m_messages.refuse(tr("%1 is no robot of this run.").arg(QString::fromStdString(robot)));
+    if (const QString why = endedRefusal(robot); !why.isEmpty()) return m_messages.refuse(why);
     if (!to.position.allFinite() || !to.rotation.coeffs().allFinite()) return false;
     m_run.live->command(PlaceCommand{robot, to});
     if (m_run.state != RunState::Paused || !m_run.snapshot) return true;
@@ -59,11 +64,16 @@ bool RobotCommands::place(const std::string& robot, const Pose& to) {
     return true;
 }
 
+/// Empty unless it has ended by a fault: then nothing moves it any more.
+QString RobotCommands::endedRefusal(std::string_view robot) const {
+    return m_ended.hasEnded(robot) ? tr("%1 has ended by a fault, see Problems.").arg(toQString(std::string(robot))) : QString();
+}
+
 QString RobotCommands::driveRefusal(const std::string& name) const {
     if (!m_run.acceptsCommands()) return tr("A robot can be driven while the experiment runs.");
     const RobotSpec* robot = m_run.robot(name);
     if (!robot) return tr("Select a robot to drive.");
-    if (m_run.hasEnded(*robot)) return tr("%1 has ended by a fault, see Problems.").arg(QString::fromStdString(name));
+    if (const QString why = endedRefusal(name); !why.isEmpty()) return why;
     if (!driveOf(*robot)) return tr("%1 has no DifferentialDrive to steer it by.").arg(QString::fromStdString(name));
     return {};
 }

@@ -12,6 +12,7 @@
 namespace trundle {
 
 class Document;
+class EndedRobots;
 class RunEdits;
 class RunMessages;
 struct StartPoses;
@@ -22,8 +23,8 @@ class RobotCommands final : public QObject {
     Q_OBJECT
 public:
     /// All must outlive this object.
-    RobotCommands(const ActiveRun& run, const RunEdits& edits, RunMessages& messages, Document& document,
-                  QObject* parent = nullptr);
+    RobotCommands(const ActiveRun& run, const RunEdits& edits, const EndedRobots& ended, RunMessages& messages,
+                  Document& document, QObject* parent = nullptr);
 
     /// Applies a force (N, world frame) at a point (m, world frame) of "robot0/chassis" in every tick until endPush(). While
     /// paused it starts with the next tick.
@@ -38,6 +39,7 @@ public:
     [[nodiscard]] std::string driven() const { return m_driven; } ///< robot, or empty
     /// Why a robot cannot be driven; empty if it can.
     [[nodiscard]] QString driveRefusal(const std::string& robot) const;
+    [[nodiscard]] const EndedRobots& ended() const { return m_ended; } ///< those that take no commands any more
     /// Current pose of a robot's config frame in the world, including a place() that waits for the next tick.
     [[nodiscard]] std::optional<Pose> pose(const std::string& robot) const;
     /// All commands of the run so far, with their ticks; none at Start.
@@ -57,9 +59,11 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] StartPoses posesNow() const;
+    [[nodiscard]] QString endedRefusal(std::string_view robot) const;
 
     const ActiveRun& m_run;
     const RunEdits& m_edits;
+    const EndedRobots& m_ended;
     RunMessages& m_messages;
     Document& m_document;
     std::vector<PlaceCommand> m_placed; // placed at m_placedTick while paused, not in a snapshot yet

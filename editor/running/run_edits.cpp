@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <QStringList>
-
+#include "editor/widgets/name_list.h"
 #include "model/dotted_path.h"
 
 namespace trundle {
@@ -34,11 +33,10 @@ bool RunEdits::clear() {
 }
 
 QString RunEdits::waitingText() const {
-    constexpr std::size_t kMaxNamed = 3;
+    constexpr int kMaxNamed = 3;
     QStringList names;
-    for (std::size_t i = 0; i < std::min(kMaxNamed, m_waiting.size()); ++i) names += QString::fromStdString(m_waiting[i]);
-    const QString text = names.join(QStringLiteral(", "));
-    return m_waiting.size() <= kMaxNamed ? text : tr("%1 and %2 more").arg(text, QString::number(m_waiting.size() - kMaxNamed));
+    for (const std::string& path : m_waiting) names += QString::fromStdString(path);
+    return listed(names, kMaxNamed);
 }
 
 bool RunEdits::waitsForReset(const std::string& path) const {

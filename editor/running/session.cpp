@@ -15,6 +15,22 @@ namespace {
 constexpr int kFrameMs = 16;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
+/// Console lines for robots that ended and joints that were closed again; a warning of pictures has a line of its own.
+LiveLines faultLines(const std::vector<Diagnostic>& warnings, const LiveSnapshot* snapshot, const ExperimentSpec& experiment) {
+    LiveLines lines;
+    for (const Diagnostic& warning : warnings) {
+        if (warning.code != Code::BlowUp) continue;
+        LiveLine line{snapshot ? snapshot->time : 0, {}, TRUNDLE_WARNING, codeName(warning.code) + ": " + warning.message};
+        for (const RobotEnd& end : snapshot ? snapshot->ended : std::vector<RobotEnd>())
+            if (end.fault.range == warning.range) {
+                line.time = end.fault.time;
+                line.who = experiment.robots[end.robot].name;
+            }
+        lines.lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 } // namespace
 
 /// Called by the run's thread to post readSnapshot() to the session. Shared by both; does nothing once the session is destroyed.
@@ -34,9 +50,9 @@ RunSession::RunSession(Document& document, Application& application, QObject* pa
     : QObject(parent), m_document(document), m_notifier(std::make_shared<Notifier>()),
       m_source(std::make_unique<RunSource>(document, application)), m_messages(std::make_unique<RunMessages>()),
       m_logs(std::make_unique<RunLogs>(document)), m_edits(std::make_unique<RunEdits>()),
-      m_values(std::make_unique<RunValues>(m_active, *m_edits)),
+      m_ended(std::make_unique<EndedRobots>(m_active, *m_edits)), m_values(std::make_unique<RunValues>(m_active, *m_edits)),
       m_responses(std::make_unique<ResponseWatch>(m_active, *m_messages)),
-      m_robots(std::make_unique<RobotCommands>(m_active, *m_edits, *m_messages, document)) {
+      m_robots(std::make_unique<RobotCommands>(m_active, *m_edits, *m_ended, *m_messages, document)) {
     m_notifier->session = this;
     m_frames.setInterval(kFrameMs);
     m_frames.setTimerType(Qt::PreciseTimer);
@@ -161,6 +177,7 @@ void RunSession::backToStart() {
     if (state() == RunState::Start) return;
     leave();
     static_cast<RunResults&>(m_active) = {};
+    m_ended->update();
     m_reader.reset();
     m_values->clear();
     m_robots->clear();
@@ -212,9 +229,8 @@ void RunSession::readSnapshot() {
     const LiveLines lines = run->takeLines();
     std::vector<Diagnostic> warnings = run->takeWarnings();
     m_messages->add(lines);
-    for (const Diagnostic& warning : warnings) // of ended robots; a warning of pictures has a line of its own
-        if (warning.code == Code::BlowUp)
-            addConsoleLine(TRUNDLE_WARNING, QString::fromStdString(codeName(warning.code) + ": " + warning.message));
+    if (!warnings.empty()) // the snapshot that they are about was published before them
+        m_messages->add(faultLines(warnings, run->view().snapshot.get(), *m_active.experiment));
     m_messages->addProblems(std::move(warnings));
     if (wasReset()) return;
     if (!m_active.layout && (m_active.layout = view.layout)) {
@@ -263,6 +279,7 @@ void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
     auto poses = std::make_shared<BodyPoses>();
     m_reader->read(*m_active.snapshot->block, *poses);
     m_active.poses = std::move(poses);
+    m_ended->update();
     Q_EMIT advanced();
 }
 

@@ -12,6 +12,7 @@
 #include "base/diagnostic.h"
 #include "editor/document/document.h"
 #include "editor/running/active_run.h"
+#include "editor/running/ended_robots.h"
 #include "editor/running/response_watch.h"
 #include "editor/running/robot_commands.h"
 #include "editor/running/run_edits.h"
@@ -93,6 +94,7 @@ private:
     const std::unique_ptr<RunMessages> m_messages;
     const std::unique_ptr<RunLogs> m_logs;
     const std::unique_ptr<RunEdits> m_edits;
+    const std::unique_ptr<EndedRobots> m_ended;
     const std::unique_ptr<RunValues> m_values;
     const std::unique_ptr<ResponseWatch> m_responses;
     const std::unique_ptr<RobotCommands> m_robots;

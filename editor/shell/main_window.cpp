@@ -195,6 +195,7 @@ void MainWindow::connectDocument() {
         std::erase_if(left, [this](const std::string& path) { return !placeOf(*m_document->loaded(), path); });
         m_selection->set(left);
     });
+    m_document->edits().restoreSelection(*m_selection);
     connect(m_document, &Document::notice, m_status, &StatusLine::refuse);
     connect(m_document, &Document::opened, m_console, &ConsolePanel::clear); // its messages refer to the previous project
     connect(&m_document->opening(), &ProjectOpening::failed, m_files, &FileCommands::reportNotOpened);

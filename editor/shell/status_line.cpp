@@ -1,8 +1,11 @@
 #include "editor/shell/status_line.h"
 
+#include <algorithm>
+
 #include <QEvent>
 
 #include "editor/shell/unsaved_files.h"
+#include "editor/widgets/name_list.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -10,6 +13,9 @@ namespace {
 
 constexpr int kRefusalMs = 8000;
 constexpr qsizetype kMaxUnsavedNamed = 3; ///< file names listed
+constexpr int kLeastOfName = 12;          ///< characters of an elided file name
+constexpr int kSpacing = 6;               ///< pixels between the labels of a QStatusBar
+constexpr int kUnlimited = 1 << 20;       ///< pixels
 
 QString painted(const QString& text, Ink which) {
     return QStringLiteral("<span style=\"color:%1\">%2</span>").arg(ink(which).name(), text.toHtmlEscaped());
@@ -35,6 +41,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
     m_run->setContentsMargins(8, 2, 10, 2);
     m_run->setTextFormat(Qt::PlainText); // it may contain text of a module
     m_bar.addPermanentWidget(m_run);
+    for (QLabel* label : {m_file, m_saved, m_problems, m_logs, m_run}) label->setMinimumWidth(1); // fit() chooses their texts
     for (QLabel* label : {m_problems, m_logs}) {
         label->setCursor(Qt::PointingHandCursor);
         label->installEventFilter(this);
@@ -56,9 +63,9 @@ void StatusLine::refuse(const QString& reason) {
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &m_bar && event->type() == QEvent::StyleChange) { // the texts contain colours of the theme
         refresh();
-        showLogs();
         showProblems();
     }
+    if (watched == &m_bar && event->type() == QEvent::Resize) fit();
     if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsRequested();
     if (watched == m_logs && event->type() == QEvent::MouseButtonRelease) Q_EMIT logsRequested();
     return QObject::eventFilter(watched, event);
@@ -66,26 +73,61 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 
 void StatusLine::refresh() {
     if (!m_document.isOpen()) return; // only the bar is hidden; QStatusBar hides its labels itself while it shows a message
-    m_file->setText(QString::fromStdString(m_document.texts().shown(m_document.path())));
     m_file->setToolTip(QString::fromStdString(m_document.path()));
-    const QStringList unsaved = unsavedFiles(m_document);
-    m_saved->setText(unsaved.isEmpty() ? painted(tr("saved"), Ink::Faint)
-                     : m_document.isNew() && unsaved.size() == 1
-                         ? painted(tr("not saved yet"), Ink::Warning)
-                         : painted(tr("unsaved: %1").arg(listed(unsaved, kMaxUnsavedNamed)), Ink::Warning));
-    m_saved->setToolTip(unsaved.isEmpty()
+    m_unsaved = unsavedFiles(m_document);
+    m_saved->setToolTip(m_unsaved.isEmpty()
                             ? tr("All files are saved")
-                            : tr("Files with unsaved changes:") + QLatin1Char('\n') + unsaved.join(QLatin1Char('\n')));
+                            : tr("Files with unsaved changes:") + QLatin1Char('\n') + m_unsaved.join(QLatin1Char('\n')));
+    fit();
+}
+
+/// In a narrow window the folder of the logs is left out, then the names of unsaved files, then a part of the name of the file; the
+/// tool tips have them whole.
+void StatusLine::fit() {
+    showFile(kUnlimited);
+    showSaved(true);
+    showLogs(true);
+    const auto missing = [this] {
+        int needed = 0;
+        for (const QLabel* label : {m_file, m_saved, m_problems, m_logs, m_run}) needed += label->sizeHint().width() + kSpacing;
+        return needed - m_bar.width();
+    };
+    if (missing() > 0) showLogs(false);
+    if (missing() > 0) showSaved(false);
+    if (const int more = missing(); more > 0) {
+        const QMargins margins = m_file->contentsMargins();
+        showFile(m_file->sizeHint().width() - margins.left() - margins.right() - more);
+    }
+}
+
+void StatusLine::showFile(int width) {
+    const QString name = QString::fromStdString(m_document.texts().shown(m_document.path()));
+    const int least = m_file->fontMetrics().averageCharWidth() * kLeastOfName;
+    m_file->setText(m_file->fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(width, least)));
+}
+
+void StatusLine::showSaved(bool names) {
+    const qsizetype count = m_unsaved.size();
+    if (count == 0) m_saved->setText(painted(tr("saved"), Ink::Faint));
+    else if (m_document.isNew() && count == 1) m_saved->setText(painted(tr("not saved yet"), Ink::Warning));
+    else if (names) m_saved->setText(painted(tr("unsaved: %1").arg(listed(m_unsaved, kMaxUnsavedNamed)), Ink::Warning));
+    else m_saved->setText(painted(count == 1 ? tr("1 unsaved file") : tr("%1 unsaved files").arg(count), Ink::Warning));
+}
+
+void StatusLine::setRunText(const QString& text, const QString& tip) {
+    m_run->setText(text);
+    m_run->setToolTip(tip);
+    fit();
 }
 
 void StatusLine::setLogs(const QString& folder) {
     m_logFolder = folder;
-    showLogs();
+    fit();
 }
 
-void StatusLine::showLogs() {
+void StatusLine::showLogs(bool whole) {
     const QString shown = QString::fromStdString(m_document.texts().shown(m_logFolder.toStdString()));
-    m_logs->setText(m_logFolder.isEmpty() ? QString() : painted(tr("logs in %1").arg(shown), Ink::Accent));
+    m_logs->setText(m_logFolder.isEmpty() ? QString() : painted(whole ? tr("logs in %1").arg(shown) : tr("logs"), Ink::Accent));
     m_logs->setToolTip(m_logFolder.isEmpty() ? QString() : tr("Open %1").arg(m_logFolder));
 }
 
@@ -93,6 +135,7 @@ void StatusLine::setProblems(int errors, int warnings) {
     m_errors = errors;
     m_warnings = warnings;
     showProblems();
+    fit();
 }
 
 void StatusLine::showProblems() {

@@ -12,7 +12,7 @@ class StatusLine final : public QObject {
 public:
     StatusLine(QStatusBar& bar, Document& document);
 
-    void setRunText(const QString& text) { m_run->setText(text); }
+    void setRunText(const QString& text, const QString& tip);
     /// Shown for some seconds or until the document changes, since the action may be possible then.
     void refuse(const QString& reason);
     /// Shows a link to the folder of the run's logs; empty: none.
@@ -29,13 +29,17 @@ protected:
 
 private:
     void refresh();
-    void showLogs();
+    void showFile(int width);
+    void showSaved(bool names);
+    void showLogs(bool whole);
     void showProblems();
+    void fit();
 
     QStatusBar& m_bar;
     Document& m_document;
     QLabel *m_file, *m_saved, *m_problems, *m_logs, *m_run;
     QString m_refused, m_logFolder;
+    QStringList m_unsaved;
     int m_errors = 0, m_warnings = 0;
 };
 

@@ -22,12 +22,6 @@ QStringList unsavedFiles(const Document& document) {
     return names;
 }
 
-QString listed(const QStringList& names, qsizetype most) {
-    if (names.size() <= most) return names.join(QStringLiteral(", "));
-    const auto more = int(names.size() - most);
-    return names.mid(0, most).join(QStringLiteral(", ")) + QLatin1Char(' ') + tr("and %1 more", more).arg(more);
-}
-
 QString windowTitle(const Document& document) {
     const QStringList unsaved = unsavedFiles(document);
     const QString opened = QString::fromStdString(document.texts().shown(document.path()));

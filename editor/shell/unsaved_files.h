@@ -8,8 +8,6 @@ namespace trundle {
 
 /// Display names of the files with unsaved changes, the opened one first. Includes a new text that is not saved to a file yet.
 [[nodiscard]] QStringList unsavedFiles(const Document& document);
-/// "a.sim, b.sim and 3 more": the first names and the number of the others.
-[[nodiscard]] QString listed(const QStringList& names, qsizetype most);
 /// "main.sim[*] – Trundle", "main.sim, rover.sim[*] – Trundle": the opened file, then the other unsaved ones. A file with
 /// unsaved changes has a star; `[*]` is the placeholder of QWidget::setWindowModified().
 [[nodiscard]] QString windowTitle(const Document& document);

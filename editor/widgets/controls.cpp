@@ -4,6 +4,7 @@
 #include <QFontMetrics>
 #include <QHeaderView>
 #include <QScreen>
+#include <QToolButton>
 
 #include "editor/widgets/theme.h"
 
@@ -56,6 +57,12 @@ QComboBox* makeNarrowChoice(const char* name, const QString& tip, int characters
     made->setMinimumContentsLength(characters);
     made->setMaxVisibleItems(24);
     return made;
+}
+
+void showTextBesideIcon(QToolButton& button, int size) {
+    constexpr int kMargin = 3; // on both sides of the icon, which is drawn in the middle
+    button.setIconSize({size + 2 * kMargin, size});
+    button.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 
 void resizeToFont(QWidget& dialog, const QSize& atDefault) {

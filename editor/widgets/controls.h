@@ -4,6 +4,8 @@
 #include <QComboBox>
 #include <QTableView>
 
+class QToolButton;
+
 namespace trundle {
 
 enum class LineFont { Interface, Monospace };
@@ -13,6 +15,9 @@ enum class LineFont { Interface, Monospace };
 
 /// A combo box whose width does not depend on its entries. `tip` is also its accessible name.
 [[nodiscard]] QComboBox* makeNarrowChoice(const char* name, const QString& tip, int characters, QWidget* parent);
+
+/// Shows the icon, `size` pixels large, and the text beside it. Qt alone leaves only 2 pixels between them.
+void showTextBesideIcon(QToolButton& button, int size = 16);
 
 /// Resizes a dialog to a size made for the default font, larger with a larger font, and never beyond its screen.
 void resizeToFont(QWidget& dialog, const QSize& atDefault);

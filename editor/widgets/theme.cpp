@@ -48,6 +48,7 @@ void loadFonts() {
 /// Paints an SVG in a colour of the theme at the time of painting.
 void paintSvg(QPainter& painter, const QRectF& box, const QString& path, const QColor& colour) {
     QSvgRenderer svg(path);
+    svg.setAspectRatioMode(Qt::KeepAspectRatio);
     QImage image((box.size() * painter.device()->devicePixelRatioF()).toSize(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter inside(&image);

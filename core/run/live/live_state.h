@@ -12,6 +12,7 @@
 #include "signals/block.h"
 #include "signals/camera_image.h"
 #include "signals/layout.h"
+#include "world/world.h"
 
 namespace trundle {
 
@@ -35,7 +36,7 @@ struct LiveSnapshot {
     double realTimeFactor = 0; ///< over about the last second; 0 while paused
     double stepMs = 0;         ///< mean wall time per tick since the previous snapshot
     std::size_t contactCount = 0;
-    std::vector<std::size_t> ended;    ///< robots of the experiment that ended by a fault of their own, while the run continues
+    std::vector<RobotEnd> ended;       ///< robots that ended by a fault of their own while the run continues; only grows
     std::optional<std::uint64_t> hash; ///< World::stateHash(); set only while paused or ended
     RunImages images;                  ///< the newest image of each camera that a controller or a log has used so far
 };

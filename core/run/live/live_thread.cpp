@@ -200,7 +200,6 @@ bool LiveThread::tick() {
     const LiveClock::time_point after = LiveClock::now();
     m_meter.ticked(after - before);
     m_pace.ticked();
-    passWarnings();
     bool shows = false, stepped = false;
     {
         const std::scoped_lock guard(m_shared->lock);
@@ -243,7 +242,7 @@ std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts)
     shot->stepMs = m_meter.takeStepMs();
     const std::vector<WorldContact>& touching = world.contacts();
     shot->contactCount = touching.size();
-    for (const RobotEnd& end : world.robotFaults().ends) shot->ended.push_back(end.robot);
+    shot->ended = world.robotFaults().ends;
     shot->images = m_runner->cameras().images();
     if (contacts) shot->contacts = copied(touching);
     if (stands) shot->hash = world.stateHash();
@@ -264,6 +263,7 @@ void LiveThread::publish(bool stands) {
         m_shared->fetched = false;
         if (stands && !m_shared->running && m_shared->steps == 0 && !m_shared->end) m_shared->phase = LivePhase::Paused;
     }
+    passWarnings(); // after the snapshot that they are about
     if (stands) notifyChanged();
 }
 

@@ -1,5 +1,7 @@
 #include "editor/running/panels/controllers_panel.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QEvent>
 #include <QFileDialog>
@@ -18,19 +20,28 @@
 #include "editor/running/panels/controller_dialogs.h"
 #include "editor/running/panels/robot_states.h"
 #include "editor/widgets/actions.h"
+#include "editor/widgets/controls.h"
 #include "editor/widgets/plain_text.h"
+#include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
 namespace {
 
-/// Adds space between the columns.
+constexpr int kIsPathRole = Qt::UserRole + 1; ///< true: the end of the text matters most
+
+/// Adds space between the columns, keeps the ends of paths, and keeps long texts from using the room of the other columns.
 class SpacedColumns final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.data(kIsPathRole).toBool()) option->textElideMode = Qt::ElideLeft;
+    }
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-        constexpr int kGap = 18;
-        return QStyledItemDelegate::sizeHint(option, index) + QSize(kGap, 0);
+        constexpr int kGap = 18, kMostCharacters = 60;
+        const QSize size = QStyledItemDelegate::sizeHint(option, index);
+        return {std::min(size.width(), kMostCharacters * option.fontMetrics.averageCharWidth()) + kGap, size.height()};
     }
 };
 
@@ -52,7 +63,7 @@ QToolButton* textButton(const char* name, const QString& text, const QString& ti
     made->setText(text);
     made->setIcon(themedIcon(QLatin1String(icon)));
     made->setToolTip(tip);
-    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    showTextBesideIcon(*made);
     made->setAutoRaise(true);
     return made;
 }
@@ -62,7 +73,7 @@ QToolButton* actionButton(QAction& action, const QString& text) {
     action.setIconText(text);
     auto* made = new QToolButton;
     made->setDefaultAction(&action);
-    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    showTextBesideIcon(*made);
     made->setAutoRaise(true);
     return made;
 }
@@ -114,9 +125,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
         if (!m_notice->isHidden()) Q_EMIT attentionRequested();
     });
     connect(&session, &RunSession::stateChanged, this, &ControllersPanel::showStates);
-    connect(&session, &RunSession::advanced, this, [this] {
-        if (m_session.results().snapshot && m_session.results().snapshot->ended.size() != m_shownEnded) showStates();
-    });
+    connect(&session.robots().ended(), &EndedRobots::changed, this, &ControllersPanel::showStates);
     connect(&selection, &Selection::changed, this, &ControllersPanel::showButtons);
     connectActions();
     refresh();
@@ -124,7 +133,10 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
 
 QWidget* ControllersPanel::makeModules() {
     m_modules = table("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
-    for (const int column : {0, 1, 2}) m_modules->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    QHeaderView& header = *m_modules->header();
+    header.setStretchLastSection(false);
+    for (const int column : {0, 1, 2}) header.setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    header.setSectionResizeMode(3, QHeaderView::Stretch);
     QToolButton* load = actionButton(m_actions.at("controllers.load"), tr("Load…"));
     load->setObjectName(QStringLiteral("moduleLoad"));
     m_recent = new QMenu(tr("Load R&ecent"), load);
@@ -228,10 +240,13 @@ void ControllersPanel::refreshModules() {
         QStringList kinds;
         for (const std::string& kind : info.kinds) kinds.append(QString::fromStdString(kind));
         const QString library = QString::fromStdString(info.library);
-        auto* item = new QTreeWidgetItem(m_modules, {QString::fromStdString(info.written), kinds.join(QStringLiteral(", ")),
-                                                     info.version, info.trouble.isEmpty() ? library : info.trouble});
+        auto* item = new QTreeWidgetItem(
+            m_modules, {QString::fromStdString(info.written), kinds.join(QStringLiteral(", ")), info.version,
+                        info.trouble.isEmpty() ? toQString(m_document.texts().shown(info.library)) : info.trouble});
+        const QString all = toQString(info.written) + QStringLiteral(": ") + kinds.join(QStringLiteral(", ")) + u'\n' + library;
         for (int column = 0; column < 4; ++column)
-            item->setToolTip(column, info.trouble.isEmpty() ? library : info.trouble + u'\n' + library);
+            item->setToolTip(column, info.trouble.isEmpty() ? all : info.trouble + u'\n' + library);
+        item->setData(3, kIsPathRole, info.trouble.isEmpty());
         if (!info.trouble.isEmpty()) item->setForeground(3, ink(info.trusted ? Ink::Error : Ink::Warning));
         if (!info.trusted) untrusted.append(QString::fromStdString(info.written));
     }
@@ -268,12 +283,11 @@ void ControllersPanel::refreshRobots() {
 }
 
 void ControllersPanel::showStates() {
-    m_shownEnded = m_session.results().snapshot ? m_session.results().snapshot->ended.size() : 0;
     for (std::size_t i = 0; i < m_listed.size() && !m_stale; ++i) {
         const ControllerState state = controllerState(m_session, m_listed[i]);
         QTreeWidgetItem* item = m_robots->topLevelItem(static_cast<int>(i));
         item->setText(2, state.text);
-        item->setToolTip(2, state.text);
+        item->setToolTip(2, state.detail.isEmpty() ? state.text : state.detail);
         item->setForeground(2, ink(state.failed ? Ink::Error : state.active ? Ink::Good : Ink::Faint));
     }
 }

@@ -67,9 +67,8 @@ private:
     QToolButton* m_unload = nullptr;
     QToolButton* m_trust = nullptr;
     QMenu* m_recent = nullptr;
-    bool m_choosing = false;      // this panel is changing the selection
-    std::size_t m_shownEnded = 0; // robots that ended by a fault
-    bool m_stale = false;         // the rows must be rebuilt when the panel is shown
+    bool m_choosing = false; // this panel is changing the selection
+    bool m_stale = false;    // the rows must be rebuilt when the panel is shown
 };
 
 } // namespace trundle

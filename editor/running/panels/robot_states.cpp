@@ -28,8 +28,13 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
     if (built == robots.end()) // a Grid or Scatter: its first member represents it
         built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isOf(session, spec.name, robot); });
     if (built == robots.end()) return {trState("not in this run"), false, false};
+    if (const std::size_t ended = session.robots().ended().countOf(robot.path); ended > 0)
+        return {
+            robot.members == 1
+                ? trState("ended by a fault, see Problems")
+                : trState("%1 of %2 ended by a fault, see Problems").arg(QString::number(ended), QString::number(robot.members)),
+            false, true, session.robots().ended().explanation(robot.path)};
     if (!built->controller) return {trState("no controller"), false, false};
-    if (session.results().hasEnded(*built)) return {trState("ended by a fault, see Problems"), false, true};
     const std::optional<LiveEnd>& end = session.results().end;
     if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)
         return {QString::fromStdString(end->failure->message), false, true};

@@ -10,6 +10,7 @@ struct ControlledRobot;
 struct ControllerState {
     QString text;
     bool active = false, failed = false;
+    QString detail = {}; ///< for a tool tip; or empty
 };
 [[nodiscard]] ControllerState controllerState(const RunSession& session, const ControlledRobot& robot);
 

@@ -13,6 +13,12 @@ constexpr int kMaxFinish = 80; // characters; the console shows the full text
 
 QString counted(qulonglong count, const QString& one, const QString& many) { return count == 1 ? one : many.arg(count); }
 
+/// "5 of 6 robots" if one has ended by a fault.
+QString leftOf(qulonglong all, qulonglong ended, const QString& one, const QString& many) {
+    const QString total = counted(all, one, many);
+    return ended == 0 ? total : RunStatus::tr("%1 of %2").arg(QString::number(all - ended), total);
+}
+
 } // namespace
 
 RunStatus::RunStatus(RunSession& session, QObject* parent) : QObject(parent), m_session(session) {
@@ -36,8 +42,9 @@ void RunStatus::refresh() {
     const auto experiment = m_session.results().experiment;
     if (experiment) {
         const RobotCounts counts = countRobots(*experiment);
-        QString text = counted(counts.robots, tr("1 robot"), tr("%1 robots"));
-        if (counts.objects > 0) text += tr(", ") + counted(counts.objects, tr("1 object"), tr("%1 objects"));
+        const EndedRobots& ended = m_session.robots().ended();
+        QString text = leftOf(counts.robots, ended.robots(), tr("1 robot"), tr("%1 robots"));
+        if (counts.objects > 0) text += tr(", ") + leftOf(counts.objects, ended.objects(), tr("1 object"), tr("%1 objects"));
         parts << text;
     }
     if (const auto shot = m_session.results().snapshot) {
@@ -49,10 +56,11 @@ void RunStatus::refresh() {
     if (const QString wasNotResponding = m_session.responses().text(); !wasNotResponding.isEmpty()) parts << wasNotResponding;
     if (m_session.edits().needsReset())
         parts << (m_session.results().canResume() ? tr("edits wait: F5 begins again with them") : tr("edits wait for Reset"));
-    const QString text = parts.join(QStringLiteral("  •  "));
-    if (text == m_text) return;
+    const QString text = parts.join(QStringLiteral("  •  ")), tip = m_session.robots().ended().summary();
+    if (text == m_text && tip == m_tip) return;
     m_text = text;
-    Q_EMIT changed(m_text);
+    m_tip = tip;
+    Q_EMIT changed(m_text, m_tip);
 }
 
 } // namespace trundle

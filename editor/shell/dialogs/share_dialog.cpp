@@ -5,7 +5,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "editor/shell/unsaved_files.h"
+#include "editor/widgets/name_list.h"
 
 namespace trundle {
 namespace {

@@ -21,7 +21,8 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMaxNames = 150, kMaxRobots = 300;
-const QColor kShade(10, 12, 16, 110), kJoint(214, 92, 214), kContact(255, 196, 40), kForce(255, 120, 40), kLight(245, 246, 248);
+const QColor kShade(10, 12, 16, 110), kJoint(214, 92, 214), kContact(255, 196, 40), kForce(255, 120, 40), kLight(245, 246, 248),
+    kEnded(255, 150, 140);
 
 void line(QPainter& painter, const QPointF& a, const QPointF& b, const QColor& colour, double width) {
     painter.setPen(QPen(kShade, width + 2, Qt::SolidLine, Qt::RoundCap));
@@ -40,30 +41,37 @@ void arrow(QPainter& painter, const QPointF& from, const QPointF& to, const QCol
     painter.drawPolygon(QPolygonF{to + 2 * d, to - 6 * d + 3.5 * n, to - 6 * d - 3.5 * n});
 }
 
-/// Light text with a dark outline.
-void shaded(QPainter& painter, const QPointF& at, const QString& text) {
+/// Text with a dark outline.
+void shaded(QPainter& painter, const QPointF& at, const QString& text, const QColor& colour = kLight) {
     painter.setPen(QColor(10, 12, 16, 170));
     for (const QPointF& by : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) painter.drawText(at + by, text);
-    painter.setPen(kLight);
+    painter.setPen(colour);
     painter.drawText(at, text);
 }
 
-void paintNames(QPainter& painter, const ToolView& view) {
+/// Names of all objects, or only those of robots that have ended by a fault, which are always named.
+void paintNames(QPainter& painter, const ToolView& view, bool all) {
     const ViewportScene& world = view.context().world;
+    const EndedRobots& ended = view.context().session.robots().ended();
+    if (!all && ended.empty()) return;
     std::vector<QRectF> taken;
     for (const ObjectRef& object : world.objects()->instances()) {
         if (taken.size() >= kMaxNames) break;
+        const std::string path = world.objects()->pathOf(object);
+        const bool hasEnded = ended.hasEnded(path);
+        if (!all && !hasEnded) continue;
         const Bounds bounds = world.objects()->boundsOf(object, view.shownPoses());
         if (bounds.empty() || world.isHidden(object)) continue;
         const auto at = view.shownPixelOf({bounds.centre().x(), bounds.centre().y(), bounds.high.z()});
         if (!at || !view.widget().rect().contains(at->toPoint())) continue;
-        const QString name = QString::fromStdString(world.objects()->pathOf(object));
+        QString name = QString::fromStdString(path);
+        if (hasEnded) name = QObject::tr("%1 has ended").arg(name);
         const QSizeF size(painter.fontMetrics().horizontalAdvance(name), painter.fontMetrics().height());
         const QRectF box(at->x() - 0.5 * size.width(), at->y() - size.height() - 4, size.width(), size.height());
         // Labels that would overlap an earlier one are skipped.
         if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); })) continue;
         taken.push_back(box);
-        shaded(painter, {box.left(), box.bottom() - painter.fontMetrics().descent()}, name);
+        shaded(painter, {box.left(), box.bottom() - painter.fontMetrics().descent()}, name, hasEnded ? kEnded : kLight);
     }
 }
 
@@ -247,7 +255,7 @@ void paintOverlays(QPainter& painter, const ToolView& view) {
     paintJoints(painter, view, settings.shows(kOverlayJoints));
     if (settings.shows(kOverlayMass)) paintMass(painter, view);
     if (settings.shows(kOverlayContacts)) paintContacts(painter, view);
-    if (settings.shows(kOverlayNames)) paintNames(painter, view);
+    paintNames(painter, view, settings.shows(kOverlayNames));
     if (settings.shows(kOverlayGrid)) paintScale(painter, view);
     paintAxes(painter, view);
     paintRadioLegend(painter, view);

@@ -31,6 +31,12 @@ View::~View() = default;
 
 void View::connectContext() {
     connect(&m_camera, &CameraControl::changed, this, &View::redraw);
+    connect(&m_camera, &CameraControl::changed, this, [this] {
+        if (m_hasMouse) m_tools.sceneMoved(m_cursor);
+    });
+    connect(&m_context.world, &ViewportScene::posed, this, [this] {
+        if (m_hasMouse && !m_hints.hovered().empty()) m_tools.sceneMoved(m_cursor);
+    });
     connect(&m_hints, &ViewHints::hoveredChanged, this, &View::redraw);
     connect(&m_hints, &ViewHints::textChanged, this, qOverload<>(&View::update));
     connect(&m_context.world, &ViewportScene::replaced, this, &View::redraw);
@@ -91,6 +97,7 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
 
 void View::mouseMoveEvent(QMouseEvent* event) {
     m_cursor = event->position();
+    m_hasMouse = true;
     m_tools.move(*event);
 }
 
@@ -123,7 +130,10 @@ void View::focusOutEvent(QFocusEvent* event) {
     update();
 }
 
-void View::leaveEvent(QEvent*) { m_tools.leave(); }
+void View::leaveEvent(QEvent*) {
+    m_hasMouse = false;
+    m_tools.leave();
+}
 
 bool View::event(QEvent* event) {
     // While a tool is active its keys do not trigger shortcuts.

@@ -75,6 +75,7 @@ private:
     ViewDrop m_drop; // after what it redraws when it ends
     ViewTools m_tools;
     QPointF m_cursor;
+    bool m_hasMouse = false; // m_cursor is where the mouse is
     bool m_isCurrent = false, m_isFramed = false;
 };
 

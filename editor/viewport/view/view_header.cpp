@@ -129,7 +129,7 @@ void ViewCorner::addNamedViews(QMenu& menu) {
 
 ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QToolBar(parent), m_settings(settings) {
     setObjectName(QStringLiteral("viewBar"));
-    setIconSize({16, 16});
+    setIconSize({22, 16}); // with room between icon and text; a tool bar ignores the size of its buttons
     fitFont();
     m_axes = addMenuButton("axes", tr("Axes of arrows and rings"), makeAxesMenu());
     m_steps = addMenuButton("steps", tr("Steps of moves and turns"), makeStepsMenu());

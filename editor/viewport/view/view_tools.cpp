@@ -57,6 +57,14 @@ void ViewTools::move(const QMouseEvent& event) {
     const Pointer pointer = pointerOf(event);
     if (m_active && !event.buttons().testFlag(m_button)) m_view.endTool(pointer); // a dialog received the release
     if (m_active) return m_active->drag(pointer);
+    hover(pointer);
+}
+
+void ViewTools::sceneMoved(const QPointF& mouse) {
+    if (!m_active) hover({mouse, Qt::NoButton, {}, false});
+}
+
+void ViewTools::hover(const Pointer& pointer) {
     bool taken = false;
     for (const auto& tool : m_tools) {
         if (taken) tool->leave();

@@ -34,12 +34,15 @@ public:
     [[nodiscard]] bool key(QKeyEvent& event);
     void keyReleased(const QKeyEvent& event);
     void leave();
+    /// The camera or the objects have moved below a resting mouse.
+    void sceneMoved(const QPointF& mouse);
     void focusLost();
     void end(const Pointer& pointer); ///< of the active tool
     void paint(QPainter& painter) const;
 
 private:
     void cancel();
+    void hover(const Pointer& pointer);
     void updateLegend();
 
     ToolView& m_view;

@@ -75,6 +75,7 @@ private Q_SLOTS:
         QVERIFY(d.saving().save().ok());
         QCOMPARE(saved(), "1");
         QVERIFY(!list->item(1)->icon().isNull());
+        QCOMPARE(list->sizeHintForRow(0), list->sizeHintForRow(1)); // with and without a mark
     }
 
     void staysWhereTheDocumentStays() {

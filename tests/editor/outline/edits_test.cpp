@@ -35,6 +35,7 @@ private Q_SLOTS:
     void theMenuOfAGridWritesItOut();
     void menuOpensTextAndConfig();
     void undoGivesTheSameBytes();
+    void undoKeepsTheSelection();
 };
 
 void EditsTest::aNewNameReachesEveryReference() {
@@ -401,6 +402,36 @@ void EditsTest::undoGivesTheSameBytes() {
     QCOMPARE(o.text(), kRovers);
     o.document.edits().moveTo(o.document.edits().history().entries().size());
     QCOMPARE(o.text(), end);
+}
+
+/// Under the other name or in the other place; and what undo brings back is selected as before.
+void EditsTest::undoKeepsTheSelection() {
+    OutlineFixture o;
+    QVERIFY(o.open(kRovers));
+    DocumentEdits& edits = o.document.edits();
+    const auto moved = [&o](void (DocumentEdits::*step)()) {
+        (o.document.edits().*step)();
+        return o.selected();
+    };
+    o.selection.select("RobotConfig.Rover.chassis");
+    QVERIFY(o.edits.rename("RobotConfig.Rover.chassis", "base").ok());
+    QCOMPARE(o.selected(), QStringLiteral("RobotConfig.Rover.base"));
+    QCOMPARE(moved(&DocumentEdits::undo), QStringLiteral("RobotConfig.Rover.chassis"));
+    QCOMPARE(moved(&DocumentEdits::redo), QStringLiteral("RobotConfig.Rover.base"));
+    o.selection.select("robot1"); // something else: undo leaves it
+    QCOMPARE(moved(&DocumentEdits::undo), QStringLiteral("robot1"));
+    o.selection.set({"robot0", "robot1"});
+    QVERIFY(o.edits.remove({"path", "robot0", "robot1"}).ok());
+    o.selection.clear();
+    QCOMPARE(moved(&DocumentEdits::undo), QStringLiteral("robot0 robot1"));
+    o.selection.clear(); // nothing appears or disappears
+    QVERIFY(o.document.structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "0,0,1"}}).ok());
+    QCOMPARE(moved(&DocumentEdits::undo), QString());
+    o.selection.select("robot0");
+    QVERIFY(o.edits.rename("robot0", "first").ok());
+    QVERIFY(o.edits.rename("first", "second").ok());
+    edits.moveTo(edits.history().position() - 2); // in the History panel
+    QCOMPARE(o.selected(), QStringLiteral("robot0"));
 }
 
 QTEST_MAIN(EditsTest)

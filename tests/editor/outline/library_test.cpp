@@ -67,10 +67,37 @@ private Q_SLOTS:
     void findsTheProjectsOwn();
     void aSearchLeavesWhatMatches();
     void drawsPictures();
+    void showsWholeNames();
     void showsFirstSteps();
     void templatesLoadWithoutDiagnostics_data();
     void templatesLoadWithoutDiagnostics();
 };
+
+/// In a panel three columns wide: long names have two lines.
+void LibraryTest::showsWholeNames() {
+    LibraryFixture s;
+    QVERIFY(s.filled());
+    const QFontMetrics metrics = s.library.fontMetrics();
+    QCOMPARE(libraryTitleLines(QStringLiteral("Box"), metrics, 60), QStringList{QStringLiteral("Box")});
+    const int width = metrics.horizontalAdvance(QStringLiteral("Differential")) + 2;
+    QCOMPARE(libraryTitleLines(QStringLiteral("DifferentialDrive"), metrics, width),
+             (QStringList{QStringLiteral("Differential"), QStringLiteral("Drive")}));
+    QCOMPARE(libraryTitleLines(QStringLiteral("Differential drive"), metrics, width).size(), qsizetype(2));
+    QVERIFY(libraryTitleLines(QStringLiteral("abcdefghijklmnopqrstuvw"), metrics, width)[0].endsWith(QChar(0x2026)));
+    int elided = 0, lists = 0;
+    for (auto* list : s.library.findChildren<LibraryList*>()) {
+        if (!list->isVisible() || list->model()->rowCount() == 0) continue;
+        ++lists;
+        for (int row = 0; row < list->model()->rowCount(); ++row) {
+            const QString title = list->model()->index(row, 0).data().toString();
+            const QStringList lines = libraryTitleLines(title, list->fontMetrics(), list->gridSize().width() - 8);
+            elided += lines.join(QString()).contains(QChar(0x2026));
+            QVERIFY2(list->gridSize().height() > 84 || lines.size() == 1, qPrintable(title));
+        }
+    }
+    QVERIFY(lists > 3);
+    QCOMPARE(elided, 0);
+}
 
 void LibraryTest::listsShippedItems() {
     LibraryFixture s;

@@ -31,6 +31,7 @@ struct OutlineFixture {
 
     OutlineFixture() {
         QObject::connect(&document, &Document::selectionRequested, &selection, &Selection::set);
+        document.edits().restoreSelection(selection);
         QObject::connect(&document, &Document::refused, &selection, [this](const QString& reason) { refusals.append(reason); });
         panel->resize(320, 700);
         panel->show();

@@ -32,7 +32,6 @@ private Q_SLOTS:
     void countsProblemsUpToTheGroups();
     void hidesAndLocksByTheIconsOfARow();
     void marksAreOfWholeNames();
-    void tooltipShowsMeasuredValues();
     void narrowRowsKeepTheName();
 };
 
@@ -380,32 +379,6 @@ void TreeTest::marksAreOfWholeNames() {
     QVERIFY(marks.isLocked("swarm_10.base") && !marks.isLocked("swarm_1.base"));
     marks.rename("robot10.chas", "robot10.x"); // a part of no name
     QVERIFY(marks.isHidden("robot10.chassis") && !marks.isHidden("robot10.xsis"));
-}
-
-void TreeTest::tooltipShowsMeasuredValues() {
-    OutlineFixture o;
-    RunSession session(o.document, *o.application);
-    o.panel->showValuesOf(session);
-    QVERIFY(o.open("RobotConfig Crate { Body box { Box hull { Size=0.2,0.2,0.2 Mass=1 } } }\n"
-                   "Robot crate { Config=Crate Pos=0,0,20 }\n"));
-    const auto ask = [&o] {
-        const QPoint at = o.tree().visualRect(o.at("crate")).center();
-        QHelpEvent help(QEvent::ToolTip, at, o.tree().viewport()->mapToGlobal(at));
-        QApplication::sendEvent(o.tree().viewport(), &help);
-        return QToolTip::text();
-    };
-    const QString before = ask();
-    QVERIFY(!before.contains(QStringLiteral("speed")));
-    session.step();
-    EVENTUALLY_EQUAL(session.state(), RunState::Paused);
-    const QString now = ask();
-    QVERIFY2(now.contains(QStringLiteral("speed")) && now.contains(QStringLiteral("0.098")), qPrintable(now));
-    QVERIFY(before.isEmpty() || now.contains(before.section(u'\n', 0, 0).toHtmlEscaped())); // the same text as before
-    session.step();                                                                         // updated while it is shown
-    EVENTUALLY(QToolTip::text().contains(QStringLiteral("0.196")));
-    session.reset();
-    EVENTUALLY(!ask().contains(QStringLiteral("speed")));
-    QToolTip::hideText();
 }
 
 /// A kind that does not fit is elided or left out, the name is drawn as without it, and the tooltip has both whole.

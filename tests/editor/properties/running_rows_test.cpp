@@ -36,9 +36,9 @@ struct RunningFixture {
     RunSession session{document, *application};
     PropertiesPanel panel{document, selection, &session};
 
-    RunningFixture() {
+    explicit RunningFixture(const std::string& text = kFalling) {
         const std::string path = folder.filePath(QStringLiteral("main.sim")).toStdString();
-        std::ofstream(path, std::ios::binary) << kFalling;
+        std::ofstream(path, std::ios::binary) << text;
         panel.resize(340, 600);
         panel.show();
         if (!document.opening().open(path)) qFatal("not opened");
@@ -104,6 +104,26 @@ private Q_SLOTS:
         QCOMPARE(fixture.value("speed"), QStringLiteral("0.196 m/s")); // of the run, not of the text
         fixture.session.reset();
         EVENTUALLY(!fixture.live()->isVisible());
+    }
+
+    void saysWhyARobotEnded() {
+        RunningFixture fixture(std::string(kFalling) + "Robot other { Config=Crate Pos=3,0,20 }\n");
+        const auto& banner = *fixture.panel.findChild<QLabel*>(QStringLiteral("endedBanner"));
+        fixture.selection.select("crate.box");
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
+        QVERIFY(banner.isHidden());
+        QVERIFY(fixture.session.robots().push("crate/box", {0, 0, 1e9}, {0, 0, 20}));
+        fixture.session.step();
+        EVENTUALLY(banner.isVisible());
+        QVERIFY2(banner.text().startsWith(QStringLiteral("crate has ended by a fault at t = 0.02 s: crate/box stopped: ")),
+                 qPrintable(banner.text()));
+        fixture.selection.select("other");
+        QVERIFY(banner.isHidden());
+        fixture.selection.select("crate");
+        QVERIFY(banner.isVisible());
+        fixture.session.reset();
+        QVERIFY(banner.isHidden());
     }
 
     void namesAreWholeInANarrowPanel() {

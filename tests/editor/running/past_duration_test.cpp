@@ -5,6 +5,7 @@
 
 #include "editor/document/structure_edits.h"
 #include "editor/running/panels/robot_states.h"
+#include "editor/running/panels/run_status.h"
 #include "editor/running/session_fixture.h"
 #include "eventually.h"
 #include "project/edits/controllers.h"
@@ -109,9 +110,14 @@ private Q_SLOTS:
                        "Robot flyer { Config=SimpleRobot Pos=3,0,30000 LinearMotion brain { Speed=0.2 } }\n"));
         o.session.setSpeed(0);
         QStringList lines;
+        LiveLine ended;
         connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& more) {
-            for (const LiveLine& line : more) lines << QString::fromStdString(line.text);
+            for (const LiveLine& line : more) {
+                lines << QString::fromStdString(line.text);
+                if (lines.back().contains(QStringLiteral("flyer has ended"))) ended = line;
+            }
         });
+        const RunStatus status(o.session);
         const auto robots = controlledRobots(*o.document.loaded());
         const auto flyer = std::ranges::find(robots, std::string("flyer"), &ControlledRobot::path);
         QVERIFY(flyer != robots.end());
@@ -121,9 +127,15 @@ private Q_SLOTS:
         o.session.runFor(2);
         EVENTUALLY(o.session.state() == RunState::Paused && o.session.results().time() > 20.5);
         QVERIFY(controllerState(o.session, *flyer).failed);
+        QVERIFY2(controllerState(o.session, *flyer).detail.contains(QStringLiteral("stopped: ")),
+                 qPrintable(controllerState(o.session, *flyer).detail));
+        EVENTUALLY_EQUAL(status.text().section(QStringLiteral("  •"), 0, 0), QStringLiteral("1 of 2 robots"));
+        QCOMPARE(status.tip(), QStringLiteral("Ended by a fault: flyer"));
         QVERIFY(o.session.robots().driveRefusal("flyer").contains(QStringLiteral("has ended by a fault")));
         QVERIFY(o.session.robots().driveRefusal("robot0").isEmpty());
         QCOMPARE(lines.filter(QStringLiteral("flyer has ended, all others continue")).size(), 1);
+        QCOMPARE(ended.who, std::string("flyer"));
+        QVERIFY2(ended.time > 19.5 && ended.time < 20.8, qPrintable(QString::number(ended.time)));
         QCOMPARE(o.session.messages().problems().size(), std::size_t(1));
     }
 

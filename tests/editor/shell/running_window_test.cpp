@@ -159,6 +159,29 @@ private Q_SLOTS:
         QVERIFY(show.isEnabled());
     }
 
+    /// In a window 800 wide the folder of the logs and the name of the file give way to the state of the run.
+    void narrowStatusLineShowsTheRun() {
+        open("an_experiment_with_a_rather_long_name_in_it.sim", kRobot + "PoseLog path { Robot=robot0 }\n");
+        m_window->resize(800, 500);
+        m_window->actions().at("sim.step").trigger();
+        EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
+        QVERIFY(m_window->document().structure().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
+        const auto* run = m_window->findChild<QLabel*>(QStringLiteral("status.run"));
+        EVENTUALLY(run->text().contains(QStringLiteral("step")) && run->text().contains(QStringLiteral("edits wait")));
+        const auto labels = m_window->statusBar()->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly);
+        const auto whole = [&] {
+            return std::ranges::all_of(labels, [&](const QLabel* label) {
+                return label->width() >= label->sizeHint().width() && m_window->statusBar()->rect().contains(label->geometry());
+            });
+        };
+        EVENTUALLY(whole());
+        const auto* file = m_window->findChild<QLabel*>(QStringLiteral("status.file"));
+        QVERIFY2(file->text().contains(QChar(0x2026)) && file->toolTip().endsWith(QStringLiteral("in_it.sim")),
+                 qPrintable(file->text()));
+        m_window->resize(1700, 500);
+        EVENTUALLY(file->text().endsWith(QStringLiteral("long_name_in_it.sim")) && whole());
+    }
+
     void runLayoutCentresView() {
         QVERIFY(m_window->text().isVisible());
         m_window->text().page()->edit().setFocus();

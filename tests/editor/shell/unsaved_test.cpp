@@ -9,6 +9,7 @@
 #include "editor/document/structure_edits.h"
 #include "editor/shell/unsaved_files.h"
 #include "editor/shell/window_fixture.h"
+#include "editor/widgets/name_list.h"
 #include "eventually.h"
 
 using namespace trundle;

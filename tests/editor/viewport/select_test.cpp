@@ -126,6 +126,25 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_window->view().image().redraws(), before + 1);
     }
 
+    /// The hint beside a resting mouse names what is below it after the camera has moved.
+    void theHintFollowsTheCamera() {
+        const ViewHints& hints = m_window->view().hints();
+        m_window->move(m_window->at({-0.5, 0, 0.14}));
+        QCOMPARE(hints.hovered(), std::string("robot0"));
+        m_window->selection.select("robot1");
+        m_window->trigger("view.frame"); // glides, or jumps if there is no image yet
+        EVENTUALLY(!m_window->view().camera().isMoving() && hints.hovered() != "robot0");
+        m_window->look({0.5, -1, 1}, {0.5, 0.3, 0.1});
+        m_window->move(m_window->at({0.5, 0.3, 0.14}));
+        QCOMPARE(hints.hovered(), std::string("robot1"));
+        m_window->look({0.5, -1, 1}, {5, 5, 5});
+        QVERIFY(hints.hovered() != "robot1");
+        QEvent leave(QEvent::Leave);
+        QApplication::sendEvent(&m_window->view(), &leave);
+        m_window->look({0.5, -1, 1}, {0.5, 0.3, 0.1});
+        QCOMPARE(hints.hovered(), std::string());
+    }
+
     void membersOfAGridAreSelectedByTheirName() {
         QVERIFY(m_window->open(
             "#import robots/simple_robot.sim\nGrid swarm { Config=SimpleRobot Pos=0,0,0 Count=3,2 Spacing=0.8,0.8 }\n"));

@@ -47,6 +47,25 @@ private Q_SLOTS:
         QCOMPARE(added->textFormat(), Qt::PlainText);
     }
 
+    /// A long line is wrapped, whether the tool tip is new or replaces another, and the next one is as narrow as its text.
+    void longToolTipsAreWrapped() {
+        QWidget window;
+        window.show();
+        const QString line = QStringLiteral("robot0 has ended by a fault and stays where it is. ").repeated(8);
+        for (const QString& text : {line, QStringLiteral("short\n") + line, QStringLiteral("short")}) {
+            showToolTip(window.mapToGlobal(QPoint(5, 5)), text, &window);
+            const QLabel* shown = tip();
+            QVERIFY(shown);
+            QCOMPARE(shown->text(), text);
+            const QFontMetrics metrics = shown->fontMetrics();
+            QVERIFY2(shown->width() <= 80 * metrics.averageCharWidth(), qPrintable(QString::number(shown->width())));
+            QVERIFY(shown->height() >= shown->heightForWidth(shown->width()));
+            QCOMPARE(shown->height() > 3 * metrics.lineSpacing(), text.size() > 100);
+            QVERIFY(shown->screen()->geometry().contains(shown->geometry()));
+        }
+        QVERIFY(tip()->width() < 20 * tip()->fontMetrics().averageCharWidth());
+    }
+
     void messagesAreOfPlainText() {
         QMessageBox box(QMessageBox::Warning, kName, kName);
         box.setInformativeText(kName);
