@@ -161,7 +161,8 @@ private Q_SLOTS:
 
     /// In a window 800 wide the folder of the logs and the name of the file give way to the state of the run.
     void narrowStatusLineShowsTheRun() {
-        open("an_experiment_with_a_rather_long_name_in_it.sim", kRobot + "PoseLog path { Robot=robot0 }\n");
+        open("an_experiment_with_so_long_a_name_that_no_narrow_window_shows_all_of_its_many_words_in_it.sim",
+             kRobot + "PoseLog path { Robot=robot0 }\n");
         m_window->resize(800, 500);
         m_window->actions().at("sim.step").trigger();
         EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
@@ -179,7 +180,7 @@ private Q_SLOTS:
         QVERIFY2(file->text().contains(QChar(0x2026)) && file->toolTip().endsWith(QStringLiteral("in_it.sim")),
                  qPrintable(file->text()));
         m_window->resize(1700, 500);
-        EVENTUALLY(file->text().endsWith(QStringLiteral("long_name_in_it.sim")) && whole());
+        EVENTUALLY(file->text().endsWith(QStringLiteral("many_words_in_it.sim")) && whole());
     }
 
     void runLayoutCentresView() {
