@@ -7,6 +7,7 @@
 #include "cli/run_report.h"
 #include "model/passive_objects.h"
 #include "run/logs/signal_columns.h"
+#include "run/schedule.h"
 
 namespace trundle {
 namespace {
@@ -69,7 +70,7 @@ Json endsJson(const World& world) {
         ends.push_back({{"robot", world.experiment().robots[robot].name},
                         {"body", fault.body},
                         {"reason", fault.reason},
-                        {"time", fault.time}});
+                        {"time", tickTime(fault.time, world.experiment().settings.tick)}});
     return ends;
 }
 
@@ -87,7 +88,7 @@ std::string posesJsonMembers(const World& world) {
 
 std::string runJson(const RunReport& report) {
     World* world = report.runner ? &report.runner->world() : nullptr;
-    const double simulated = world ? world->time() : 0;
+    const double simulated = world ? tickTime(world->ticks(), world->experiment().settings.tick) : 0;
     Json json;
     json["ticks"] = world ? world->ticks() : 0;
     json["simulated_s"] = simulated;

@@ -38,10 +38,11 @@ void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings
                                          " s or larger bodies help",
                                      {}));
     }
+    const auto timeOf = [&](const Fault& fault) { return numberText(tickTime(fault.time, world.experiment().settings.tick)); };
     for (; m_closedJoints < world.robotFaults().closedJoints.size(); ++m_closedJoints) {
         const Fault& fault = world.robotFaults().closedJoints[m_closedJoints];
         warnings.push_back(warningOf(Code::BlowUp,
-                                     fault.body + " at t = " + time + " s: " + fault.reason +
+                                     fault.body + " at t = " + timeOf(fault) + " s: " + fault.reason +
                                          " and was closed again; a Tick below " + tick + " s keeps it closed",
                                      fault.range));
     }
@@ -50,7 +51,7 @@ void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings
         if (world.fault() && world.fault()->body == fault.body) continue; // it ends the run, which says so
         warnings.push_back(warningOf(Code::BlowUp,
                                      world.experiment().robots[robot].name + " has ended" +
-                                         (world.fault() ? "" : ", all others continue") + ": at t = " + time + " s " +
+                                         (world.fault() ? "" : ", all others continue") + ": at t = " + timeOf(fault) + " s " +
                                          fault.body + " stopped: " + fault.reason,
                                      fault.range));
     }

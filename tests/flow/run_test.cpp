@@ -17,6 +17,7 @@ class RunFlowTest : public QObject {
 
 private Q_SLOTS:
     void summaryShowsFinalPoseAndDriveError();
+    void summaryShowsTurns();
     void jsonIsOneObjectOfTheKnownShape();
     void theSameInputGivesTheSameBits();
     void logsChangeNothing();
@@ -46,8 +47,31 @@ void RunFlowTest::summaryShowsFinalPoseAndDriveError() {
     const QRegularExpressionMatch drove = QRegularExpression("drove +([0-9.]+) m of 1 m commanded").match(run.out);
     QVERIFY2(drove.hasMatch(), shown(run));
     QVERIFY(qAbs(drove.captured(1).toDouble() - 1) < 5e-5);
+    // What is derived from other numbers fits them.
+    const QRegularExpressionMatch off =
+        QRegularExpression("drove +([0-9.]+) m of 1 m commanded \\(([-+][0-9.]+) mm\\)").match(run.out);
+    QVERIFY2(off.hasMatch(), shown(run));
+    QVERIFY2(qAbs(off.captured(2).toDouble() - (off.captured(1).toDouble() - 1) * 1000) < 1e-3, shown(run));
+    const QRegularExpressionMatch took = QRegularExpression("took +([0-9.]+) s, ([0-9.]+) x real time").match(run.out);
+    QVERIFY2(took.hasMatch() && qAbs(took.captured(1).toDouble() * took.captured(2).toDouble() / 12 - 1) < 0.02, shown(run));
+    QVERIFY2(!run.out.contains("turned") && !run.out.contains("under way"), shown(run));
     QVERIFY2(run.out.contains("linear_motion.csv"), shown(run));
     QVERIFY2(run.err.contains("[") && run.err.contains(" robot0] done"), shown(run)); // printed by the controller
+}
+
+void RunFlowTest::summaryShowsTurns() {
+    const QStringList arc{"run", configPath("experiments/arc_motion.sim"), "--log-dir", m_folder.filePath("arc")};
+    const Outcome whole = cli(arc);
+    const QRegularExpressionMatch turned =
+        QRegularExpression("turned +([0-9.]+) deg of 360 deg commanded \\(([-+][0-9.]+) deg\\)").match(whole.out);
+    QVERIFY2(turned.hasMatch() && qAbs(turned.captured(1).toDouble() - 360) < 0.1, shown(whole));
+    QVERIFY2(qAbs(turned.captured(2).toDouble() - (turned.captured(1).toDouble() - 360)) < 1e-3, shown(whole));
+    // A circle of radius 0.3 m: the distance follows from the angle and both speeds.
+    const QRegularExpressionMatch drove = QRegularExpression("drove +([0-9.]+) m of ([0-9.]+) m commanded").match(whole.out);
+    QVERIFY2(drove.hasMatch() && qAbs(drove.captured(2).toDouble() - 1.88496) < 1e-4, shown(whole));
+    QVERIFY2(qAbs(drove.captured(1).toDouble() - 1.88496) < 1e-3, shown(whole));
+    const Outcome part = cli(arc + QStringList{"--duration", "2"});
+    QVERIFY2(part.out.contains("the last command was still under way"), shown(part));
 }
 
 void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {

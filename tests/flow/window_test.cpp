@@ -4,6 +4,7 @@
 #include <future>
 
 #include <QDataStream>
+#include <QImage>
 #include <QRect>
 #include <QSettings>
 #include <QtEndian>
@@ -26,6 +27,27 @@ private Q_SLOTS:
         QVERIFY(png.startsWith("\x89PNG") && png.size() > 1000);
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 16), 1000u);
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
+    }
+
+    /// Words in capitals, FILE without --open, limits themselves.
+    void takesWhatIsAllowed_data() {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << QStringList{"--theme", "LIGHT", "--layout", "Edit", "--look", "RICH", "--run-for", "0"}
+                               << false;
+        QTest::newRow("dark") << QStringList{"--theme", "Dark", "--layout", "RUN", "--look", "Fast", "--size", "8192x240"}
+                              << true;
+    }
+    void takesWhatIsAllowed() {
+        QFETCH(QStringList, options);
+        QFETCH(bool, dark);
+        const QString picture = m_folder.filePath(QStringLiteral("allowed.png"));
+        const Outcome outcome =
+            call(options + QStringList{configPath("experiments/arc_motion.sim"), "--screenshot", picture, "--quit"});
+        QVERIFY2(outcome.code == 0 && outcome.err.isEmpty(), shown(outcome));
+        const QImage image(picture);
+        QVERIFY(image.width() == 8192 || !dark);
+        QCOMPARE(qGray(image.pixel(3, image.height() - 3)) < 128, dark); // the status line
     }
 
     void takesAPictureOfAViewBlock() {
@@ -176,7 +198,16 @@ private Q_SLOTS:
         QTest::newRow("no time") << QStringList{"--open", sample, "--run-for", "soon"} << QByteArray("seconds");
         QTest::newRow("nothing to run") << QStringList{"--run-for", "3"} << QByteArray("needs a FILE");
         QTest::newRow("no option") << QStringList{"--nonsense"} << QByteArray("nonsense");
-        QTest::newRow("no size") << QStringList{"--size", "10x10"} << QByteArray("320x240");
+        for (const char* size : {"10x10", "319x240", "320x239", "8193x240", "320x8193", "320", "320x240x1", "320 x 240 px"})
+            QTest::addRow("size %s", size) << QStringList{"--size", size}
+                                           << "--size takes WIDTHxHEIGHT from 320x240 to 8192x8192, not " + QByteArray(size);
+        QTest::newRow("layout") << QStringList{"--layout", "Wide"} << QByteArray("--layout is one of edit, run, not wide");
+        QTest::newRow("theme") << QStringList{"--theme", "grey"} << QByteArray("--theme is one of light, dark, not grey");
+        QTest::newRow("look") << QStringList{"--look", "best"} << QByteArray("--look is one of automatic, fast, rich, not best");
+        QTest::newRow("two files") << QStringList{sample, sample} << QByteArray("one FILE at a time");
+        for (const char* seconds : {"-1", "nan", "1.1e9", "2s", ""})
+            QTest::addRow("run for '%s'", seconds)
+                << QStringList{"--open", sample, "--run-for", seconds} << QByteArray("--run-for takes seconds from 0 to 1e9");
     }
     void reportsMissingDisplay() {
         QFETCH(QStringList, arguments);
