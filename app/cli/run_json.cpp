@@ -70,7 +70,7 @@ Json endsJson(const World& world) {
         ends.push_back({{"robot", world.experiment().robots[robot].name},
                         {"body", fault.body},
                         {"reason", fault.reason},
-                        {"time", tickTime(fault.time, world.experiment().settings.tick)}});
+                        {"time", nearestTickTime(fault.time, world.experiment().settings.tick)}});
     return ends;
 }
 

@@ -28,7 +28,7 @@ double tickTime(std::uint64_t ticks, double tick) {
     return rounded;
 }
 
-double tickTime(double time, double tick) { return tickTime(static_cast<std::uint64_t>(std::llround(time / tick)), tick); }
+double nearestTickTime(double time, double tick) { return tickTime(static_cast<std::uint64_t>(std::llround(time / tick)), tick); }
 
 bool Schedule::due(std::uint64_t tick) {
     if (!(m_period > m_tick)) return true;

@@ -12,7 +12,7 @@ namespace trundle {
 /// Simulated time after `ticks` ticks, rounded to its decimal value: 0.07, not 0.07000000000000001.
 [[nodiscard]] double tickTime(std::uint64_t ticks, double tick);
 /// The same for a time that was computed as ticks * tick.
-[[nodiscard]] double tickTime(double time, double tick);
+[[nodiscard]] double nearestTickTime(double time, double tick);
 
 /// Must be called once per tick with increasing tick numbers.
 class Schedule {

@@ -38,7 +38,9 @@ void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings
                                          " s or larger bodies help",
                                      {}));
     }
-    const auto timeOf = [&](const Fault& fault) { return numberText(tickTime(fault.time, world.experiment().settings.tick)); };
+    const auto timeOf = [&](const Fault& fault) {
+        return numberText(nearestTickTime(fault.time, world.experiment().settings.tick));
+    };
     for (; m_closedJoints < world.robotFaults().closedJoints.size(); ++m_closedJoints) {
         const Fault& fault = world.robotFaults().closedJoints[m_closedJoints];
         warnings.push_back(warningOf(Code::BlowUp,
