@@ -49,8 +49,8 @@ std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** 
 int refuse(int argc, char** argv, const std::string& why, bool known) {
     const std::string command = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
     trundle::printProblem(why);
-    std::fprintf(stderr, "`trundle-cli %s--help` says how it is used.\n",
-                 known && !command.empty() ? (command + " ").c_str() : "");
+    trundle::writeMessage("`trundle-cli " + (known && !command.empty() ? command + " " : std::string()) +
+                          "--help` says how it is used.\n");
     if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(command, why));
     return trundle::kExitUsage;
 }

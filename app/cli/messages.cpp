@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <string_view>
 
@@ -41,12 +40,12 @@ void printDiagnostics(const std::vector<Diagnostic>& diagnostics, const SourceTa
         --left;
         std::string text = render(diagnostic, sources);
         if (!text.ends_with('\n')) text += '\n';
-        std::fwrite(text.data(), 1, text.size(), stderr);
+        writeMessage(text);
     }
-    if (hidden) std::fprintf(stderr, "... and %s\n", counted(hidden, "more message").c_str());
+    if (hidden) writeMessage("... and " + counted(hidden, "more message") + "\n");
 }
 
-void printProblem(const std::string& text) { std::fprintf(stderr, "trundle-cli: %s\n", cleanLine(text).c_str()); }
+void printProblem(const std::string& text) { writeMessage("trundle-cli: " + cleanLine(text) + "\n"); }
 
 std::string countText(const std::vector<Diagnostic>& diagnostics) {
     const auto count = [&](Severity severity) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <unistd.h>
 
 #include "cli/numbers.h"
+#include "cli/standard_streams.h"
 
 namespace trundle {
 namespace {
@@ -28,7 +28,7 @@ std::string lengthText(double seconds) {
 } // namespace
 
 Progress::Progress(std::uint64_t ticks, double tick, bool hidden)
-    : m_total(ticks), m_tick(tick), m_hidden(hidden), m_terminal(isatty(STDERR_FILENO) == 1), m_start(Clock::now()),
+    : m_total(ticks), m_tick(tick), m_hidden(hidden), m_terminal(isatty(messagesFile()) == 1), m_start(Clock::now()),
       m_next(m_start + (m_terminal ? std::chrono::nanoseconds(kBarEvery) : std::chrono::nanoseconds(kLineEvery))) {}
 
 Progress::~Progress() { clearBar(); }
@@ -54,7 +54,7 @@ std::string Progress::stateText(std::uint64_t ticks, double wallS) const {
 }
 
 void Progress::clearBar() {
-    if (m_barShown) std::fputs("\r\033[K", stderr);
+    if (m_barShown) writeMessage("\r\033[K");
     m_barShown = false;
 }
 
@@ -62,12 +62,11 @@ void Progress::show(std::uint64_t ticks) {
     const double wallS = std::chrono::duration<double>(Clock::now() - m_start).count();
     const std::string text = stateText(ticks, wallS);
     if (m_terminal) {
-        std::fprintf(stderr, "\r%s\033[K", text.c_str());
+        writeMessage("\r" + text + "\033[K");
         m_barShown = true;
     } else {
-        std::fprintf(stderr, "%s\n", text.c_str());
+        writeMessage(text + "\n");
     }
-    std::fflush(stderr);
 }
 
 void Progress::update(std::uint64_t ticks) {
@@ -82,13 +81,13 @@ void Progress::finish(std::uint64_t ticks) {
     if (m_hidden || m_finished) return;
     m_finished = true;
     show(ticks);
-    if (m_barShown) std::fputc('\n', stderr);
+    if (m_barShown) writeMessage("\n");
     m_barShown = false;
 }
 
 void Progress::line(const std::string& text) {
     clearBar();
-    std::fwrite(text.data(), 1, text.size(), stderr);
+    writeMessage(text);
 }
 
 } // namespace trundle

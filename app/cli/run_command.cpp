@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -19,6 +18,7 @@
 #include "cli/run_guard.h"
 #include "cli/run_loop.h"
 #include "cli/run_report.h"
+#include "cli/standard_streams.h"
 #include "cli/subcommands.h"
 #include "lang/diagnostic_text.h"
 #include "project/loading/modules.h"
@@ -86,7 +86,7 @@ ExitCode RunCommand::go() {
     printDiagnostics(m_report.diagnostics, m_report.sources);
     if (std::ranges::count(m_report.diagnostics, Severity::Error, &Diagnostic::severity) > 0) {
         const std::string counts = countText(m_report.diagnostics);
-        std::fprintf(stderr, "%s: not run, the text has %s\n", cleanLine(m_arguments.file).c_str(), counts.c_str());
+        writeMessage(cleanLine(m_arguments.file) + ": not run, the text has " + counts + "\n");
         return printResults(kExitText);
     }
     if (!m_arguments.quiet) reportNothingPlaced();
@@ -101,10 +101,10 @@ void RunCommand::reportNothingPlaced() const {
     for (const Part* config : configsWithoutInstances(*m_loaded)) names += (names.empty() ? "" : ", ") + config->name;
     if (names.empty()) return;
     const std::string file = cleanLine(m_arguments.file);
-    std::fprintf(stderr,
-                 "%s: note: this file describes %s and places nothing, so the world that runs is empty; import it in an "
-                 "experiment and add a Robot or Static with that Config\n",
-                 file.c_str(), cleanLine(names).c_str());
+    writeMessage(
+        file + ": note: this file describes " + cleanLine(names) +
+        " and places nothing, so the world that runs is empty; import it in an experiment and add a Robot or Static with "
+        "that Config\n");
 }
 
 bool RunCommand::load() {
@@ -133,15 +133,14 @@ bool RunCommand::checkStart() {
     printDiagnostics(all, m_report.sources);
     m_report.diagnostics.insert(m_report.diagnostics.end(), all.begin(), all.end());
     if (!found.hasErrors()) return true; // the last error is the reason why the run ended
-    std::fprintf(stderr, "%s: not run, the check before it found %s\n", cleanLine(m_arguments.file).c_str(),
-                 countText(all).c_str());
+    writeMessage(cleanLine(m_arguments.file) + ": not run, the check before it found " + countText(all) + "\n");
     return false;
 }
 
 bool RunCommand::planTicks() {
     const SettingsSpec& settings = m_loaded->experiment->settings;
     m_endless = !m_arguments.duration && settings.duration <= 0;
-    if (m_endless && isatty(STDERR_FILENO) != 1) {
+    if (m_endless && isatty(messagesFile()) != 1) {
         const std::string message = "the experiment has no Duration: give --duration S";
         printProblem(message);
         m_report.diagnostics.push_back({Severity::Error, Code::NoDuration, message, {}, {}, {}, {}});
@@ -192,7 +191,7 @@ RunOptions RunCommand::runOptions() {
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         const std::string lines = consoleLines(time, who, severity, text);
         if (m_progress) m_progress->line(lines);
-        else std::fputs(lines.c_str(), stderr);
+        else writeMessage(lines);
     };
     options.pictures = [this](const ExperimentSpec& experiment, const SignalLayout& layout) {
         return openImageSource(m_application.locations().modules, experiment, layout,

@@ -23,6 +23,7 @@
 
 #include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
+#include "base/platform/output_cleaner.h"
 #include "cli/early_end.h"
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"
@@ -95,9 +96,11 @@ void dumpCore(int signal) {
         for (;;) pause();
     }
     BufferedFile::writeOutAll();
+    waitForOutputCleaner(); // the report is the last line
     reportEarlyEnd(s_facts, end);
     const int code = exitCodeOf(s_facts, end);
     if (end.kind == EarlyEndKind::Crash) {
+        finishOutputCleaner();
         if (code > 128) raiseDefault(end.cause.signal); // a crash of the program itself ends as without a handler
         dumpCore(end.cause.signal);
     }

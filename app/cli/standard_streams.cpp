@@ -1,11 +1,13 @@
 #include "cli/standard_streams.h"
 
+#include <cerrno>
 #include <cstdio>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/platform/output_cleaner.h"
 #include "base/platform/standard_descriptors.h"
 
 namespace trundle {
@@ -35,29 +37,40 @@ struct SavedDescriptor {
 };
 
 // global, because signal handlers use them
-SavedDescriptor s_results, s_messages;
+SavedDescriptor s_results, s_messages, s_modules; // s_modules: where the output of modules goes
 
 } // namespace
 
 void keepStandardStreams() {
     if (openStandardDescriptors()) s_results.keep(STDOUT_FILENO);
     s_messages.keep(STDERR_FILENO);
+    startOutputCleaner();
 }
 
 void redirectStandardOutput() {
-    std::fflush(stdout);
-    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+    cleanStandardOutput();
+    s_modules.keep(STDERR_FILENO);
 }
 
 void restoreStandardStreams() {
     std::fflush(stdout);
     (void)openIfClosed(STDIN_FILENO);
-    if (!s_messages.isWhole() && s_messages.leadsTo(STDERR_FILENO)) s_messages.keep(STDERR_FILENO);
-    if (!s_messages.isWhole()) return;
-    if (!s_messages.leadsTo(STDERR_FILENO)) ::dup2(s_messages.file, STDERR_FILENO);
-    if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) ::dup2(s_messages.file, STDOUT_FILENO);
+    if (!s_modules.isWhole() && s_modules.leadsTo(STDERR_FILENO)) s_modules.keep(STDERR_FILENO);
+    const int target = s_modules.isWhole() ? s_modules.file : s_messages.isWhole() ? s_messages.file : -1;
+    if (target < 0) return;
+    if (!s_modules.leadsTo(STDERR_FILENO)) ::dup2(target, STDERR_FILENO);
+    if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) ::dup2(target, STDOUT_FILENO);
     std::clearerr(stdout);
     std::clearerr(stderr);
+}
+
+void writeMessage(std::string_view text) {
+    waitForOutputCleaner();
+    while (!text.empty()) {
+        const ssize_t done = ::write(messagesFile(), text.data(), text.size());
+        if (done < 0 && errno != EINTR) return;
+        if (done > 0) text.remove_prefix(static_cast<std::size_t>(done));
+    }
 }
 
 int resultsFile() { return s_results.isWhole() ? s_results.file : -1; }

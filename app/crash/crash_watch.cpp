@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/platform/buffered_file.h"
+#include "base/platform/output_cleaner.h"
 #include "base/platform/recent_runs.h"
 #include "crash/crash_site.h"
 #include "crash/crash_text.h"
@@ -109,6 +110,7 @@ void onCrash(int signal, siginfo_t*, void* context) {
     BufferedFile::writeOutAll();
     report(what);
     if (what.isOfModule()) endProcess(kExitOfModuleFault);
+    finishOutputCleaner();
     raiseDefault(signal);
 }
 

@@ -6,6 +6,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "base/platform/output_cleaner.h"
+
 namespace trundle {
 namespace {
 
@@ -26,6 +28,7 @@ void setExitHook(void (*hook)()) {
 }
 
 void endProcess(int code) {
+    finishOutputCleaner();
     for (;;) syscall(SYS_exit_group, code);
 }
 

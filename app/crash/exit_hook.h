@@ -7,7 +7,7 @@ namespace trundle {
 /// once more each time. nullptr: none.
 void setExitHook(void (*hook)());
 
-/// Ends the process without any handlers or messages. Async-signal-safe.
+/// Ends the process without any handlers or messages, once the output of modules is passed on. Async-signal-safe.
 [[noreturn]] void endProcess(int code);
 
 } // namespace trundle

@@ -17,6 +17,7 @@
 #include "app/application.h"
 #include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
+#include "base/platform/output_cleaner.h"
 #include "base/platform/standard_descriptors.h"
 #include "crash/crash_watch.h"
 #include "crash/exit_hook.h"
@@ -117,7 +118,8 @@ int leave(trundle::MainWindow& window, int code, bool endRequested) {
 
 int main(int argc, char** argv) {
     using namespace trundle;
-    openStandardDescriptors();     // otherwise the display connection may get one of them and receive module output
+    openStandardDescriptors(); // otherwise the display connection may get one of them and receive module output
+    startOutputCleaner();
     std::signal(SIGXFSZ, SIG_IGN); // exceeding the file size limit fails the write instead of ending the program
     watchCrashes("trundle", "unsaved edits are offered at the next start");
     QCoreApplication::setApplicationName(QStringLiteral("Trundle"));
@@ -133,6 +135,8 @@ int main(int argc, char** argv) {
     qInstallMessageHandler(report);
 
     const WindowOptions options = readOptions(application);
+    cleanStandardOutput();            // of modules
+    std::signal(SIGPIPE, [](int) {}); // fails the write if the cleaner was killed; child processes do not inherit a handler
     const Preferences preferences = loadPreferences();
     const ThemeKind system = themeOf(preferences.theme); // reads the desktop's theme before one is applied
     applyTheme(application, options.theme.value_or(system), preferences.fonts);

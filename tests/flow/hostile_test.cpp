@@ -65,6 +65,34 @@ private Q_SLOTS:
             QCOMPARE(controlCharacters(run), QByteArray());
         }
     }
+    void cleansWhatAModulePrintsItself_data() {
+        QTest::addColumn<int>("code"); ///< -2: killed
+        QTest::newRow("print escapes") << 0;
+        QTest::newRow("print escapes and crash") << 4;
+        QTest::newRow("print escapes and be killed") << -2;
+        QTest::newRow("print escapes and leave") << 7;
+        QTest::newRow("close all and print escapes") << 1; // the results have no descriptor left
+    }
+    void cleansWhatAModulePrintsItself() {
+        QFETCH(int, code);
+        const QString file = experiment("#loadModule zoo\nRobot r { Config=SimpleRobot Zoo brain { At=3 Action=\"" +
+                                        QByteArray(QTest::currentDataTag()) + "\" } }\n");
+        const QString zoo = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo");
+        const Outcome run = cli({"run", file, "--modules", zoo});
+        QVERIFY2(run.code == code, shown(run));
+        QCOMPARE(controlCharacters(run), QByteArray());
+        for (const QByteArray& line :
+             {"printf \uFFFD]0;mine\uFFFD \uFFFD\uFFFD end", "cout \uFFFD[2J end", "fprintf \uFFFD31m end", "h\u00e9 end"})
+            QVERIFY2(run.err.count(line + '\n') == 1, shown(run));
+        const qsizetype report = run.err.indexOf("trundle-cli: ");
+        QVERIFY2(report < 0 || report > run.err.indexOf("h\u00e9 end"), shown(run)); // in the order in which they were written
+    }
+    void aModuleCanWaitForAllItsChildProcesses() {
+        const QString file = experiment("#loadModule zoo\nRobot r { Config=SimpleRobot Zoo brain { At=3 "
+                                        "Action=\"wait for all children\" } }\n");
+        const Outcome run = cli({"run", file, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo")});
+        QVERIFY2(run.code == 0 && run.err.contains("none left\n"), shown(run));
+    }
     void theHelpOfAModuleIsClean() {
         for (const QStringList& more : {QStringList{}, {"--json"}, {"Hostile"}, {"Hostile", "--json"}}) {
             const Outcome reported = cli(QStringList{"describe", "--modules", kModules} + more);

@@ -90,7 +90,8 @@ private Q_SLOTS:
         ::kill(id.toInt(), runs ? SIGTERM : SIGKILL);
         (void)running.get();
         QVERIFY(runs);
-        QCOMPARE(targets, QStringList(3, QStringLiteral("/dev/null")));
+        QCOMPARE(targets[0], QStringLiteral("/dev/null"));
+        QVERIFY2(targets[1].contains("/pipe:[") && targets[1] == targets[2], qPrintable(targets.join(' '))); // to the cleaner
     }
 
     void signalEndsProgramAndKeepsLogs_data() {
@@ -303,6 +304,16 @@ private Q_SLOTS:
         QCOMPARE(rows, brain.endsWith("update")       ? 51
                        : brain.endsWith("destructor") ? 102
                                                       : rows); // a header, the start, the ticks
+    }
+
+    void cleansWhatAModulePrintsItself() {
+        for (const QByteArray action : {"print escapes", "print escapes and crash"}) {
+            const Outcome outcome = callWithZoo("Action=\"" + action + "\" Phase=update", {"--quit"});
+            QCOMPARE(outcome.code, action.endsWith("crash") ? 4 : 0);
+            for (const char* end : {"cout \uFFFD[2J end\n", "fprintf \uFFFD31m end\n", "h\u00e9 end\n"})
+                QVERIFY2(outcome.err.contains(end), shown(outcome));
+            QCOMPARE(controlCharacters(outcome), QByteArray());
+        }
     }
 
     /// For the dialog at the next start; a program that ends by --quit is a script's, which reads standard error.

@@ -11,6 +11,7 @@ set(BASE_PLATFORM_SOURCES
   platform/locked_file.cpp
   platform/memory.cpp
   platform/module_text.cpp
+  platform/output_cleaner.cpp
   platform/next_symbol.cpp
   platform/process.cpp
   platform/process_identity.cpp

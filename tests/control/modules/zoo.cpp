@@ -21,6 +21,8 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <threads.h>
 #include <unistd.h>
 #include <xmmintrin.h>
@@ -96,6 +98,22 @@ const char* filled() {
 }
 
 const char* nowhere() { return reinterpret_cast<const char*>(0x10); }
+
+/// Control sequences and bytes that are not UTF-8, past print(); a character in two parts.
+void printEscapes() {
+    std::printf("printf \x1b]0;mine\x07 \xff\xfe end\n");
+    std::cout << "cout \x1b[2J end" << std::endl;
+    std::fprintf(stderr, "fprintf \xc2\x9b"
+                         "31m end\n");
+    (void)!write(2, "h\xc3", 2);
+    (void)!write(2, "\xa9 end\n", 7);
+}
+
+void waitForAllChildren() {
+    if (fork() == 0) syscall(SYS_exit_group, 0);
+    while (wait(nullptr) > 0) {}
+    std::fputs("none left\n", stderr);
+}
 
 void limited(int what, rlim_t most, const std::function<void()>& then) {
     rlimit before{}, lower{};
@@ -226,6 +244,28 @@ const std::map<std::string, Action>& actions() {
                  (void)!write(1, "write\n", 6);
              }
          }},
+        {"print escapes", printEscapes},
+        {"print escapes and crash",
+         [] {
+             printEscapes();
+             act("segv");
+         }},
+        {"print escapes and be killed",
+         [] {
+             printEscapes();
+             kill(getpid(), SIGKILL);
+         }},
+        {"print escapes and leave",
+         [] {
+             printEscapes();
+             syscall(SYS_exit_group, 7);
+         }},
+        {"close all and print escapes",
+         [] {
+             closeFrom(3);
+             printEscapes();
+         }},
+        {"wait for all children", waitForAllChildren},
         {"round up", [] { std::fesetround(FE_UPWARD); }},
         {"round down", [] { std::fesetround(FE_DOWNWARD); }},
         {"round to zero", [] { std::fesetround(FE_TOWARDZERO); }},
