@@ -119,6 +119,7 @@ void ObjectHeader::showSeveral(const Objects& objects) {
     m_help = tr("Properties that all of them have. A change applies to all of them.");
     const QString shown = kinds.size() > 3 ? tr("%1 kinds").arg(kinds.size()) : kinds.join(QStringLiteral(", "));
     m_kind->setText(faint(shown.toHtmlEscaped()));
+    m_kind->setToolTip(m_help);
     for (QWidget* w : std::initializer_list<QWidget*>{m_path, m_config, m_singles}) w->hide();
 }
 

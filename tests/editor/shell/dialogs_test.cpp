@@ -13,7 +13,6 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <QTextDocument>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -24,8 +23,10 @@
 #include "editor/document/structure_edits.h"
 #include "editor/running/panels/controller_dialogs.h"
 #include "editor/shell/commands/project_questions.h"
+#include "editor/shell/cut_off_texts.h"
 #include "editor/shell/dialogs/share_dialog.h"
 #include "editor/shell/window_fixture.h"
+#include "editor/widgets/widget_text.h"
 #include "eventually.h"
 #include "project/journal/journal.h"
 #include "project/journal/project_lock.h"
@@ -74,43 +75,6 @@ constexpr Question kQuestions[] = {
 
 QString nameOf(const QDialog& dialog) { return dialog.objectName().isEmpty() ? dialog.windowTitle() : dialog.objectName(); }
 QString bare(QString text) { return text.remove(u'&'); }
-
-/// The width of the text: the size hint of a label with fixed width may belong to an earlier font.
-int widthOfWords(const QLabel& label) {
-    if (!Qt::mightBeRichText(label.text())) return label.sizeHint().width();
-    QTextDocument words;
-    words.setDefaultFont(label.font());
-    words.setDocumentMargin(label.margin());
-    words.setHtml(label.text());
-    return int(std::ceil(words.idealWidth()));
-}
-
-/// The texts of a dialog or window that are clipped.
-QStringList cutOff(const QWidget& dialog) {
-    QStringList cut;
-    for (const auto* label : dialog.findChildren<QLabel*>()) {
-        if (!label->isVisible() || label->text().isEmpty()) continue;
-        const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
-        if (label->height() < needed || (!label->wordWrap() && label->width() < widthOfWords(*label)))
-            cut << QStringLiteral("label “%1” %2x%3 of %4x%5")
-                       .arg(label->text().left(60))
-                       .arg(label->width())
-                       .arg(label->height())
-                       .arg(widthOfWords(*label))
-                       .arg(needed);
-    }
-    for (const auto* button : dialog.findChildren<QAbstractButton*>()) {
-        const auto* tool = qobject_cast<const QToolButton*>(button);
-        if (!button->isVisible() || button->text().isEmpty() || (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly))
-            continue;
-        if (button->width() < button->minimumSizeHint().width() || button->height() < button->fontMetrics().height())
-            cut << QStringLiteral("button “%1”").arg(button->text());
-    }
-    for (const auto* choice : dialog.findChildren<QComboBox*>())
-        if (choice->isVisible() && choice->width() < choice->fontMetrics().horizontalAdvance(choice->currentText()) + 24)
-            cut << QStringLiteral("choice “%1”").arg(choice->currentText());
-    return cut;
-}
 
 } // namespace
 
@@ -180,6 +144,7 @@ private Q_SLOTS:
                     faults << QStringLiteral("Enter presses what loses something");
             }
             faults << cutOff(dialog);
+            if (!dark && font == 13) faults << described(name, dialog);
             if (const auto* open = dialog.findChild<QPushButton*>(QStringLiteral("movieOpen")); open && open->isVisible())
                 faults << QStringLiteral("a movie is offered that there is not");
             const QSize least = dialog.minimumSizeHint().expandedTo(dialog.minimumSize());
@@ -256,6 +221,13 @@ private Q_SLOTS:
     }
 
 private:
+    /// Why the dialog does not show and offer what tests/data/window says; empty if it does.
+    QStringList described(const QString& name, const QDialog& dialog) const {
+        const QString folder = m_folder ? QDir(m_folder->path()).canonicalPath() : QString();
+        const QString difference =
+            differenceFromKept(QStringLiteral("dialog-") + QString(name).replace(u' ', u'_'), describedWidget(dialog), folder);
+        return difference.isEmpty() ? QStringList() : QStringList{difference};
+    }
     void useTheme(ThemeKind kind, int font) {
         if (currentTheme() == kind && m_font == font) return;
         m_font = font;

@@ -20,6 +20,7 @@
 
 #include "app/application.h"
 #include "editor/document/structure_edits.h"
+#include "editor/shell/fixed_machine.h"
 #include "editor/shell/main_window.h"
 #include "editor/text/code/code_edit.h"
 #include "editor/widgets/apply_theme.h"
@@ -225,34 +226,12 @@ private:
     std::unique_ptr<MainWindow> m_window;
 };
 
-namespace {
-
-/// Makes settings, state and fonts independent of the machine; call before Qt starts.
-void leaveTheMachineOut(const QString& home) {
-    qputenv("TRUNDLE_GOLDEN_HOME", home.toUtf8());
-    for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
-        qputenv(place, home.toUtf8());
-    QFile fonts(home + QStringLiteral("/fonts.conf"));
-    if (fonts.open(QIODevice::WriteOnly))
-        fonts.write("<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig><match target='pattern'>"
-                    "<edit name='antialias'><bool>true</bool></edit><edit name='hintstyle'><const>hintslight</const></edit>"
-                    "<edit name='rgba'><const>none</const></edit></match></fontconfig>");
-    fonts.close();
-    qputenv("FONTCONFIG_FILE", fonts.fileName().toUtf8());
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
-    qputenv("LC_ALL", "C.UTF-8");
-    for (const char* variable : {"QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME", "QT_FONT_DPI", "QT_SCREEN_SCALE_FACTORS"})
-        qunsetenv(variable);
-}
-
-} // namespace
-
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet(
             "TRUNDLE_GOLDEN_HOME")) { // Qt reads the scale factor once at start, so each needs its own process
         const QTemporaryDir home;
         if (!home.isValid()) return 1;
+        qputenv("TRUNDLE_GOLDEN_HOME", home.path().toUtf8());
         leaveTheMachineOut(home.path());
         QStringList arguments;
         for (int i = 1; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
