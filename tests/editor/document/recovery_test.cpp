@@ -1,9 +1,12 @@
 // Recovery after a crash, and two windows with the same project.
 
+#include <QSignalSpy>
 #include <QTest>
 
+#include "editor/document/journal_writer.h"
 #include "editor/document/structure_edits.h"
 #include "eventually.h"
+#include "file_limit.h"
 #include "project/journal/state_folder.h"
 #include "sample_document.h"
 
@@ -144,6 +147,52 @@ private Q_SLOTS:
         QVERIFY(d.texts().isModified());
         QCOMPARE(*d.texts().text("untitled.sim"), "Tick = 2 ms\n");
         QVERIFY(d.recovery().recoveries().empty());
+    }
+
+    /// Restoring asks about unsaved changes only where it replaces what is open.
+    void whatIsOpenIsReplacedByEditsOfAnotherText() {
+        Document& d = *m_document;
+        const auto of = [](const std::string& opened, const std::string& name = {}) {
+            Recovery recovery;
+            recovery.head = {opened, name};
+            return recovery;
+        };
+        QVERIFY(!d.recovery().isReplacedBy(of(m_fixture->main))); // nothing is open
+        QVERIFY(d.opening().open(m_fixture->main).ok());
+        QVERIFY(!d.recovery().isReplacedBy(of(m_fixture->main)));
+        QVERIFY(d.recovery().isReplacedBy(of(m_fixture->robot)));
+        QVERIFY(d.recovery().isReplacedBy(of(m_fixture->main, "untitled.sim"))); // edits of a new text
+        QVERIFY(d.opening().openNew("untitled.sim", "Tick = 0.01\n").ok());
+        QVERIFY(d.recovery().isReplacedBy(of(m_fixture->main)));
+        QVERIFY(d.recovery().isReplacedBy(of("untitled.sim")));
+    }
+
+    /// Each time that the journal cannot be written it is said once, not at every edit.
+    void aJournalThatFailsIsReportedOnceEachTime() {
+        OpenFiles files;
+        files.take(m_fixture->main, std::make_shared<const std::string>(kMain));
+        JournalWriter writer(files);
+        QSignalSpy failed(&writer, &JournalWriter::failed);
+        writer.start(m_fixture->path("configs"), {m_fixture->main, {}});
+        int version = 0;
+        const auto write = [&](bool full) {
+            files.find(m_fixture->main)->text = std::make_shared<const std::string>(kMain + std::to_string(++version));
+            const FileLimit limit(full ? 0 : RLIM_INFINITY);
+            writer.writeNow();
+            return int(failed.count());
+        };
+        QCOMPARE(write(false), 0);
+        QCOMPARE(write(true), 1);
+        QCOMPARE(write(true), 1);
+        QCOMPARE(write(false), 1);
+        QCOMPARE(write(true), 2);
+        QVERIFY(!reportOf(failed).empty());
+        QVERIFY(!writer.path().empty());
+        writer.stop();
+        QVERIFY(writer.path().empty());
+        writer.later();
+        writer.writeNow(); // without a journal nothing happens
+        QCOMPARE(failed.count(), 2);
     }
 
     void secondWindowIsReadOnly() {

@@ -1,40 +1,15 @@
 // Save, Save As, and changes that other programs make to the files meanwhile.
 
 #include <QTest>
-#include <csignal>
-#include <sys/resource.h>
 
 #include "editor/document/structure_edits.h"
 #include "eventually.h"
+#include "file_limit.h"
 #include "sample_document.h"
 
 using namespace trundle;
 using namespace sample;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Limits the file size of the process while it exists: large writes fail, small ones do not.
-class FileLimit {
-public:
-    explicit FileLimit(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &m_before);
-        const rlimit now{bytes, m_before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &now);
-    }
-    ~FileLimit() {
-        setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_handler);
-    }
-    FileLimit(const FileLimit&) = delete;
-    FileLimit& operator=(const FileLimit&) = delete;
-
-private:
-    rlimit m_before{};
-    void (*m_handler)(int);
-};
-
-} // namespace
 
 class SavingTest : public QObject {
     Q_OBJECT
@@ -63,6 +38,19 @@ private Q_SLOTS:
         QVERIFY(!d.texts().isModified(m_fixture->main));
         d.edits().redo();
         QVERIFY(!d.texts().isModified());
+    }
+
+    /// What is dragged or typed on after a save is an edit of its own: undo goes back to what is saved.
+    void aSaveEndsADrag() {
+        Document& d = *m_document;
+        for (const char* x : {"1", "2"})
+            QVERIFY(d.structure().setValues(u"Move"_qs, {{"robot0.Pos", x + std::string(",0,0")}}, "drag").ok());
+        QCOMPARE(why(d.saving().save()), "");
+        QVERIFY(d.structure().setValues(u"Move"_qs, {{"robot0.Pos", "3,0,0"}}, "drag").ok());
+        QCOMPARE(d.edits().history().entries().size(), 2u);
+        d.edits().undo();
+        QVERIFY(!d.texts().isModified());
+        QCOMPARE(*d.texts().text(m_fixture->main), bytesOf(m_fixture->main));
     }
 
     void keepsBytesOfUneditedFiles() {

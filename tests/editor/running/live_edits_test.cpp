@@ -166,6 +166,14 @@ private Q_SLOTS:
         QCOMPARE(commandText(found.commands[0]), std::string("r1999/motor.Resistance=6"));
         QVERIFY(found.waiting.empty());
         QVERIFY2(edits.compared() <= 4, std::to_string(edits.compared()).c_str());
+        std::string slippery = text; // a block that is named with its kind
+        slippery.replace(slippery.rfind("Friction=0.5"), 12, "Friction=0.4");
+        const auto smooth = fixture.open(slippery);
+        edits.begin(built);
+        const LiveEdits one = edits.follow(ChangeSet(built, smooth), *built->experiment);
+        QCOMPARE(one.commands.size(), 1u);
+        QVERIFY(commandText(one.commands[0]).starts_with("s1999 0.4 "));
+        QVERIFY2(edits.compared() <= 8, std::to_string(edits.compared()).c_str());
         // All of it, for comparison.
         RunComparison all;
         all.begin(built);

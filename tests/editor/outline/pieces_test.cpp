@@ -1,0 +1,176 @@
+// Parts of the Scene and Library panels without their widgets: the items of the library, and the problems of each block.
+
+#include <fstream>
+
+#include "editor/outline/kind_icons.h"
+#include "editor/outline/library_items.h"
+#include "editor/outline/problem_counts.h"
+#include "editor/widgets/resources.h"
+#include "editor/widgets/widget_text.h"
+#include "lang/tree.h"
+#include "outline_fixture.h"
+
+using namespace trundle;
+namespace fs = std::filesystem;
+
+namespace {
+
+QString itemText(const LibraryItem& item) {
+    QStringList imports;
+    for (const std::string& import : item.imports) imports << QString::fromStdString(import);
+    return QStringLiteral("%1 | %2 | %3 | %4 | %5 | %6 | %7\n%8")
+        .arg(int(item.section))
+        .arg(item.title, item.help, item.icon, QString::fromStdString(item.kind), imports.join(u','),
+             QString::fromStdString(item.folder),
+             QString::fromStdString(item.text).trimmed().replace(u'\n', QStringLiteral("\\n")));
+}
+
+void write(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+} // namespace
+
+class OutlinePiecesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void eachConfigOfAFolderIsAnItem() {
+        QTemporaryDir made;
+        const fs::path root = fs::canonical(made.path().toStdString());
+        const std::string robot = "RobotConfig Rover { Body b { } Hinge h { } }\n", crate = "RobotConfig Crate { Body b { } }\n";
+        write(root / "rover.sim", "\xEF\xBB\xBF//  A rover.\n// second line\n" + robot);
+        write(root / "two.sim", "// Not of one.\n" + crate + "StaticConfig Yard { Plane p { } }\nStaticConfig { }\n");
+        write(root / "inside.sim", "RobotConfig Inside { #import more.sim\n }\n");
+        write(root / "objects/stone.sim", "StaticConfig Stone { Box b { } }");
+        write(root / "placed.sim", "#import rover.sim\nTick = 0.01\nStaticConfig Yard2 { Box b { } }\nGrid g { Config=Yard2 }\n");
+        write(root / "a/b/c/deep.sim", "RobotConfig Deep { Camera c { } }");
+        write(root / "a/b/c/d/tooDeep.sim", robot);
+        write(root / ".hidden/x.sim", robot);
+        write(root / "notes.txt", robot);
+        write(root / "empty.sim", "");
+        write(root / "opened.sim", robot);
+        write(root / "large.sim", robot + std::string((1 << 20) + 1, ' '));
+        QStringList all;
+        for (const LibraryItem& item : configItems({root.string(), "mine/"}, (root / "opened.sim").string())) {
+            all << itemText(item).replace(QString::fromStdString(root.string()), QStringLiteral("ROOT"));
+            const QString picture = QString::fromStdString(item.picture);
+            const bool hasFloor = picture.contains(QStringLiteral("libraryFloor"));
+            QVERIFY2(hasFloor != item.title.startsWith(QStringLiteral("Yard")) || item.title == QStringLiteral("Yard2"),
+                     qPrintable(picture));
+            QVERIFY2(picture.contains(QString::fromStdString(item.kind) + QStringLiteral(" shown { Config=") + item.title),
+                     qPrintable(picture));
+            QVERIFY(picture.contains(QStringLiteral("\n// "))); // changes with the file
+        }
+        const QStringList expected{
+            QStringLiteral("0 | Deep |  | kind-robot | Robot | mine/a/b/c/deep.sim | ROOT\nRobot robot0 { Config=Deep Pos=0,0,0 "
+                           "HPR=0,0,0 }"),
+            QStringLiteral("0 | Inside |  | kind-robot | Robot | mine/inside.sim | ROOT\nRobot robot0 { Config=Inside Pos=0,0,0 "
+                           "HPR=0,0,0 }"),
+            QStringLiteral("2 | Stone |  | kind-static | Static | mine/objects/stone.sim | ROOT\nStatic stone { Config=Stone "
+                           "Pos=0,0,0 HPR=0,0,0 }"),
+            QStringLiteral(
+                "1 | Yard2 |  | kind-static | Static |  | ROOT\n#import rover.sim\\nStaticConfig Yard2 { Box b { } }\\n"
+                "Static yard2 { Config=Yard2 Pos=0,0,0 HPR=0,0,0 }"),
+            QStringLiteral("0 | Rover | A rover. | kind-robot | Robot | mine/rover.sim | ROOT\nRobot robot0 { Config=Rover "
+                           "Pos=0,0,0 HPR=0,0,0 }"),
+            QStringLiteral(
+                "2 | Crate |  | kind-object | Robot | mine/two.sim | ROOT\nRobot crate { Config=Crate Pos=0,0,0 HPR=0,0,0 }"),
+            QStringLiteral(
+                "1 | Yard |  | kind-static | Static | mine/two.sim | ROOT\nStatic yard { Config=Yard Pos=0,0,0 HPR=0,0,0 }")};
+        QCOMPARE(all.join(u'\n'), expected.join(u'\n'));
+    }
+
+    void snippetsAreNamedByTheirComment() {
+        QTemporaryDir made;
+        const fs::path root = fs::canonical(made.path().toStdString());
+        write(root / "bumper.sim", "// front bumper: it touches.\nBody bumper { }\nTouchSensor t { }\n");
+        write(root / "front_wheel.sim", "// without a title\nHinge h { }\n");
+        write(root / "no_comment.sim", "Camera eye { }\n");
+        write(root / "below/other.sim", "Body x { }\n");
+        write(root / "nothing.sim", "// Empty: nothing.\n");
+        QStringList all;
+        for (const LibraryItem& item : snippetItems(root.string())) {
+            all << itemText(item).replace(QString::fromStdString(root.string()), QStringLiteral("ROOT"));
+            QCOMPARE(item.picture.empty(), item.kind != "Body");
+        }
+        const QStringList expected{
+            QStringLiteral("3 | Front bumper | It touches. | kind-body | Body |  | ROOT\nBody bumper { }\\nTouchSensor t { }"),
+            QStringLiteral("3 | Front wheel | Without a title | kind-body | Hinge |  | \nHinge h { }"),
+            QStringLiteral("3 | No comment |  | kind-body | Camera |  | \nCamera eye { }")};
+        QCOMPARE(all.join(u'\n'), expected.join(u'\n'));
+    }
+
+    /// Of the kinds that the program has: section, icon and picture.
+    void eachKindHasItsPlace() {
+        const auto application = makeApplication();
+        const auto builtIn = application->builtIn();
+        QString all;
+        for (const LibraryItem& item : kindItems(builtIn->all())) {
+            QVERIFY(QFile::exists(resourcePath(QStringLiteral("icons/") + item.icon + QStringLiteral(".svg"))));
+            all += itemText(item).section(u'|', 0, 4).replace(item.help, QStringLiteral("#")) +
+                   QString::fromStdString(item.picture).section(u'\n', 0, 0) + u'\n';
+        }
+        std::vector<Kind> kinds(1);
+        kinds[0].name = "Wander";
+        kinds[0].role = Role::Controller;
+        for (const char* module : {"/mods/libwander.so", "/mods/deep/wander.so", "/mods/deep/library.so"}) {
+            kinds[0].module = module;
+            all += itemText(moduleItems(kinds, "/mods").at(0));
+        }
+        all += kindIcon(nullptr) + u'\n';
+        const QString difference = differenceFromKept(QStringLiteral("library-kinds"), all, {});
+        QVERIFY2(difference.isEmpty(), qPrintable(difference));
+    }
+
+    void aPictureShowsWhatAConfigNeeds() {
+        const auto tree =
+            parse(std::make_shared<const SourceText>("a.sim", "Tick = 1\n#import x.sim\nParam p = 2\nMaterial m { }\n"
+                                                              "PoseLog l { }\nRobot r { }\nSurface s { }\n"
+                                                              "RobotConfig A { }\nStaticConfig B { Plane p { } }\n"),
+                  0);
+        const auto block = [&](std::size_t item) { return *tree->items()[item].as<BlockItem>(); };
+        const std::string needed = "#import x.sim\nParam p = 2\nMaterial m { }\nSurface s { }\nRobotConfig A { }\n"
+                                   "StaticConfig B { Plane p { } }\n";
+        const std::string robot = pictureOfConfig(*tree, block(7));
+        QVERIFY2(robot.starts_with(needed + "Robot shown { Config=A }\nStaticConfig LibraryFloor"), robot.c_str());
+        QCOMPARE(pictureOfConfig(*tree, block(8)), needed + "Static shown { Config=B }");
+        for (const auto& [config, name] : {std::pair{"SimpleRobot", "simpleRobot"}, {"x", "x"}, {"", ""}, {"ABC", "aBC"}})
+            QCOMPARE(nameFor(config), std::string(name));
+    }
+
+    /// A problem counts for its block and all around it, up to the first byte behind the block.
+    void problemsCountForTheirBlocks() {
+        OutlineFixture o;
+        QVERIFY(o.write("part.sim", "Robot far { Config=None }\n"));
+        QVERIFY(o.open("#import part.sim\nTik = 1\nRobotConfig C {\n  Body b { Box g { Size=0,1,1 Mass=-1 } }Body c { Bx h { } "
+                       "}\n  Wrong = 1\n}\n"
+                       "Robot a { Config=None }Robot b { Config=None Pos=1 }\n"));
+        const LoadedProject& loaded = *o.document.loaded();
+        const ProblemCounts counts(loaded);
+        const auto text = [](ProblemCounts::Count count) {
+            return QStringLiteral("%1/%2").arg(count.errors).arg(count.warnings);
+        };
+        QStringList found;
+        const auto walk = [&](const auto& self, const Part& part) -> void {
+            found << QString::fromStdString(part.name) + u' ' + text(counts.of(part));
+            for (const Part& inner : part.parts) self(self, inner);
+        };
+        for (const auto& part : loaded.outline->parts) walk(walk, *part);
+        QCOMPARE(found.join(u' '), QStringLiteral("far 1/0 C 5/0 b 2/0 g 2/0 c 2/0 h 1/0 a 1/0 b 2/0"));
+        QCOMPARE(text(counts.outside()), QStringLiteral("1/0")); // Tik
+        QCOMPARE(text(counts.ofFile(0)), QStringLiteral("9/0"));
+        QCOMPARE(text(counts.ofFile(1)), QStringLiteral("1/0"));
+        QCOMPARE(text(counts.ofFile(7)), QStringLiteral("0/0"));
+        const auto first = std::uint32_t(o.text().indexOf("Tik"));
+        QCOMPARE(text(counts.at({0, {first, first}})), QStringLiteral("1/0"));
+        QCOMPARE(text(counts.at({0, {first + 1, first + 9}})), QStringLiteral("0/0"));
+        QCOMPARE(text(counts.at({1, {0, 100}})), QStringLiteral("1/0"));
+        QVERIFY(o.open("Robot r { Config=None }\n", "other.sim"));
+        QVERIFY(o.open("Tick = 0.01\n", "good.sim"));
+        QCOMPARE(text(ProblemCounts(*o.document.loaded()).outside()), QStringLiteral("0/0"));
+    }
+};
+
+QTEST_MAIN(OutlinePiecesTest)
+#include "pieces_test.moc"
