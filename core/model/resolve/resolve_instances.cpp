@@ -6,6 +6,7 @@
 #include "model/kinds/world_fields.h"
 #include "model/resolve/instance_variants.h"
 #include "model/resolve/resolve_steps.h"
+#include "schema/value_reader.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -196,20 +197,32 @@ private:
         m_context.evaluator.checkAll(scope);
         std::shared_ptr<const Spec> spec = resolve(m_context, config, scope, given.key.empty() ? nullptr : &given.overrides);
         if (given.key.empty() || m_context.diagnostics.errorCount() == errors) cache.emplace(key, spec);
-        if (!given.key.empty()) nameInstance(said);
+        if (!given.key.empty()) nameInstance(said, given);
         return spec;
     }
-    /// Adds a note with the instance to the new diagnostics: the range is in the config, the cause in the instance.
-    void nameInstance(std::size_t said) {
+    /// Moves the new diagnostics to the values of the instance that caused them; a value that is not known gets a note with the
+    /// instance.
+    void nameInstance(std::size_t said, const InstanceValues& given) {
         if (m_context.diagnostics.all().size() == said || manyAlready(m_context.diagnostics)) return;
         for (std::size_t i = said; i < m_context.diagnostics.all().size(); ++i) {
             Diagnostic& d = m_context.diagnostics.at(i);
-            if (d.range.file != m_instance->file || !inside(d.range, m_instance->range))
+            if (moveToValue(d, given)) continue;
+            if (!inside(d.range, m_instance->range))
                 d.notes.push_back({"with the values of " + m_instance->title(), m_instance->nameRange()});
         }
     }
+    /// Its fixes are for the place in the config, which other instances use too.
+    static bool moveToValue(Diagnostic& d, const InstanceValues& given) {
+        if (d.notes.empty() || d.notes[0].first != kGivenHere) return false;
+        const SourceRange value = d.notes[0].second;
+        if (std::ranges::none_of(given.params, [&](const auto& p) { return inside(value, p.second.range); })) return false;
+        d.notes[0] = {kUsedHere, d.range};
+        d.range = value;
+        d.fixes.clear();
+        return true;
+    }
     static bool inside(const SourceRange& a, const SourceRange& b) {
-        return a.range.begin >= b.range.begin && a.range.end <= b.range.end;
+        return a.file == b.file && a.range.begin >= b.range.begin && a.range.end <= b.range.end;
     }
 
     std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const InstanceValues& given) {

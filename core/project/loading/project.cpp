@@ -45,15 +45,17 @@ std::vector<std::string> pictureFolders(std::vector<std::string> folders, const 
     return folders;
 }
 
+bool isUsedElsewhere(const Diagnostic& d) { return !d.notes.empty() && d.notes[0].first == kUsedHere; }
+
 /// Removes repeated errors: a wrong Param is reported once, however many properties use it.
 std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
     std::map<std::tuple<Code, SourceRange>, std::size_t> first; // index in kept
     std::vector<Diagnostic> kept;
     std::vector<std::size_t> others;
     for (Diagnostic& d : all) {
-        const bool fromElsewhere = !d.notes.empty() && d.notes[0].first == kGivenHere;
-        if (fromElsewhere) {
-            const auto [at, isNew] = first.emplace(std::tuple(d.code, d.notes[0].second), kept.size());
+        const bool isAtUse = !d.notes.empty() && d.notes[0].first == kGivenHere, isAtValue = isUsedElsewhere(d);
+        if (isAtUse || isAtValue) {
+            const auto [at, isNew] = first.emplace(std::tuple(d.code, isAtUse ? d.notes[0].second : d.range), kept.size());
             if (!isNew) {
                 ++others[at->second];
                 continue;
@@ -75,10 +77,11 @@ Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
         return std::pair(a.range.file, a.range.range.begin) < std::pair(b.range.file, b.range.range.begin);
     });
     Diagnostics tidy;
-    std::set<std::tuple<int, SourceRange, std::string>> said;
+    std::set<std::tuple<int, SourceRange, std::string, SourceRange>> said;
     std::vector<Diagnostic> kept;
     for (Diagnostic& d : all) {
-        if (said.emplace(static_cast<int>(d.code), d.range, d.message).second) kept.push_back(std::move(d));
+        const SourceRange use = isUsedElsewhere(d) ? d.notes[0].second : SourceRange();
+        if (said.emplace(static_cast<int>(d.code), d.range, d.message, use).second) kept.push_back(std::move(d));
     }
     tidy.append(oncePerValue(std::move(kept)));
     tidy.addOmitted(given);
