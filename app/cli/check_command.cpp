@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cstdio>
+#include <iostream>
 
 #include <nlohmann/json.hpp>
 
@@ -21,6 +21,7 @@ struct CheckArguments {
     OpenOptions open;
     std::vector<std::string> files;
     bool json = false;
+    bool ofEditor = false; ///< see checkRobots()
 };
 
 /// The JSON entry of a file that cannot be read.
@@ -31,10 +32,10 @@ nlohmann::ordered_json unreadableJson(const std::string& file, const Error& erro
 }
 
 /// Builds everything a run would build, without running a tick; reports devices that cannot be set up and unknown ports.
-void buildOnce(Application& application, const LoadedProject& loaded, Diagnostics& diagnostics) {
+void buildOnce(Application& application, const LoadedProject& loaded, Diagnostics& diagnostics, bool json = false) {
     RunOptions options;
     options.calls = std::make_shared<CallMonitor>();
-    const RunGuard guard({options.calls, "check", false, false}); // runs code of trusted modules
+    const RunGuard guard({options.calls, "check", false, json}); // runs code of trusted modules
     options.pictures = [](const ExperimentSpec&, const SignalLayout&) -> Result<std::unique_ptr<ImageSource>> {
         return Error{Code::NoGraphics, "a check takes no pictures"};
     };
@@ -52,6 +53,29 @@ void checkForRun(Application& application, const LoadedProject& loaded, Diagnost
     checkModel(loaded, diagnostics);
     if (allKindsKnown && !diagnostics.hasErrors() && !loaded.experiment->robots.empty())
         buildOnce(application, loaded, diagnostics);
+}
+
+/// For an editor, which does the other checks itself: standard input has its texts, a JSON object by path. Prints an array of what
+/// setting up the robots finds, or the object of a run that a module ended. Places are absolute paths and byte offsets.
+ExitCode checkRobots(Application& application, CheckArguments arguments) {
+    const auto texts = nlohmann::json::parse(std::cin, nullptr, false);
+    for (const auto& [path, text] : texts.items())
+        if (text.is_string()) arguments.open.texts.emplace(path, std::make_shared<const std::string>(text.get<std::string>()));
+    const auto opened = application.open(arguments.files[0], arguments.open);
+    Diagnostics found, unused;
+    if (!opened) return kExitUsage;
+    const LoadedProject& loaded = *opened.value();
+    const Diagnostics& problems = loaded.diagnostics;
+    if (!problems.hasErrors() && hasAllModules(problems) && isBuildable(*loaded.experiment, unused))
+        buildOnce(application, loaded, found, true);
+    nlohmann::ordered_json entries = diagnosticsJson(found.all(), loaded.sources);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const SourceRange& place = found.all()[i].range;
+        if (place.known()) entries[i]["file"] = loaded.paths[place.file];
+        entries[i]["begin"] = place.range.begin;
+        entries[i]["end"] = place.range.end;
+    }
+    return writeOut(jsonText(entries)) ? kExitDone : kExitText;
 }
 
 ExitCode check(Application& application, const CheckArguments& arguments) {
@@ -101,9 +125,13 @@ void addCheck(CLI::App& app, const ApplicationFactory& application, ChosenComman
     command->add_flag("--json", arguments->json, "A JSON array of all messages instead of text");
     addSetOption(*command, arguments->open);
     addOpenOptions(*command, arguments->open);
+    command->add_flag("--robots-of-texts", arguments->ofEditor, "For an editor: see checkRobots()")->group("");
     command->footer(kCheckExamples);
-    command->callback(
-        [arguments, &application, &chosen] { chosen = [arguments, &application] { return check(application(), *arguments); }; });
+    command->callback([arguments, &application, &chosen] {
+        chosen = [arguments, &application] {
+            return arguments->ofEditor ? checkRobots(application(), *arguments) : check(application(), *arguments);
+        };
+    });
 }
 
 } // namespace trundle

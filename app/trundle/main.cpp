@@ -18,6 +18,7 @@
 #include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
 #include "base/platform/output_cleaner.h"
+#include "base/platform/program_path.h"
 #include "base/platform/standard_descriptors.h"
 #include "crash/crash_watch.h"
 #include "crash/exit_hook.h"
@@ -151,6 +152,7 @@ int main(int argc, char** argv) {
         window.setWindowState(Qt::WindowNoState); // the restored state may be maximised
         window.resize(options.size);
     }
+    window.checkRobotsWith(programFolder() + "/trundle-cli");
     window.show();
     if (!options.quit) reportCrashes(window, options.screenshot.isEmpty()); // with --quit a script reads standard error
     ScreenshotRunner screenshots(window, options);                          // executes the options after the window is shown

@@ -135,10 +135,22 @@ void ProblemsPanel::follow(const ChangeSet& changes) {
     const bool isSame = changes.before() == m_shown && !changes.changesProblems() && !changes.changesObjects();
     m_model->setLoaded(m_document.loaded(), isSame);
     m_shown = m_document.loaded();
-    m_checker->request(m_document.loaded());
+    m_checker->request(m_document.loaded(), robotsCheck());
     showCounts();
     if (row >= 0 && !m_view->currentIndex().isValid() && m_model->rowCount() > 0) // select the row that follows the fixed one
         m_view->setCurrentIndex(m_model->index(std::min(row, m_model->rowCount() - 1), 0));
+}
+
+void ProblemsPanel::checkRobotsWith(std::string program, double seconds) {
+    m_robots.program = std::move(program);
+    m_robots.seconds = seconds;
+    m_checker->request(m_document.loaded(), robotsCheck());
+}
+
+RobotsCheck ProblemsPanel::robotsCheck() const {
+    RobotsCheck check = m_robots;
+    check.options = m_document.options();
+    return check;
 }
 
 void ProblemsPanel::applyFilter() {

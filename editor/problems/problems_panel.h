@@ -1,10 +1,12 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <QWidget>
 
 #include "base/diagnostic.h"
+#include "editor/problems/robots_check.h"
 #include "project/edits/change_set.h"
 
 class QCheckBox;
@@ -30,6 +32,8 @@ public:
     [[nodiscard]] int warnings() const;
     /// Selects the next or previous diagnostic, for F8.
     void goTo(int step);
+    /// Also shows what a run would refuse when it sets up robots; `program` is the path of trundle-cli.
+    void checkRobotsWith(std::string program, double seconds = 10);
 
 public Q_SLOTS:
     /// Replaces the diagnostics of the run: why it ended, and warnings. `texts`: the project it was built from.
@@ -48,6 +52,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    [[nodiscard]] RobotsCheck robotsCheck() const;
     void makeBar();
     void follow(const ChangeSet& changes);
     void applyFilter();
@@ -68,6 +73,7 @@ private:
     QCheckBox* m_order;
     QLineEdit* m_words;
     std::vector<Diagnostic> m_run;
+    RobotsCheck m_robots;
     std::shared_ptr<const LoadedProject> m_runTexts, m_shown;
     bool m_fitting = false, m_ownColumns = false; // the user has set the widths
 };

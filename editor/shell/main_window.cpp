@@ -244,6 +244,8 @@ void MainWindow::connectPanels() {
     new FileDrop(*this, [this](const QString& path) { m_files->open(path); });
 }
 
+void MainWindow::checkRobotsWith(const std::string& program) { m_problems->checkRobotsWith(program); }
+
 void MainWindow::makeCommands(Application& application, RenderService* render, const Locations& places) {
     auto* insert = new InsertMenu(*m_document, *m_selection, *m_edits, this);
     new WindowMenus(*this, *m_actions, {*m_files, *m_controllers, *m_layouts, *insert});

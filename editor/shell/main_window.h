@@ -65,6 +65,8 @@ public:
     void rememberViews();
     /// Recent files and the size and docks of this window are not saved.
     void disableSettings();
+    /// See ProblemsPanel.
+    void checkRobotsWith(const std::string& program);
     /// Saves the settings and closes the project. The window must not be used afterwards.
     void putAway();
 

@@ -134,6 +134,8 @@ int millisecondsUntil(Clock::time_point deadline) {
     return static_cast<int>(std::clamp<long long>(left, 0, 3'600'000));
 }
 
+constexpr int kStopLookMs = 50;
+
 /// Transfers bytes until the child has closed both outputs or a limit is exceeded.
 void transfer(const ProcessRequest& request, Channel& in, Channel& out, Channel& err, Clock::time_point deadline,
               ProcessResult& result) {
@@ -141,8 +143,8 @@ void transfer(const ProcessRequest& request, Channel& in, Channel& out, Channel&
     bool ignored = false, tooMuch = false;
     while (out.ours.file() >= 0 || err.ours.file() >= 0) {
         pollfd waits[3] = {{in.ours.file(), POLLOUT, 0}, {out.ours.file(), POLLIN, 0}, {err.ours.file(), POLLIN, 0}};
-        const int wait = millisecondsUntil(deadline);
-        if (wait == 0) {
+        const int left = millisecondsUntil(deadline), wait = request.stop.stop_possible() ? std::min(left, kStopLookMs) : left;
+        if (left == 0 || request.stop.stop_requested()) {
             result.end = ProcessEnd::TimedOut;
             return;
         }

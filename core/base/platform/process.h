@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct ProcessRequest {
     std::uint64_t outputBytes = 64u << 20; ///< limit of standard output, then it is killed
     std::uint64_t errorBytes = 64u << 10;  ///< limit of standard error; the rest is dropped
     ResourceLimits limits{.coreDumps = false};
+    std::stop_token stop; ///< kills it soon after a request, as if its time were over
 };
 
 enum class ProcessEnd { Exited, Signalled, TimedOut, TooMuchOutput };

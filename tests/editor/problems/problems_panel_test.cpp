@@ -344,6 +344,52 @@ private Q_SLOTS:
         for (const QString& message : fixture.messages()) QVERIFY(!message.contains(QStringLiteral("starts inside")));
     }
 
+    void robotsAreSetUpInAnotherProcess_data() {
+        QTest::addColumn<QString>("modules");
+        QTest::addColumn<QByteArray>("loading");
+        QTest::addColumn<QByteArray>("controller");
+        QTest::addColumn<QString>("said");
+        QTest::addColumn<bool>("isAtController");
+        const QString zoo = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo");
+        QTest::newRow("a port that the robot lacks") << QString() << QByteArray("controllers/linear_motion")
+                                                     << QByteArray("LinearMotion brain { }") << "DifferentialDrive" << true;
+        QTest::newRow("a crash") << zoo << QByteArray("zoo") << QByteArray("Zoo brain { Action=segv Phase=setup }")
+                                 << "crashed in setup" << false;
+        QTest::newRow("a loop") << zoo << QByteArray("zoo") << QByteArray("Zoo brain { Action=loop Phase=setup }")
+                                << "took more than" << false;
+    }
+    void robotsAreSetUpInAnotherProcess() {
+        QFETCH(QString, modules);
+        QFETCH(QByteArray, loading);
+        QFETCH(QByteArray, controller);
+        QFETCH(QString, said);
+        QFETCH(bool, isAtController);
+        ProblemsFixture fixture;
+        OpenOptions options;
+        if (!modules.isEmpty()) options.modules = {modules.toStdString()};
+        fixture.document.setOptions(options);
+        fixture.panel.checkRobotsWith(TRUNDLE_BINARY_DIR "/bin/trundle-cli", 2);
+        const QByteArray text = "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule " + loading +
+                                "\nTick = 0.01 Duration = 1\nStatic floor { Config=OpenFloor }\n"
+                                "RobotConfig Crate { Body b { Box hull { Size=1,1,1 Pos=0,0,0.5 Mass=1 Material=default "
+                                "Surface=default } } }\nRobot crate { Config=Crate Pos=9,9,0 }\n";
+        QVERIFY(fixture.open(text.toStdString()));
+        QCOMPARE(fixture.panel.errors(), 0);
+        // The unsaved text is checked.
+        QByteArray changed = text;
+        changed.replace("{ Config=Crate", (isAtController ? "{ Config=Crate " : "{ Config=SimpleRobot ") + controller);
+        const std::string file = fixture.document.texts().files()[0];
+        QVERIFY(fixture.document.edits().replaceText(QStringLiteral("Typing"), file, changed.toStdString()).ok());
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.model().rowCount(), 1, 30'000);
+        QVERIFY2(fixture.messages()[0].contains(said), qPrintable(fixture.messages()[0]));
+        const SourceRange place = dynamic_cast<ProblemsModel&>(fixture.model()).placeAt(fixture.model().index(0, 0));
+        QCOMPARE(place.known(), isAtController);
+        if (isAtController) QCOMPARE(fixture.document.loaded()->sources.slice(place), std::string_view("brain"));
+        // A later text without the mistake removes it.
+        QVERIFY(fixture.document.edits().replaceText(QStringLiteral("Typing"), file, text.toStdString()).ok());
+        QCOMPARE(fixture.model().rowCount(), 0);
+    }
+
     void thePanelMayGoWhileItChecks() {
         for (int i = 0; i < 3; ++i) {
             ProblemsFixture fixture;
