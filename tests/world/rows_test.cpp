@@ -9,6 +9,7 @@
 #include "world/fixtures.h"
 #include "world/ode/lcp/elimination_order.h"
 #include "world/ode/lcp/row_solver.h"
+#include "world/ode/lcp/side_search.h"
 #include "world/ode/lcp/solve_lcp.h"
 
 using namespace fixture;
@@ -185,6 +186,51 @@ private Q_SLOTS:
         }
         qInfo("%d of 20", settled);
         QVERIFY(settled >= 18); // with friction this strong on levers this long there may be no such loads
+    }
+
+    /// A body that is pressed with a face on a wall, four contacts, and pulled along it: from the factor of the solution without bounds
+    /// alone, all but exactly.
+    void findsWhatSlips() {
+        int slipping = 0;
+        for (std::uint32_t seed = 0; seed < 50; ++seed) {
+            std::mt19937 random(seed);
+            std::uniform_real_distribution<double> any(-1, 1);
+            Eigen::MatrixXd jacobian(12, 6);
+            for (int i = 0; i < 4; ++i) {
+                const Vec3 at(0.1, i % 2 ? 0.1 : -0.1, i < 2 ? 0.03 : -0.03);
+                for (int axis = 0; axis < 3; ++axis) {
+                    const Vec3 way = Vec3::Unit(axis);
+                    jacobian.row(axis == 0 ? i : 3 + 2 * i + axis) << way.transpose(), 10 * at.cross(way).transpose();
+                }
+            }
+            const Eigen::MatrixXd matrix = jacobian * jacobian.transpose() + 1e-6 * Eigen::MatrixXd::Identity(12, 12);
+            Eigen::VectorXd body = Eigen::VectorXd::NullaryExpr(6, [&] { return any(random); });
+            body[0] = 2;
+            const Eigen::VectorXd right = jacobian * body;
+            const Eigen::LLT<Eigen::MatrixXd> cholesky(matrix);
+            Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> factor = cholesky.matrixL();
+            const Eigen::VectorXd divided = cholesky.matrixL().solve(right), inside = cholesky.solve(right);
+            factor.diagonal() = factor.diagonal().cwiseInverse().eval();
+            std::vector<double> low(12, 0), high(12, kInfinity);
+            std::vector<unsigned> loads(12, 0);
+            for (unsigned i = 4; i < 12; ++i) {
+                high[i] = 0.3;
+                loads[i] = (i - 4) / 2;
+            }
+            SideSearch search;
+            QVERIFY(search.solve({12, 4, factor.data(), {divided.data(), 12}, {inside.data(), 12}, low, high, loads}));
+            const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(search.solution().data(), 12),
+                                  excess = matrix * x - right;
+            for (unsigned i = 0; i < 12; ++i) {
+                const double most = i < 4 ? kInfinity : 0.3 * x[loads[i]], least = i < 4 ? 0 : -most;
+                QVERIFY(x[i] > least - 1e-12 && x[i] < most + 1e-12);
+                if (x[i] > least + 1e-12) QVERIFY(excess[i] < 1e-12);
+                if (x[i] < most - 1e-12) QVERIFY(excess[i] > -1e-12);
+                slipping += i >= 4 && std::abs(x[i]) > most - 1e-12;
+            }
+        }
+        qInfo("%d of 400 rows slip", slipping);
+        QVERIFY(slipping > 100 && slipping < 380);
     }
 
     /// Joints in a tree are eliminated without filling much of what was zero, in whatever order they come.

@@ -5,48 +5,23 @@
 #include <cmath>
 #include <limits>
 
+#include "world/ode/lcp/solve_dense.h"
+
 namespace trundle {
 
 namespace {
 
-constexpr unsigned kFewRows = 48;    // that many are a full matrix, and their order does not matter
-constexpr unsigned kFewBounded = 14; // with more some mostly are at their bounds
+constexpr unsigned kFewRows = 48; // that many are a full matrix, and their order does not matter
 constexpr double kHuge = 1e300;
 constexpr int kMostRounds = 10, kFastRounds = 8, kLoadSweeps = 100;
 constexpr double kSameLoad = 1e-6;
-constexpr double kLeastPivot = 1e-12; // of the largest value
-
-/// Solves `count` equations, each followed by its right side, which becomes its solution. False where they are nearly singular.
-bool solveDense(std::vector<double>& rows, unsigned count) {
-    const unsigned width = count + 1;
-    double largest = 0;
-    for (const double x : rows) largest = std::max(largest, std::abs(x));
-    const auto at = [&](unsigned row, unsigned column) -> double& { return rows[std::size_t(row) * width + column]; };
-    for (unsigned k = 0; k < count; ++k) {
-        unsigned pivot = k;
-        for (unsigned i = k + 1; i < count; ++i)
-            if (std::abs(at(i, k)) > std::abs(at(pivot, k))) pivot = i;
-        if (!(std::abs(at(pivot, k)) > kLeastPivot * largest)) return false;
-        if (pivot != k) std::swap_ranges(&at(k, 0), &at(k, 0) + width, &at(pivot, 0));
-        for (unsigned i = k + 1; i < count; ++i) {
-            const double share = at(i, k) / at(k, k);
-            if (share == 0) continue;
-            for (unsigned j = k + 1; j < width; ++j) at(i, j) -= share * at(k, j);
-        }
-    }
-    for (unsigned k = count; k-- > 0;) {
-        for (unsigned j = k + 1; j < count; ++j) at(k, count) -= at(k, j) * at(j, count);
-        at(k, count) /= at(k, k);
-    }
-    return true;
-}
 
 } // namespace
 
 bool RowSolver::solve(const IslandRows& island, double* pairs) {
     sort(island);
     const bool full = island.rows <= kFewRows;
-    if (full && m_bounded.size() <= kFewBounded && solveInside(island, pairs)) return true;
+    if (full && solveFew(island, pairs)) return true;
     place(TileMatrix::padded(static_cast<unsigned>(m_free.size())));
     if (!full) {
         findPattern(island);
@@ -69,8 +44,9 @@ bool RowSolver::write(const IslandRows& island, double* pairs) const {
     return true;
 }
 
-/// As it mostly is with robots that drive: all rows are inside their bounds, and one elimination says so. False where some are not.
-bool RowSolver::solveInside(const IslandRows& island, double* pairs) {
+/// As it mostly is with robots that drive: all rows are inside their bounds, and one elimination says so. Else it serves to find which are
+/// not. False where those are not found.
+bool RowSolver::solveFew(const IslandRows& island, double* pairs) {
     place(static_cast<unsigned>(m_free.size()));
     const unsigned last = island.rows;
     m_matrix.start(last + 1, true);
@@ -83,12 +59,30 @@ bool RowSolver::solveInside(const IslandRows& island, double* pairs) {
     m_x[last] = -1;
     m_matrix.solveBack(0, last, m_x.data());
     boundFriction(island);
-    return isInside(static_cast<unsigned>(m_bounded.size())) && write(island, pairs);
+    return (isInside() || searchSides(island)) && write(island, pairs);
 }
 
-/// The first so many of the bounded rows.
-bool RowSolver::isInside(unsigned bounded) const {
-    for (unsigned i = 0; i < bounded; ++i)
+bool RowSolver::searchSides(const IslandRows& island) {
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    m_factor.resize(std::size_t(bounded) * bounded);
+    m_loads.resize(bounded);
+    m_right.resize(bounded);
+    for (unsigned i = 0; i < bounded; ++i) {
+        for (unsigned j = 0; j <= i; ++j) m_factor[std::size_t(i) * bounded + j] = m_matrix.atInFull(m_begin + i, m_begin + j);
+        m_right[i] = m_matrix.atInFull(m_begin + bounded, m_begin + i);
+        if (i < m_frictionBegin) continue;
+        m_loads[i] = loadOf(island, i);
+        m_high[i] = island.bounds[2 * m_bounded[i] + 1];
+    }
+    const std::span inside(m_x.data() + m_begin, bounded);
+    if (!m_search.solve({bounded, m_frictionBegin, m_factor.data(), m_right, inside, m_low, m_high, m_loads})) return false;
+    std::ranges::copy(m_search.solution(), inside.begin());
+    m_matrix.solveBack(0, m_begin, m_x.data());
+    return true;
+}
+
+bool RowSolver::isInside() const {
+    for (unsigned i = 0; i < m_bounded.size(); ++i)
         if (!(m_low[i] <= m_x[m_begin + i] && m_x[m_begin + i] <= m_high[i])) return false;
     return true;
 }

@@ -9,6 +9,7 @@
 
 #include "world/ode/lcp/box_solver.h"
 #include "world/ode/lcp/elimination_order.h"
+#include "world/ode/lcp/side_search.h"
 
 namespace trundle {
 
@@ -29,8 +30,9 @@ public:
 private:
     void sort(const IslandRows& island);
     void bound(const IslandRows& island);
-    [[nodiscard]] bool solveInside(const IslandRows& island, double* pairs);
-    [[nodiscard]] bool isInside(unsigned bounded) const;
+    [[nodiscard]] bool solveFew(const IslandRows& island, double* pairs);
+    [[nodiscard]] bool searchSides(const IslandRows& island);
+    [[nodiscard]] bool isInside() const;
     void place(unsigned begin);
     void findPattern(const IslandRows& island);
     void order();
@@ -58,6 +60,9 @@ private:
     unsigned m_begin = 0;           ///< in m_matrix: of the bounded rows
     TileMatrix m_matrix;
     std::vector<double> m_rest, m_right, m_low, m_high, m_x; ///< m_rest: both triangles
+    std::vector<double> m_factor;                            ///< of the bounded rows
+    std::vector<unsigned> m_loads;
+    SideSearch m_search;
     BoxSolver m_box;
     std::vector<unsigned> m_inside, m_columns;
     std::vector<double> m_dense;
