@@ -115,9 +115,11 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
     }
     const Part* layout = layoutOfMember(*m_rows->loaded()->outline, first);
     if (layout && layout->name != first) {
-        if (const QModelIndex member = indexOfMember(layout->name, first); member.isValid())
-            return inside.empty() ? member : indexOf(path); // indexOfMember() has now made the rows below it
-        return indexOf(inside.empty() ? layout->name : pathInside(layout->name, inside));
+        if (inside.empty()) {
+            if (const QModelIndex member = indexOfMember(layout->name, first); member.isValid()) return member;
+            return indexOf(layout->name);
+        }
+        return indexOf(pathInside(layout->name, inside)); // a member's own rows were made on the way to `above`
     }
     // Top-level objects are in a group or file whose rows may not exist yet.
     for (const auto& top : m_root->children) {

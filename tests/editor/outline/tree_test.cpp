@@ -21,6 +21,8 @@ private Q_SLOTS:
     void aClickSelectsTheObject();
     void selectionElsewhereIsShownHere();
     void membersOfAGridAreReached();
+    void everyPathInsideAMemberLeadsToARow_data();
+    void everyPathInsideAMemberLeadsToARow();
     void tenThousandMembersMakeFewRows();
     void passiveRobotIsAnObject();
     void editsKeepExpandedRows();
@@ -183,6 +185,31 @@ void TreeTest::membersOfAGridAreReached() {
     // The rows follow a changed Count.
     QVERIFY(o.document.structure().setValues(QStringLiteral("Set Count"), {{"swarm.Count", "1,2"}}).ok());
     QCOMPARE(members.model()->rowCount(o.at("swarm_1").parent()), 2);
+}
+
+void TreeTest::everyPathInsideAMemberLeadsToARow_data() {
+    QTest::addColumn<bool>("byFile");
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("row");
+    for (const char* inside : {".chassis", ".chassis.hull", ".brain"}) {
+        const QString path = QStringLiteral("swarm_3") + QLatin1String(inside);
+        QTest::addRow("by owner, %s", qPrintable(path)) << false << path << path;
+        const QString inFile = inside == std::string_view(".brain") ? QStringLiteral("swarm.brain")
+                                                                    : QStringLiteral("RobotConfig.Rover") + QLatin1String(inside);
+        QTest::addRow("by file, %s", qPrintable(path)) << true << path << inFile;
+    }
+}
+
+/// A path into a member that has no row by file was searched for without end.
+void TreeTest::everyPathInsideAMemberLeadsToARow() {
+    QFETCH(bool, byFile);
+    QFETCH(QString, path);
+    OutlineFixture o;
+    QVERIFY(o.open("#loadModule controllers/linear_motion\n" + kRovers +
+                   "Grid swarm { Config=Rover Pos=5,5,0 Count=2,2 Spacing=1 LinearMotion brain { Distance=1 } }\n"));
+    o.model().setMode(byFile ? OutlineMode::ByFile : OutlineMode::ByOwner);
+    o.selection.select(path.toStdString());
+    QTEST(o.marked(), "row");
 }
 
 void TreeTest::tenThousandMembersMakeFewRows() {

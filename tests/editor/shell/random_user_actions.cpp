@@ -178,7 +178,8 @@ void RandomUser::runAndPause() {
     const RunSession& session = m_window.session();
     waitFor(
         [&] {
-            return session.results().time() > from || session.state() == RunState::Start || session.state() == RunState::Ended;
+            const RunState state = session.state(); // a fast run may have reached its end, or a fault, before `from` was read
+            return session.results().time() > from || (state != RunState::Building && state != RunState::Running);
         },
         "a run to go on");
     if (below(2) && session.state() == RunState::Running) { // an edit during the run
