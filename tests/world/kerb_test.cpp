@@ -91,6 +91,40 @@ private Q_SLOTS:
         }
     }
 
+    void kerbsAtAnAngle_data() {
+        QTest::addColumn<double>("mu");
+        QTest::addColumn<double>("mass");
+        QTest::addColumn<double>("height");
+        QTest::addColumn<double>("heading");
+        QTest::addColumn<double>("tick");
+        for (const auto& [mu, mass, height, heading] :
+             {std::array{0.3, 3., 0.01, 20.}, std::array{0.15, 8., 0.02, 30.}, std::array{0.35, 5., 0.016, 45.},
+              std::array{0.2, 20., 0.012, -35.}, std::array{0.25, 1., 0.008, -10.}})
+            for (const double tick : {0.001, 0.005, 0.01, 0.03})
+                QTest::addRow("mu %g, %g mm at %g deg, %g ms", mu, 1e3 * height, heading, 1e3 * tick)
+                    << mu << mass << height << heading << tick;
+    }
+    /// What strikes a wheel aside has no part in how much it slips: a contact is a cone from its first tick on.
+    void kerbsAtAnAngle() {
+        QFETCH(double, mu);
+        QFETCH(double, mass);
+        QFETCH(double, height);
+        QFETCH(double, heading);
+        QFETCH(double, tick);
+        Vehicle v = fourWheels(mu, mass);
+        v.radius = 0.1;
+        v.wheelMass = 0.02 * mass;
+        // a wheel that turns by far more than 1.5 rad in a tick leaves its axle
+        const auto sum = cross(tick, v, height, heading, 5, 1.2);
+        QVERIFY(sum);
+        const double off = sum->grip / (mu * sum->load) - 1;
+        qInfo("friction %+.2f %%, momentum off by %.2g N s of %.3g", 100 * off, (sum->momentum - sum->forces).norm(),
+              sum->momentum.norm());
+        QVERIFY(sum->farthest > 0.6 && sum->highest > 0.7 * height);
+        QVERIFY(std::abs(off) < (tick > 0.02 ? 0.02 : 0.01));
+        QVERIFY((sum->momentum - sum->forces).norm() < 1e-3 * (1 + sum->momentum.norm()));
+    }
+
     void wheelsThatRoll_data() { addTicks(); }
     /// At a steady rate friction stays below mu times the load, and after the kerb the vehicle is as fast as its wheels again.
     void wheelsThatRoll() {

@@ -4,6 +4,13 @@
 
 namespace trundle {
 
+namespace {
+
+constexpr double kOutside = 1.1; // of a cone's limit: less is not worth another solution
+constexpr int kMostCones = 2, kMostVelocities = 3;
+
+} // namespace
+
 OdeDynamics::OdeDynamics(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts)
     : m_settings(settings), m_objects(objects), m_contacts(contacts), m_rows(settings, world, objects), m_heaps(settings),
       m_solver(settings, world, objects, contacts, m_rows, m_drift) {}
@@ -58,26 +65,47 @@ void OdeDynamics::solve(double h) {
     else m_heaps.skip();
     m_rows.make(m_contacts, h);
     m_solver.step(h, m_plan);
+    followCones(h);
     while (m_settings.solver != SolverChoice::Quick &&
            m_impacts.needRepeat(m_contacts.all, m_contacts.feedbacks, m_objects.bodies, m_objects.geoms, m_solver.before())) {
         m_rows.clear();
         m_solver.takeBack(); // rows depend on the velocities
         m_rows.make(m_contacts, h);
         m_solver.stepAgain(h, m_plan);
+        followCones(h);
     }
     if (m_settings.solver != SolverChoice::Quick) keepVelocities(h);
     m_rows.clear();
     keepContacts(h);
 }
 
+/// The clusters of these contacts once more, with their rows made anew.
+void OdeDynamics::takeBack(std::span<const std::uint32_t> contacts, double h) {
+    std::vector<std::uint32_t> bodies;
+    for (const std::uint32_t i : contacts) bodies.push_back(m_objects.geoms[m_contacts.all[i].first].body);
+    m_solver.takeBack(m_plan, bodies);
+    m_rows.remake(m_contacts, contacts, h);
+}
+
+/// Where friction left its cone the solution says what the contact carries and how it slips.
+void OdeDynamics::followCones(double h) {
+    if (m_settings.solver == SolverChoice::Quick) return;
+    for (int again = 0; again < kMostCones; ++again) {
+        const auto outside = m_cones.find(m_contacts, m_objects, m_rows, m_solver.before(), kOutside);
+        if (outside.empty()) return;
+        takeBack(outside, h);
+        m_solver.solveTaken(h);
+    }
+}
+
 /// What a contact pushes out is moved, not thrown.
 void OdeDynamics::keepVelocities(double h) {
-    const auto pushed = m_pushOut.find(m_contacts, m_objects, m_settings.surfaces, m_rows, h);
-    if (pushed.empty()) return;
-    std::vector<std::uint32_t> bodies;
-    for (const std::uint32_t i : pushed) bodies.push_back(m_objects.geoms[m_contacts.all[i].first].body);
-    m_rows.remake(m_contacts, pushed, h);
-    m_solver.solveVelocities(h, m_plan, bodies);
+    auto again = m_pushOut.find(m_contacts, m_objects, m_settings.surfaces, m_rows, m_solver.before(), h);
+    for (int i = 0; i < kMostVelocities && !again.empty(); ++i) {
+        takeBack(again, h);
+        m_solver.solveVelocities(h);
+        again = m_cones.find(m_contacts, m_objects, m_rows, m_solver.before(), kOutside);
+    }
 }
 
 void OdeDynamics::recordLargest() {

@@ -3,6 +3,7 @@
 // of: blows, that inertia turns with its body and joints with theirs, what each contact carried in the tick before.
 
 #include "world/ode/contacts/contact_memory.h"
+#include "world/ode/contacts/friction_cones.h"
 #include "world/ode/contacts/impacts.h"
 #include "world/ode/contacts/push_out.h"
 #include "world/ode/motion/body_rotation.h"
@@ -30,6 +31,8 @@ public:
 
 private:
     void solve(double h);
+    void takeBack(std::span<const std::uint32_t> contacts, double h);
+    void followCones(double h);
     void keepVelocities(double h);
     void moveAside(double h) const;
     void recordLargest();
@@ -41,6 +44,7 @@ private:
     ContactRows m_rows;
     ContactMemory m_memory;
     Impacts m_impacts;
+    FrictionCones m_cones;
     PushOut m_pushOut;
     BodyRotation m_rotation;
     PinnedBodies m_pinned;

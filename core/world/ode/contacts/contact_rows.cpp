@@ -68,7 +68,9 @@ void ContactRows::fillSurface(const OdeContact& c, double h, dContact& out) cons
         out.geom.depth = 0;
     }
     if (!(law.along > 0) && !(law.across > 0)) return;
-    fillFriction(c, law, m_objects.pointVelocity(g1, point) - m_objects.pointVelocity(g2, point), h, out);
+    const Vec3 speed =
+        c.solved ? vec(c.solvedSpeed) : Vec3(m_objects.pointVelocity(g1, point) - m_objects.pointVelocity(g2, point));
+    fillFriction(c, law, speed, h, out);
 }
 
 /// Where a geom's friction points, and what it is along that and across: the way a wheel rolls, else the geom's x axis (y where x
@@ -122,6 +124,7 @@ Vec3 ContactRows::restAxis(const OdeContact& c, const Vec3& normal, const Vec3& 
 
 /// Far from its limit on level ground: it needs no cone.
 bool ContactRows::restsQuietly(const OdeContact& c, const FrictionLaw& law) const {
+    if (c.solved) return false;
     const double limit = kQuiet * law.along * c.load, up = law.normal.dot(m_settings.gravity);
     return law.along == law.across && Vec3::Map(c.grip).squaredNorm() < limit * limit &&
            up * up > kLevel * m_settings.gravity.squaredNorm();
@@ -139,8 +142,9 @@ void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3&
     const Vec3 rest = restAxis(c, normal, slip, h);
     if (law.direction.squaredNorm() == 0) law.direction = rest;
     const bool exact = !c.iterated && m_settings.solver != SolverChoice::Quick, quiet = exact && restsQuietly(c, law);
-    const FrictionRows rows =
-        quiet ? FrictionRows{rest, law.along, law.across, 0, 0} : frictionRows(law, {slip, Vec3::Map(c.grip), c.load}, rest);
+    const FrictionState state =
+        c.solved ? FrictionState{slip, vec(c.solvedGrip), c.solvedLoad} : FrictionState{slip, vec(c.grip), c.load};
+    const FrictionRows rows = quiet ? FrictionRows{rest, law.along, law.across, 0, 0} : frictionRows(law, state, rest);
 
     dSurfaceParameters& s = out.surface;
     s.mode |= dContactFDir1 | dContactAxisDep | dContactApprox1;
@@ -148,7 +152,7 @@ void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3&
     s.mu2 = rows.acrossLimit;
     for (int k = 0; k < 3; ++k) out.fdir1[k] = rows.axis[k];
     const double yield =
-        exact && c.load > 0 ? std::max(rows.give, kYield / std::max(rows.acrossLimit * c.load, kYield)) : rows.give;
+        exact && state.load > 0 ? std::max(rows.give, kYield / std::max(rows.acrossLimit * state.load, kYield)) : rows.give;
     if (yield > kWorldCfm) { // less would take the place of that, and leave the rows of many contacts singular
         s.mode |= dContactSlip2;
         s.slip2 = yield;

@@ -24,6 +24,7 @@ public:
 
     /// N/m: of the ground alone, without what surfaces give.
     [[nodiscard]] double stiffness(const OdeContact& contact) const { return stiffer(contact).stiffness; }
+    [[nodiscard]] FrictionLaw frictionLaw(const OdeContact& contact) const;
 
 private:
     [[nodiscard]] const OdeActor& stiffer(const OdeContact& contact) const;
@@ -31,7 +32,6 @@ private:
     void fillSpring(const OdeContact& contact, double h, dContact& out) const; // contact_spring.cpp
     [[nodiscard]] double mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const;
     [[nodiscard]] FrictionLaw ownFriction(std::uint32_t geom, const Vec3& outward) const;
-    [[nodiscard]] FrictionLaw frictionLaw(const OdeContact& contact) const;
     [[nodiscard]] Vec3 restAxis(const OdeContact& contact, const Vec3& normal, const Vec3& slip, double h) const;
     [[nodiscard]] bool restsQuietly(const OdeContact& contact, const FrictionLaw& law) const;
     void fillFriction(const OdeContact& contact, FrictionLaw law, const Vec3& speed, double h, dContact& out) const;

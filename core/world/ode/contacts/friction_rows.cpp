@@ -11,13 +11,23 @@ constexpr double kCreep = 1e-3;       // m/s: slower slip does not yet turn the 
 constexpr double kNearLimit = 0.7;    // share of the limit from which the force turns the rows
 constexpr double kThinEllipse = 1e-3; // narrower than that the limit is a bar
 
+/// With the squares of both limits.
+bool isBar(double m1, double m2) { return m1 < kThinEllipse * kThinEllipse * m2 || m2 < kThinEllipse * kThinEllipse * m1; }
+
 } // namespace
+
+bool isInside(const FrictionLaw& law, const Vec3& grip) {
+    const double m1 = law.along * law.along, m2 = law.across * law.across;
+    if (m1 == m2) return grip.squaredNorm() <= m1;
+    if (isBar(m1, m2)) return true;
+    const double g1 = grip.dot(law.direction), g2 = grip.dot(law.normal.cross(law.direction));
+    return g1 * g1 / m1 + g2 * g2 / m2 <= 1;
+}
 
 FrictionRows frictionRows(const FrictionLaw& law, const FrictionState& state, const Vec3& rest) {
     const Vec3 side = law.normal.cross(law.direction);
     const double m1 = law.along * law.along, m2 = law.across * law.across;
-    if (m1 < kThinEllipse * kThinEllipse * m2 || m2 < kThinEllipse * kThinEllipse * m1)
-        return {law.direction, law.along, law.across, 0, 0};
+    if (isBar(m1, m2)) return {law.direction, law.along, law.across, 0, 0};
 
     // How near to its limit. Far from it nothing slips: what then looks like slip is a wheel that has turned since it was solved.
     const double g1 = state.grip.dot(law.direction), g2 = state.grip.dot(side), load2 = state.load * state.load;

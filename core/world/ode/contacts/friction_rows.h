@@ -28,6 +28,9 @@ struct FrictionRows {
     double creep = 0;                  ///< m/s: speed of the second row at which it has no force
 };
 
+/// Of a force per load. A limit that is narrow enough to be a bar has no corners to leave.
+[[nodiscard]] bool isInside(const FrictionLaw& law, const Vec3& grip);
+
 /// `rest` is the first row's axis where nothing slips.
 [[nodiscard]] FrictionRows frictionRows(const FrictionLaw& law, const FrictionState& state, const Vec3& rest);
 

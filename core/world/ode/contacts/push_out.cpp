@@ -17,7 +17,8 @@ bool hasDirections(const OdeGeom& g) { return g.shape != GeomShape::Mesh && g.sh
 
 /// A load explains a depth once it has lasted longer than that of a blow.
 std::span<const std::uint32_t> PushOut::find(TickContacts& contacts, const OdeObjects& objects,
-                                             std::span<const SurfaceSpec> surfaces, const ContactRows& rows, double h) {
+                                             std::span<const SurfaceSpec> surfaces, const ContactRows& rows,
+                                             std::span<const RawState> before, double h) {
     m_found.clear();
     m_heaped.clear();
     for (const OdeContact& c : contacts.all) {
@@ -30,7 +31,8 @@ std::span<const std::uint32_t> PushOut::find(TickContacts& contacts, const OdeOb
         if (!contacts.rows[i] || c.bounces || !(c.depth > kExplained)) continue;
         if (!m_heaped.empty() && (m_heaped[c.actor] || (c.partner != kNoActor && m_heaped[c.partner]))) continue;
         const Vec3 normal = vec(c.normal);
-        if (!(normal.dot(vec(contacts.feedbacks[i].f1)) > 0) || !(normal.dot(objects.contactSpeed(c)) > kParting)) continue;
+        if (!(normal.dot(vec(contacts.feedbacks[i].f1)) > 0) || !(normal.dot(objects.contactSpeed(c, before)) > kParting))
+            continue;
         if (!hasDirections(objects.geoms[c.first]) || !hasDirections(objects.geoms[c.second])) continue;
         if (surfaces[objects.geoms[c.first].surface].softness + surfaces[objects.geoms[c.second].surface].softness > 0) continue;
         const double borne = c.ticks * h < kBlow ? 0 : std::min(kMaxSag, std::min(c.load, c.earlier) / rows.stiffness(c));

@@ -12,9 +12,9 @@ namespace trundle {
 
 class PushOut {
 public:
-    /// After the solver, with the velocities that it found: marks such contacts, and returns them.
+    /// After the solver, with the velocities that it found and the states before it: marks such contacts, and returns them.
     std::span<const std::uint32_t> find(TickContacts& contacts, const OdeObjects& objects, std::span<const SurfaceSpec> surfaces,
-                                        const ContactRows& rows, double h);
+                                        const ContactRows& rows, std::span<const RawState> before, double h);
 
 private:
     std::vector<std::uint32_t> m_found;

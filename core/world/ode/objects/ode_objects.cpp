@@ -26,6 +26,15 @@ Vec3 OdeObjects::contactSpeed(const OdeContact& c) const {
     return pointVelocity(geoms[c.first], vec(c.position)) - pointVelocity(geoms[c.second], vec(c.position));
 }
 
+Vec3 OdeObjects::contactSpeed(const OdeContact& c, std::span<const RawState> before) const {
+    const auto speed = [&](std::uint32_t geom) -> Vec3 {
+        const std::uint32_t body = geoms[geom].body;
+        if (body == kNone) return Vec3::Zero();
+        return vec(bodies[body].v) + vec(bodies[body].w).cross(vec(c.position) - vec(before[body].p));
+    };
+    return speed(c.first) - speed(c.second);
+}
+
 Vec3 OdeObjects::carriedBy(const OdeContact& c) const {
     const OdeGeom& g = geoms[c.first];
     const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||

@@ -2,6 +2,7 @@
 // What is in the engine, in flat arrays: the one thing that its parts share. Builders fill it, the search places the geoms, ODE moves the
 // bodies, `publish` copies their states out.
 
+#include <span>
 #include <vector>
 
 #include "world/ode/objects/ode_math.h"
@@ -38,8 +39,10 @@ struct OdeObjects {
         const OdeBody& b = bodies[geom.body];
         return vec(b.v) + vec(b.w).cross(point - vec(b.p));
     }
-    /// Of the first body on the second, where they touch: m/s.
+    /// Of the first body on the second, where they touch: m/s. After a step with the states before it, since bodies have moved on from
+    /// where they touched.
     [[nodiscard]] Vec3 contactSpeed(const OdeContact& contact) const;
+    [[nodiscard]] Vec3 contactSpeed(const OdeContact& contact, std::span<const RawState> before) const;
     /// How the place of a contact moves: with the first body, or with its centre if it rolls there. m/s.
     [[nodiscard]] Vec3 carriedBy(const OdeContact& contact) const;
     /// The state of a body's frame from that of its centre of mass.

@@ -129,6 +129,9 @@ struct OdeContact {
     bool heir = false;            ///< has only what others left
     double load = 0, earlier = 0; ///< N along the normal in the last tick and in the previous one
     double grip[3] = {};          ///< N across the normal on the first body
+    // Of FrictionCones, from an earlier solution of this tick:
+    bool solved = false;
+    double solvedLoad = 0, solvedGrip[3] = {}, solvedSpeed[3] = {}; ///< N; N; m/s of the first body on the second, after the tick
 };
 
 /// The contacts of a tick, sorted by (actor, partner, geom), with what ODE has for each.

@@ -178,7 +178,7 @@ void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
     }
 }
 
-void ClusterSolver::solveVelocities(double h, SolverPlan& plan, std::span<const std::uint32_t> bodies) {
+void ClusterSolver::takeBack(SolverPlan& plan, std::span<const std::uint32_t> bodies) {
     plan.findClusters(m_contacts.all, m_objects.geoms);
     BodyClusters& clusters = plan.clusters();
     std::vector<std::uint32_t> names;
@@ -186,23 +186,29 @@ void ClusterSolver::solveVelocities(double h, SolverPlan& plan, std::span<const 
         if (!isQuick(body)) names.push_back(clusters.of(body));
     std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
-    std::vector<RawState> pushed;
+    m_taken.clear();
     disableAll();
     for (const std::uint32_t name : names)
         for (const std::uint32_t body : clusters.bodies(name)) {
-            pushed.push_back(rawState(m_objects.bodies[body]));
+            m_taken.emplace_back(body, rawState(m_objects.bodies[body]));
             restore(body);
         }
     enableOnly(clusters, names);
+}
+
+void ClusterSolver::solveTaken(double h) {
+    if (!tryExactly(h))
+        for (const auto& [body, state] : m_taken) setRawState(m_objects.bodies[body], state);
+    enableAll();
+}
+
+void ClusterSolver::solveVelocities(double h) {
     const bool solved = tryExactly(h);
-    auto from = pushed.begin();
-    for (const std::uint32_t name : names)
-        for (const std::uint32_t body : clusters.bodies(name)) {
-            const OdeBody& b = m_objects.bodies[body];
-            if (solved) m_aside.push_back({body, vec(from->v) - vec(b.v), vec(from->w) - vec(b.w)});
-            else setRawState(b, *from);
-            ++from;
-        }
+    for (const auto& [body, state] : m_taken) {
+        const OdeBody& b = m_objects.bodies[body];
+        if (solved) m_aside.push_back({body, vec(state.v) - vec(b.v), vec(state.w) - vec(b.w)});
+        else setRawState(b, state);
+    }
     enableAll();
 }
 

@@ -24,13 +24,16 @@ public:
     void takeBack() const;
     /// Then the same tick once more, with contact rows as they are now.
     void stepAgain(double h, SolverPlan& plan);
+    /// The clusters of these bodies are as they were before the step, until one of the next two solves them once more, with contact rows
+    /// as they are then.
+    void takeBack(SolverPlan& plan, std::span<const std::uint32_t> bodies);
+    void solveTaken(double h);
+    void solveVelocities(double h);
     /// Of a body: what it moves faster than its velocity says.
     struct Aside {
         std::uint32_t body;
         Vec3 linear, angular;
     };
-    /// Solves the clusters of these bodies once more, with contact rows as they are now.
-    void solveVelocities(double h, SolverPlan& plan, std::span<const std::uint32_t> bodies);
     /// What of the motion of this tick was in the solution before that alone.
     [[nodiscard]] std::span<const Aside> aside() const { return m_aside; }
     [[nodiscard]] std::span<const RawState> before() const { return m_saved; } ///< by body: before the last step
@@ -63,10 +66,11 @@ private:
     TickContacts& m_contacts;
     const ContactRows& m_rows;
     JointDrift& m_drift;
-    OwnedJointGroup m_group;                       ///< contacts of a short step
-    std::vector<RawState> m_saved;                 ///< before the step, should it have to be taken again
-    std::vector<std::uint32_t> m_unexpected;       ///< bodies
-    std::vector<std::uint32_t> m_bent, m_stumbles; ///< m_stumbles: by body, of clusters that it named
+    OwnedJointGroup m_group;                                 ///< contacts of a short step
+    std::vector<RawState> m_saved;                           ///< before the step, should it have to be taken again
+    std::vector<std::uint32_t> m_unexpected;                 ///< bodies
+    std::vector<std::uint32_t> m_bent, m_stumbles;           ///< m_stumbles: by body, of clusters that it named
+    std::vector<std::pair<std::uint32_t, RawState>> m_taken; ///< bodies, as solved before
     std::vector<Aside> m_aside;
     std::vector<std::uint32_t> m_quick; ///< bodies iterated in this step, sorted
     bool m_rescued = false, m_allQuick = false, m_anyDisabled = false;
