@@ -22,7 +22,7 @@ View::View(const ViewContext& context, ViewKind kind, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setMinimumSize(120, 90);
+    setMinimumSize(90, 90); // four of them beside the text fit in 800 pixels
     setAccessibleName(tr("3D view"));
     connectContext();
 }

@@ -274,6 +274,8 @@ private Q_SLOTS:
         QVERIFY2(least.width() <= 792 && least.height() <= 460,
                  qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
         QCOMPARE(m_window->size(), QSize(792, 460));
+        m_window->actions().at("view.four").trigger();
+        QVERIFY2(m_window->minimumSizeHint().width() <= 792, qPrintable(QString::number(m_window->minimumSizeHint().width())));
         m_window->actions().at("view.layoutRun").trigger();
         QVERIFY(m_window->minimumSizeHint().width() <= 792);
     }
