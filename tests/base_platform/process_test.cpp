@@ -14,6 +14,7 @@
 
 #include "base/platform/memory.h"
 #include "base/platform/process.h"
+#include "base/platform/process_identity.h"
 #include "base/platform/program_path.h"
 
 using namespace trundle;
@@ -213,6 +214,26 @@ private Q_SLOTS:
         QVERIFY(!result.ok());
         QVERIFY2(QString::fromStdString(result.error().message).contains(word), result.error().message.c_str());
         QVERIFY(QString::fromStdString(result.error().message).contains(program));
+    }
+
+    /// A later process with the same id started at another time.
+    void aProcessIsKnownByItsStart() {
+        const ProcessIdentity own = thisProcess();
+        QVERIFY(own.pid == ::getpid() && own.start > 0 && !own.host.empty() && isPossiblyAlive(own));
+        const auto alive = [&](std::int64_t pid, std::uint64_t start, const std::string& host) {
+            return isPossiblyAlive({pid, start, host});
+        };
+        QVERIFY(!alive(own.pid, own.start + 1, own.host) && !alive(own.pid, own.start - 1, own.host));
+        QVERIFY(alive(own.pid, 0, own.host)); // unknown
+        QVERIFY(alive(own.pid, own.start + 1, own.host + "x") && alive(0, 5, own.host + "x"));
+        QVERIFY(!alive(0, 0, own.host) && !alive(-1, 0, own.host));
+        const pid_t ended = ::fork();
+        if (ended == 0) ::_exit(0);
+        siginfo_t info{};
+        QCOMPARE(::waitid(P_PID, static_cast<id_t>(ended), &info, WEXITED | WNOWAIT), 0);
+        QVERIFY(!alive(ended, 0, own.host)); // it has ended, but is not waited for
+        QCOMPARE(::waitpid(ended, nullptr, 0), ended);
+        QVERIFY(!alive(ended, 0, own.host));
     }
 
     void identifiesOwnProcess() {

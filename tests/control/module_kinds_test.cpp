@@ -61,6 +61,14 @@ private Q_SLOTS:
             t.kinds[1] = &t.kind;
             t.module.kindCount = 2;
         });
+        row("kind's help without an end", "E404 lib.so cannot be used: its kind 'Walker' has no name or no end", [](Tables& t) {
+            static const std::string kLong(5000, 'x'); // more than is read
+            t.kind.help = kLong.c_str();
+        });
+        row("field's help without an end", own("has a broken field, number 2"), [](Tables& t) {
+            static const std::string kLong(5000, 'x');
+            t.fields[1].help = kLong.c_str();
+        });
         row("no name", "E404 lib.so cannot be used: its kind number 1 has no name or no end",
             [](Tables& t) { t.kind.name = nullptr; });
         row("odd name", "E404 lib.so cannot be used: its kind '2nd' is no name", [](Tables& t) { t.kind.name = "2nd"; });

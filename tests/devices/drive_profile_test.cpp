@@ -35,6 +35,32 @@ Driven driveOut(DriveProfile& profile, double h, double lastSpeed = 0) {
 class DriveProfileTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// A base that turns when an amount starts brakes from there, within its acceleration, on both axes.
+    void anAmountStartsFromTheVelocity() {
+        for (const ChassisMotion& moving : {ChassisMotion{.5, 0}, {0, 1.5}, {.5, 1.5}, {-.5, -1.5}})
+            for (const ChassisMotion& amount : {ChassisMotion{2, 0}, {0, 3}, {2, 3}}) {
+                DriveProfile profile;
+                profile.aim(moving);
+                ChassisMotion last;
+                for (int i = 0; i < 200; ++i) last = profile.next(kLimits, .01);
+                QVERIFY(std::abs(last.linear - moving.linear) + std::abs(last.angular - moving.angular) < 1e-12);
+                QVERIFY(!profile.start({.3, .9}, amount, kLimits));
+                double hardest = 0;
+                for (int i = 0; i < 5; ++i) {
+                    const ChassisMotion v = profile.next(kLimits, .01);
+                    hardest = std::max({hardest, std::abs(v.linear - last.linear) / (.01 * kLimits.linear),
+                                        std::abs(v.angular - last.angular) / (.01 * kLimits.angular)});
+                    last = v;
+                }
+                QVERIFY2(hardest < 2.001, qPrintable(QString::number(hardest))); // braking and the new motion may add up
+                profile.aim({}); // again from what it has now, also within the amount
+                const ChassisMotion next = profile.next(kLimits, .01);
+                QVERIFY(std::abs(next.linear - last.linear) < .0201 * kLimits.linear);
+                QVERIFY2(std::abs(next.angular - last.angular) < .0201 * kLimits.angular,
+                         qPrintable(QString("%1 %2").arg(next.angular).arg(last.angular)));
+            }
+    }
+
     void amountsEndExactly_data() {
         QTest::addColumn<double>("v");
         QTest::addColumn<double>("w");

@@ -55,6 +55,36 @@ private Q_SLOTS:
         QVERIFY(rangeOf(ground) > 1.99 * rangeOf(ideal)); // two rays in phase: twice the field
     }
 
+    /// The ground's permittivity is that of the settings.
+    void theGroundReflectsAsItIs() {
+        for (const double permittivity : {0., 3., 15., 60.}) {
+            MediumSettings settings;
+            settings.model = PropagationModel::TwoRay;
+            settings.permittivity = permittivity;
+            Medium medium(settings);
+            const Vec3 a(0, 0, 0.3), b(17, 4, 1.2);
+            const RadioId from = open(medium, "a", a), to = open(medium, "b", b);
+            QCOMPARE(medium.link(from, to).pathLoss, twoRayLoss(a, b, wavelength(settings.frequency), permittivity));
+        }
+    }
+
+    /// Antennas with gain reach beyond the range of isotropic ones, whichever of the two has it.
+    void antennasReachFurther() {
+        const auto lobe = std::make_shared<const AntennaPattern>(AntennaPattern::of(AntennaModel::Cosine, 12));
+        for (const int with : {0, 1, 2}) {
+            Medium medium{MediumSettings{}};
+            RadioDefinition sender = radioNamed("a"), receiver = radioNamed("b");
+            if (with == 1) sender.antenna = lobe;
+            if (with == 2) receiver.antenna = lobe;
+            const double range = LinkModel(MediumSettings{}).range(0, sender.minReceivePower);
+            const RadioId from = open(medium, sender, Vec3::Zero());
+            (void)open(medium, receiver, Vec3(2 * range, 0, 0), Vec3(M_PI, 0, 0));
+            QVERIFY(send(medium, from));
+            medium.advance(100'000);
+            QCOMPARE(count(medium, ReceptionOutcome::Delivered), std::uint64_t(with ? 1 : 0));
+        }
+    }
+
     void turnedAntennasMatchTheClosedForm() {
         std::mt19937_64 random(20261122);
         const auto lobe = std::make_shared<const AntennaPattern>(AntennaPattern::of(AntennaModel::Cosine));

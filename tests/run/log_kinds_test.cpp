@@ -148,6 +148,7 @@ private Q_SLOTS:
         const std::string csv = textOf(*all, world);
         QCOMPARE(rowsOf(csv), 3);
         const QStringList head = cells(csv, 0), first = cells(csv, 1), second = cells(csv, 2);
+        QCOMPARE(head.mid(0, 7), (QStringList{"time [s]", "from", "to", "kind", "addressed to", "sequence", "bytes"}));
         QVERIFY(head.size() == 19 && first.size() == 19);
         const auto at = [&](const QStringList& row, const char* name) { return row[head.indexOf(name)]; };
         QCOMPARE(first.mid(0, 7), (QStringList{"0", "robot0/radio", "robot1/radio", "data", "all", "0", "7"}));

@@ -92,6 +92,18 @@ private Q_SLOTS:
         QVERIFY(csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"nothing*"})}}))
                     .starts_with("no signal is called 'nothing*'"));
     }
+    /// The name of a Grid is no signal of its own: the pattern of its members is suggested.
+    void signalsOfAGrid() {
+        FakeWorld world(experimentOf({"swarm_0", "swarm_1", "swarm"}));
+        Diagnostics diagnostics;
+        (void)makeLog(logSpec("SignalLog", "s", {{"Signals", textValue({"swarm_/pose", "pack/pose"})}}), world, diagnostics);
+        FakeWorld grid(experimentOf({"pack_0", "pack_1"}));
+        Diagnostics found;
+        (void)makeLog(logSpec("SignalLog", "s", {{"Signals", textValue({"pack/pose"})}}), grid, found);
+        QCOMPARE(found.all().size(), std::size_t{1});
+        QCOMPARE(found.all()[0].suggestions, std::vector<std::string>{"pack_*/pose"});
+        for (const Diagnostic& d : diagnostics.all()) QVERIFY(d.message.find("its members") == std::string::npos);
+    }
     void wildcards_data() {
         QTest::addColumn<QString>("pattern");
         QTest::addColumn<QString>("text");
