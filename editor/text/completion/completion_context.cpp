@@ -79,7 +79,12 @@ private:
 
     /// The word at the caret is the one being typed, not part of what precedes it.
     void takeWord() {
-        if (m_before.empty() || m_before.back().range.end < m_at) return;
+        if (!m_before.empty() && m_before.back().range.end >= m_at) takeToken();
+        const std::uint32_t begin = m_context.word.begin;
+        m_context.blank = begin > 0 && (isBlank(m_text[begin - 1]) || m_text[begin - 1] == '\n');
+    }
+
+    void takeToken() {
         const Token token = m_before.back();
         if (token.kind == TokenKind::Unknown && slice(token.range) == "$") {
             m_context.where = Where::ParamUse;
@@ -100,8 +105,6 @@ private:
             m_before.pop_back();
         }
         while (!m_before.empty() && m_before.back().kind == TokenKind::Unknown) m_before.pop_back();
-        m_context.blank =
-            m_context.word.begin > 0 && (isBlank(m_text[m_context.word.begin - 1]) || m_text[m_context.word.begin - 1] == '\n');
     }
 
     [[nodiscard]] bool inExpression() const {

@@ -12,6 +12,7 @@
 #include "editor/cameras/camera_window.h"
 #include "editor/cameras/movie_dialog.h"
 #include "editor/cameras/picture_dialog.h"
+#include "editor/cameras/size_choice.h"
 #include "editor/viewport/view/picture_request.h"
 #include "eventually.h"
 
@@ -46,6 +47,36 @@ QByteArray pixelsOf(const QString& movie) {
 class MovieTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// Numbers and names of sizes follow each other.
+    void sizesHaveNames() {
+        for (const QSize shown : {QSize(), QSize(640, 400)}) {
+            SizeChoice choice(shown);
+            auto* named = choice.findChild<QComboBox*>(QStringLiteral("pictureSize"));
+            auto* width = choice.findChild<QSpinBox*>(QStringLiteral("pictureWidth"));
+            auto* height = choice.findChild<QSpinBox*>(QStringLiteral("pictureHeight"));
+            QCOMPARE(choice.size(), shown.isEmpty() ? QSize(1280, 720) : shown);
+            QCOMPARE(named->currentText(), shown.isEmpty() ? QStringLiteral("HD") : QStringLiteral("Screen size"));
+            QSignalSpy changed(&choice, &SizeChoice::changed);
+            choice.setSize({3840, 2160});
+            QCOMPARE(named->currentText(), QStringLiteral("4K"));
+            QCOMPARE(changed.count(), 1);
+            height->setValue(2159);
+            QCOMPARE(named->currentText(), QStringLiteral("Other"));
+            width->setValue(1920);
+            height->setValue(1080);
+            QCOMPARE(named->currentText(), QStringLiteral("Full HD"));
+            QCOMPARE(changed.count(), 4);
+            named->setCurrentIndex(named->findText(QStringLiteral("HD")));
+            Q_EMIT named->activated(named->currentIndex());
+            QCOMPARE(choice.size(), QSize(1280, 720));
+            named->setCurrentIndex(named->count() - 1); // Other keeps the numbers
+            Q_EMIT named->activated(named->currentIndex());
+            QCOMPARE(choice.size(), QSize(1280, 720));
+            choice.setSize({1, 99999}); // limits
+            QCOMPARE(choice.size(), QSize(16, 4096));
+        }
+    }
+
     void initTestCase() { m_render = RenderService::startInBackground(); }
     void init() {
         m_window = std::make_unique<CameraWindow>(m_render.get());

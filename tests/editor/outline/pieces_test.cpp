@@ -2,6 +2,10 @@
 
 #include <fstream>
 
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "editor/outline/block_mime.h"
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/library_items.h"
 #include "editor/outline/problem_counts.h"
@@ -137,6 +141,54 @@ private Q_SLOTS:
         QCOMPARE(pictureOfConfig(*tree, block(8)), needed + "Static shown { Config=B }");
         for (const auto& [config, name] : {std::pair{"SimpleRobot", "simpleRobot"}, {"x", "x"}, {"", ""}, {"ABC", "aBC"}})
             QCOMPARE(nameFor(config), std::string(name));
+    }
+
+    void textsThatArePasted_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<QString>("found"); // kinds and names, or why it is refused
+        const auto row = [](const char* text, const char* found) {
+            QTest::newRow(text) << std::string(text) << QString::fromLatin1(found);
+        };
+        row("Box b { Size=1,1,1 }", "Box b");
+        row("#import a.sim\n#loadModule m\nBox { }\nBody c { Box d { } }", "Box , Body c");
+        row(" \t\r\n", "there is no text to insert");
+        row("Box b {", "this text cannot be inserted: line 1: block `b` lacks its closing `}`");
+        row("Box b { }\nTick = 1", "this text cannot be inserted: line 2 is a setting of its own; only blocks such as \"Box box "
+                                   "{ Size=1,1,1 }\" can be");
+        row("// a comment", "this text holds no block that could be inserted");
+        row("#import a.sim", "this text holds no block that could be inserted");
+    }
+    void textsThatArePasted() {
+        QFETCH(std::string, text);
+        const Result<Blocks> blocks = blocksFrom(text);
+        QStringList found;
+        for (std::size_t i = 0; blocks && i < blocks.value().kinds.size(); ++i)
+            found << QString::fromStdString(blocks.value().kinds[i] + " " + blocks.value().names[i]);
+        const QString said = blocks ? found.join(QStringLiteral(", ")) : QString::fromStdString(blocks.error().message);
+        QTEST(said, "found");
+        if (blocks) QCOMPARE(blocks.value().text, text);
+    }
+
+    void pastesAreNamedInTheHistory() {
+        OutlineFixture o;
+        QVERIFY(o.open(kRovers));
+        const auto name = [&] { return o.document.edits().history().entries().back().name; };
+        QVERIFY(o.edits.copy({"robot1"}).ok() && o.edits.paste({}).ok());
+        QCOMPARE(name(), QStringLiteral("Paste Robot robot1"));
+        QGuiApplication::clipboard()->setText(QStringLiteral("Body { Sphere s { Radius=1 Mass=1 } }"));
+        QVERIFY(o.edits.paste("RobotConfig.Rover").ok());
+        QCOMPARE(name(), QStringLiteral("Paste Body"));
+    }
+
+    /// The object that was selected last is the current row.
+    void theLastOfSeveralIsCurrent() {
+        OutlineFixture o;
+        QVERIFY(o.open(kRovers));
+        for (const auto& [first, last] : {std::pair{"robot0", "robot1"}, {"robot1", "robot0"}}) {
+            o.selection.set({first, last});
+            QCOMPARE(o.tree().currentIndex(), o.at(last));
+            QVERIFY(o.tree().selectionModel()->isSelected(o.at(first)) && o.tree().selectionModel()->isSelected(o.at(last)));
+        }
     }
 
     /// A problem counts for its block and all around it, up to the first byte behind the block.

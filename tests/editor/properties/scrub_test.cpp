@@ -35,6 +35,30 @@ private Q_SLOTS:
         QVERIFY(!Scrub::of("$a", &metres) && !Scrub::of("1,2", &metres) && !Scrub::of("", &metres));
     }
 
+    /// A Param has no property, hence neither limits nor a unit of its own.
+    void scrubbingWithoutAProperty() {
+        QCOMPARE(Scrub::of("0.02", nullptr)->after(-100), std::string("-0.08"));
+        QCOMPARE(Scrub::of("5", nullptr)->after(1000), std::string("105"));
+        QCOMPARE(Scrub::of("10 deg", nullptr)->after(3), std::string("13 deg"));
+        Property turn, open, wide;
+        turn.unit = "deg";
+        turn.minimum = -HUGE_VAL;
+        turn.maximum = HUGE_VAL;
+        QCOMPARE(Scrub::of("0.5", &turn)->after(-2), std::string("-1.5"));
+        QCOMPARE(Scrub::of("0.5 rad", &turn)->after(1), std::string("0.51 rad"));
+        open.minimum = 0;
+        open.maximum = 1;
+        open.minExclusive = open.maxExclusive = true;
+        QCOMPARE(Scrub::of("0.5", &open)->after(1000), std::string("0.99"));
+        QCOMPARE(Scrub::of("0.5", &open)->after(-1000), std::string("0.01"));
+        QCOMPARE(Scrub::of("7", &open)->after(-1), std::string("6.99")); // what is out of range comes back step by step
+        wide.minimum = 0;
+        wide.maximum = 0.5;
+        QCOMPARE(Scrub::of("0", &wide)->after(1), std::string("0.01"));
+        wide.maximum = 2;
+        QCOMPARE(Scrub::of("0", &wide)->after(1), std::string("0.01"));
+    }
+
     void scrubbingStaysInRange() {
         Property share;
         share.minimum = 0;

@@ -12,8 +12,11 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "editor/radios/packet_text.h"
 #include "editor/radios/radio_window.h"
+#include "editor/widgets/theme.h"
 #include "eventually.h"
+#include "radio/ieee802154.h"
 
 using namespace trundle;
 
@@ -42,6 +45,47 @@ class RadioPacketsTest : public QObject {
     }
 
 private Q_SLOTS:
+    void bytesAndReasonsInWords() {
+        const std::vector<std::uint8_t> bytes{0x00, 0x1f, 0x20, 0x41, 0x7e, 0x7f, 0xff};
+        QCOMPARE(hexOf(bytes), QStringLiteral("001f20417e7fff"));
+        QCOMPARE(asciiOf(bytes), QStringLiteral(".. A~.."));
+        QCOMPARE(dumpOf(bytes), QStringLiteral("0000  00 1f 20 41 7e 7f ff  .. A~.."));
+        std::vector<std::uint8_t> many(18);
+        for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<std::uint8_t>(0x61 + i);
+        QCOMPARE(dumpOf(many), QStringLiteral("0000  61 62 63 64 65 66 67 68 69 6a 6b 6c 6d 6e 6f 70  abcdefghijklmnop\n"
+                                              "0010  71 72                                            qr"));
+        QVERIFY(dumpOf({}).isEmpty());
+        QCOMPARE(decibelText(-70.26), QStringLiteral("-70.3"));
+        for (const auto& [margin, expected] :
+             {std::pair{-1., Ink::Error}, {2.99, Ink::Error}, {3., Ink::Warning}, {9.99, Ink::Warning}, {10., Ink::Good}})
+            QCOMPARE(inkForMargin(margin), ink(expected));
+        const AirFrame air{0, 1, std::vector<std::uint8_t>(kFrameOverhead + 2, 7)};
+        QCOMPARE(payloadOf(air, false).size(), std::size_t(2));
+        QVERIFY(payloadOf(air, true).empty() && payloadOf({0, 1, {1, 2, 3}}, false).empty());
+
+        FrameRecord frame;
+        frame.link.power = -97.04;
+        frame.sinr = 1.26;
+        RadioDefinition receiver;
+        receiver.minReceivePower = -94;
+        receiver.bufferLimit = 3;
+        const std::pair<ReceptionOutcome, const char*> reasons[] = {
+            {ReceptionOutcome::Delivered, ""},
+            {ReceptionOutcome::NotAddressed, "it is for mote7"},
+            {ReceptionOutcome::TooWeak, "-97.0 dBm is 3.0 dB below its MinReceivePower"},
+            {ReceptionOutcome::Sending, "it was sending itself, or about to"},
+            {ReceptionOutcome::Busy, "it was receiving another frame"},
+            {ReceptionOutcome::Collision, "another frame was too strong: SINR 1.3 dB"},
+            {ReceptionOutcome::BitErrors, "noise: SINR 1.3 dB"},
+            {ReceptionOutcome::BufferFull, "3 packets waited unread, its BufferLimit"},
+            {ReceptionOutcome::Duplicate, "a duplicate: its acknowledgement was lost"}};
+        QCOMPARE(std::size(reasons), kReceptionOutcomes);
+        for (const auto& [outcome, words] : reasons) {
+            frame.outcome = outcome;
+            QCOMPARE(reasonOf(frame, receiver, QStringLiteral("mote7")), QLatin1String(words));
+        }
+    }
+
     void init() { m_window = std::make_unique<RadioWindow>(); }
     void cleanup() { m_window.reset(); }
 

@@ -7,6 +7,7 @@
 
 #include "editor/running/live_edits.h"
 #include "editor/running/panels/console_model.h"
+#include "editor/running/panels/controller_commands.h"
 #include "editor/running/panels/run_status.h"
 #include "editor/running/panels/speeds.h"
 #include "editor/running/panels/trust.h"
@@ -157,6 +158,17 @@ private Q_SLOTS:
         for (const std::string& path : comparison.follow(ChangeSet(built, o.document.loaded()), *built->experiment).waiting)
             waits << QString::fromStdString(path);
         QCOMPARE(waits, waiting);
+    }
+
+    void aModuleOfTwoKindsIsListedWithBoth() {
+        SessionFixture o;
+        QVERIFY(o.open("#loadModule controllers/network_navigator\n#loadModule controllers/none\n" + kStandingRobot));
+        const auto modules = ControllerCommands(o.document, o.session).modules();
+        QCOMPARE(modules.size(), 2u);
+        QCOMPARE(modules[0].kinds, (std::vector<std::string>{"BearingSweep", "NetworkNavigator"}));
+        QVERIFY(modules[0].trouble.isEmpty() && modules[0].usedBy.empty() &&
+                modules[0].library.ends_with("libnetwork_navigator.so"));
+        QVERIFY(modules[1].kinds.empty() && modules[1].library.empty() && !modules[1].trouble.isEmpty());
     }
 
     void linesOfTheConsole() {

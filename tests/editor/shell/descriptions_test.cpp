@@ -131,6 +131,27 @@ private Q_SLOTS:
         compare(QStringLiteral("running"), *m_window, Numbers::Hidden);
     }
 
+    /// The docks of an experiment with radios and cameras.
+    void radiosAndCameras() {
+        write(QStringLiteral("devices.sim"),
+              "Tick = 0.01\n#import robots/camera_robot.sim\n#import robots/tmote_sky.sim\n"
+              "#import arenas/open_floor.sim\n#loadModule controllers/mote\n"
+              "Static floor { Config=OpenFloor }\nRobot seeing { Config=CameraRobot Pos=1,1,0 }\n"
+              "Robot target { Config=TmoteSky Mote brain { Target=true Period=0.05 } }\n"
+              "Grid motes { Config=TmoteSky Count=2 Pos=3,0,0 Spacing=2 Mote brain { Period=0.05 } }\n");
+        start(QStringLiteral("devices.sim"));
+        m_window->selection().select("motes_1");
+        QString all;
+        for (const char* name : {"dock.radios", "dock.cameras"}) {
+            auto* dock = m_window->findChild<QDockWidget*>(QLatin1String(name));
+            dock->show();
+            dock->raise();
+            settle();
+            all += describedWidget(*dock->widget());
+        }
+        keep(QStringLiteral("radios-and-cameras"), all, Numbers::Hidden);
+    }
+
     /// The properties of one object of each kind, selected in the tree.
     void propertiesOfEachKind() {
         start(QStringLiteral("kinds.sim"));
@@ -173,10 +194,13 @@ private:
         EVENTUALLY(m_window->document().isOpen());
     }
     void act(const char* id) { m_window->actions().at(id).trigger(); }
-    void compare(const QString& name, const QWidget& widget, Numbers numbers = Numbers::Shown) {
+    void settle() {
         if (QWidget* focus = m_window->focusWidget()) focus->clearFocus();
         int still = 0; // consecutive checks without a new image
         EVENTUALLY((still = m_window->isSettled() ? still + 1 : 0) > 5);
+    }
+    void compare(const QString& name, const QWidget& widget, Numbers numbers = Numbers::Shown) {
+        settle();
         QString text = describedWidget(widget);
         for (const auto* dock : widget.findChildren<QDockWidget*>()) // those behind other tabs
             if (!dock->isVisible() && m_window->document().isOpen())

@@ -60,6 +60,27 @@ private Q_SLOTS:
     void init() { QSettings().clear(); }
     void cleanup() { m_window.reset(); }
 
+    void recentFilesAreTheNewestTwelve() {
+        QTemporaryDir folder;
+        const auto file = [&](int number) {
+            const QString path = folder.filePath(QString::number(number));
+            QFile made(path);
+            return made.open(QIODevice::WriteOnly) ? path : QString();
+        };
+        for (int i = 0; i < 14; ++i) addRecentFile(file(i));
+        QCOMPARE(recentFiles().size(), 12);
+        QCOMPARE(recentFiles().first(), file(13));
+        QCOMPARE(recentFiles().last(), file(2));
+        addRecentFile(file(5)); // once, in front
+        QCOMPARE(recentFiles().mid(0, 2), (QStringList{file(5), file(13)}));
+        QCOMPARE(recentFiles().size(), 12);
+        QVERIFY(QFile::remove(file(13)));
+        QCOMPARE(recentFiles().size(), 11);
+        QCOMPARE(recentFiles()[1], file(12));
+        (void)file(13); // a file that is back is listed again
+        QCOMPARE(recentFiles().size(), 12);
+    }
+
     void showsUnsavedWorkUntilRestored() {
         QTemporaryDir folder;
         const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");

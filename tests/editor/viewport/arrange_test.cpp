@@ -48,6 +48,68 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRoom);
     }
 
+    /// The last selected one stays; low, middle and high sides of boxes of unlike sizes.
+    void alignsEachSide_data() {
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<int>("to");
+        QTest::addColumn<QString>("pos"); // of the small one; the large one is 0.6 x 0.4 x 0.8 about (1, 2, 0.4)
+        QTest::newRow("x low") << 0 << int(AlignTo::Low) << "Pos=0.8,0,0.1";
+        QTest::newRow("x middle") << 0 << int(AlignTo::Middle) << "Pos=1,0,0.1";
+        QTest::newRow("x high") << 0 << int(AlignTo::High) << "Pos=1.2,0,0.1";
+        QTest::newRow("y low") << 1 << int(AlignTo::Low) << "Pos=0,1.9,0.1";
+        QTest::newRow("y high") << 1 << int(AlignTo::High) << "Pos=0,2.1,0.1";
+        QTest::newRow("z low") << 2 << int(AlignTo::Low) << "Pos=0,0,0.1";
+        QTest::newRow("z middle") << 2 << int(AlignTo::Middle) << "Pos=0,0,0.4";
+        QTest::newRow("z high") << 2 << int(AlignTo::High) << "Pos=0,0,0.7";
+    }
+    void alignsEachSide() {
+        QFETCH(int, axis);
+        QFETCH(int, to);
+        QFETCH(QString, pos);
+        const QByteArray large = "Static large { Config=Large Pos=1,2,0.4 }\n";
+        QVERIFY(m_window->open(
+            "StaticConfig Small { Box b { Size=0.2,0.2,0.2 } }\nStaticConfig Large { Box b { Size=0.6,0.4,0.8 } }\n"
+            "Static small { Config=Small Pos=0,0,0.1 }\n" +
+            large));
+        m_window->selection.set({"small", "large"});
+        alignSelected(viewContext(), axis, static_cast<AlignTo>(to));
+        QVERIFY2(m_window->text().contains(pos.toLatin1() + " }") && m_window->text().contains(large),
+                 m_window->text().constData());
+    }
+
+    /// In the order of their places, not of their selection; the outer ones stay.
+    void distributesByPlace() {
+        QByteArray text = "StaticConfig Small { Box b { Size=0.2,0.2,0.2 } }\n";
+        const std::pair<const char*, const char*> places[] = {{"a", "3,0,1"}, {"b", "0,5,2"}, {"c", "0.5,1,3"}, {"d", "1,2,4"}};
+        for (const auto& [name, pos] : places) text += QByteArray("Static ") + name + " { Config=Small Pos=" + pos + " }\n";
+        QVERIFY(m_window->open(text));
+        m_window->selection.set({"d", "a", "b", "c"});
+        distributeSelected(viewContext(), 0);
+        for (const char* pos : {"a { Config=Small Pos=3,0,1 }", "b { Config=Small Pos=0,5,2 }", "c { Config=Small Pos=1,1,3 }",
+                                "d { Config=Small Pos=2,2,4 }"})
+            QVERIFY2(m_window->text().contains(pos), m_window->text().constData());
+        m_window->document.edits().undo();
+        m_window->selection.clear();
+        for (const auto& [call, why] : {std::pair<std::function<void()>, const char*>{[&] { dropToFloor(viewContext()); },
+                                                                                      "Select the objects to drop to the floor."},
+                                        {[&] { alignSelected(viewContext(), 0, AlignTo::Low); }, "Select two or more objects."},
+                                        {[&] {
+                                             copyInRows(viewContext(), {{2, 1, 1}, {1, 1, 1}, false});
+                                         },
+                                         "Select what is to be copied."},
+                                        {[&] {
+                                             copyInRows(viewContext(), {{2, 1, 1}, {1, 1, 1}, true});
+                                         },
+                                         "A Grid is made of one robot."}}) {
+            call();
+            QCOMPARE(m_window->refusals.back(), QLatin1String(why));
+        }
+        m_window->selection.select("a");
+        copyInRows(viewContext(), {{2, 1, 1}, {1, 1, 1}, true}); // no robot
+        QCOMPARE(m_window->refusals.back(), QStringLiteral("A Grid is made of one robot."));
+        QCOMPARE(m_window->text(), text);
+    }
+
     void distributingNeedsThree() {
         m_window->selection.set({"robot0", "robot1"});
         distributeSelected(viewContext(), 0);

@@ -131,6 +131,126 @@ private Q_SLOTS:
         }
     }
 
+    /// Follow keeps distance and direction; Chase takes those behind the robot, at 0.8 to 4 m, and turns with it.
+    void theFirstPoseOfFollowingCounts() {
+        for (const auto& [before, chased] : {std::pair{0.1, 0.8}, {2., 2.}, {50., 4.}}) {
+            ViewCamera follow, chase, still;
+            for (ViewCamera* camera : {&follow, &chase, &still}) camera->zoom(before / camera->distance(), camera->middle());
+            const Vec3 direction = follow.forward();
+            follow.setKind(ViewKind::Follow);
+            chase.setKind(ViewKind::Chase);
+            const Pose robot{Vec3(1, -2, 0.5), rotationFromHpr({0.7, 0, 0})};
+            for (ViewCamera* camera : {&follow, &chase, &still}) camera->follow(robot);
+            QVERIFY(std::abs(follow.distance() - before) < 1e-9 && (follow.forward() - direction).norm() < 1e-12);
+            QVERIFY((follow.middle() - robot.position).norm() < 1e-9);
+            QVERIFY(std::abs(chase.distance() - chased) < 1e-9 && (chase.middle() - robot.position).norm() < 1e-9);
+            const Vec3 behind(std::cos(0.7) * std::cos(-0.38), std::sin(0.7) * std::cos(-0.38), std::sin(-0.38));
+            QVERIFY((chase.forward() - behind).norm() < 1e-9);
+            QVERIFY((still.middle() - robot.position).norm() > 0.1); // no kind that follows
+            follow.setKind(ViewKind::Follow);                        // again: the next pose is the first one
+            follow.follow({Vec3(9, 9, 0), Quat::Identity()});
+            QVERIFY((follow.middle() - Vec3(9, 9, 0)).norm() < 1e-9);
+        }
+    }
+
+    void aKindKeepsTheMiddleOfTheView() {
+        for (const ViewKind kind : {ViewKind::Perspective, ViewKind::Orthographic, ViewKind::Top, ViewKind::Front, ViewKind::Side,
+                                    ViewKind::Follow, ViewKind::Chase}) {
+            ViewCamera camera;
+            const Vec3 middle = camera.middle(), forward = camera.forward();
+            camera.setKind(kind);
+            QVERIFY((camera.middle() - middle).norm() < 1e-12 && camera.distance() == 5);
+            const bool turns = kind == ViewKind::Top || kind == ViewKind::Front || kind == ViewKind::Side;
+            QCOMPARE((camera.forward() - forward).norm() > 1e-9, turns);
+            QCOMPARE(camera.isParallel(), turns || kind == ViewKind::Orthographic);
+            // A perspective view is 2 d tan(45 deg / 2) wide in the distance d; a parallel one everywhere as in the middle.
+            const double wide = 2 * 5 * std::tan(22.5 * M_PI / 180);
+            QVERIFY(std::abs(camera.metresPerPixel(100, middle) - wide / 100) < 1e-12);
+            const Vec3 behind = middle + 5 * camera.forward();
+            QVERIFY(std::abs(camera.metresPerPixel(100, behind) - (camera.isParallel() ? 1 : 2) * wide / 100) < 1e-12);
+            QVERIFY(std::abs(camera.metresPerPixel(0, middle) - wide) < 1e-12); // a view without a size yet
+            const CameraView view = camera.view(30);
+            QVERIFY((view.target - middle).norm() < 1e-9 && std::abs(view.fieldOfView - M_PI / 4) < 1e-12);
+            QVERIFY(std::abs(view.orthographicWidth - (camera.isParallel() ? wide : 0)) < 1e-12);
+            if (!camera.isParallel()) continue;
+            QVERIFY(std::abs((view.eye - view.target).norm() - 37) < 1e-9); // beyond the scene of reach 30
+            QVERIFY(view.nearPlane == 0.01 && std::abs(view.farPlane - (37 + 4 * 30 + 10)) < 1e-9);
+            QVERIFY(std::abs((camera.view(1).eye - middle).norm() - 5) < 1e-9);
+        }
+    }
+
+    void limitsOfDistances() {
+        ViewCamera camera;
+        for (const auto& [factor, distance] : {std::pair{1e-9, 0.02}, {1e9, 5000.}, {0.5, 2500.}, {2., 5000.}}) {
+            camera.zoom(factor, camera.middle());
+            QVERIFY2(std::abs(camera.distance() - distance) < 1e-6, qPrintable(QString::number(camera.distance())));
+        }
+        const Vec3 eye = camera.view().eye, right = camera.forward().cross(camera.view().up);
+        camera.fly({1, 2, 3});
+        QVERIFY((camera.view().eye - (eye + 1 * right + Vec3(0, 0, 2) + 3 * camera.forward())).norm() < 1e-9);
+        camera.fly({0, 1e7, 0});
+        QVERIFY(std::abs(camera.view().eye.norm() - 1e5) < 1e-6);
+        camera.zoom(2, Vec3(-1e6, 0, 0));
+        QVERIFY(camera.view().eye.norm() < 1e5 + 1e-6);
+        camera.orbit(0, 10, camera.middle());
+        QVERIFY((camera.forward() - Vec3::UnitZ()).norm() < 1e-12); // straight up, not over
+        camera.orbit(0, -10, camera.middle());
+        QVERIFY((camera.forward() + Vec3::UnitZ()).norm() < 1e-12);
+        const Vec3 here = camera.view().eye;
+        camera.rotate(0.3, 0.2);
+        QVERIFY((camera.view().eye - here).norm() < 1e-6);
+    }
+
+    void framesOfNothingAndOfAPoint() {
+        const auto framed = [](std::initializer_list<Vec3> points) {
+            Bounds box;
+            for (const Vec3& point : points) box.add(point);
+            ViewCamera camera;
+            camera.frame(box, kWidth, kHeight);
+            return camera;
+        };
+        const ViewCamera nothing = framed({}), floor = framed({{-1, -1, 0}, {1, 1, 0.5}});
+        QVERIFY((nothing.middle() - floor.middle()).norm() < 1e-12 && nothing.distance() == floor.distance());
+        const ViewCamera point = framed({{5, 5, 5}}), box = framed({{4.95, 4.95, 4.95}, {5.05, 5.05, 5.05}});
+        QVERIFY((point.middle() - box.middle()).norm() < 1e-9 && std::abs(point.distance() - box.distance()) < 1e-9);
+        ViewCamera wide, high; // the same box in images of other shapes
+        Bounds bounds;
+        for (const Vec3& corner : {Vec3(-1, -1, 0), Vec3(1, 1, 2)}) bounds.add(corner);
+        wide.frame(bounds, 2000, 500);
+        high.frame(bounds, 500, 2000);
+        QVERIFY(wide.distance() > 1.5 * high.distance());
+    }
+
+    void adoptsViews_data() {
+        QTest::addColumn<double>("width"); // of a parallel view
+        QTest::addColumn<double>("x");
+        QTest::newRow("perspective") << 0. << 3.;
+        QTest::newRow("parallel") << 2. << 3.;
+        QTest::newRow("straight down") << 0. << 0.;
+        QTest::newRow("parallel, straight down") << 4. << 0.;
+    }
+    void adoptsViews() {
+        QFETCH(double, width);
+        QFETCH(double, x);
+        CameraView view;
+        view.eye = {x, 0, 3};
+        view.target = {0, 0, 1};
+        view.orthographicWidth = width;
+        ViewCamera camera;
+        const double heading = std::atan2(camera.forward().y(), camera.forward().x());
+        camera.setView(view);
+        QVERIFY((camera.middle() - view.target).norm() < 1e-9);
+        QVERIFY((camera.forward() - (view.target - view.eye).normalized()).norm() < 1e-9);
+        QCOMPARE(camera.isParallel(), width > 0);
+        QCOMPARE(camera.kind(), width > 0 ? ViewKind::Orthographic : ViewKind::Perspective);
+        if (width > 0) QVERIFY(std::abs(camera.view().orthographicWidth - width) < 1e-9);
+        else QVERIFY((camera.view().eye - view.eye).norm() < 1e-9);
+        if (x == 0) { // then the heading before still counts
+            const Vec3 up = camera.view().up;
+            QVERIFY(std::abs(std::remainder(std::atan2(up.y(), up.x()) - heading, 2 * M_PI)) < 1e-9);
+        }
+    }
+
     void navigationStyleMapsButtons_data() {
         QTest::addColumn<int>("style");
         QTest::addColumn<int>("button");
@@ -144,6 +264,16 @@ private Q_SLOTS:
         row("right", own, Qt::RightButton, {}, CameraDrag::Orbit);
         row("Alt left", own, Qt::LeftButton, Qt::AltModifier, CameraDrag::Orbit);
         row("left selects", own, Qt::LeftButton, {}, CameraDrag::None);
+        row("Shift right", own, Qt::RightButton, Qt::ShiftModifier, CameraDrag::Pan);
+        row("Alt Shift left", own, Qt::LeftButton, Qt::AltModifier | Qt::ShiftModifier, CameraDrag::Pan);
+        row("Ctrl middle", own, Qt::MiddleButton, Qt::ControlModifier, CameraDrag::Orbit);
+        row("another button", own, Qt::BackButton, {}, CameraDrag::None);
+        row("Blender Alt left", blender, Qt::LeftButton, Qt::AltModifier, CameraDrag::Orbit);
+        row("Blender Alt Shift left", blender, Qt::LeftButton, Qt::AltModifier | Qt::ShiftModifier, CameraDrag::Pan);
+        row("Blender Alt Ctrl left", blender, Qt::LeftButton, Qt::AltModifier | Qt::ControlModifier, CameraDrag::Zoom);
+        row("CAD Ctrl middle", cad, Qt::MiddleButton, Qt::ControlModifier, CameraDrag::Zoom);
+        row("CAD Alt left", cad, Qt::LeftButton, Qt::AltModifier, CameraDrag::Pan);
+        row("CAD Alt Shift left", cad, Qt::LeftButton, Qt::AltModifier | Qt::ShiftModifier, CameraDrag::Orbit);
         row("Blender middle", blender, Qt::MiddleButton, {}, CameraDrag::Orbit);
         row("Blender Shift middle", blender, Qt::MiddleButton, Qt::ShiftModifier, CameraDrag::Pan);
         row("Blender Ctrl middle", blender, Qt::MiddleButton, Qt::ControlModifier, CameraDrag::Zoom);

@@ -156,6 +156,86 @@ private Q_SLOTS:
         QVERIFY(std::abs(ring.degrees() - 360 / std::numbers::pi) < 1e-9);
     }
 
+    void whatADragSays_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char* name, Handle::Kind kind, int axis, const char* typed, const char* said) {
+            QTest::newRow(name) << int(kind) << axis << typed << QString::fromUtf8(said);
+        };
+        using Kind = Handle::Kind;
+        row("x", Kind::Axis, 0, "", "X  0.1235 m");
+        row("z", Kind::Axis, 2, "", "Z  0.5 m");
+        row("plane y", Kind::Plane, 1, "", "X  0.1235 m   Z  0.5 m");
+        row("screen", Kind::Screen, 0, "1,2,3", "X  1 m   Y  2 m   Z  3 m   › 1,2,3");
+        row("typed", Kind::Axis, 1, "25 cm", "Y  0.25 m   › 25 cm");
+        row("a unit that is not whole yet: the mouse counts", Kind::Axis, 0, "25 c", "X  0.1235 m   › 25 c");
+        row("ring", Kind::Ring, 1, "12.346", "Y  12.35°   › 12.346");
+    }
+    void whatADragSays() {
+        QFETCH(int, kind);
+        QFETCH(int, axis);
+        QFETCH(QString, typed);
+        const GizmoPose place = turned();
+        GizmoDrag drag({static_cast<Handle::Kind>(kind), axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+        if (static_cast<Handle::Kind>(kind) == Handle::Kind::Axis)
+            drag.to(rayTo(place, Vec3::Unit(axis) * (axis == 2 ? 0.5 : 0.12345678)), {}, 0, 0);
+        if (static_cast<Handle::Kind>(kind) == Handle::Kind::Plane) drag.to(rayTo(place, {0.12345678, 0, 0.5}), {}, 0, 0);
+        typeAll(drag, typed.toLatin1().constData());
+        QTEST(drag.readOut(), "said");
+    }
+
+    void keysThatAreNumbers() {
+        const GizmoPose place = turned();
+        GizmoDrag drag({Handle::Kind::Axis, 0, 1}, place, rayTo(place, Vec3::Zero()), {});
+        for (const char* refused : {"c", " ", "+", "/", "12", ""}) QVERIFY2(!drag.type(0, QLatin1String(refused)), refused);
+        QVERIFY(drag.type(Qt::Key_Backspace, {})); // nothing to take back
+        for (const char* taken : {"-", "1", ".", "5", " ", "c", "m", ","}) QVERIFY2(drag.type(0, QLatin1String(taken)), taken);
+        QCOMPARE(drag.typed(), std::string("-1.5 cm,"));
+        QVERIFY(drag.type(Qt::Key_Backspace, {}));
+        QCOMPARE(drag.typed(), std::string("-1.5 cm"));
+        while (drag.typed().size() < 25) QVERIFY(drag.type(0, QStringLiteral("0")));
+        QVERIFY(!drag.type(0, QStringLiteral("0")));
+    }
+
+    /// A size that is typed is the size itself. A handle on one side moves that side; the other side stays.
+    void sizesOfShapes_data() {
+        QTest::addColumn<int>("sides");
+        QTest::addColumn<bool>("aboutCentre");
+        QTest::addColumn<bool>("oneSided");
+        QTest::newRow("both") << int(Sides::Both) << false << true;
+        QTest::newRow("both, about the centre") << int(Sides::Both) << true << false;
+        QTest::newRow("radius") << int(Sides::Middle) << false << false;
+        QTest::newRow("upper") << int(Sides::Upper) << true << true;
+        QTest::newRow("lower") << int(Sides::Lower) << true << true;
+    }
+    void sizesOfShapes() {
+        QFETCH(int, sides);
+        QFETCH(bool, aboutCentre);
+        QFETCH(bool, oneSided);
+        GizmoPose place = turned();
+        place.half = {0.1, 0.2, 0.3};
+        place.sizes[1] = {QStringLiteral("Length"), 2, static_cast<Sides>(sides)};
+        for (const int side : {1, -1}) {
+            GizmoDrag drag({Handle::Kind::Size, 1, side}, place, rayTo(place, {0, 0.2 * side, 0}), {});
+            drag.to(rayTo(place, {0, 0.26 * side, 0}), {}, 0, 0, aboutCentre);
+            const double grown = oneSided ? 0.03 : 0.06; // half the extent
+            QVERIFY((drag.amount() - Vec3(0, grown, 0)).norm() < 1e-9);
+            const Vec3 moved = oneSided ? Vec3(place.axes.col(1) * grown * side) : Vec3::Zero();
+            QVERIFY((drag.motion().position - moved).norm() < 1e-9);
+            QCOMPARE(drag.readOut(), oneSided ? QStringLiteral("Length  0.46 m") : QStringLiteral("Length  0.52 m"));
+            drag.to(rayTo(place, {0, 0.26 * side, 0}), {}, 0.05, 0, aboutCentre); // the size in steps
+            QVERIFY(std::abs(2 * drag.amount().y() - (oneSided ? 0.05 : 0.1)) < 1e-9);
+            typeAll(drag, "0.5");
+            QVERIFY(std::abs(drag.amount().y() - 0.05) < 1e-12); // from 0.4 to 0.5
+            QCOMPARE(drag.readOut(), QStringLiteral("Length  0.5 m   › 0.5"));
+            for (int i = 0; i < 3; ++i) drag.type(Qt::Key_Backspace, {});
+            typeAll(drag, "-1"); // no size: the mouse counts
+            QVERIFY(std::abs(2 * drag.amount().y() - (oneSided ? 0.05 : 0.1)) < 1e-9);
+        }
+    }
+
     void anglesKeepTheirUnit() {
         const double before[] = {0, 0, 90}, after[] = {45, 0, 90};
         QCOMPARE(withNumbers("0 deg, 0, 90", before, after, "deg", 1e-4), std::string("45 deg, 0, 90"));

@@ -205,6 +205,7 @@ QStringList actionTexts(const QList<QAction*>& actions, const QString& indent) {
         if (!action->isEnabled()) line += QStringLiteral(" disabled");
         if (action->isCheckable()) line += action->isChecked() ? QStringLiteral(" checked") : QStringLiteral(" not checked");
         if (!action->icon().isNull()) line += u' ' + iconText(action->icon());
+        if (action->menu() && action->menu()->toolTipsVisible()) line += QStringLiteral(" with tips");
         lines << line + u' ' + quoted(action->toolTip());
         if (action->menu()) Q_EMIT action->menu()->aboutToShow(); // some are filled then
         if (action->menu()) lines << actionTexts(action->menu()->actions(), indent + QStringLiteral("  "));
