@@ -2,6 +2,7 @@
 
 #include "run/schedule.h"
 #include "schema/value_words.h"
+#include "world/engine.h"
 
 namespace trundle {
 namespace {
@@ -22,6 +23,16 @@ Diagnostic clusterWarning(const World& world, const std::string& time) {
     return d;
 }
 
+/// For the user who takes Solver = auto to be exact for all.
+Diagnostic pileWarning(const World& world, const std::string& time) {
+    return warningOf(
+        Code::BigCluster,
+        "at t = " + time + " s more than " + std::to_string(kExactClusterMax) +
+            " contacts hang together in a pile: such piles are iterated in short steps and less exact than the rest, "
+            "which stays exact. Piles with fewer contacts, or Solver = exact, which is slow, are exact",
+        world.experiment().settings.solverRange);
+}
+
 } // namespace
 
 void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings) {
@@ -29,6 +40,9 @@ void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings
                       time = numberText(tickTime(world.ticks(), world.experiment().settings.tick));
     if (!m_cluster && world.largestExactCluster() > 0) warnings.push_back(clusterWarning(world, time));
     m_cluster = world.largestExactCluster() > 0;
+    const bool quick = world.experiment().settings.solver == SolverChoice::Auto && world.quickTicks() > world.rescuedTicks();
+    if (!m_pile && quick) warnings.push_back(pileWarning(world, time));
+    m_pile = m_pile || quick;
     const SweepReport sweeps = world.sweeps();
     for (; m_passages < sweeps.passed.size(); ++m_passages) {
         const auto& [first, second] = sweeps.passed[m_passages];

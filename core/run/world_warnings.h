@@ -5,7 +5,7 @@
 
 namespace trundle {
 
-/// What a world reports of itself while it runs on, each once: clusters too large for the solver, bodies that passed through each other,
+/// What a world reports of itself while it runs on, each once: clusters too large for the solver, piles that are iterated, bodies that passed through each other,
 /// joints that were closed again, robots that ended.
 class WorldWarnings {
 public:
@@ -13,7 +13,7 @@ public:
     void update(const World& world, std::vector<Diagnostic>& warnings);
 
 private:
-    bool m_cluster = false;
+    bool m_cluster = false, m_pile = false;
     std::size_t m_passages = 0, m_ends = 0, m_closedJoints = 0;
 };
 

@@ -27,8 +27,8 @@ public:
     }
     const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
     std::uint64_t ticks() const override { return m_ticks; }
-    std::uint64_t quickTicks() const override { return 0; }
-    std::uint64_t rescuedTicks() const override { return 0; }
+    std::uint64_t quickTicks() const override { return quick; }
+    std::uint64_t rescuedTicks() const override { return rescued; }
     std::size_t largestExactCluster() const override { return cluster; }
     SweepReport sweeps() const override { return swept; }
     std::uint64_t stateHash() const override { return m_ticks; }
@@ -48,6 +48,7 @@ public:
     std::string story; ///< calls in order
     std::vector<WorldContact> touching;
     std::size_t cluster = 0;
+    std::uint64_t quick = 0, rescued = 0;
     SweepReport swept;
     RobotFaultReport faults;
     DeviceText say;

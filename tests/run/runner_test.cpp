@@ -112,6 +112,8 @@ private Q_SLOTS:
     void aFailedStartIsADiagnostic();
     void blowUpEndsRunAndKeepsLogs();
     void reportsLargeClusterOnce();
+    void reportsAnIteratedPileOnce();
+    void saysNothingOfPilesWhereAllIsQuick();
     void reportsEachPassageOnce();
     void reportsUnwritableFolderOnce();
     void logsHaveTheInitialStateAndEveryInterval();
@@ -257,6 +259,30 @@ void RunnerTest::reportsLargeClusterOnce() {
                      "solver then"));
     QCOMPARE(said.range, m_experiment->settings.solverRange);
     QCOMPARE(QString::fromStdString(said.fixes.at(0).title), QString("auto"));
+}
+
+void RunnerTest::reportsAnIteratedPileOnce() {
+    build();
+    m_world->quick = m_world->rescued = 1; // the exact solver failed in a tick
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->warnings().empty());
+    for (int i = 0; i < 3; ++i) {
+        ++m_world->quick;
+        QVERIFY(m_runner->tick().ok());
+    }
+    QCOMPARE(m_runner->warnings().size(), std::size_t(1));
+    const Diagnostic& said = m_runner->warnings()[0];
+    QCOMPARE(said.code, Code::BigCluster);
+    QCOMPARE(said.severity, Severity::Warning);
+    QVERIFY2(said.message.starts_with("at t = 0.02 s more than 60 contacts hang together in a pile"), said.message.c_str());
+}
+
+void RunnerTest::saysNothingOfPilesWhereAllIsQuick() {
+    m_experiment->settings.solver = SolverChoice::Quick;
+    build();
+    m_world->quick = 1;
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->warnings().empty());
 }
 
 void RunnerTest::reportsEachPassageOnce() {

@@ -89,8 +89,7 @@ private Q_SLOTS:
         qInfo("%d robots: pitch %.2f degrees, depth %.1f mm, rise %.1f mm", robots, worst.pitch, 1e3 * worst.depth,
               1e3 * worst.rise);
         QVERIFY(worst.pitch < 1);
-        if (tick > 0.02) return; // 12 mm go by in a tick before anything touches
-        QVERIFY(worst.depth < 0.012);
+        QVERIFY(worst.depth < (tick > 0.02 ? 0.03 : 0.012)); // at 30 ms 12 mm go by in a tick before anything touches
     }
 
     /// As many from the left as from the right: nobody gets anywhere.

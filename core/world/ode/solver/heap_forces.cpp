@@ -10,7 +10,8 @@ namespace trundle {
 namespace {
 
 // Measured: less lets heaps of 200 build up pressure, more makes them quiver until somebody climbs.
-constexpr int kSweeps = 20;
+constexpr int kSweeps = 20; // at least, per tick
+constexpr double kSweepsPerSecond = 2000;
 constexpr double kRelaxed = 0.5;    // of Gauss-Seidel: the groups give less than as free bodies
 constexpr double kRest = 1e-4;      // m: how deep what rests against each other is
 constexpr double kClosing = 0.05;   // share of the rest of the depth, per tick
@@ -43,7 +44,8 @@ void HeapForces::apply(double h, std::span<OdeContact> contacts, std::span<const
     measure(bodies, clusters);
     for (Push& push : m_pushes) prepare(push, contacts[push.contact], geoms, h);
     expectOthers(contacts);
-    for (int sweep = 0; sweep < kSweeps; sweep += 2) { // to and fro: in one order only, they would push a heap aside
+    const int sweeps = std::max(kSweeps, static_cast<int>(std::lround(h * kSweepsPerSecond / 2)) * 2);
+    for (int sweep = 0; sweep < sweeps; sweep += 2) { // to and fro: in one order only, they would push a heap aside
         for (Push& push : m_pushes) solve(push);
         for (auto push = m_pushes.rbegin(); push != m_pushes.rend(); ++push) solve(*push);
     }
