@@ -115,11 +115,9 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
     }
     const Part* layout = layoutOfMember(*m_rows->loaded()->outline, first);
     if (layout && layout->name != first) {
-        if (inside.empty()) {
-            if (const QModelIndex member = indexOfMember(layout->name, first); member.isValid()) return member;
-            return indexOf(layout->name);
-        }
-        return indexOf(pathInside(layout->name, inside)); // a member's own rows were made on the way to `above`
+        if (!inside.empty()) return indexOf(pathInside(layout->name, inside)); // the member's rows were made with `above`
+        const QModelIndex member = indexOfMember(layout->name, first);
+        return member.isValid() ? member : indexOf(layout->name);
     }
     // Top-level objects are in a group or file whose rows may not exist yet.
     for (const auto& top : m_root->children) {
