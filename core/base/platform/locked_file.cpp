@@ -1,5 +1,6 @@
 #include "base/platform/locked_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -73,10 +74,10 @@ LockedFile& LockedFile::operator=(LockedFile&& other) noexcept {
 
 Error LockedFile::failure(int why) const { return cannot(m_path, why); }
 
-Status LockedFile::append(std::string_view bytes) {
+Status LockedFile::append(std::span<const std::string_view> pieces) {
     const off_t end = ::lseek(m_file, 0, SEEK_END);
     if (end < 0) return failure(errno);
-    if (writeAll(m_file, bytes)) return {};
+    if (std::ranges::all_of(pieces, [this](std::string_view piece) { return writeAll(m_file, piece); })) return {};
     const int why = errno;
     if (::ftruncate(m_file, end) != 0) return failure(errno);
     return failure(why);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,7 +27,9 @@ public:
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     /// Appends bytes. After a failure (a full disk) the file has its old size.
-    [[nodiscard]] Status append(std::string_view bytes);
+    [[nodiscard]] Status append(std::string_view bytes) { return append(std::span(&bytes, 1)); }
+    /// Appends all pieces or none.
+    [[nodiscard]] Status append(std::span<const std::string_view> pieces);
     /// Replaces the whole content.
     [[nodiscard]] Status rewrite(std::string_view bytes);
     /// Flushes the file to disk (fsync).

@@ -61,11 +61,13 @@ Status Journal::append(const std::string& record) {
     return {};
 }
 
-std::string Journal::beginBytes(const std::string& file, const JournaledText& journaled) {
+Result<std::uint64_t> Journal::begin(LockedFile& journal, const std::string& file, const JournaledText& journaled) {
     const std::string time = now();
     std::vector<std::string_view> fields{file, *journaled.base, time};
     if (journaled.isCreated) fields.push_back(kCreatedMark);
-    return journalBytes(JournalRecord::Begin, fields);
+    const JournalPieces pieces(JournalRecord::Begin, fields);
+    if (const Status written = journal.append(pieces.all()); !written) return written.error();
+    return pieces.size();
 }
 
 std::string Journal::changeBytes(const std::string& file, const TextSplice& splice) {
@@ -83,7 +85,9 @@ Status Journal::note(const std::string& file, SharedText base, SharedText text, 
     if (!begins && splice.empty()) return {};
     JournaledText journaled{std::move(base), std::move(text), isCreated};
     if (begins) {
-        if (Status written = append(beginBytes(file, journaled)); !written) return written;
+        const Result<std::uint64_t> written = begin(*m_file, file, journaled);
+        if (!written) return written.error();
+        m_bytes += written.value();
     }
     if (Status written = append(changeBytes(file, splice)); !written) return written;
     m_journaled.insert_or_assign(file, std::move(journaled));
@@ -107,18 +111,22 @@ Status Journal::compact() {
     const std::string path = m_file->path();
     Result<LockedFile> fresh = LockedFile::make(path + ".new");
     if (!fresh) return {}; // keep the current file
-    std::string bytes = headBytes(m_head);
-    for (const auto& [file, journaled] : m_journaled) {
-        bytes += beginBytes(file, journaled);
-        bytes += changeBytes(file, spliceBetween(*journaled.base, *journaled.text));
-    }
     LockedFile& file = fresh.value();
-    if (!file.append(bytes) || !file.sync() || !file.renameTo(path)) {
+    const std::string head = headBytes(m_head);
+    std::uint64_t bytes = head.size();
+    bool isWhole = file.append(head).ok();
+    for (const auto& [name, journaled] : m_journaled) {
+        const Result<std::uint64_t> begun = begin(file, name, journaled);
+        const std::string change = changeBytes(name, spliceBetween(*journaled.base, *journaled.text));
+        isWhole = isWhole && begun && file.append(change);
+        if (isWhole) bytes += begun.value() + change.size();
+    }
+    if (!isWhole || !file.sync() || !file.renameTo(path)) {
         file.remove();
         return {};
     }
     m_file = std::make_shared<LockedFile>(std::move(file));
-    m_bytes = bytes.size();
+    m_bytes = bytes;
     return {};
 }
 

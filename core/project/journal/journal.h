@@ -48,7 +48,9 @@ private:
         SharedText base, text;
         bool isCreated = false;
     };
-    [[nodiscard]] static std::string beginBytes(const std::string& file, const JournaledText& journaled);
+    /// Returns the number of bytes written.
+    [[nodiscard]] static Result<std::uint64_t> begin(LockedFile& journal, const std::string& file,
+                                                     const JournaledText& journaled);
     [[nodiscard]] static std::string changeBytes(const std::string& file, const TextSplice& splice);
     [[nodiscard]] Status makeFile();
     [[nodiscard]] Status append(const std::string& record);

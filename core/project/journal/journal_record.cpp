@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kMaxFields = 16, kNumberBytes = 4;
 
-/// CRC-32 as in ISO 3309 (polynomial 0xEDB88320 reflected).
-std::uint32_t checksum(std::string_view bytes) {
+/// CRC-32 as in ISO 3309 (polynomial 0xEDB88320 reflected). `sum`: of the bytes before.
+std::uint32_t checksum(std::string_view bytes, std::uint32_t sum = 0) {
     static const auto table = [] {
         std::array<std::uint32_t, 256> t{};
         for (std::uint32_t i = 0; i < 256; ++i) {
@@ -18,7 +18,7 @@ std::uint32_t checksum(std::string_view bytes) {
         }
         return t;
     }();
-    std::uint32_t sum = 0xFFFFFFFFu;
+    sum = ~sum;
     for (const char byte : bytes) sum = table[(sum ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (sum >> 8);
     return ~sum;
 }
@@ -39,24 +39,40 @@ std::optional<std::uint32_t> readNumber(std::string_view& bytes) {
 
 std::string journalBytes(const JournalRecord& record) {
     const std::vector<std::string_view> fields(record.fields.begin(), record.fields.end());
-    return journalBytes(static_cast<JournalRecord::Kind>(record.kind), fields);
+    const JournalPieces pieces(static_cast<JournalRecord::Kind>(record.kind), fields);
+    std::string bytes;
+    bytes.reserve(pieces.size());
+    for (const std::string_view piece : pieces.all()) bytes += piece;
+    return bytes;
 }
 
-std::string journalBytes(JournalRecord::Kind kind, std::span<const std::string_view> fields) {
+JournalPieces::JournalPieces(JournalRecord::Kind kind, std::span<const std::string_view> fields) {
+    m_heads.emplace_back(1, static_cast<char>(kind));
     std::size_t size = 1;
-    for (const std::string_view field : fields) size += kNumberBytes + field.size();
-    std::string bytes;
-    bytes.reserve(2 * kNumberBytes + size);
-    putNumber(bytes, static_cast<std::uint32_t>(size));
-    putNumber(bytes, 0); // the checksum
-    bytes += static_cast<char>(kind);
     for (const std::string_view field : fields) {
-        putNumber(bytes, static_cast<std::uint32_t>(field.size()));
-        bytes += field;
+        if (size > 1) m_heads.emplace_back();
+        putNumber(m_heads.back(), static_cast<std::uint32_t>(field.size()));
+        size += kNumberBytes + field.size();
     }
-    std::string sum;
-    putNumber(sum, checksum(std::string_view(bytes).substr(2 * kNumberBytes)));
-    return bytes.replace(kNumberBytes, kNumberBytes, sum);
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < m_heads.size(); ++i) {
+        sum = checksum(m_heads[i], sum);
+        if (i < fields.size()) sum = checksum(fields[i], sum);
+    }
+    std::string start;
+    putNumber(start, static_cast<std::uint32_t>(size));
+    putNumber(start, sum);
+    m_heads[0].insert(0, start);
+    for (std::size_t i = 0; i < m_heads.size(); ++i) {
+        m_pieces.emplace_back(m_heads[i]);
+        if (i < fields.size()) m_pieces.push_back(fields[i]);
+    }
+}
+
+std::size_t JournalPieces::size() const {
+    std::size_t size = 0;
+    for (const std::string_view piece : m_pieces) size += piece.size();
+    return size;
 }
 
 std::optional<JournalRecord> nextRecord(std::string_view& bytes) {

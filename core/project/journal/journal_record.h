@@ -24,8 +24,19 @@ struct JournalRecord {
 
 /// Encodes a record: length, checksum, content.
 [[nodiscard]] std::string journalBytes(const JournalRecord& record);
-/// The same from fields that may be large: they are copied once.
-[[nodiscard]] std::string journalBytes(JournalRecord::Kind kind, std::span<const std::string_view> fields);
+/// The same in pieces, for fields that may be large: they are not copied and must outlive this object.
+class JournalPieces {
+public:
+    JournalPieces(JournalRecord::Kind kind, std::span<const std::string_view> fields);
+    JournalPieces(const JournalPieces&) = delete;
+    JournalPieces& operator=(const JournalPieces&) = delete;
+    [[nodiscard]] std::span<const std::string_view> all() const { return m_pieces; }
+    [[nodiscard]] std::size_t size() const; ///< bytes of all
+
+private:
+    std::vector<std::string> m_heads; ///< what precedes each field
+    std::vector<std::string_view> m_pieces;
+};
 /// Removes the next record from the front of `bytes`; nothing at the end, or if it is not a complete record.
 [[nodiscard]] std::optional<JournalRecord> nextRecord(std::string_view& bytes);
 
