@@ -10,7 +10,8 @@ namespace trundle {
 
 std::string figureText(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
+    const bool large = std::abs(value) >= 1000 && std::abs(value) < 1e9; // 2500, not 2.5e+03
+    std::snprintf(text, sizeof text, large ? "%.0f" : "%.3g", value);
     return text;
 }
 

@@ -137,6 +137,7 @@ private Q_SLOTS:
         row("an instance above a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Sized s=0.4 Pos=0,0,1.5 }",
             air, "300 mm above block/m", "a", true);
         row("in the air", "Robot a { Config=Ball Pos=0,0,1.5 }", air, "1.4 m above floor/ground", "a", true);
+        row("high in the air", "Robot a { Config=Ball Pos=0,0,2500.1 }", air, "2500 m above floor/ground", "a", true);
         row("a robot with wheels in the air", kRover + "Robot r { Config=Rover Pos=0,0,0.4 }", air, "400 mm above floor/ground",
             "r", true);
         row("turned, in the air", "Robot a { Config=Post Pos=0,0,1 HPR=0,90,0 }", air, "950 mm above", "a", true);
@@ -184,7 +185,7 @@ private Q_SLOTS:
             "Surface felt { Softness=1e-6 }\nRobotConfig Slab { Body b { Box g { Size=0.2,0.2,0.2 Mass=2 Surface=felt } } }\n"
             "Robot a { Config=Slab Pos=0,0,0.1 }",
             Code::SpringTooFast, "Slab on Surface felt", "felt", false);
-        row("a chassis of lead", rover("Mass=2 }", "Mass=20000 }"), Code::MassRatio, "1 to 1e+05", "leftWheel", false);
+        row("a chassis of lead", rover("Mass=2 }", "Mass=20000 }"), Code::MassRatio, "1 to 100000", "leftWheel", false);
     }
     void faults() {
         QFETCH(QString, text);
