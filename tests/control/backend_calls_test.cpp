@@ -35,7 +35,7 @@ TrundleKind scriptKind() {
     kind.fields = fields;
     kind.fieldCount = 1;
     kind.create = []() -> void* { return g_script->canCreate ? (++g_script->alive, g_script) : nullptr; };
-    kind.destroy = [](void*) { --g_script->alive; };
+    kind.destroy = [](void* self) { --static_cast<Script*>(self)->alive; };
     kind.set = [](void*, std::uint32_t, const TrundleValue* value) -> std::int32_t {
         g_script->pair.assign(value->numbers, value->numbers + value->count);
         return g_script->acceptsValues ? 0 : 1;

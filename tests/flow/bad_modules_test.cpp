@@ -11,10 +11,6 @@ namespace {
 constexpr int kTicks = 100, kAt = 50;
 constexpr int kRowsWhole = 1 + 1 + kTicks, kRowsCut = 1 + kAt; // a header, the start, one row per tick
 
-/// A sanitizer's runtime handles crashes before the program does, unless these options are set.
-const QString kOwnHandlers = QStringLiteral("handle_segv=0:handle_abort=0:handle_sigill=0:handle_sigbus=0:handle_sigfpe=0:"
-                                            "use_sigaltstack=0:detect_leaks=0:allocator_may_return_null=1");
-
 } // namespace
 
 class BadModulesTest : public QObject {

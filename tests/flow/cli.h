@@ -14,6 +14,10 @@ struct Outcome {
 inline QString programPath() { return QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"); }
 inline QString configPath(const QString& name) { return QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + name; }
 
+/// A sanitizer's runtime handles crashes before the program does, unless these options are set.
+inline const QString kOwnHandlers = QStringLiteral("handle_segv=0:handle_abort=0:handle_sigill=0:handle_sigbus=0:handle_sigfpe=0:"
+                                                   "use_sigaltstack=0:detect_leaks=0:allocator_may_return_null=1");
+
 /// Runs `program` (a path, or a name searched in PATH) until it ends, in `folder` if given. Does not use QProcess: that starts
 /// programs with clone(), which crashes ThreadSanitizer of clang 14.
 inline Outcome callProgram(const QString& program, const QStringList& arguments, const QString& folder = {},

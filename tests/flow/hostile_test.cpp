@@ -17,6 +17,10 @@ class HostileFlowTest : public QObject {
         const QString file = path("project/" + QString::fromUtf8(name));
         return writeFile(file, "Tick = 0.01  Duration = 0.1\n#import robots/simple_robot.sim\n" + rest) ? file : QString();
     }
+    [[nodiscard]] static Outcome runZoo(const QString& file) {
+        const QString zoo = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo");
+        return callProgram("/usr/bin/env", {"ASAN_OPTIONS=" + kOwnHandlers, programPath(), "run", file, "--modules", zoo});
+    }
 
 private Q_SLOTS:
     void init() {
@@ -77,8 +81,7 @@ private Q_SLOTS:
         QFETCH(int, code);
         const QString file = experiment("#loadModule zoo\nRobot r { Config=SimpleRobot Zoo brain { At=3 Action=\"" +
                                         QByteArray(QTest::currentDataTag()) + "\" } }\n");
-        const QString zoo = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo");
-        const Outcome run = cli({"run", file, "--modules", zoo});
+        const Outcome run = runZoo(file);
         QVERIFY2(run.code == code, shown(run));
         QCOMPARE(controlCharacters(run), QByteArray());
         for (const QByteArray& line :
@@ -90,7 +93,7 @@ private Q_SLOTS:
     void aModuleCanWaitForAllItsChildProcesses() {
         const QString file = experiment("#loadModule zoo\nRobot r { Config=SimpleRobot Zoo brain { At=3 "
                                         "Action=\"wait for all children\" } }\n");
-        const Outcome run = cli({"run", file, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo")});
+        const Outcome run = runZoo(file);
         QVERIFY2(run.code == 0 && run.err.contains("none left\n"), shown(run));
     }
     void theHelpOfAModuleIsClean() {
