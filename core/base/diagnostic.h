@@ -30,6 +30,7 @@ struct Diagnostic {
     std::vector<Fix> fixes;
     std::vector<std::pair<std::string, SourceRange>> notes; ///< "first defined here"
     std::uint64_t more = 0; ///< how many omitted diagnostics this one stands for; see Diagnostics::summarize()
+    std::uint64_t followUps = 0; ///< further places with the same mistake that are not reported
 };
 
 /// Collects diagnostics; passed through every stage from text to model. Per file it keeps at most kMaxOfOneFile errors and as

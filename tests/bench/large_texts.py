@@ -56,6 +56,8 @@ KINDS = {
     "numbered_comments": repeated("Foo f { A=1 } // #1\n"),
     "wrong_units": numbered("Light l{} { Pos=1 parsec,0,0 }\n"),
     "repeated_params": repeated("Param p = 1\n"),
+    "robots_of_one_config": numbered("Robot r{} { Config=Missing Pos=1,2,0 leftMotor.Resistance=3 }\n"),
+    "missing_pictures": numbered("Material m{} { ColorRGB=1,0,0 Texture=no{} }\n"),
     "open_strings": repeated('Param p = "x\n'),
     "unnamed_robots": repeated("Robot {}\n"),
     "blank_lines": repeated("\n"),

@@ -18,6 +18,7 @@ private Q_SLOTS:
         QTest::newRow("one of them is defined") << QByteArray("Param p% = $(q%)\n") << QByteArray("Param q7 = 1\n") << false;
         QTest::newRow("circles") << QByteArray("Param p% = $(p%)\n") << QByteArray() << false;
         QTest::newRow("unknown configs") << QByteArray("Robot r% { Config=c% }\n") << QByteArray() << false;
+        QTest::newRow("one unknown config") << QByteArray("Robot r% { Config=c }\n") << QByteArray() << false;
         QTest::newRow("unknown kinds") << QByteArray("Foo f% { A=1 } // #%\n") << QByteArray() << false;
         QTest::newRow("modules") << QByteArray("#loadModule missing%\n") << QByteArray() << false;
         QTest::newRow("imports") << QByteArray("#import missing%\n") << QByteArray() << false;
@@ -53,6 +54,26 @@ private Q_SLOTS:
             QVERIFY(loaded->diagnostics.all().size() <= 2 * Diagnostics::kMaxOfOneFile + 2);
             QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
         }
+    }
+    /// A name that is defined, a module or a file that is imported far behind its uses, does not keep a large text from being ended.
+    void farDefinitionsDoNotCount_data() {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QByteArray>("end");
+        const QByteArray robot = "Robot r% { Config=c Pos=%,0,0 leftMotor.Resistance=3 }\n";
+        QTest::newRow("config") << robot << QByteArray("RobotConfig c { Body b { Box g { Size=1,1,1 Mass=1 } } }\n");
+        QTest::newRow("import") << robot << QByteArray("#import c.sim\n");
+        QTest::newRow("Param") << QByteArray("Param p% = $(q)\n") << QByteArray("Param q = 1\n");
+    }
+    void farDefinitionsDoNotCount() {
+        QFETCH(QByteArray, line);
+        QFETCH(QByteArray, end);
+        ProjectFixture fixture;
+        std::string text;
+        for (int i = 0; text.size() < (8u << 20); ++i) text += QByteArray(line).replace('%', QByteArray::number(i)).toStdString();
+        const auto loaded = fixture.open(text + end.toStdString());
+        QCOMPARE(loaded->trees[0]->extent(), Tree::Extent::Limited);
+        QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
+        QVERIFY2(loaded->trees[0]->tokens().size() < 1'100'000, QByteArray::number(qulonglong(loaded->trees[0]->tokens().size())));
     }
     /// Without mistakes, too: all texts together have a limit, and what is beyond it is the only error, at its place.
     void aTextWithoutMistakesHasALimit() {

@@ -44,13 +44,16 @@ std::vector<std::string> fitting(const Property& property, const Part& config, b
 
 void ResolveContext::unknownReference(const std::string& property, const std::string& what, const std::string& name,
                                       SourceRange range, bool literal, const std::vector<std::string>& candidates) {
-    if (m_reportedUnknown[what + " " + name]++ >= kMaxFollowUps) return;
-    if (manyAlready(diagnostics)) {
-        diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
+    UnknownName& unknown = m_unknownNames[what + " " + name];
+    if (unknown.reports == kMaxFollowUps) {
+        if (unknown.last) ++diagnostics.at(unknown.last - 1).followUps;
         return;
     }
+    ++unknown.reports;
     Diagnostic& d =
         diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
+    if (&d == &diagnostics.all().back()) unknown.last = diagnostics.all().size();
+    if (manyAlready(diagnostics)) return;
     std::vector<std::string> near;
     for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`
         if (candidate.size() > name.size() && candidate.ends_with("." + name)) near.push_back(candidate);

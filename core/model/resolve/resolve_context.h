@@ -78,7 +78,11 @@ private:
                                        const std::map<std::string, std::uint32_t>& places);
     void hintLater(const Part& found, const Part& user, SourceRange range);
 
-    std::map<std::string, int> m_reportedUnknown;
+    struct UnknownName {
+        int reports = 0;
+        std::size_t last = 0; ///< index of its last diagnostic + 1; 0: none was kept
+    };
+    std::map<std::string, UnknownName> m_unknownNames;
     std::map<std::string, bool> m_reportedLater;
 };
 

@@ -10,7 +10,7 @@ namespace trundle {
 
 namespace {
 
-constexpr std::ptrdiff_t kHopelessMistakes = 500;
+constexpr std::uint64_t kHopelessMistakes = 500;
 
 using Names = std::unordered_set<std::string_view>;
 
@@ -90,14 +90,25 @@ private:
     }
 };
 
+bool isError(const Diagnostic& d) { return d.severity == Severity::Error; }
+
+std::uint64_t errorsOf(const Diagnostics& diagnostics) {
+    std::uint64_t errors = 0;
+    for (const Diagnostic& d : diagnostics.all()) errors += isError(d) ? 1 + d.followUps : 0;
+    return errors;
+}
+
 std::string unreadSize(const Tree& tree) { return std::to_string((tree.source().bytes().size() - tree.readTo()) >> 10) + " KiB"; }
 
 } // namespace
 
+bool hasManyMistakes(const Diagnostics& diagnostics) {
+    return errorsOf(diagnostics) >= kHopelessMistakes || diagnostics.all().size() >= Diagnostics::kMaxOfOneFile;
+}
+
 bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics) {
-    const auto isError = [](const Diagnostic& d) { return d.severity == Severity::Error; };
     const std::vector<Diagnostic>& all = diagnostics.all();
-    if (std::ranges::count_if(all, isError) < kHopelessMistakes) return false;
+    if (errorsOf(diagnostics) < kHopelessMistakes) return false;
     const auto nameOf = [&](const Diagnostic& d) {
         return d.range.file == tree.file() ? nameIn(tree.source().slice(d.range.range)) : std::string_view();
     };
@@ -105,16 +116,18 @@ bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics) {
     for (const Diagnostic& d : all)
         if (remedyOf(d.code) == Remedy::Definition) asked.insert(nameOf(d));
     const UnreadText unread(tree.source().bytes().substr(tree.readTo()), asked);
-    return std::ranges::count_if(all, [&](const Diagnostic& d) {
-               if (!isError(d)) return false;
-               switch (remedyOf(d.code)) {
-               case Remedy::None: return true;
-               case Remedy::Definition: return !unread.directives && !nameOf(d).empty() && !unread.defined.contains(nameOf(d));
-               case Remedy::Directive: return !unread.directives;
-               case Remedy::Override: return !unread.directives && !unread.overrides;
-               }
-               return false;
-           }) >= kHopelessMistakes;
+    const auto remains = [&](const Diagnostic& d) {
+        switch (remedyOf(d.code)) {
+        case Remedy::None: return true;
+        case Remedy::Definition: return !unread.directives && !nameOf(d).empty() && !unread.defined.contains(nameOf(d));
+        case Remedy::Directive: return !unread.directives;
+        case Remedy::Override: return !unread.directives && !unread.overrides;
+        }
+        return false;
+    };
+    std::uint64_t remaining = 0;
+    for (const Diagnostic& d : all) remaining += isError(d) && remains(d) ? 1 + d.followUps : 0;
+    return remaining >= kHopelessMistakes;
 }
 
 Diagnostic restUnread(const Tree& tree) {

@@ -11,6 +11,10 @@ namespace trundle {
 /// errors.
 [[nodiscard]] bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics);
 
+/// True if there are at least 500 errors or 1,000 messages, whatever could still resolve them: of a text beyond a few MiB so many
+/// are enough.
+[[nodiscard]] bool hasManyMistakes(const Diagnostics& diagnostics);
+
 /// A diagnostic that states how much of the file was not read.
 [[nodiscard]] Diagnostic restUnread(const Tree& tree);
 

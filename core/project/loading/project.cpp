@@ -83,6 +83,9 @@ Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
         const SourceRange use = isUsedElsewhere(d) ? d.notes[0].second : SourceRange();
         if (said.emplace(static_cast<int>(d.code), d.range, d.message, use).second) kept.push_back(std::move(d));
     }
+    for (Diagnostic& d : kept)
+        if (d.followUps)
+            d.message += " (and in " + std::to_string(d.followUps) + (d.followUps == 1 ? " other place)" : " other places)");
     tidy.append(oncePerValue(std::move(kept)));
     tidy.addOmitted(given);
     tidy.summarize();
@@ -90,11 +93,15 @@ Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
 }
 
 constexpr std::size_t kFirstTokens = 250'000; // first limit, about 1 MiB of text
+/// Second limit. What would become right only beyond it counts as wrong, so that the memory for a text of mistakes is bounded.
+constexpr std::size_t kPatientTokens = 4 * kFirstTokens;
 
 FileStamp stampOf(const std::string& path) {
     const Result<FileStamp> stamp = regularFileStamp(path);
     return stamp ? stamp.value() : FileStamp{};
 }
+
+constexpr int kMostSuggestions = 100; ///< of missing files: each lists folders
 
 AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch& search, MeshSource& meshes,
                        LoadedProject& loaded) {
@@ -106,10 +113,12 @@ AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch
         if (isNew && path) named->second = {path.value(), stampOf(path.value())};
         return path;
     };
-    const auto missing = [&search](const Error& error, const std::string& written, const std::string& from) {
+    const auto missing = [&search, count = std::make_shared<int>(0)](const Error& error, const std::string& written,
+                                                                     const std::string& from) {
         Error e = error;
         if (e.code == Code::ImportNotFound) {
             e.code = Code::MeshUnreadable;
+            if (++*count > kMostSuggestions) return e;
             const std::vector<std::string> near = search.nearest(written, from);
             if (!near.empty()) e.message += "; did you mean " + near.front() + "?";
         }
@@ -165,7 +174,9 @@ Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& pa
         if (!tried.ok()) return tried.error();
         Attempt& a = tried.value();
         const FileId limited = a.limitedFile;
-        if (limited != kNoFile && !hasTooManyErrors(*a.loaded->trees[limited], a.diagnostics)) {
+        const bool ends = limited != kNoFile && (most >= kPatientTokens ? hasManyMistakes(a.diagnostics)
+                                                                        : hasTooManyErrors(*a.loaded->trees[limited], a.diagnostics));
+        if (limited != kNoFile && !ends) {
             if (most == m_options.mostTokens) {
                 a.loaded->diagnostics = tooManyTokens(*a.loaded->trees[limited], most); // other errors may come from the cut
                 return std::shared_ptr<const LoadedProject>(std::move(a.loaded));

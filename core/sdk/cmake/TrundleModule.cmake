@@ -8,6 +8,7 @@
 #   FOLDER  subfolder of TRUNDLE_MODULE_DIR; default: that folder itself
 #   OUTPUT  library name if it differs from the target's name
 #   LINK    further libraries
+# `cmake --install` copies both files if TRUNDLE_MODULE_INSTALL_DIR is set.
 
 include(CheckCXXCompilerFlag)
 
@@ -23,6 +24,7 @@ function(trundle_module name)
     set(TRUNDLE_MODULE_DIR ${CMAKE_BINARY_DIR})
   endif()
   set(target module_${name})
+  set(library lib${MOD_OUTPUT}.so)
 
   add_library(${target} MODULE ${MOD_SOURCES})
   target_link_libraries(${target} PRIVATE trundle::sdk ${MOD_LINK})
@@ -51,7 +53,13 @@ function(trundle_module name)
   if(describe)
     add_custom_command(TARGET ${target} POST_BUILD
       COMMAND ${describe} describe --module $<TARGET_FILE:${target}> --output $<TARGET_FILE:${target}>.kinds.json
-      BYPRODUCTS ${TRUNDLE_MODULE_DIR}/${MOD_FOLDER}/lib${MOD_OUTPUT}.so.kinds.json
+      BYPRODUCTS ${TRUNDLE_MODULE_DIR}/${MOD_FOLDER}/${library}.kinds.json
       COMMENT "Describing ${MOD_OUTPUT}" VERBATIM)
+  endif()
+  if(TRUNDLE_MODULE_INSTALL_DIR)
+    install(FILES $<TARGET_FILE:${target}> DESTINATION ${TRUNDLE_MODULE_INSTALL_DIR}/${MOD_FOLDER})
+    if(describe)
+      install(FILES $<TARGET_FILE:${target}>.kinds.json DESTINATION ${TRUNDLE_MODULE_INSTALL_DIR}/${MOD_FOLDER})
+    endif()
   endif()
 endfunction()
