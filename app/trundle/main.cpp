@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
 
     const std::unique_ptr<Application> trundleApplication = makeApplication();
     const std::unique_ptr<RenderService> render = RenderService::startInBackground();
-    MainWindow window(*trundleApplication, render.get(), findLocations());
+    MainWindow window(*trundleApplication, render.get(), findLocations(), options.given);
     if (options.screenshot.isEmpty()) window.rememberViews();
     else window.disableSettings(); // a screenshot must not depend on the user's settings
     if (options.size.isValid()) {

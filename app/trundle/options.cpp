@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include <QCommandLineParser>
+#include <QFileInfo>
 
 #include "trundle/problem.h"
 
@@ -12,6 +13,17 @@ namespace {
 [[noreturn]] void refuse(const QString& message) {
     printProblem(message);
     std::exit(2);
+}
+
+/// The values of an option that names existing folders.
+std::vector<std::string> folders(const QCommandLineParser& parser, const QString& option) {
+    std::vector<std::string> all;
+    for (const QString& folder : parser.values(option)) {
+        const QString dashes = option.size() == 1 ? QStringLiteral("-") : QStringLiteral("--");
+        if (!QFileInfo(folder).isDir()) refuse(QStringLiteral("%1%2: there is no folder %3").arg(dashes, option, folder));
+        all.push_back(QFileInfo(folder).absoluteFilePath().toStdString());
+    }
+    return all;
 }
 
 QSize sizeFrom(const QString& text) {
@@ -43,6 +55,10 @@ void describeOptions(QCommandLineParser& parser) {
                                  QStringLiteral("[FILE]"));
     parser.addOptions(
         {{QStringLiteral("open"), QStringLiteral("Open FILE."), QStringLiteral("FILE")},
+         {QStringLiteral("I"), QStringLiteral("Also look for imported files in DIR (may be repeated)."), QStringLiteral("DIR")},
+         {QStringLiteral("modules"), QStringLiteral("Also look for modules in DIR, and trust those there (may be repeated)."),
+          QStringLiteral("DIR")},
+         {QStringLiteral("trust"), QStringLiteral("Trust the modules that lie beside the experiment's files.")},
          {QStringLiteral("run-for"), QStringLiteral("Run for S simulated seconds, then pause."), QStringLiteral("S")},
          {QStringLiteral("view"), QStringLiteral("perspective, top, front, side, follow, chase, text, or a View of FILE."),
           QStringLiteral("NAME")},
@@ -69,6 +85,9 @@ WindowOptions readOptions(const QCoreApplication& application) {
     options.open = parser.value(QStringLiteral("open"));
     if (parser.positionalArguments().size() > 1) refuse(QStringLiteral("one FILE at a time"));
     if (options.open.isEmpty() && !parser.positionalArguments().isEmpty()) options.open = parser.positionalArguments().front();
+    options.given.includes = folders(parser, QStringLiteral("I"));
+    options.given.modules = folders(parser, QStringLiteral("modules"));
+    options.given.trust = parser.isSet(QStringLiteral("trust"));
     if (parser.isSet(QStringLiteral("run-for"))) {
         bool number = false;
         options.runFor = parser.value(QStringLiteral("run-for")).toDouble(&number);

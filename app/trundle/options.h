@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "app/open_options.h"
 #include "editor/shell/layouts.h"
 #include "editor/widgets/theme.h"
 
@@ -14,6 +15,7 @@ namespace trundle {
 /// The command-line options of the window.
 struct WindowOptions {
     QString open;                 ///< the file to open
+    OpenOptions given;            ///< search folders and trusted modules, for every file opened in this window
     std::optional<double> runFor; ///< s, simulated; then the run is paused
     QString view;                 ///< perspective, top, front, side, follow, chase, text
     QStringList select;           ///< paths of objects

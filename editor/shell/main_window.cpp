@@ -79,7 +79,7 @@ void fitOnScreen(QWidget& window) {
 
 } // namespace
 
-MainWindow::MainWindow(Application& application, RenderService* render, const Locations& places)
+MainWindow::MainWindow(Application& application, RenderService* render, const Locations& places, const OpenOptions& given)
     : m_actions(std::make_unique<Actions>(actionTable())), m_document(new Document(application, this)),
       m_selection(new Selection(this)), m_session(new RunSession(*m_document, application, this)), m_marks(new ObjectMarks(this)),
       m_edits(new ObjectEdits(*m_document, *m_selection, *m_marks, this)) {
@@ -89,6 +89,7 @@ MainWindow::MainWindow(Application& application, RenderService* render, const Lo
     fitOnScreen(*this);
     m_files = new FileCommands(*this, *m_document, *m_actions, QString::fromStdString(places.configs));
     m_layouts = new Layouts(*this);
+    m_document->setOptions(given); // before the panels, which add what the user trusts
     makePanels(application, render, places);
     makeDocks();
     makeToolBars();

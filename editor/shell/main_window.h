@@ -42,8 +42,9 @@ class WorkArea;
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
-    /// `render` is null without OpenGL; the viewports then show a message. Both must outlive the window.
-    MainWindow(Application& application, RenderService* render, const Locations& places);
+    /// `render` is null without OpenGL; the viewports then show a message. Both must outlive the window. `given` holds search folders
+    /// and trusted modules from the command line, for every project of this window.
+    MainWindow(Application& application, RenderService* render, const Locations& places, const OpenOptions& given = {});
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return *m_document; }

@@ -50,6 +50,22 @@ private Q_SLOTS:
         QCOMPARE(qGray(image.pixel(3, image.height() - 3)) < 128, dark); // the status line
     }
 
+    void takesModulesAndSearchFolders() {
+        QVERIFY(QDir().mkpath(m_folder.filePath("shared")));
+        QVERIFY(writeFile(m_folder.filePath("shared/given.sim"), "#import robots/simple_robot.sim\n#loadModule controllers/good\n"
+                                                                 "Robot r { Config=SimpleRobot Driver brain { } }\n"));
+        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules");
+        QVERIFY(QDir().mkpath(m_folder.filePath("given")));
+        QVERIFY(writeFile(m_folder.filePath("given/given_test.sim"), "Duration = 1\n#import given.sim\n"));
+        const QStringList open{m_folder.filePath("given/given_test.sim"), "--run-for", "0.1", "--quit"};
+        const QStringList folders{"-I", m_folder.filePath("shared"), "--modules", modules};
+        const Outcome without = call(open), with = call(folders + open);
+        QVERIFY2(without.code == 1, shown(without));
+        QVERIFY2(with.code == 0 && with.err.isEmpty(), shown(with));
+        const Outcome missing = call(QStringList{"--modules", m_folder.filePath("none")} + open);
+        QVERIFY2(missing.code == 2 && missing.err.contains("--modules: there is no folder"), shown(missing));
+    }
+
     void takesAPictureOfAViewBlock() {
         const QString experiment = m_folder.filePath(QStringLiteral("views.sim")),
                       picture = m_folder.filePath(QStringLiteral("views.png"));
