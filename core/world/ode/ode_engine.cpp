@@ -89,9 +89,4 @@ std::span<const std::uint32_t> OdeEngine::contactsOf(GeomHandle geom) const {
     return m_byGeom.of(geom.index, m_objects.geoms.size(), m_contacts.all);
 }
 
-std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, double range, ActorHandle without) const {
-    if (m_fault) return {};
-    return m_rays.cast(origin, direction, range, without);
-}
-
 } // namespace trundle

@@ -41,8 +41,7 @@ public:
     [[nodiscard]] std::size_t contactCount() const override { return m_contacts.all.size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override;
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
-    [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
-                                            ActorHandle without) const override;
+    [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_dynamics.solver().quickTicks(); }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_dynamics.solver().rescuedTicks(); }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_dynamics.largestExactCluster(); }

@@ -9,13 +9,14 @@
 
 namespace trundle {
 
-class RayCaster {
+class RayCaster final : public RayTargets {
 public:
     /// The objects outlive this.
     explicit RayCaster(const OdeObjects& objects);
 
-    /// Nearest hit along `direction` within `range` (m); geoms of the actor `without` are ignored. Nothing for what is no direction.
-    [[nodiscard]] std::optional<RayHit> cast(const Vec3& origin, const Vec3& direction, double range, ActorHandle without) const;
+    [[nodiscard]] std::optional<RayHit> ray(const SingleRay& ray, std::uint32_t without) const override;
+    void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const override;
+    void castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const override;
 
 private:
     [[nodiscard]] std::optional<RayHit> rayOnGeom(std::uint32_t geom, const Vec3& origin, const Vec3& direction,
