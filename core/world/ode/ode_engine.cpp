@@ -10,7 +10,13 @@ Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings) {
     } catch (const OdeFault&) { return Error{Code::EngineFault, "the physics engine cannot be started on this machine"}; }
 }
 
+Result<ActorHandles> OdeEngine::addActor(const ActorDef& actor) {
+    m_rays.markMoved();
+    return m_builder.addActor(actor);
+}
+
 Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& geom, const Pose& pose) {
+    m_rays.markMoved();
     auto added = m_builder.addStatic(geom, pose);
     if (added) m_sweep.addScenery(m_objects.geoms[added.value().index]);
     return added;
@@ -43,6 +49,7 @@ void OdeEngine::findContacts() {
 
 std::optional<EngineFault> OdeEngine::step(double h) {
     if (m_fault) return m_fault;
+    m_rays.markMoved();
     try {
         prepareThread();
         m_dynamics.prepare();

@@ -41,7 +41,7 @@ struct RayHits {
     double* normals = nullptr; ///< three numbers each, against the ray; zeros where nothing is hit
 };
 
-/// What rays can hit, with the poses after the last step. Geoms of the actor `without` (an index, kNoGeom for none) are ignored.
+/// What rays can hit, with the poses after the last step; for one thread at a time. Geoms of the actor `without` (an index, kNoGeom for none) are ignored.
 class RayTargets {
 public:
     virtual ~RayTargets() = default;
@@ -49,6 +49,8 @@ public:
     [[nodiscard]] virtual std::optional<RayHit> ray(const SingleRay& ray, std::uint32_t without) const = 0;
     virtual void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const = 0;
     virtual void castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const = 0;
+    /// How often poses were taken over for casts: once in a tick with casts.
+    [[nodiscard]] virtual std::uint64_t updates() const = 0;
 };
 
 } // namespace trundle
