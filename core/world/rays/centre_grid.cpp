@@ -24,6 +24,7 @@ void CentreGrid::build(std::span<const Ball> balls) {
     }
     m_cell = m_wanted; // larger where the world is large and empty
     while ((1 + (x1 - m_x0) / m_cell) * (1 + (y1 - m_y0) / m_cell) > 4. * static_cast<double>(count) + 256) m_cell *= 2;
+    m_perCell = 1 / m_cell;
     m_columns = static_cast<std::size_t>((x1 - m_x0) / m_cell) + 1;
     m_rows = static_cast<std::size_t>((y1 - m_y0) / m_cell) + 1;
     m_begin.assign(m_columns * m_rows + 1, 0);

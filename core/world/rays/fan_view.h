@@ -49,11 +49,11 @@ private:
 };
 
 template <class Run> void FanView::beamsIn(const BearingSector& sector, Run run) const {
-    constexpr double kTurn = 6.283185307179586477;
+    constexpr double kTurn = 6.283185307179586477, kPerTurn = 1 / kTurn;
     const int last = static_cast<int>(m_table.count) - 1;
     if (m_perStep == 0 || sector.hi - sector.lo >= kTurn) return run(0, last);
     const auto floorOf = [](double x) { return static_cast<int>(x + 8192) - 8192; }; // bearings have at most some thousand turns
-    const int from = -floorOf((sector.hi - m_lowest) / kTurn), to = floorOf((m_highest - sector.lo) / kTurn);
+    const int from = -floorOf((sector.hi - m_lowest) * kPerTurn), to = floorOf((m_highest - sector.lo) * kPerTurn);
     for (int turn = from; turn <= to; ++turn) {
         double a = (sector.lo + turn * kTurn - m_table.firstBearing) * m_perStep;
         double b = (sector.hi + turn * kTurn - m_table.firstBearing) * m_perStep;

@@ -28,10 +28,13 @@ public:
         const Vec3 p = Vec3(hi[0] + lo[0], hi[1] + lo[1], hi[2] + lo[2]) / 2 - Vec3(m_fan.origin);
         gap = (p.cwiseAbs() - e).cwiseMax(0).squaredNorm();
         if (gap > m_range * m_range) return false;
-        // Its ball against the cones of the lowest and the highest layer.
+        // Against the cones of the lowest and the highest layer: the highest point of the box above its farthest or nearest bearing.
         const Vec3 u(m_fan.a), v(m_fan.b), w(m_fan.c);
-        const double height = p.dot(w), rho = std::hypot(p.dot(u), p.dot(v)), r = e.norm() * (1 + 1e-9);
-        return height * m_low.cosine - rho * m_low.sine >= -r && height * m_high.cosine - rho * m_high.sine <= r;
+        const double height = p.dot(w), thick = e.dot(w.cwiseAbs()), rho = std::hypot(p.dot(u), p.dot(v)), r = e.norm();
+        const double near = std::max(0., rho - r), far = rho + r, slack = 1e-9 * (1 + far);
+        const double top = m_high.sine > 0 ? far : near, bottom = m_low.sine > 0 ? near : far;
+        return (height - thick) * m_high.cosine <= top * m_high.sine + slack &&
+               (height + thick) * m_low.cosine >= bottom * m_low.sine - slack;
     }
 
 private:

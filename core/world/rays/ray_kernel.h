@@ -66,10 +66,10 @@ struct RayShape {
 
 /// Where the search in a mesh or height map starts, farthest first.
 struct RayRoots {
-    static constexpr int kMax = 16;
-    int nodes[kMax] = {};
-    HeightBlock blocks[kMax] = {};
+    static constexpr int kMax = 10;
     int count = 0;
+    int nodes[kMax] = {};
+    HeightBlock blocks[4] = {};
 };
 
 struct RayKernel {

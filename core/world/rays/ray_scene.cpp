@@ -67,13 +67,18 @@ void RayScene::castRay(const SingleRay& ray, std::uint32_t without, const RayHit
     std::fill(std::begin(distance), std::end(distance), ray.range);
     std::fill(std::begin(nearest), std::end(nearest), double{kNoGeom});
     const BeamRow row{one, none, distance, nearest, part, 0, 0};
+    LocalBeams beams{}; // a beam at bearing 0
     RayRoots roots;
     roots.count = 1;
     const auto test = [&](std::uint32_t geom) {
         const RayGeom& g = m_geoms[geom];
         if (g.actor == without && without != kNoGeom) return;
         if (g.heights) roots.blocks[0] = {g.shape.heights->levels - 1, 0, 0};
-        cast(geom, row, local(g, ray.origin, ray.direction, Vec3::Zero(), Vec3::Zero()), roots);
+        for (int k = 0; k < 3; ++k) {
+            beams.origin[k] = g.axes.col(k).dot(ray.origin - g.centre);
+            beams.a[k] = g.axes.col(k).dot(ray.direction);
+        }
+        cast(geom, row, beams, roots);
     };
     const auto visit = [&](const Ball& ball) {
         const Vec3 p = Vec3(ball.x, ball.y, ball.z) - ray.origin;
