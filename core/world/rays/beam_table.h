@@ -17,7 +17,7 @@ struct Direction {
 [[nodiscard]] Direction directionOf(double angle);
 
 struct BeamTable {
-    BeamTable(const RayFan& fan);
+    explicit BeamTable(const RayFan& fan);
 
     double firstBearing, bearingStep;
     std::uint32_t count;

@@ -4,13 +4,19 @@
 
 namespace trundle {
 
+namespace {
+
+bool isPlace(const Ball& b) { return std::isfinite(b.x * b.x + b.y * b.y + b.z * b.z + b.r); }
+
+} // namespace
+
 void CentreGrid::build(std::span<const Ball> balls) {
     double x1 = -1e300, y1 = -1e300;
     m_x0 = m_y0 = 1e300;
     m_reach = 0;
     std::size_t count = 0;
     for (const Ball& b : balls) {
-        if (!std::isfinite(b.x + b.y + b.z + b.r)) continue;
+        if (!isPlace(b)) continue;
         ++count;
         m_x0 = std::min(m_x0, b.x);
         m_y0 = std::min(m_y0, b.y);
@@ -31,7 +37,7 @@ void CentreGrid::build(std::span<const Ball> balls) {
     m_cellOf.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Ball& b = balls[i];
-        const bool finite = std::isfinite(b.x + b.y + b.z + b.r);
+        const bool finite = isPlace(b);
         m_cellOf[i] = finite ? static_cast<std::uint32_t>(row(b.y) * m_columns + column(b.x)) : 0xffffffffu;
         if (finite) ++m_begin[m_cellOf[i]];
     }

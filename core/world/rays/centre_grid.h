@@ -20,7 +20,7 @@ class CentreGrid {
 public:
     explicit CentreGrid(double cell) : m_wanted(cell) {}
 
-    /// Balls whose numbers are not finite are left out.
+    /// Balls whose numbers, or their squares, are not finite are left out.
     void build(std::span<const Ball> balls);
 
     /// All whose centre is within the longest radius of a rectangle, and some more: visit(ball).

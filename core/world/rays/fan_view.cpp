@@ -77,7 +77,8 @@ void FanView::bounds(Vec3& lo, Vec3& hi) const {
     const Vec3 reach = Vec3::Constant(m_fan.range);
     lo = m_fan.origin - reach;
     hi = m_fan.origin + reach;
-    if (m_highest - m_lowest > 2) return; // rad: a wide fan reaches nearly everywhere
+    const bool wide = m_highest - m_lowest > 2; // rad: reaches nearly everywhere
+    if (wide || m_fan.size() > 64) return;
     lo = hi = m_fan.origin;
     for (std::size_t layer = 0; layer < m_table.layers.size(); ++layer)
         for (std::uint32_t k = 0; k < m_table.count; ++k) {

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] BearingSector sectorOf(const Vec3& centre, const Mat3& axes, const Vec3& half) const;
     /// run(first, last) for the beams of a sector, and perhaps their neighbours.
     template <class Run> void beamsIn(const BearingSector& sector, Run run) const;
-    /// Of all beams, with their origin.
+    /// A box around all beams, tight if they are few and narrow.
     void bounds(Vec3& lo, Vec3& hi) const;
 
     [[nodiscard]] const RayFan& fan() const { return m_fan; }

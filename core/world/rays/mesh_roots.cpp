@@ -30,7 +30,8 @@ public:
         if (gap > m_range * m_range) return false;
         // Against the cones of the lowest and the highest layer: the highest point of the box above its farthest or nearest bearing.
         const Vec3 u(m_fan.a), v(m_fan.b), w(m_fan.c);
-        const double height = p.dot(w), thick = e.dot(w.cwiseAbs()), rho = std::hypot(p.dot(u), p.dot(v)), r = e.norm();
+        const double height = p.dot(w), thick = e.dot(w.cwiseAbs()), x = p.dot(u), y = p.dot(v), rho = std::sqrt(x * x + y * y),
+                     r = e.norm();
         const double near = std::max(0., rho - r), far = rho + r, slack = 1e-9 * (1 + far);
         const double top = m_high.sine > 0 ? far : near, bottom = m_low.sine > 0 ? near : far;
         return (height - thick) * m_high.cosine <= top * m_high.sine + slack &&

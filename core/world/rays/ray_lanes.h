@@ -1,6 +1,7 @@
 #pragma once
 // Vectors of doubles, one number for each of several beams. TRUNDLE_LANES is their count; all operations are element by element, so
-// that a beam's result does not depend on it. Compilers make one instruction of each of the loops. Included only by the files of the kernels; everything has internal linkage.
+// that a beam's result does not depend on it. Compilers make one instruction of each of the loops. Included only by the files of the
+// kernels; everything has internal linkage.
 
 namespace trundle {
 namespace {
