@@ -33,7 +33,7 @@ public:
     /// Nearest hit along a ray, ignoring one robot.
     [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
                                             std::size_t withoutRobot) const {
-        return m_engine->ray(origin, direction, range, m_actors[withoutRobot]);
+        return m_engine->rays().ray({origin, direction, range}, m_actors[withoutRobot].index);
     }
     /// Path of a geom, such as "robot0/chassis/hull" or "arena/north".
     [[nodiscard]] std::string pathOf(std::uint32_t geom) const;

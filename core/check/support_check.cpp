@@ -138,7 +138,7 @@ private:
                     const auto hit = m_scene.ray(from, -m_up, kFar, finding.piece.robot);
                     if (!hit || (finding.height && hit->distance >= *finding.height)) continue;
                     finding.height = hit->distance;
-                    finding.ground = m_scene.pathOf(hit->geom.index);
+                    finding.ground = m_scene.pathOf(hit->geom);
                 }
             }
         return hasShape;
@@ -180,7 +180,7 @@ private:
         }
         Diagnostic& d =
             m_diagnostics.warning(Code::BelowFloor, robot.nameRange,
-                                  who + " starts " + lengthText(roof->distance) + " below " + m_scene.pathOf(roof->geom.index) +
+                                  who + " starts " + lengthText(roof->distance) + " below " + m_scene.pathOf(roof->geom) +
                                       ", with nothing beneath: it falls without an end" + more);
         const auto top = m_scene.ray(at + kFar * m_up, -m_up, 2 * kFar, f.piece.robot);
         if (!top) return;

@@ -5,6 +5,7 @@
 #include "base/platform/module_text.h"
 #include "base/rng.h"
 #include "world/device_radio.h"
+#include "world/device_rays.h"
 #include "world/device_texts.h"
 #include "world/world_objects.h"
 
@@ -121,11 +122,10 @@ struct ServiceCalls {
     static std::int32_t ray(void* context, const double origin[3], const double direction[3], double range, std::int32_t own,
                             TrundleHit* hit) {
         const DeviceHost& w = world(context);
-        ActorHandle without;
-        if (!own) without = w.objects.robots()[caller(context).device->robot].handles.actor;
-        const auto found = w.engine.ray(Vec3(origin), Vec3(direction), range, without);
+        const std::uint32_t without = own ? kNoActor : w.objects.robots()[caller(context).device->robot].handles.actor.index;
+        const auto found = w.engine.rays().ray({Vec3(origin), Vec3(direction), range}, without);
         if (!found) return 0;
-        if (hit) *hit = {found->distance, {found->normal.x(), found->normal.y(), found->normal.z()}, found->geom.index, 0};
+        if (hit) *hit = {found->distance, {found->normal.x(), found->normal.y(), found->normal.z()}, found->geom, 0};
         return 1;
     }
 
@@ -162,7 +162,8 @@ void fillServices(TrundleServices& services, ServiceContext& context, double tic
                 ServiceCalls::jointAnchor,
                 ServiceCalls::print,
                 servicesRadio(),
-                ServiceCalls::servoRow};
+                ServiceCalls::servoRow,
+                servicesRays()};
 }
 
 } // namespace trundle

@@ -21,6 +21,7 @@
 #include "model/body_spec.h"
 #include "model/experiment_spec.h"
 #include "model/joint_spec.h"
+#include "world/rays/ray_query.h"
 
 namespace trundle {
 
@@ -102,12 +103,6 @@ struct EngineContact {
     Vec3 friction = Vec3::Zero(); ///< N across the normal, on `first`
 };
 
-struct RayHit {
-    double distance = 0;
-    Vec3 normal = Vec3::UnitZ();
-    GeomHandle geom;
-};
-
 /// Why a step failed, after which the engine cannot be used any more, or why an actor ended.
 struct EngineFault {
     BodyHandle body; ///< invalid if the whole world is affected
@@ -166,9 +161,8 @@ public:
     [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
     /// Indices of the contacts of one geom, ascending. Valid until the next step.
     [[nodiscard]] virtual std::span<const std::uint32_t> contactsOf(GeomHandle geom) const = 0;
-    /// Nearest hit along a unit direction within `range` (m); geoms of the actor `without` are ignored.
-    [[nodiscard]] virtual std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
-                                                    ActorHandle without) const = 0;
+    /// Casts rays against all geoms.
+    [[nodiscard]] virtual const RayTargets& rays() const = 0;
 
     /// Steps solved by the quick solver, whether selected or as a fallback.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "model/passive_objects.h"
+#include "world/reflectance.h"
 #include "world/signal_plan.h"
 
 namespace trundle {
@@ -29,6 +30,7 @@ JointLocation placeOf(const JointSpec& joint, const BuiltRobot& robot) {
 
 void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
     const std::size_t before = diagnostics.errorCount();
+    for (const MaterialSpec& material : experiment.materials) m_reflectances.push_back(reflectanceOf(material));
     buildScenery(experiment, engine, diagnostics);
     buildRobots(experiment, engine, diagnostics);
     if (diagnostics.errorCount() > before) return;
@@ -55,8 +57,7 @@ void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine
                 diagnostics.error(id.error().code, g.nameRange, s.name + "/" + id.error().message);
                 continue;
             }
-            m_geomPaths.resize(std::max<std::size_t>(m_geomPaths.size(), id.value().index + 1));
-            m_geomPaths[id.value().index] = s.name + "/" + g.name;
+            addGeom(id.value().index, s.name + "/" + g.name, g);
         }
     }
 }
@@ -82,6 +83,14 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
     }
 }
 
+void WorldObjects::addGeom(std::uint32_t geom, std::string path, const GeomSpec& spec) {
+    const std::size_t count = std::max<std::size_t>(m_geomPaths.size(), geom + 1);
+    m_geomPaths.resize(count);
+    m_geomMaterials.resize(count);
+    m_geomPaths[geom] = std::move(path);
+    m_geomMaterials[geom] = spec.material;
+}
+
 void WorldObjects::nameBodies(const BuiltRobot& robot) {
     const auto& bodies = robot.spec->config->bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -93,9 +102,7 @@ void WorldObjects::nameBodies(const BuiltRobot& robot) {
         m_bodyByPath.emplace(m_bodyPaths[id], id);
         for (std::size_t g = 0; g < bodies[b].geoms.size(); ++g) {
             const GeomHandle geom = robot.handles.geoms[b][g];
-            if (!geom.valid()) continue;
-            m_geomPaths.resize(std::max<std::size_t>(m_geomPaths.size(), geom.index + 1));
-            m_geomPaths[geom.index] = m_bodyPaths[id] + "/" + bodies[b].geoms[g].name;
+            if (geom.valid()) addGeom(geom.index, m_bodyPaths[id] + "/" + bodies[b].geoms[g].name, bodies[b].geoms[g]);
         }
     }
 }

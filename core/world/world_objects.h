@@ -46,6 +46,11 @@ public:
     /// False also for a joint without a position.
     [[nodiscard]] bool jointHasPosition(std::uint32_t joint) const { return joint < m_jointTurns.size() && m_jointTurns[joint]; }
     [[nodiscard]] const std::string& geomPath(std::uint32_t geom) const { return m_geomPaths[geom]; }
+    [[nodiscard]] std::uint32_t geomMaterial(std::uint32_t geom) const { return m_geomMaterials[geom]; }
+    /// Of a material by its index in the experiment, 0..1; 0 if there is none.
+    [[nodiscard]] double reflectance(std::uint32_t material) const {
+        return material < m_reflectances.size() ? m_reflectances[material] : 0;
+    }
     [[nodiscard]] const std::vector<std::string>& bodyPaths() const { return m_bodyPaths; }
     [[nodiscard]] SourceRange bodyRange(std::uint32_t body) const { return m_bodyRanges[body]; }
     /// nullptr: no such joint.
@@ -60,11 +65,14 @@ public:
 private:
     void buildScenery(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
     void buildRobots(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
+    void addGeom(std::uint32_t geom, std::string path, const GeomSpec& spec);
     void nameBodies(const BuiltRobot& robot);
     void locateJoints(const BuiltRobot& robot);
 
     std::vector<BuiltRobot> m_robots;
     std::vector<std::string> m_geomPaths, m_bodyPaths;
+    std::vector<std::uint32_t> m_geomMaterials; ///< indices in the experiment
+    std::vector<double> m_reflectances;         ///< by material
     std::vector<SourceRange> m_bodyRanges;
     std::vector<std::uint32_t> m_hashOrder;
     std::vector<std::uint8_t> m_jointTurns;

@@ -47,12 +47,12 @@ int WorldRadio::solids(RadioId first, const Vec3& a, RadioId second, const Vec3&
     std::vector<std::uint32_t> met;
     double gone = 0;
     for (int i = 0; i < kMaxSolids && gone < length; ++i) {
-        const auto hit = m_engine.ray(a + gone * direction, direction, length - gone, sender.handles.actor);
+        const auto hit = m_engine.rays().ray({a + gone * direction, direction, length - gone}, sender.handles.actor.index);
         if (!hit) break;
         gone += hit->distance + kPast;
-        const std::string& path = m_objects.geomPath(hit->geom.index);
+        const std::string& path = m_objects.geomPath(hit->geom);
         const bool isOwn = path.starts_with(own[0]) || path.starts_with(own[1]);
-        if (!isOwn && std::find(met.begin(), met.end(), hit->geom.index) == met.end()) met.push_back(hit->geom.index);
+        if (!isOwn && std::find(met.begin(), met.end(), hit->geom) == met.end()) met.push_back(hit->geom);
     }
     return static_cast<int>(met.size());
 }

@@ -22,6 +22,7 @@ class Programs:
         self.trundle = os.path.join(build, "bin", "trundle")
         self.camera_bench = os.path.join(build, "bench", "camera_bench")
         self.window_bench = os.path.join(build, "bench", "window_bench")
+        self.ray_bench = os.path.join(build, "bench", "ray_bench")
         self.folder = folder
 
     def write(self, name, text):
@@ -73,6 +74,10 @@ class Programs:
     def camera(self, path, camera, pictures):
         """Seconds that pictures take; a JSON object of [10 %, median, mean]."""
         return json.loads(_output([self.camera_bench, path, camera, str(pictures)]))
+
+    def rays(self, *words):
+        """One measurement of ray_bench; its JSON object."""
+        return json.loads(_output([self.ray_bench, *map(str, words)]))
 
     def window(self, *words):
         """One measurement of window_bench; its JSON object."""

@@ -14,6 +14,7 @@ import tempfile
 
 import camera_tables
 import experiments
+import ray_tables
 import report
 import svg_plot
 import window_tables
@@ -219,7 +220,12 @@ def cameras(programs, options):
     return camera_tables.measure(programs, options, RESULTS, PAGE)
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds, "radios": radios}
+def rays(programs, options):
+    """What rays of range sensors take."""
+    return ray_tables.measure(programs, options, RESULTS, PAGE)
+
+
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds, "radios": radios, "rays": rays}
 
 
 def main():

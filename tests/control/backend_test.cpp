@@ -136,6 +136,7 @@ private Q_SLOTS:
         QTest::newRow("1.2") << QByteArray("1.2") << 2;
         QTest::newRow("1.3") << QByteArray("1.3") << 3;
         QTest::newRow("1.4") << QByteArray("1.4") << 4;
+        QTest::newRow("1.5") << QByteArray("1.5") << 4;
     }
     void aModuleOfAnOlderSdkRuns() {
         QFETCH(const QByteArray, version);

@@ -10,7 +10,13 @@ Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings) {
     } catch (const OdeFault&) { return Error{Code::EngineFault, "the physics engine cannot be started on this machine"}; }
 }
 
+Result<ActorHandles> OdeEngine::addActor(const ActorDef& actor) {
+    m_rays.markMoved();
+    return m_builder.addActor(actor);
+}
+
 Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& geom, const Pose& pose) {
+    m_rays.markMoved();
     auto added = m_builder.addStatic(geom, pose);
     if (added) m_sweep.addScenery(m_objects.geoms[added.value().index]);
     return added;
@@ -43,6 +49,7 @@ void OdeEngine::findContacts() {
 
 std::optional<EngineFault> OdeEngine::step(double h) {
     if (m_fault) return m_fault;
+    m_rays.markMoved();
     try {
         prepareThread();
         m_dynamics.prepare();
@@ -87,11 +94,6 @@ EngineContact OdeEngine::contact(std::size_t index) const {
 
 std::span<const std::uint32_t> OdeEngine::contactsOf(GeomHandle geom) const {
     return m_byGeom.of(geom.index, m_objects.geoms.size(), m_contacts.all);
-}
-
-std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, double range, ActorHandle without) const {
-    if (m_fault) return {};
-    return m_rays.cast(origin, direction, range, without);
 }
 
 } // namespace trundle

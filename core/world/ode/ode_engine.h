@@ -12,7 +12,7 @@
 #include "world/ode/actor_builder.h"
 #include "world/ode/actor_faults.h"
 #include "world/ode/collision/contacts_by_geom.h"
-#include "world/ode/collision/ray_caster.h"
+#include "world/ode/collision/ode_rays.h"
 #include "world/ode/motion/ode_sweep.h"
 #include "world/ode/ode_dynamics.h"
 #include "world/ode/pending_writes.h"
@@ -23,7 +23,7 @@ class OdeEngine final : public Engine {
 public:
     explicit OdeEngine(EngineSettings settings) : m_settings(std::move(settings)) {}
 
-    [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override { return m_builder.addActor(actor); }
+    [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;
     void setMotor(JointHandle joint, const MotorConstraint& row) override { m_rows.setMotor(joint.index, row); }
     void addJointTorque(JointHandle joint, double torque) override { m_writes.addTorque(joint.index, torque); }
@@ -41,8 +41,7 @@ public:
     [[nodiscard]] std::size_t contactCount() const override { return m_contacts.all.size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override;
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
-    [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
-                                            ActorHandle without) const override;
+    [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_dynamics.solver().quickTicks(); }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_dynamics.solver().rescuedTicks(); }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_dynamics.largestExactCluster(); }
@@ -65,7 +64,7 @@ private:
     OdeDynamics m_dynamics{m_settings, m_world, m_objects, m_contacts};
     OdeSweep m_sweep{m_settings, m_objects, m_dynamics.rotation(), m_search, m_collider};
     ActorFaults m_faults{m_objects, m_rows, m_dynamics.solver()};
-    RayCaster m_rays{m_objects};
+    OdeRays m_rays{m_objects};
     mutable ContactsByGeom m_byGeom;
     std::optional<EngineFault> m_fault;
 };

@@ -13,8 +13,8 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 4u
-#define TRUNDLE_SDK_VERSION "1.5.0"
+#define TRUNDLE_ABI_MINOR 5u
+#define TRUNDLE_SDK_VERSION "1.6.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -143,6 +143,7 @@ typedef struct TrundleServices {
     const TrundleServicesRadio* radio; /* since 1.2 */
     /* Since 1.4. Keeps the joint at `rate` with an effort from -limit to limit - damping * |joint rate| along its motion. */
     void (*servoRow)(void* context, uint32_t joint, double rate, double limit, double damping);
+    const TrundleServicesRays* rays; /* since 1.5 */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

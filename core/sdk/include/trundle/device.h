@@ -10,6 +10,7 @@
 #include <trundle/geometry.h>
 #include <trundle/module.h>
 #include <trundle/mount.h>
+#include <trundle/rays.h>
 #include <trundle/slot.h>
 
 namespace trundle {
@@ -53,6 +54,17 @@ public:
     bool ray(const Vec3& origin, const Vec3& direction, double range, TrundleHit& hit, bool own = false) const {
         return m_services.ray(m_services.context, origin.data(), direction.data(), range, own ? 1 : 0, &hit) != 0;
     }
+    // Since 1.6. False: an invalid value, or too little room for the results, which are left as they were.
+    /// All beams of a fan from a pose in the world (m). Results are layer by layer, in the order of the elevations.
+    bool castFan(const Fan& fan, const Pose& pose, const RayResults& results) const {
+        return detail::castFan(m_services, fan, pose, results);
+    }
+    /// Any rays; geoms of the own robot are ignored unless `own`.
+    bool castRays(std::span<const Ray> rays, const RayResults& results, bool own = false) const {
+        return detail::castRays(m_services, rays, own, results);
+    }
+    /// Path and material of a geom. False, with empty texts and zeros, if it is unknown or the program is older.
+    bool geomInfo(GeomId geom, TrundleGeomInfo& info) const { return detail::geomInfo(m_services, geom, info); }
     /// A function of (seed, device, tick, index): the same in every run.
     [[nodiscard]] std::uint64_t randomBits(std::uint64_t index) const { return m_services.random(m_services.context, index); }
     [[nodiscard]] double random(std::uint64_t index) const {

@@ -1,0 +1,92 @@
+// Casts of a device through the SDK, with programs that have the ray table and with older ones.
+#include <QtTest>
+
+#include <numbers>
+
+#include <trundle/device.h>
+
+using namespace trundle;
+
+class RaysTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    /// With the table of a program from before 1.6 a fan is a loop over `ray`; with the present one it is one call.
+    void fansAndRaysWithOldAndNewPrograms() {
+        TrundleServices services{};
+        services.ray = [](void*, const double from[3], const double along[3], double range, std::int32_t own,
+                          TrundleHit* hit) -> std::int32_t { // a wall at x = 3, for those that see their robot at x = 1
+            const double distance = ((own ? 1 : 3) - from[0]) / along[0];
+            if (!(along[0] > 0.1) || distance > range) return 0;
+            *hit = {distance, {-1, 0, 0}, 7, 0};
+            return 1;
+        };
+        static const TrundleServicesRays rays{
+            sizeof(TrundleServicesRays), 0,
+            [](void*, const TrundleFan* f, double* distances, std::uint32_t* geoms, double* normals) -> std::int32_t {
+                if (f->own) return -1;
+                for (std::uint32_t i = 0; i < f->count * f->layers; ++i) {
+                    distances[i] = f->elevations[i / f->count] + i + f->quaternion[3] + f->position[1];
+                    if (geoms) geoms[i] = i;
+                    if (normals) normals[3 * i + 2] = f->range;
+                }
+                return 0;
+            },
+            [](void*, const TrundleRay* r, std::uint32_t count, std::int32_t, double* distances, std::uint32_t*,
+               double*) -> std::int32_t {
+                for (std::uint32_t i = 0; i < count; ++i) distances[i] = r[i].range + r[i].direction[1];
+                return 0;
+            },
+            [](void*, std::uint32_t geom, TrundleGeomInfo* info) -> std::int32_t {
+                info->path = "box/block";
+                info->reflectance = 0.5;
+                return geom == 4 ? 0 : -1;
+            }};
+        services.size = offsetof(TrundleServices, rays); // as if the table ended there
+        services.rays = &rays;
+        Sensing world(services);
+        Fan fan;
+        fan.firstBearing = -std::numbers::pi / 3;
+        fan.bearingStep = std::numbers::pi / 3;
+        fan.count = 4;
+        fan.elevations = {0, std::numbers::pi / 3};
+        fan.range = 5;
+        std::vector<double> distances(8);
+        std::vector<GeomId> geoms(8);
+        std::vector<Vec3> normals(8, Vec3::Ones());
+        const Pose pose{{1, 2, 3}, {0, 0, 0, 1}}; // half a turn about z
+        TrundleGeomInfo info{};
+        QVERIFY(world.castFan(fan, Pose{{1, 2, 3}, Quat::Identity()}, {distances, geoms, normals}));
+        const double expected[8] = {4, 2, 4, 5, 5, 4, 5, 5};
+        for (std::size_t i = 0; i < 8; ++i) {
+            QVERIFY(std::abs(distances[i] - expected[i]) < 1e-12);
+            QVERIFY(geoms[i] == (expected[i] < 5 ? GeomId{7} : GeomId{}));
+            QCOMPARE(normals[i], expected[i] < 5 ? Vec3(-1, 0, 0) : Vec3(0, 0, 0));
+        }
+        QVERIFY(world.castFan(fan, pose, {distances}));
+        QVERIFY(std::abs(distances[3] - 4) < 1e-12 && std::abs(distances[0] - 5) < 1e-12);
+        const Ray list[2] = {{{0, 0, 0}, {1, 0, 0}, 10}, {{0, 0, 0}, {0, 1, 0}, 2}};
+        QVERIFY(world.castRays(list, {distances}, true));
+        QCOMPARE(distances[0], 1.);
+        QCOMPARE(distances[1], 2.);
+        QVERIFY(!world.geomInfo(GeomId{4}, info) && std::string(info.path).empty());
+
+        services.size = sizeof services;
+        QVERIFY(world.castFan(fan, pose, {distances, geoms, normals}));
+        QCOMPARE(distances[6], std::numbers::pi / 3 + 6 + 1 + 2);
+        QVERIFY(geoms[6] == GeomId{6} && normals[6].z() == 5);
+        QVERIFY(world.castRays(list, {distances}));
+        QCOMPARE(distances[1], 3.);
+        QVERIFY(world.geomInfo(GeomId{4}, info) && std::string(info.path) == "box/block" && info.reflectance == 0.5);
+        QVERIFY(!world.geomInfo(GeomId{5}, info));
+        fan.own = true;
+        QVERIFY(!world.castFan(fan, pose, {distances}));
+        fan.own = false;
+        QVERIFY(!world.castFan(fan, pose, {std::span(distances).first(7)}) &&
+                !world.castFan(fan, pose, {distances, std::span(geoms).first(7)}));
+        fan.count = 0;
+        QVERIFY(!world.castFan(fan, pose, {distances}));
+    }
+};
+
+QTEST_APPLESS_MAIN(RaysTest)
+#include "rays_test.moc"
