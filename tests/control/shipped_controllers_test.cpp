@@ -30,7 +30,7 @@ private Q_SLOTS:
         for (const char* module :
              {"controllers/libarc_motion.so", "controllers/libblob_follow.so", "controllers/libbump_and_turn.so",
               "controllers/liblinear_motion.so", "controllers/libmote.so", "controllers/libnetwork_navigator.so",
-              "controllers/librandom_drive.so", "libMyRobotController.so", "libtemplate.so"})
+              "controllers/librandom_drive.so", "controllers/libwall_follow.so", "libMyRobotController.so", "libtemplate.so"})
             QTest::newRow(module) << QString(module);
     }
     void theirFields() {
