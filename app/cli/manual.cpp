@@ -222,10 +222,10 @@ Json manualJson(const Kind& kind) {
         json["signals"].push_back({{"name", signal.name},
                                    {"type", type},
                                    {"count", signal.count},
-                                   {"count_fields", signal.countFields},
                                    {"unit", signal.unit},
                                    {"direction", directionText(signal.direction)},
                                    {"help", signal.help}});
+        if (!signal.countFields.empty()) json["signals"].back()["count_fields"] = signal.countFields;
     }
     return json;
 }

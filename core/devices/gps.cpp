@@ -15,7 +15,7 @@ void Gps::describe(Describe<Gps>& d) {
     d.field("Noise", &Gps::m_noise, metres().within(0, 1e6).counted(1, 3),
             "Standard deviation of the position: of all axes, of x, y and of z, or of x, y, z.");
     d.field("CorrelationTime", &Gps::m_correlationTime, seconds().within(0, 1e6),
-            "The position's error is similar for about so long; 0: each is drawn anew.");
+            "The position's error is similar for about so long; 0: each is a new one.");
     d.field("VelocityNoise", &Gps::m_velocityNoise, metresPerSecond().within(0, 1e6),
             "Standard deviation of each axis of the velocity.");
     d.field("Dropouts", &Gps::m_dropouts, number().within(0, 1), "Share of readings that are missed; the last one stays.");

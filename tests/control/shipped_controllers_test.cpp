@@ -278,8 +278,9 @@ private:
     static QString fieldLine(const TrundleField& f) {
         QStringList defaults;
         for (std::uint32_t i = 0; i < f.defaultValue.count; ++i)
-            defaults << (f.type == TRUNDLE_TEXT ? QString(f.defaultValue.texts[i])
-                                                : QString::number(f.defaultValue.numbers[i] / f.scale, 'g', 6));
+            defaults << (f.type == TRUNDLE_TEXT || f.type == TRUNDLE_CHOICE
+                             ? QString(f.defaultValue.texts[i])
+                             : QString::number(f.defaultValue.numbers[i] / f.scale, 'g', 6));
         return QString("  %1 [%2] type %3 x%4..%5 in %6%7, %8%9 flags %10 = %11%12")
             .arg(f.name, f.unit)
             .arg(f.type)

@@ -80,22 +80,22 @@ struct Shape {
 };
 
 /// The walls of a hall far around, and shapes that do not touch the robot in the origin.
-std::vector<Shape> randomShapes(std::mt19937& dice) {
+std::vector<Shape> randomShapes(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::vector<Shape> shapes;
     for (int i = 0; i < 12; ++i) {
         Shape s;
         s.kind = static_cast<Shape::Kind>(i % 3);
-        Vec3 way(unit(dice), unit(dice), unit(dice));
-        s.position = way.normalized() * (1.2 + 2 * std::abs(unit(dice)));
-        s.hpr = 180 * Vec3(unit(dice), unit(dice), unit(dice));
-        s.size = Vec3(0.3, 0.3, 0.3) + 0.2 * Vec3(unit(dice), unit(dice), unit(dice));
+        Vec3 way(unit(random), unit(random), unit(random));
+        s.position = way.normalized() * (1.2 + 2 * std::abs(unit(random)));
+        s.hpr = 180 * Vec3(unit(random), unit(random), unit(random));
+        s.size = Vec3(0.3, 0.3, 0.3) + 0.2 * Vec3(unit(random), unit(random), unit(random));
         shapes.push_back(s);
     }
     Shape floor;
     floor.kind = Shape::Plane;
     floor.position = {0, 0, -1};
-    floor.hpr = 20 * Vec3(unit(dice), unit(dice), unit(dice));
+    floor.hpr = 20 * Vec3(unit(random), unit(random), unit(random));
     shapes.push_back(floor);
     return shapes;
 }
@@ -113,18 +113,18 @@ class RangingTest : public QObject {
 
 private Q_SLOTS:
     void rangesAgreeWithClosedForms() {
-        std::mt19937 dice(19);
+        std::mt19937 random(19);
         std::uniform_real_distribution<double> unit(-1, 1);
         int hits = 0, beams = 0;
         double worst = 0;
         for (int scene = 0; scene < 10; ++scene) {
-            const std::vector<Shape> shapes = randomShapes(dice);
+            const std::vector<Shape> shapes = randomShapes(random);
             std::string scenery;
             for (std::size_t i = 0; i < shapes.size(); ++i) scenery += shapes[i].text(static_cast<int>(i));
-            const Pose robot{0.1 * Vec3(unit(dice), unit(dice), unit(dice)),
-                             rotationFromHpr(kPi * Vec3(unit(dice), unit(dice), unit(dice)))};
-            const Vec3 place = 0.1 * Vec3(unit(dice), unit(dice), unit(dice)),
-                       turn = 180 * Vec3(unit(dice), unit(dice), unit(dice));
+            const Pose robot{0.1 * Vec3(unit(random), unit(random), unit(random)),
+                             rotationFromHpr(kPi * Vec3(unit(random), unit(random), unit(random)))};
+            const Vec3 place = 0.1 * Vec3(unit(random), unit(random), unit(random)),
+                       turn = 180 * Vec3(unit(random), unit(random), unit(random));
             const Vec3 hpr = hprFromRotation(robot.rotation) * 180 / kPi;
             SensorWorld w(floating("Lidar scan { Body=base Pos=" + triple(place) + " HPR=" + triple(turn) +
                                        " Beams=360 Layers=5 VerticalFieldOfView=100 MinRange=0 MaxRange=6 }",
@@ -411,7 +411,8 @@ private Q_SLOTS:
         QVERIFY(std::isfinite(normalDeviate(0)) && std::isfinite(normalDeviate(~0ull)));
         QCOMPARE(normalDeviate(0), -normalDeviate(~0ull));
         for (const double x : {1e-300, 1e-9, 0.1, 0.7, 1.0, 1.5, 1e9})
-            QVERIFY(std::abs(trundle::sdk1::detail::portableLog(x) - std::log(x)) <= 1e-15 * std::max(1.0, std::abs(std::log(x))));
+            QVERIFY(std::abs(trundle::sdk1::detail::portableLog(x) - std::log(x)) <=
+                    1e-15 * std::max(1.0, std::abs(std::log(x))));
     }
 
     void movingAndTiltedBodiesCarryTheirSensors() {

@@ -80,7 +80,7 @@ private Q_SLOTS:
             "Tick=0.01 Duration=1 Seed=3\n#loadModule components/sonar\n"
             "StaticConfig Wall { Plane floor { } Box wall { Pos=2.05,0,1 Size=0.1,9,2 } }\nStatic wall { Config=Wall }\n"
             "RobotConfig Post { Body base { Box hull { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=2 } }\n"
-            "  Sonar front { Body=base Pos=0,0,0.5 Noise=0.01 UpdatePeriod=0.1 Latency=0.02 Resolution=0.001 } }\n"
+            "  EchoSonar front { Body=base Pos=0,0,0.5 Noise=0.01 UpdatePeriod=0.1 Latency=0.02 Resolution=0.001 } }\n"
             "Robot post { Config=Post }\nSignalLog log { Signals=\"post/front/*\" Interval=0.01 File=sonar.csv }\n"));
         const Outcome run = cli({"run", folder.filePath("sonar.sim"), "--log-dir", folder.path()});
         QVERIFY2(run.code == 0, shown(run));
@@ -89,7 +89,7 @@ private Q_SLOTS:
         const double range = lines.last()[1].toDouble(), strength = lines.last()[2].toDouble(), time = lines.last()[3].toDouble();
         QVERIFY2(std::abs(range - 2) < 0.05 && std::abs(strength - 0.25) < 0.01 && std::abs(time - 0.9) < 0.101,
                  shown(run) + lines.last().join(','));
-        const Outcome described = cli({"describe", "Sonar", "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle")});
+        const Outcome described = cli({"describe", "EchoSonar", "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle")});
         QVERIFY2(described.code == 0 && described.out.contains("NoisePerMetre"), shown(described));
     }
 

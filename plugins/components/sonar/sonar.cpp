@@ -6,20 +6,20 @@
 
 namespace {
 
-class Sonar final : public trundle::Sensor, public trundle::RangeNoise {
+class EchoSonar final : public trundle::Sensor, public trundle::RangeNoise {
 public:
-    static void describe(trundle::Describe<Sonar>& d) {
+    static void describe(trundle::Describe<EchoSonar>& d) {
         d.help("Hears the nearest echo in a cone, and how strong it is.");
         describeSensor(d);
-        d.field("MinRange", &Sonar::minRange, trundle::metres().within(0, 100),
+        d.field("MinRange", &EchoSonar::minRange, trundle::metres().within(0, 100),
                 "Its transducer still rings: nearer echoes are lost.");
-        d.field("MaxRange", &Sonar::maxRange, trundle::metres().above(0).atMost(100), "Farther echoes are too weak.");
-        d.field("ConeAngle", &Sonar::coneAngle, trundle::degrees().within(1, 120), "Of its beam, from edge to edge.");
+        d.field("MaxRange", &EchoSonar::maxRange, trundle::metres().above(0).atMost(100), "Farther echoes are too weak.");
+        d.field("ConeAngle", &EchoSonar::coneAngle, trundle::degrees().within(1, 120), "Of its beam, from edge to edge.");
         describeNoise(d);
-        d.output("range", &Sonar::range, "m", "Distance of the nearest echo; MaxRange where there is none.");
-        d.output("strength", &Sonar::strength, "",
+        d.output("range", &EchoSonar::range, "m", "Distance of the nearest echo; MaxRange where there is none.");
+        d.output("strength", &EchoSonar::strength, "",
                  "Of that echo: 1 straight from a wall at 1 m, less with the square of the distance.");
-        d.output("time", &Sonar::time, "s", "When it was measured.");
+        d.output("time", &EchoSonar::time, "s", "When it was measured.");
     }
 
 private:
@@ -67,4 +67,4 @@ private:
 
 } // namespace
 
-TRUNDLE_MODULE(registry) { registry.device<Sonar>("Sonar"); }
+TRUNDLE_MODULE(registry) { registry.device<EchoSonar>("EchoSonar"); }

@@ -85,7 +85,7 @@ private Q_SLOTS:
             const QPointF at = m_window->at(hit);
             const QColor colour = image.pixelColor(at.toPoint());
             QVERIFY2(colour.red() > 180 && colour.green() < 130,
-                     qPrintable(QString("%1 %2: ").arg(at.x()).arg(at.y()) + colour.name()));
+                     qPrintable(QStringLiteral("%1 %2: ").arg(at.x()).arg(at.y()) + colour.name()));
         }
     }
 
