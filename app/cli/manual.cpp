@@ -195,7 +195,8 @@ std::string manualPage(const Kind& kind) {
     if (!kind.signals.empty()) text += "\nSignals\n";
     for (const SignalDescription& signal : kind.signals) {
         text += "  " + padded(signal.name, width) + directionText(signal.direction);
-        if (signal.count > 1) text += ", " + std::to_string(signal.count) + " numbers";
+        if (!signal.countFields.empty()) text += ", " + joined(signal.countFields, " x ") + " numbers";
+        else if (signal.count > 1) text += ", " + std::to_string(signal.count) + " numbers";
         if (!signal.unit.empty()) text += " in " + signal.unit;
         text += "\n";
         if (!signal.help.empty()) text += "  " + padded("", width) + signal.help + "\n";
@@ -224,6 +225,7 @@ Json manualJson(const Kind& kind) {
                                    {"unit", signal.unit},
                                    {"direction", directionText(signal.direction)},
                                    {"help", signal.help}});
+        if (!signal.countFields.empty()) json["signals"].back()["count_fields"] = signal.countFields;
     }
     return json;
 }

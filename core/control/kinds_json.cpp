@@ -68,13 +68,15 @@ Json toJson(const Kind& kind) {
     for (const Property& p : kind.properties) j["fields"].push_back(toJson(p));
     for (const Alternatives& a : kind.alternatives) j["exactly_one_of"].push_back({{"names", a.names}, {"likely", a.likely}});
     j["signals"] = Json::array();
-    for (const SignalDescription& s : kind.signals)
+    for (const SignalDescription& s : kind.signals) {
         j["signals"].push_back({{"name", s.name},
                                 {"unit", s.unit},
                                 {"help", s.help},
                                 {"type", kSignalTypes[s.type]},
                                 {"count", s.count},
                                 {"direction", kDirections[s.direction]}});
+        if (!s.countFields.empty()) j["signals"].back()["count_fields"] = s.countFields;
+    }
     return j;
 }
 
@@ -121,10 +123,10 @@ Kind kindFromJson(const Json& j, const std::string& library) {
         for (const Json& a : j.at("exactly_one_of"))
             kind.alternatives.push_back({a.at("names").get<std::vector<std::string>>(), a.at("likely").get<std::string>()});
     for (const Json& s : j.at("signals"))
-        kind.signals.push_back({s.at("name").get<std::string>(), s.at("unit").get<std::string>(),
-                                cleanText(s.at("help").get<std::string>()),
-                                indexOf(kSignalTypes, s.at("type").get<std::string>()), s.at("count").get<std::uint32_t>(),
-                                indexOf(kDirections, s.at("direction").get<std::string>())});
+        kind.signals.push_back(
+            {s.at("name").get<std::string>(), s.at("unit").get<std::string>(), cleanText(s.at("help").get<std::string>()),
+             indexOf(kSignalTypes, s.at("type").get<std::string>()), s.at("count").get<std::uint32_t>(),
+             indexOf(kDirections, s.at("direction").get<std::string>()), s.value("count_fields", std::vector<std::string>())});
     if (const std::string fault = kindFault(kind); !fault.empty()) throw std::runtime_error("'" + kind.name + "' " + fault);
     return kind;
 }

@@ -129,6 +129,11 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
         const TrundleSignal& s = from.signals[i];
         to.signals.push_back(
             {copied(s.name, ok), copied(s.unit, ok), cleanText(copied(s.help, ok)), s.type, s.count, s.direction});
+        for (std::uint32_t bits = s.reserved; bits != 0; bits >>= 16) {
+            const std::uint32_t field = bits & 0xffff;
+            ok = ok && field >= 1 && field <= from.fieldCount;
+            if (ok) to.signals.back().countFields.push_back(to.properties[field - 1].name);
+        }
         if (!ok) return "has a broken signal, number " + std::to_string(i + 1);
     }
     if (!copyAlternatives(from, to)) return "has a broken table of alternatives";
@@ -175,6 +180,19 @@ std::string propertyFault(const Property& p) {
     return {};
 }
 
+/// A signal whose count depends on fields needs a number for each of them.
+std::string countFault(const Kind& kind, const SignalDescription& signal) {
+    if (signal.count == 0 || signal.count > kMaxElements) return "has a signal " + signal.name + " of no size";
+    for (const std::string& name : signal.countFields) {
+        const Property* p = kind.find(name);
+        const bool integer = p && p->type == PropertyType::Integer && p->minCount == 1 && p->maxCount == 1 && p->minimum >= 1 &&
+                             (p->required || p->defaultValue);
+        if (!integer || kind.role != Role::Device)
+            return "has a signal " + signal.name + " counted by '" + name + "', which is no field with one positive integer";
+    }
+    return {};
+}
+
 /// Each alternative must be optional, otherwise there is no choice.
 std::string alternativesFault(const Kind& kind, const Alternatives& alternatives) {
     if (alternatives.names.size() < 2) return "has a choice between fewer than two fields";
@@ -202,7 +220,7 @@ std::string kindFault(const Kind& kind) {
     for (const SignalDescription& s : kind.signals) {
         if (!isName(s.name)) return "has a signal whose name '" + s.name + "' is no name";
         if (!names.insert(s.name).second) return "has two signals named " + s.name;
-        if (s.count == 0 || s.count > kMaxElements) return "has a signal " + s.name + " of no size";
+        if (auto fault = countFault(kind, s); !fault.empty()) return fault;
         if (s.type < TRUNDLE_REAL_SIGNAL || s.type > TRUNDLE_BOOLEAN_SIGNAL || s.direction < TRUNDLE_OUTPUT ||
             s.direction > TRUNDLE_TRUTH)
             return "has a signal " + s.name + " of an unknown type";

@@ -1,37 +1,55 @@
 #include "devices/builtin.h"
 
+#include <type_traits>
+
 #include <trundle/device.h>
 
 #include "devices/camera_device.h"
+#include "devices/compass.h"
 #include "devices/differential_drive.h"
 #include "devices/encoder.h"
+#include "devices/gps.h"
+#include "devices/imu.h"
+#include "devices/lidar.h"
+#include "devices/range_sensor.h"
 #include "devices/rotary_motor.h"
 #include "devices/touch_sensor.h"
 #include "devices/transceiver.h"
 
 namespace trundle {
 
+namespace {
+
+/// Calls `visit` with the type and the name of each kind.
+template <class Visit> void eachDevice(const Visit& visit) {
+    visit(std::type_identity<RotaryMotor>(), "RotaryMotor");
+    visit(std::type_identity<DifferentialDrive>(), "DifferentialDrive");
+    visit(std::type_identity<Encoder>(), "Encoder");
+    visit(std::type_identity<Camera>(), "Camera");
+    visit(std::type_identity<Transceiver>(), "Transceiver");
+    visit(std::type_identity<TouchSensor>(), "TouchSensor");
+    visit(std::type_identity<RangeSensor>(), "RangeSensor");
+    visit(std::type_identity<Lidar>(), "Lidar");
+    visit(std::type_identity<Imu>(), "Imu");
+    visit(std::type_identity<Compass>(), "Compass");
+    visit(std::type_identity<Gps>(), "Gps");
+}
+
+} // namespace
+
 Status addDeviceKinds(Registry& registry) {
-    const auto add = [&registry]<class T>(const T*, const char* name) {
-        return registry.add(kindOf<T>(name, Role::Device, {"RobotConfig"}));
+    Status status;
+    const auto add = [&]<class T>(std::type_identity<T>, const char* name) {
+        if (status) status = registry.add(kindOf<T>(name, Role::Device, {"RobotConfig"}));
     };
-    if (auto s = add(static_cast<const RotaryMotor*>(nullptr), "RotaryMotor"); !s) return s;
-    if (auto s = add(static_cast<const DifferentialDrive*>(nullptr), "DifferentialDrive"); !s) return s;
-    if (auto s = add(static_cast<const Encoder*>(nullptr), "Encoder"); !s) return s;
-    if (auto s = add(static_cast<const Camera*>(nullptr), "Camera"); !s) return s;
-    if (auto s = add(static_cast<const Transceiver*>(nullptr), "Transceiver"); !s) return s;
-    return add(static_cast<const TouchSensor*>(nullptr), "TouchSensor");
+    eachDevice(add);
+    return status;
 }
 
 const TrundleKind* findBuiltInDevice(std::string_view kind) {
     static const ModuleRegistry builtIn = [] { // immutable after construction
         ModuleRegistry r;
-        r.device<RotaryMotor>("RotaryMotor");
-        r.device<DifferentialDrive>("DifferentialDrive");
-        r.device<Encoder>("Encoder");
-        r.device<TouchSensor>("TouchSensor");
-        r.device<Transceiver>("Transceiver");
-        r.device<Camera>("Camera");
+        eachDevice([&r]<class T>(std::type_identity<T>, const char* name) { r.device<T>(name); });
         return r;
     }();
     for (const auto& table : builtIn.tables())

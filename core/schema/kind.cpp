@@ -61,7 +61,7 @@ Alternatives alternativesFrom(const AlternativesInfo& alternatives) {
 }
 
 SignalDescription signalFrom(const SignalInfo& signal) {
-    return {signal.name, signal.unit, signal.help, signal.type, signal.count, signal.direction};
+    return {signal.name, signal.unit, signal.help, signal.type, signal.count, signal.direction, signal.countFields};
 }
 
 } // namespace trundle

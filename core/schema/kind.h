@@ -35,6 +35,7 @@ struct Property {
 struct SignalDescription {
     std::string name, unit, help;
     std::uint32_t type = TRUNDLE_REAL_SIGNAL, count = 1, direction = TRUNDLE_OUTPUT;
+    std::vector<std::string> countFields = {}; ///< integer properties; `count` is multiplied by their values
 };
 
 /// Properties of which exactly one must be given.

@@ -143,11 +143,22 @@ struct MountCalls {
         return d.host->block.slots().data() + other->slots[static_cast<std::size_t>(i)];
     }
 
+    /// What the device without a name, the experiment, has for Mount::gravity().
+    static std::int32_t settingNumber(const SettingsSpec& settings, const std::string& name, double* value) {
+        const std::string axes[] = {"Gravity.x", "Gravity.y", "Gravity.z"};
+        const auto axis = std::find(std::begin(axes), std::end(axes), name) - std::begin(axes);
+        if (axis == std::size(axes) || !value) return -1;
+        *value = settings.gravity[axis];
+        return 0;
+    }
+
     static std::int32_t peerNumber(void* context, const char* name, const char* field, double* value) {
         Device& d = device(context);
-        const Device* other = peer(d, moduleName(name));
+        const std::string peerName = moduleName(name), asked = moduleName(field);
+        if (peerName.empty()) return settingNumber(d.host->experiment.settings, asked, value);
+        const Device* other = peer(d, peerName);
         if (!other) return -1;
-        const ResolvedValue* found = other->spec->find(moduleName(field));
+        const ResolvedValue* found = other->spec->find(asked);
         if (!found || found->value.numbers.empty()) return -1;
         if (value) *value = found->value.numbers[0];
         return 0;

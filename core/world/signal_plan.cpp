@@ -20,7 +20,31 @@ std::uint32_t addState(SignalLayout& layout, const std::string& path) {
     return first;
 }
 
+std::uint64_t times(std::uint64_t count, double value) {
+    if (!(value >= 1)) return count;
+    return static_cast<double>(count) * value > 1e15 ? std::uint64_t{1000000000000000}
+                                                     : count * static_cast<std::uint64_t>(value);
+}
+
 } // namespace
+
+std::uint32_t signalCount(const SignalDescription& signal, const ComponentSpec& device) {
+    std::uint64_t count = std::max(signal.count, 1u);
+    for (const std::string& field : signal.countFields) count = times(count, device.number(field, 1));
+    return count > kMaxSignalNumbers ? 1 : static_cast<std::uint32_t>(count);
+}
+
+std::uint64_t signalCount(const TrundleKind& kind, const TrundleSignal& signal, const ComponentSpec& device) {
+    std::uint64_t count = std::max(signal.count, 1u);
+    for (std::uint32_t bits = signal.reserved; bits != 0; bits >>= 16) { // see countFieldBits in the SDK
+        const std::uint32_t index = bits & 0xffff;
+        if (index < 1 || index > kind.fieldCount) continue;
+        const TrundleField& field = kind.fields[index - 1];
+        const bool hasDefault = field.type == TRUNDLE_INTEGER && field.defaultValue.count == 1;
+        count = times(count, device.number(field.name, hasDefault ? field.defaultValue.numbers[0] : 1));
+    }
+    return count;
+}
 
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
     const std::string& name = robot.name;
@@ -41,7 +65,7 @@ void planController(SignalLayout& layout, const RobotSpec& robot) {
     for (const SignalDescription& s : robot.published)
         if (s.direction == TRUNDLE_OUTPUT)
             layout.add(robot.name + "/" + robot.controller->name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
-                       SignalDirection::Output, std::max(s.count, 1u));
+                       SignalDirection::Output, signalCount(s, *robot.controller));
 }
 
 SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry) {
@@ -53,7 +77,7 @@ SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& reg
             if (!kind) continue;
             for (const SignalDescription& s : kind->signals)
                 layout.add(robot.name + "/" + device.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
-                           static_cast<SignalDirection>(s.direction), std::max(s.count, 1u));
+                           static_cast<SignalDirection>(s.direction), signalCount(s, device));
         }
         planController(layout, robot);
     }

@@ -10,6 +10,15 @@ namespace trundle {
 /// True for joints with a single angle or displacement.
 [[nodiscard]] constexpr bool hasPosition(JointType type) { return type != JointType::Ball && type != JointType::Fixed; }
 
+/// A device has signals of at most so many numbers.
+inline constexpr std::uint64_t kMaxSignalNumbers = 100000;
+
+/// Numbers in a signal of a device: its count times the values of the fields that its kind names. At least 1; more than
+/// kMaxSignalNumbers is reported by the world and counts as 1 here.
+[[nodiscard]] std::uint32_t signalCount(const SignalDescription& signal, const ComponentSpec& device);
+/// The same by the table of the device's code; where the text gives no value, with the code's default. Not limited.
+[[nodiscard]] std::uint64_t signalCount(const TrundleKind& kind, const TrundleSignal& signal, const ComponentSpec& device);
+
 /// Starts the robot's range of slots and adds the signals every robot has: its pose and velocity, those of its bodies, its
 /// joints' positions and rates. Returns the first slot.
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot);

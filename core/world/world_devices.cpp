@@ -6,13 +6,15 @@
 #include "world/device_mount.h"
 #include "world/device_order.h"
 #include "world/device_services.h"
+#include "world/signal_plan.h"
 #include "world/world_objects.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr std::size_t kMaxNames = 200; // bytes of the devices that a message names
+constexpr std::size_t kMaxNames = 200;            // bytes of the devices that a message names
+constexpr std::uint64_t kMaxNumbers = 20'000'000; // in the signals of all devices: 160 MB
 
 } // namespace
 
@@ -48,7 +50,25 @@ std::unique_ptr<Device> WorldDevices::made(const BuiltRobot& robot, const Compon
         diagnostics.error(Code::DeviceSetup, spec.nameRange, device->path + ": " + device->lastError());
         return nullptr;
     }
-    return giveFields(*device, diagnostics) ? std::move(device) : nullptr;
+    return giveFields(*device, diagnostics) && hasRoom(*device, diagnostics) ? std::move(device) : nullptr;
+}
+
+/// A signal whose count depends on fields could need any amount of memory.
+bool WorldDevices::hasRoom(const Device& device, Diagnostics& diagnostics) {
+    for (std::uint32_t i = 0; i < device.kind->signalCount; ++i) {
+        const TrundleSignal& s = device.kind->signals[i];
+        const std::uint64_t count = signalCount(*device.kind, s, *device.spec);
+        m_numbers += count;
+        if (count <= kMaxSignalNumbers && m_numbers <= kMaxNumbers) continue;
+        const std::string numbers = std::to_string(count) + " numbers";
+        diagnostics.error(Code::DeviceSetup, device.spec->nameRange,
+                          device.path + ": its signal " + s.name + " has " + numbers + "; at most " +
+                              (count > kMaxSignalNumbers
+                                   ? std::to_string(kMaxSignalNumbers) + " are possible"
+                                   : std::to_string(kMaxNumbers) + " are possible in all devices of an experiment"));
+        return false;
+    }
+    return true;
 }
 
 /// Values whose key is not a field of the kind (the module may be newer or older than its text) are ignored.
@@ -80,7 +100,8 @@ void WorldDevices::layOut(std::uint32_t robot, SignalLayout& layout) {
         for (std::uint32_t i = 0; i < device.kind->signalCount; ++i) {
             const TrundleSignal& s = device.kind->signals[i];
             device.slots.push_back(layout.add(device.path + "/" + s.name, s.unit ? s.unit : "", static_cast<SignalType>(s.type),
-                                              static_cast<SignalDirection>(s.direction), std::max(s.count, 1u)));
+                                              static_cast<SignalDirection>(s.direction),
+                                              static_cast<std::uint32_t>(signalCount(*device.kind, s, *device.spec))));
         }
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The devices of a world: created of their kinds' tables, initialised with their fields, bound to joints, geoms and each other, and called
-// in each tick.
+// The devices of a world: created of their kinds' tables, initialised with their fields, bound to joints, geoms and each other,
+// and called in each tick.
 
 #include <span>
 
@@ -45,6 +45,7 @@ private:
     [[nodiscard]] std::unique_ptr<Device> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
                                                const DeviceCode& code, Diagnostics& diagnostics);
     [[nodiscard]] static bool giveFields(Device& device, Diagnostics& diagnostics);
+    [[nodiscard]] bool hasRoom(const Device& device, Diagnostics& diagnostics);
     void reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const;
     [[nodiscard]] const Device* callAll(std::uint64_t ticks, bool acting);
 
@@ -53,6 +54,7 @@ private:
     DeviceList m_devices;
     std::vector<Call> m_acting, m_sensing; ///< in calling order; without devices that lack the function
     double m_tick = 0;                     ///< s
+    std::uint64_t m_numbers = 0;           ///< in the signals of all devices
 };
 
 } // namespace trundle

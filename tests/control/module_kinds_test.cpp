@@ -143,6 +143,38 @@ private Q_SLOTS:
         row("publishes 1000", fine, [](Tables& t) { t.signals[1].count = 997; });
         row("publishes 1001", own("publishes 1001 numbers; at most 1000 are possible"),
             [](Tables& t) { t.signals[1].count = 998; });
+        const auto counted = [](Tables& t) { // a signal of as many numbers as the field Speed says
+            t.makeDevice();
+            t.fields[0].type = TRUNDLE_INTEGER;
+            t.fields[0].minimum = 1;
+            t.signals[1].reserved = 1;
+        };
+        row("counted signal", fine, counted);
+        row("counted by two", fine, [counted](Tables& t) {
+            counted(t);
+            t.signals[1].reserved = 1 | 1 << 16;
+        });
+        row("counted by no field", own("has a broken signal, number 2"), [counted](Tables& t) {
+            counted(t);
+            t.signals[1].reserved = 4;
+        });
+        row("counted by half a field", own("has a broken signal, number 2"), [counted](Tables& t) {
+            counted(t);
+            t.signals[1].reserved = 1 << 16;
+        });
+        row("counted by a number", own("has a signal count counted by 'Speed', which is no field with one positive integer"),
+            [counted](Tables& t) {
+                counted(t);
+                t.fields[0].type = TRUNDLE_NUMBER;
+            });
+        row("counted by zero", own("has a signal count counted by 'Speed'"), [counted](Tables& t) {
+            counted(t);
+            t.fields[0].minimum = 0;
+        });
+        row("a controller's counted signal", own("has a signal count counted by 'Speed'"), [counted](Tables& t) {
+            counted(t);
+            t.kind.role = TRUNDLE_CONTROLLER;
+        });
         const auto choice = [](Tables& t) {
             t.fields[1] = t.fields[2];
             t.fields[1].name = "Other";

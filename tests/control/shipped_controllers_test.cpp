@@ -30,7 +30,7 @@ private Q_SLOTS:
         for (const char* module :
              {"controllers/libarc_motion.so", "controllers/libblob_follow.so", "controllers/libbump_and_turn.so",
               "controllers/liblinear_motion.so", "controllers/libmote.so", "controllers/libnetwork_navigator.so",
-              "controllers/librandom_drive.so", "libMyRobotController.so", "libtemplate.so"})
+              "controllers/librandom_drive.so", "controllers/libwall_follow.so", "libMyRobotController.so", "libtemplate.so"})
             QTest::newRow(module) << QString(module);
     }
     void theirFields() {
@@ -278,8 +278,9 @@ private:
     static QString fieldLine(const TrundleField& f) {
         QStringList defaults;
         for (std::uint32_t i = 0; i < f.defaultValue.count; ++i)
-            defaults << (f.type == TRUNDLE_TEXT ? QString(f.defaultValue.texts[i])
-                                                : QString::number(f.defaultValue.numbers[i] / f.scale, 'g', 6));
+            defaults << (f.type == TRUNDLE_TEXT || f.type == TRUNDLE_CHOICE
+                             ? QString(f.defaultValue.texts[i])
+                             : QString::number(f.defaultValue.numbers[i] / f.scale, 'g', 6));
         return QString("  %1 [%2] type %3 x%4..%5 in %6%7, %8%9 flags %10 = %11%12")
             .arg(f.name, f.unit)
             .arg(f.type)

@@ -153,11 +153,13 @@ private Q_SLOTS:
         b.set("robot0/motor/current", 0.0123456);
         b.set("robot0/motor/count", 123456789);
         b.set("robot0/motor/hot", 1);
+        b.set("robot0/motor/ranges", 2.5, 3);
+        b.set("robot0/motor/ranges", -0.5, 7);
         b.set("robot0/motor/odometry", std::numbers::pi / 2, 2);
         QCOMPARE(
             b.read("robot0.motor"),
-            std::string("voltage = 6.000 V; current = 12.35 mA; count = 123456789; hot = true; ranges = 0.000, 0.000, 0.000, "
-                        "0.000, 0.000, 0.000, … m; six = 0.000, 0.000, 0.000, 0.000, 0.000, 0.000 m; odometry x, y = 0.000, "
+            std::string("voltage = 6.000 V; current = 12.35 mA; count = 123456789; hot = true; ranges least, greatest = -0.500, "
+                        "2.500 m; six = 0.000, 0.000, 0.000, 0.000, 0.000, 0.000 m; odometry x, y = 0.000, "
                         "0.000 m; odometry heading = 90.00 °"));
         const auto& values = b.objects->read("robot0.motor", b.snapshot);
         QVERIFY(values[0].commanded && !values[1].commanded);

@@ -72,6 +72,19 @@ struct Driver final : Controller {
     }
 };
 
+/// A signal of as many numbers as two fields say.
+struct Comb final : Device {
+    int teeth = 3;
+    int sides = 2;
+    OutputSlot<std::vector<double>> bent;
+    static void describe(Describe<Comb>& d) {
+        d.field("Teeth", &Comb::teeth, number().within(1, 100), "");
+        d.field("Sides", &Comb::sides, number().within(1, 2), "");
+        d.output("bent", &Comb::bent, "m", "Each tooth.", {"Teeth", "Sides"});
+    }
+    void setup(Mount&) override {}
+};
+
 std::string rows(const TrundleKind& kind) {
     std::string text;
     for (std::uint32_t i = 0; i < kind.signalCount; ++i) {
@@ -130,6 +143,18 @@ void addWinch(Host& host) {
 class SignalsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void aSignalIsCountedByFields() {
+        const auto table = deviceTable<Comb>("Comb");
+        QCOMPARE(table->kind.signals[0].count, 1u);
+        QCOMPARE(table->kind.signals[0].reserved, 1u | 2u << 16);
+        Comb comb;
+        const Describe<Comb>& d = descriptionOf<Comb>();
+        QCOMPARE(d.countOf(d.signals()[0], comb), 6u);
+        comb.teeth = 40;
+        comb.sides = 1;
+        QCOMPARE(d.countOf(d.signals()[0], comb), 40u);
+    }
+
     /// Type and count come from the member; the order is that of describe().
     void theCTableIsMadeFromTheMembers() {
         const auto row = [](const char* start, int type, int count, int direction) {

@@ -9,7 +9,7 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMaxBound = 256;
-constexpr std::uint32_t kMaxNumbers = 6; // limit per signal: a range scan has hundreds
+constexpr std::uint32_t kMaxNumbers = 6; // of a signal that are all shown: a range scan has hundreds
 
 template <class Range> auto* named(Range& range, std::string_view name) {
     const auto it = std::ranges::find_if(range, [&](const auto& item) { return item.name == name; });
@@ -151,10 +151,22 @@ void LiveObject::addSignal(const SignalEntry& entry, LiveValue value) {
     }
     case SignalShape::Plain: break;
     }
-    addVector(entry, std::move(value), entry.unit.c_str(), 0, std::min(entry.count, kMaxNumbers));
+    if (entry.count > kMaxNumbers) addExtremes(entry, std::move(value));
+    else addVector(entry, std::move(value), entry.unit.c_str(), 0, entry.count);
     m_lines.back().type = entry.type;
-    m_lines.back().more = entry.count > kMaxNumbers;
     if (entry.type != SignalType::Real) m_lines.back().scale = NumberScale(entry.unit, NumberScale::Kind::Whole);
+}
+
+/// Of a signal with many numbers the least and the greatest.
+void LiveObject::addExtremes(const SignalEntry& entry, LiveValue value) {
+    value.name += " least, greatest";
+    value.help += (value.help.empty() ? "Of " : " Of ") + std::to_string(entry.count) + " numbers.";
+    value.signal = entry.path;
+    add(std::move(value), NumberScale(entry.unit), [at = entry.offset, count = entry.count](const LiveSnapshot& s, Numbers& out) {
+        const double* first = s.block->slots().data() + at;
+        const auto [least, greatest] = std::minmax_element(first, first + count);
+        out.insert(out.end(), {*least, *greatest});
+    });
 }
 
 const std::vector<LiveValue>& LiveObject::read(const LiveSnapshot& snapshot) {
@@ -170,7 +182,6 @@ const std::vector<LiveValue>& LiveObject::read(const LiveSnapshot& snapshot) {
         for (const double number : m_numbers)
             value.numbers.push_back(line.type == SignalType::Boolean ? (number != 0 ? "true" : "false")
                                                                      : line.scale.text(number));
-        if (line.more) value.numbers.emplace_back("…");
     }
     return m_values;
 }

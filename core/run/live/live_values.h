@@ -46,7 +46,6 @@ private:
         NumberScale scale;
         std::function<void(const LiveSnapshot&, Numbers&)> read;
         SignalType type = SignalType::Real;
-        bool more = false; ///< the signal has more numbers than are shown
     };
     void bind(const ExperimentSpec& experiment, const SignalLayout& layout, const Registry& registry, std::string_view path);
     void addRun();
@@ -56,6 +55,7 @@ private:
     void addSignal(const SignalEntry& entry, LiveValue value);
     void addPose(const SignalEntry& entry, const std::string& prefix, const Pose& inFrame);
     void addVector(const SignalEntry& entry, LiveValue value, const char* unit, std::uint32_t from, std::uint32_t count);
+    void addExtremes(const SignalEntry& entry, LiveValue value);
     void add(LiveValue value, NumberScale scale, std::function<void(const LiveSnapshot&, Numbers&)> read);
 
     std::vector<LiveValue> m_values;

@@ -32,6 +32,34 @@ void ScenePainter::line(Vec3 a, Vec3 b, const QColor& colour, double width, Qt::
     }
 }
 
+void ScenePainter::polygon(std::span<const Vec3> corners) const {
+    QPolygonF shown;
+    const auto add = [&](const Vec3& point) {
+        if (const auto at = project(m_view, m_width, m_height, point)) shown << QPointF(at->x, at->y);
+    };
+    for (std::size_t i = 0; i < corners.size(); ++i) { // clipped at the near plane (Sutherland and Hodgman)
+        const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const double depthA = depthOf(a) - kLeastDepth, depthB = depthOf(b) - kLeastDepth;
+        if (depthA > 0) add(a);
+        if (depthA * depthB < 0) add(a + (b - a) * (depthA / (depthA - depthB)) * (1 + 1e-9));
+    }
+    m_painter.drawPolygon(shown);
+}
+
+void ScenePainter::dots(std::span<const Vec3> points, const QColor& colour, double pixels) const {
+    QList<QRectF> shown;
+    shown.reserve(qsizetype(points.size()));
+    for (const Vec3& point : points) {
+        if (depthOf(point) < kLeastDepth) continue;
+        const auto at = project(m_view, m_width, m_height, point);
+        if (at && at->x > 0 && at->y > 0 && at->x < m_width && at->y < m_height)
+            shown << QRectF(std::round(at->x - pixels / 2), std::round(at->y - pixels / 2), pixels, pixels);
+    }
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(colour);
+    m_painter.drawRects(shown);
+}
+
 /// Clips to the image with a small margin (Liang and Barsky).
 bool ScenePainter::clip(QLineF& line) const {
     double from = 0, to = 1;

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include <QColor>
 #include <QLineF>
 
@@ -14,6 +16,10 @@ class ToolView;
 class ScenePainter {
 public:
     ScenePainter(QPainter& painter, const ToolView& view);
+    /// With the painter's pen and brush.
+    void polygon(std::span<const Vec3> corners) const;
+    /// A square dot at each point in front of the camera.
+    void dots(std::span<const Vec3> points, const QColor& colour, double pixels) const;
     /// Drawn over a slightly wider dark line.
     void line(Vec3 a, Vec3 b, const QColor& colour, double width, Qt::PenStyle style = Qt::SolidLine) const;
 

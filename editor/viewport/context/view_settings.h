@@ -25,6 +25,7 @@ enum Overlay : unsigned {
     kOverlayLobes = 1u << 10,    ///< antenna lobes
     kOverlayLinks = 1u << 11,    ///< radio links
     kOverlayCoverage = 1u << 12, ///< radio coverage on the floor
+    kOverlayBeams = 1u << 13,    ///< what range sensors measure
 };
 
 /// Settings shared by all views of a panel.

@@ -68,6 +68,7 @@ void ViewportScene::updateScene() {
     if (!experiment) experiment = std::make_shared<ExperimentSpec>();
     m_objects = std::make_shared<ObjectIndex>(experiment);
     m_cameras = trundle::camerasOf(*experiment);
+    m_rangeSensors = rangeModelsOf(*experiment);
     const std::shared_ptr<const BodyPoses> now = runs ? m_session.results().poses : nullptr;
     m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
     if (m_render && !(m_drawnAlike && m_scene != SceneId::None)) {

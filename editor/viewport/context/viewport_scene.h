@@ -12,6 +12,7 @@
 #include "render/service.h"
 #include "scene/queries/camera_model.h"
 #include "scene/queries/object_index.h"
+#include "scene/queries/range_model.h"
 #include "scene/queries/ray_cast.h"
 
 namespace trundle {
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] const CameraModel* camera(const std::string& path) const; ///< "robot0/eye"; null if there is none
     /// The cameras that a path of the selection refers to, directly or as parts of the named object.
     [[nodiscard]] std::vector<const CameraModel*> camerasOf(const std::string& path) const;
+    /// Distance sensors of its robots, in text order.
+    [[nodiscard]] const std::vector<RangeModel>& rangeSensors() const { return m_rangeSensors; }
     /// True if `path` refers to the component "robot0/radio" of that robot and body (index in BodyPoses), or to an object that
     /// contains it.
     [[nodiscard]] bool isPartOf(const std::string& path, const std::string& robot, std::size_t body,
@@ -82,6 +85,7 @@ private:
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;
     std::vector<CameraModel> m_cameras;
+    std::vector<RangeModel> m_rangeSensors;
     SceneId m_scene = SceneId::None;
     mutable std::optional<Bounds> m_bounds; // computed on demand
     bool m_drawnAlike = false;              // during an edit: the images do not change

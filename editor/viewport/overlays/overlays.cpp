@@ -9,6 +9,7 @@
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/overlays/beams.h"
 #include "editor/viewport/overlays/contact_arrows.h"
 #include "editor/viewport/overlays/frusta.h"
 #include "editor/viewport/overlays/pinned_values.h"
@@ -252,6 +253,7 @@ void paintOverlays(QPainter& painter, const ToolView& view) {
     if (settings.shows(kOverlayTrails)) paintTrails(painter, view);
     if (settings.shows(kOverlayLinks)) paintRadioLinks(painter, view);
     paintFrusta(painter, view, settings.shows(kOverlayFrusta));
+    paintBeams(painter, view, settings.shows(kOverlayBeams));
     paintJoints(painter, view, settings.shows(kOverlayJoints));
     if (settings.shows(kOverlayMass)) paintMass(painter, view);
     if (settings.shows(kOverlayContacts)) paintContacts(painter, view);

@@ -54,7 +54,7 @@ constexpr OverlayRow kOverlayRows[] = {{"view.overlayGrid", kOverlayGrid},      
                                        {"view.overlayContacts", kOverlayContacts},   {"view.overlayCollision", kOverlayCollision},
                                        {"view.overlayWireframe", kOverlayWireframe}, {"view.overlayFrusta", kOverlayFrusta},
                                        {"view.overlayLobes", kOverlayLobes},         {"view.overlayLinks", kOverlayLinks},
-                                       {"view.overlayCoverage", kOverlayCoverage}};
+                                       {"view.overlayCoverage", kOverlayCoverage},   {"view.overlayBeams", kOverlayBeams}};
 
 struct LookRow {
     const char* id;

@@ -39,6 +39,8 @@ public:
         f.maxCount = q.maxCount ? q.maxCount : Access::high;
         if (!(q.flags & TRUNDLE_REQUIRED)) Access::get(m_default.*member, f);
         f.set = [member](void* object, const TrundleValue& v) { Access::set(static_cast<T*>(object)->*member, v); };
+        if constexpr (std::is_integral_v<M> && !std::is_same_v<M, bool>)
+            f.number = [member](const void* object) { return static_cast<double>(static_cast<const T*>(object)->*member); };
         m_fields.push_back(std::move(f));
         return *this;
     }
@@ -52,28 +54,39 @@ public:
     /// A signal published by the device or controller: 0 until it is set.
     Describe& output(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                      std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
-        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_OUTPUT, {}});
+        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_OUTPUT, {}, {}});
         return *this;
     }
     /// A signal available only in simulation (ground truth), for logs and plots; controllers read it only through groundTruth
     /// ports.
     Describe& truth(std::string name, std::string unit, std::string help, std::uint32_t count = 1) {
-        m_signals.push_back({std::move(name), std::move(unit), std::move(help), TRUNDLE_REAL_SIGNAL, count, TRUNDLE_TRUTH, {}});
+        m_signals.push_back(
+            {std::move(name), std::move(unit), std::move(help), TRUNDLE_REAL_SIGNAL, count, TRUNDLE_TRUTH, {}, {}});
         return *this;
     }
     /// A signal written by controllers and other devices.
     Describe& command(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                       std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
-        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_COMMAND, {}});
+        m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_COMMAND, {}, {}});
         return *this;
     }
 
-    // Since 1.5: signals described like fields. The SDK binds the member before setup(), in every object of the kind; type and count
-    // come from the member: OutputSlot<bool>, OutputSlot<int>, OutputSlot<std::array<double, 3>>.
+    // Since 1.5: signals described like fields. The SDK binds the member before setup(), in every object of the kind; type and
+    // count come from the member: OutputSlot<bool>, OutputSlot<int>, OutputSlot<std::array<double, 3>>.
     template <class Owner, class V>
     requires std::is_base_of_v<Owner, T> Describe& output(std::string name, OutputSlot<V> Owner::*member, std::string unit,
                                                           std::string help) {
         return addSignal<V>(std::move(name), member, std::move(unit), std::move(help), TRUNDLE_OUTPUT);
+    }
+    /// Since 1.6. A signal of as many numbers as these integer fields of the device say, multiplied: {"Beams", "Layers"}. At most
+    /// two.
+    template <class Owner, class V>
+    requires std::is_base_of_v<Owner, T> Describe& output(std::string name, OutputSlot<std::vector<V>> Owner::*member,
+                                                          std::string unit, std::string help,
+                                                          std::vector<std::string> countFields) {
+        output(std::move(name), member, std::move(unit), std::move(help));
+        m_signals.back().countFields = std::move(countFields);
+        return *this;
     }
     template <class Owner, class V>
     requires std::is_base_of_v<Owner, T> Describe& truth(std::string name, TruthSlot<V> Owner::*member, std::string unit,
@@ -86,6 +99,15 @@ public:
         return addSignal<V>(std::move(name), member, std::move(unit), std::move(help), TRUNDLE_COMMAND);
     }
 
+    /// Number of values of a signal in an object of T, whose fields are set.
+    [[nodiscard]] std::uint32_t countOf(const SignalInfo& signal, const T& object) const {
+        double count = signal.count;
+        for (const std::string& name : signal.countFields)
+            for (const FieldInfo& f : m_fields)
+                if (f.name == name && f.number) count *= f.number(&object);
+        return count > 0 && count < 4e9 ? static_cast<std::uint32_t>(count) : 0;
+    }
+
     [[nodiscard]] const std::string& helpText() const { return m_help; }
     [[nodiscard]] const std::vector<FieldInfo>& fields() const { return m_fields; }
     [[nodiscard]] const std::vector<SignalInfo>& signals() const { return m_signals; }
@@ -95,8 +117,14 @@ private:
     template <class V, class Owner, class S>
     Describe& addSignal(std::string name, S Owner::*member, std::string unit, std::string help, std::uint32_t direction) {
         m_signals.push_back(
-            {std::move(name), std::move(unit), std::move(help), SignalValue<V>::type, SignalValue<V>::count, direction,
-             [member](void* object, Slot slot, const char* called) { static_cast<T*>(object)->*member = S(slot, called); }});
+            {std::move(name),
+             std::move(unit),
+             std::move(help),
+             SignalValue<V>::type,
+             SignalValue<V>::count,
+             direction,
+             [member](void* object, Slot slot, const char* called) { static_cast<T*>(object)->*member = S(slot, called); },
+             {}});
         return *this;
     }
 

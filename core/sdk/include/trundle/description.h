@@ -24,6 +24,7 @@ struct FieldInfo {
     std::vector<double> defaultNumbers; ///< SI
     std::vector<std::string> defaultTexts;
     std::function<void(void*, const TrundleValue&)> set;
+    std::function<double(const void*)> number = {}; ///< since 1.6: the value in an object; empty unless it is one integer
 };
 
 struct SignalInfo {
@@ -31,6 +32,8 @@ struct SignalInfo {
     std::uint32_t type = TRUNDLE_REAL_SIGNAL, count = 1, direction = TRUNDLE_OUTPUT;
     /// Since 1.5. Binds the member in an object and names it; empty: the signal was described without a member.
     std::function<void(void* object, Slot slot, const char* name)> bind;
+    /// Since 1.6. Integer fields of the kind; `count` is multiplied by their values. At most two.
+    std::vector<std::string> countFields = {};
 };
 
 /// Fields of which exactly one must be given. If all are missing, the value of field `likely` is suggested for the last one.

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <trundle/count_fields.h>
 #include <trundle/describe.h>
 
 namespace trundle {
@@ -105,7 +106,8 @@ template <class T> std::unique_ptr<KindTable> commonTable(const char* name, std:
         table->fields.push_back(fieldTable(f, texts));
     }
     for (const SignalInfo& s : d.signals())
-        table->signals.push_back({s.name.c_str(), s.unit.c_str(), s.help.c_str(), s.type, s.count, s.direction, 0});
+        table->signals.push_back(
+            {s.name.c_str(), s.unit.c_str(), s.help.c_str(), s.type, s.count, s.direction, countFieldBits(s, d.fields())});
     for (const AlternativesInfo& a : d.alternatives()) table->alternatives.push_back({a.names.c_str(), a.likely.c_str()});
     TrundleKind& k = table->kind;
     k.size = sizeof(TrundleKind);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <trundle/abi.h>
+#include <trundle/geometry.h>
 #include <trundle/port.h>
 #include <trundle/slot.h>
 
@@ -38,8 +39,9 @@ public:
     }
     /// Binds the members that describe() gives to signals; called by the SDK before setup.
     template <class T> void bindSignals(T& device) {
-        for (const SignalInfo& s : descriptionOf<T>().signals())
-            if (s.bind) s.bind(&device, signal(s.name.c_str(), s.count), s.name.c_str());
+        const Describe<T>& d = descriptionOf<T>();
+        for (const SignalInfo& s : d.signals())
+            if (s.bind) s.bind(&device, signal(s.name.c_str(), d.countOf(s, device)), s.name.c_str());
     }
     [[nodiscard]] JointId joint(const std::string& name) { return find<JointId>(m_mount.joint, "joint", name); }
     [[nodiscard]] BodyId body(const std::string& name) { return find<BodyId>(m_mount.body, "body", name); }
@@ -51,12 +53,16 @@ public:
         if (!first) note("there is no " + std::string(kind) + " '" + device + "' with a signal '" + signal + "'");
         return Slot(first, count);
     }
-    /// All signals of another device, by their table (since 1.5): peer<RotaryMotorSignals>("leftMotor"). The order of the devices is
-    /// as above.
+    /// All signals of another device, by their table (since 1.5): peer<RotaryMotorSignals>("leftMotor"). The order of the devices
+    /// is as above.
     template <class S> [[nodiscard]] Port<S> peer(const std::string& device) {
         Port<S> port;
         port.bind([](const SignalInfo&) { return true; },
-                  [&](const SignalInfo& s) { return peer(S::kKind, device, s.name.c_str(), s.count); });
+                  [&](const SignalInfo& s) {
+                      double count = s.count;
+                      for (const std::string& field : s.countFields) count *= peerNumber(device, field.c_str(), 0);
+                      return peer(S::kKind, device, s.name.c_str(), static_cast<std::uint32_t>(count));
+                  });
         return port;
     }
     /// A numeric field of another device, in SI units; `otherwise` if it is not set.
@@ -67,6 +73,10 @@ public:
     [[nodiscard]] std::string peerText(const std::string& device, const char* field) const {
         const char* text = m_mount.peerText(m_mount.context, device.c_str(), field);
         return text ? text : "";
+    }
+    /// The experiment's Gravity, m/s^2 in the world (since 1.6).
+    [[nodiscard]] Vec3 gravity() const {
+        return {peerNumber("", "Gravity.x", 0), peerNumber("", "Gravity.y", 0), peerNumber("", "Gravity.z", -9.81)};
     }
     /// Adds inertia (kg m^2) about the joint's axis to its child, for example a geared rotor that turns with it.
     void addAxialInertia(JointId joint, double inertia) {

@@ -12,6 +12,7 @@
 #include <trundle/geometry.h>
 #include <trundle/port.h>
 #include <trundle/radio.h>
+#include <trundle/sensor_ports.h>
 #include <trundle/slot.h>
 
 namespace trundle {
@@ -114,6 +115,17 @@ private:
     bool m_writable = false;
 };
 
+/// The name of a device: a literal, or a std::string as stored in fields.
+class PortName {
+public:
+    PortName(const char* name) : m_name(name) {}
+    template <class Text> PortName(const Text& name) : m_name(name.c_str()) {}
+    operator const char*() const { return m_name; }
+
+private:
+    const char* m_name;
+};
+
 /// Passed to Controller::setup to bind ports. If a name is unknown, setup fails with a message that lists the available names;
 /// until then the returned port is unbound.
 class RobotPorts {
@@ -125,14 +137,20 @@ public:
     /// Whether the robot has a device with this name (and, if given, the device a signal with that name).
     [[nodiscard]] bool has(const char* device, const char* signal = "") const;
 
-    [[nodiscard]] DifferentialDrivePort differentialDrive(const char* name);
-    [[nodiscard]] MotorPort motor(const char* name);
-    [[nodiscard]] EncoderPort encoder(const char* name);
-    [[nodiscard]] TouchPort touch(const char* name);
-    [[nodiscard]] CameraPort camera(const char* name);
-    [[nodiscard]] RadioPort radio(const char* name);
+    [[nodiscard]] DifferentialDrivePort differentialDrive(PortName name);
+    [[nodiscard]] MotorPort motor(PortName name);
+    [[nodiscard]] EncoderPort encoder(PortName name);
+    [[nodiscard]] TouchPort touch(PortName name);
+    [[nodiscard]] CameraPort camera(PortName name);
+    [[nodiscard]] RadioPort radio(PortName name);
+    // since 1.6
+    [[nodiscard]] RangePort rangeSensor(PortName name);
+    [[nodiscard]] LidarPort lidar(PortName name);
+    [[nodiscard]] ImuPort imu(PortName name);
+    [[nodiscard]] CompassPort compass(PortName name);
+    [[nodiscard]] GpsPort gps(PortName name);
     /// A device of a module by the table of its signals (since 1.5): robot.port<SonarSignals>("front").
-    template <class S> [[nodiscard]] Port<S> port(const char* name) { return bindPort<Port<S>, S>(name); }
+    template <class S> [[nodiscard]] Port<S> port(PortName name) { return bindPort<Port<S>, S>(name); }
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);
     [[nodiscard]] GroundTruthPort groundTruth();
     /// A signal published by this controller and described as output() in describe(): logs, summaries and the window show it as
@@ -140,18 +158,6 @@ public:
     [[nodiscard]] Slot publish(const char* name);
     /// A ground truth signal of a device, for example "base/pose"; read only.
     [[nodiscard]] SignalPort groundTruth(const char* path);
-
-    // Overloads for std::string names, as stored in fields.
-    template <class Name> [[nodiscard]] DifferentialDrivePort differentialDrive(const Name& n) {
-        return differentialDrive(n.c_str());
-    }
-    template <class Name> [[nodiscard]] MotorPort motor(const Name& n) { return motor(n.c_str()); }
-    template <class Name> [[nodiscard]] EncoderPort encoder(const Name& n) { return encoder(n.c_str()); }
-    template <class Name> [[nodiscard]] TouchPort touch(const Name& n) { return touch(n.c_str()); }
-    template <class Name> [[nodiscard]] RadioPort radio(const Name& n) { return radio(n.c_str()); }
-    template <class Name> [[nodiscard]] CameraPort camera(const Name& n) { return camera(n.c_str()); }
-
-    template <class S, class Name> [[nodiscard]] Port<S> port(const Name& n) { return port<S>(n.c_str()); }
 
     /// Binds the members that describe() gives to outputs of the controller; called by the SDK before setup.
     template <class T> void publishOutputs(T& controller) {

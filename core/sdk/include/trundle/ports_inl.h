@@ -20,11 +20,12 @@ inline bool RobotPorts::has(const char* device, const char* signal) const {
 /// The table of the device and that of the port are compiled into two modules: a different one is reported instead of being read
 /// beyond its end or written where the device publishes.
 template <class S> Slot RobotPorts::bindAs(const SignalInfo& described, const char* device) {
-    const Slot slot = bind(S::kKind, device, described.name.c_str(), described.count);
     std::uint32_t count = described.count, direction = described.direction;
     const bool known =
         m_robot.signalInfo && m_robot.signalInfo(m_robot.context, device, described.name.c_str(), &count, &direction) == 0;
-    if (!slot.bound() || !known || (count == described.count && direction == described.direction)) return slot;
+    const bool sized = !described.countFields.empty(); // as many as the device's fields say
+    const Slot slot = bind(S::kKind, device, described.name.c_str(), sized ? count : described.count);
+    if (!slot.bound() || !known || ((sized || count == described.count) && direction == described.direction)) return slot;
     const std::string text = "the signal '" + described.name + "' of '" + device +
                              "' has another count or direction than the table " + S::kKind +
                              " that the controller was compiled with; build both modules with the same table";
@@ -40,14 +41,19 @@ template <class P, class S> P RobotPorts::bindPort(const char* device) {
     return port;
 }
 
-inline DifferentialDrivePort RobotPorts::differentialDrive(const char* name) {
+inline DifferentialDrivePort RobotPorts::differentialDrive(PortName name) {
     return bindPort<DifferentialDrivePort, DifferentialDriveSignals>(name);
 }
-inline MotorPort RobotPorts::motor(const char* name) { return bindPort<MotorPort, RotaryMotorSignals>(name); }
-inline EncoderPort RobotPorts::encoder(const char* name) { return bindPort<EncoderPort, EncoderSignals>(name); }
-inline TouchPort RobotPorts::touch(const char* name) { return bindPort<TouchPort, TouchSensorSignals>(name); }
+inline MotorPort RobotPorts::motor(PortName name) { return bindPort<MotorPort, RotaryMotorSignals>(name); }
+inline EncoderPort RobotPorts::encoder(PortName name) { return bindPort<EncoderPort, EncoderSignals>(name); }
+inline TouchPort RobotPorts::touch(PortName name) { return bindPort<TouchPort, TouchSensorSignals>(name); }
+inline RangePort RobotPorts::rangeSensor(PortName name) { return bindPort<RangePort, RangeSensorSignals>(name); }
+inline LidarPort RobotPorts::lidar(PortName name) { return bindPort<LidarPort, LidarSignals>(name); }
+inline ImuPort RobotPorts::imu(PortName name) { return bindPort<ImuPort, ImuSignals>(name); }
+inline CompassPort RobotPorts::compass(PortName name) { return bindPort<CompassPort, CompassSignals>(name); }
+inline GpsPort RobotPorts::gps(PortName name) { return bindPort<GpsPort, GpsSignals>(name); }
 
-inline CameraPort RobotPorts::camera(const char* name) {
+inline CameraPort RobotPorts::camera(PortName name) {
     auto port = bindPort<CameraPort, CameraSignals>(name);
     port.m_name = name;
     // The table of an older program is shorter.
@@ -55,7 +61,7 @@ inline CameraPort RobotPorts::camera(const char* name) {
     return port;
 }
 
-inline RadioPort RobotPorts::radio(const char* name) {
+inline RadioPort RobotPorts::radio(PortName name) {
     RadioPort port;
     if (m_missing) return port;
     const TrundleRobotRadio* border = m_robot.radio;

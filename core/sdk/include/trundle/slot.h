@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <trundle/abi.h>
 
@@ -28,6 +30,8 @@ public:
     [[nodiscard]] bool bound() const { return m_first != nullptr; }
     [[nodiscard]] std::uint32_t count() const { return m_count; }
     [[nodiscard]] double get(std::uint32_t element = 0) const { return element < m_count ? m_first[element] : 0.0; }
+    /// All of its values, in the robot's image (since 1.6).
+    [[nodiscard]] std::span<const double> values() const { return {m_first, m_count}; }
     void set(double value) { set(0, value); }
     void set(std::uint32_t element, double value) {
         if (element < m_count) m_first[element] = value;
@@ -55,6 +59,9 @@ template <class V, std::size_t N> struct SignalValue<std::array<V, N>> {
     static constexpr std::uint32_t type = SignalValue<V>::type, count = N;
 };
 
+/// Since 1.6. As many numbers as fields of the device say, which describe() names.
+template <class V> struct SignalValue<std::vector<V>> { static constexpr std::uint32_t type = SignalValue<V>::type, count = 1; };
+
 // Since 1.5: the members that describe() binds to signals. V is described; values are always passed as doubles.
 
 /// A signal that controllers and other devices write and its device reads.
@@ -63,8 +70,8 @@ public:
     CommandSlot() = default;
     CommandSlot(Slot slot, const char* name) : Slot(slot), m_name(name) {}
 
-    /// The commanded value as its device should read it; `world` is the Actuation or Sensing. An infinite or NaN value counts as 0
-    /// and is reported once.
+    /// The commanded value as its device should read it; `world` is the Actuation or Sensing. An infinite or NaN value counts as
+    /// 0 and is reported once.
     template <class World> [[nodiscard]] double read(const World& world) {
         const double value = get();
         if (std::isfinite(value)) return value;

@@ -1,0 +1,94 @@
+#include "devices/imu.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr int kGyroscope = 0, kAccelerometer = 1;
+
+/// The coefficient of [a]^2 in the inverse Jacobian: 1/a^2 - cot(a/2) / (2a), by its series where that cancels.
+double squareTerm(double angle) {
+    const double a2 = angle * angle;
+    if (a2 < 0.25) return 1.0 / 12 + a2 * (1.0 / 720 + a2 * (1.0 / 30240 + a2 * (1.0 / 1209600 + a2 / 47900160)));
+    return 1 / a2 - std::cos(angle / 2) / std::sin(angle / 2) / (2 * angle);
+}
+
+constexpr double kMostTurn = 3; // rad in a tick; beyond it the directions within the tick are unknown
+
+} // namespace
+
+Vec3 specificForce(const Vec3& change, const Vec3& gravity, const Quat& rotation, const Vec3& rate, double tick) {
+    const Vec3 mean = rotation.conjugate() * (change / tick - gravity), turn = rate * tick;
+    if (turn.norm() > kMostTurn) return mean;
+    return mean + 0.5 * turn.cross(mean) + squareTerm(turn.norm()) * turn.cross(turn.cross(mean));
+}
+
+void Imu::describe(Describe<Imu>& d) {
+    d.help("Measures angular velocity and acceleration at its place on a body.");
+    describeSensor(d);
+    const Quantity size = number().within(0, 1e9);
+    d.field("Noise", &Imu::m_noise, size.counted(1, 2),
+            "Standard deviations of a reading: gyroscope [rad/s], accelerometer [m/s^2]; one number is for both.");
+    d.field("NoiseDensity", &Imu::m_noiseDensity, size,
+            "As data sheets give it: gyroscope [rad/s/sqrt(Hz)], accelerometer [m/s^2/sqrt(Hz)]; adds to Noise.");
+    d.field("RandomWalk", &Imu::m_randomWalk, size, "Of the biases: gyroscope [rad/s/sqrt(s)], accelerometer [m/s^2/sqrt(s)].");
+    d.field("GyroscopeBias", &Imu::m_gyroscopeBias, radiansPerSecond().within(-1e6, 1e6), "Added to x, y, z at the start.");
+    d.field("AccelerometerBias", &Imu::m_accelerometerBias, metresPerSecondSquared().within(-1e6, 1e6),
+            "Added to x, y, z at the start.");
+    d.field("ScaleError", &Imu::m_scaleError, number().within(-1, 1), "Gyroscope, accelerometer: 0.01 reads 1 % too much.");
+    d.field("Range", &Imu::m_range, size, "Largest reading: gyroscope [rad/s], accelerometer [m/s^2]; 0: any.");
+    d.field("Resolution", &Imu::m_resolution, size,
+            "Readings are multiples of it: gyroscope [rad/s], accelerometer [m/s^2]; 0: exact.");
+    d.field("Orientation", &Imu::m_orientation, flag(), "Whether it gives its orientation too, without errors.");
+    ImuSignals::describe(d);
+}
+
+void Imu::begin(Mount& mount) {
+    m_gravity = mount.gravity();
+    m_noise.resize(2, m_noise[0]);
+    time.set(-1);
+    m_bias = {Vec3(m_gyroscopeBias.data()), Vec3(m_accelerometerBias.data())};
+}
+
+void Imu::follow(Sensing& world) {
+    const TrundleBodyState state = world.bodyState(body());
+    const Quat turned = poseOf(state).rotation;
+    const Vec3 rate(state.angular), velocity = Vec3(state.linear) + rate.cross(turned * mounting().position);
+    m_rotation = (turned * mounting().rotation).normalized();
+    m_rate = m_rotation.conjugate() * rate;
+    m_force = specificForce(velocity - m_velocity, m_gravity, m_rotation, m_rate, world.tick());
+    m_velocity = velocity;
+}
+
+void Imu::measure(Sensing& world, std::vector<double>& reading) {
+    for (const int part : {kGyroscope, kAccelerometer})
+        for (int axis = 0; axis < 3; ++axis)
+            reading.push_back(measured(part, axis, (part == kGyroscope ? m_rate : m_force)[axis], world));
+    const Quat& q = m_rotation;
+    const double given = m_orientation ? 1 : 0;
+    reading.insert(reading.end(), {given * q.w(), given * q.x(), given * q.y(), given * q.z()});
+}
+
+/// The bias walks from reading to reading; noise of a density is larger the more often it is read.
+double Imu::measured(int part, int axis, double truth, const Services& world) {
+    const auto p = static_cast<std::size_t>(part);
+    const std::uint64_t draw = 2 * (3 * p + static_cast<std::uint64_t>(axis));
+    const double seconds = interval(world.tick());
+    if (m_randomWalk[p] > 0) m_bias[p][axis] += m_randomWalk[p] * std::sqrt(seconds) * normalDeviate(world.randomBits(draw));
+    const double dense = m_noiseDensity[p] / std::sqrt(seconds), sigma = std::sqrt(m_noise[p] * m_noise[p] + dense * dense);
+    double value = truth * (1 + m_scaleError[p]) + m_bias[p][axis];
+    if (sigma > 0) value += sigma * normalDeviate(world.randomBits(draw + 1));
+    value = roundedTo(value, m_resolution[p]);
+    return m_range[p] > 0 ? std::clamp(value, -m_range[p], m_range[p]) : value;
+}
+
+void Imu::publish(std::span<const double> reading, double measuredAt) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        angularVelocity.set(i, reading[i]);
+        acceleration.set(i, reading[3 + i]);
+    }
+    for (std::uint32_t i = 0; i < 4; ++i) orientation.set(i, reading[6 + i]);
+    time.set(measuredAt);
+}
+
+} // namespace trundle

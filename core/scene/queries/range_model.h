@@ -1,0 +1,30 @@
+#pragma once
+// The distance sensors of an experiment for overlays: where they are and in which directions they measure.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/experiment_spec.h"
+
+namespace trundle {
+
+/// A sensor of any kind that has a Body and a MaxRange: a fan if it has Beams, otherwise a cone.
+struct RangeModel {
+    std::string path, robot;             ///< "robot0/scan", "robot0"
+    std::size_t body = 0;                ///< index into BodyPoses of the body it is fixed to
+    Pose mounting;                       ///< in its body
+    double maxRange = 1;                 ///< m
+    double coneAngle = 0;                ///< rad; of a cone
+    std::uint32_t beams = 0, layers = 1; ///< of a fan; no beams: a cone
+    bool closed = false;                 ///< the beams of a layer go all around
+    std::vector<Vec3> directions;        ///< unit vectors of the beams in its own frame, layer by layer; of a cone, its axis
+
+    /// The signal with its distances, one for each direction: "robot0/scan/ranges", "robot0/front/range".
+    [[nodiscard]] std::string signal() const { return path + (beams > 0 ? "/ranges" : "/range"); }
+};
+
+/// Robots in text order, and for each robot its sensors in text order.
+[[nodiscard]] std::vector<RangeModel> rangeModelsOf(const ExperimentSpec& experiment);
+
+} // namespace trundle

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+// The signals of the sensors that come with Trundle, since 1.6. `time` is when the reading was measured; -1 before the first one.
+
+#include <array>
+#include <vector>
+
+#include <trundle/slot.h>
+
+namespace trundle {
+inline namespace sdk1 {
+
+struct RangeSensorSignals {
+    static constexpr const char* kKind = "RangeSensor";
+    OutputSlot<double> range, voltage, time;
+    TruthSlot<double> trueRange;
+
+    template <class D> static void describe(D& d) {
+        using S = RangeSensorSignals;
+        d.output("range", &S::range, "m", "Distance of the nearest echo; MaxRange where there is none.");
+        d.output("voltage", &S::voltage, "V", "Output of an infrared sensor at this range, by its VoltageCurve.");
+        d.output("time", &S::time, "s", "When it was measured.");
+        d.truth("trueRange", &S::trueRange, "m",
+                "Distance of the nearest surface in its cone, at the end of the tick it was measured.");
+    }
+};
+
+struct LidarSignals {
+    static constexpr const char* kKind = "Lidar";
+    OutputSlot<std::vector<double>> ranges;
+    OutputSlot<double> time;
+
+    template <class D> static void describe(D& d) {
+        using S = LidarSignals;
+        d.output("ranges", &S::ranges, "m",
+                 "Layer by layer from below, each from -FieldOfView/2 counter-clockwise; MaxRange where nothing is hit.",
+                 {"Beams", "Layers"});
+        d.output("time", &S::time, "s", "When they were measured.");
+    }
+};
+
+struct ImuSignals {
+    static constexpr const char* kKind = "Imu";
+    OutputSlot<std::array<double, 3>> angularVelocity, acceleration;
+    OutputSlot<std::array<double, 4>> orientation;
+    OutputSlot<double> time;
+
+    template <class D> static void describe(D& d) {
+        using S = ImuSignals;
+        d.output("angularVelocity", &S::angularVelocity, "rad/s", "About its own x, y, z.");
+        d.output("acceleration", &S::acceleration, "m/s^2", "Specific force along its own x, y, z: at rest 9.81 upwards.");
+        d.output("orientation", &S::orientation, "", "In the world, quaternion w, x, y, z; zeros unless Orientation is set.");
+        d.output("time", &S::time, "s", "When they were measured.");
+    }
+};
+
+struct CompassSignals {
+    static constexpr const char* kKind = "Compass";
+    OutputSlot<double> heading, time;
+
+    template <class D> static void describe(D& d) {
+        using S = CompassSignals;
+        d.output("heading", &S::heading, "rad",
+                 "Of its x axis over the floor, counter-clockwise from x of the world, from -pi to pi.");
+        d.output("time", &S::time, "s", "When it was measured.");
+    }
+};
+
+struct GpsSignals {
+    static constexpr const char* kKind = "Gps";
+    OutputSlot<std::array<double, 3>> position, velocity;
+    OutputSlot<double> time;
+
+    template <class D> static void describe(D& d) {
+        using S = GpsSignals;
+        d.output("position", &S::position, "m", "Of its antenna in the world: x, y, z.");
+        d.output("velocity", &S::velocity, "m/s", "Of its antenna in the world: x, y, z.");
+        d.output("time", &S::time, "s", "When they were measured.");
+    }
+};
+
+} // namespace sdk1
+} // namespace trundle

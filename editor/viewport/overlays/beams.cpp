@@ -1,0 +1,137 @@
+#include "editor/viewport/overlays/beams.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QPainter>
+
+#include "editor/document/selection.h"
+#include "editor/running/session.h"
+#include "editor/viewport/context/scene_painter.h"
+#include "editor/viewport/context/tool_view.h"
+#include "editor/viewport/context/viewport_scene.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMaxSensors = 200, kMaxSelectedSensors = 40;
+constexpr std::uint32_t kMaxBeamLines = 64; // beams in a layer that are drawn as lines too
+constexpr int kConeSides = 24;
+constexpr double kMaxReadingAge = 2; // s; an older reading is drawn where its sensor is now
+const QColor kBeam(226, 68, 92);
+
+QColor translucent(QColor colour, int alpha) {
+    colour.setAlpha(alpha);
+    return colour;
+}
+
+/// One sensor, its frame in the world and its distances.
+struct DrawnSensor {
+    const ScenePainter& pen;
+    QPainter& painter;
+    const RangeModel& sensor;
+    Pose eye;
+    std::span<const double> distances;
+    QColor colour;
+
+    [[nodiscard]] double distance(std::size_t beam) const {
+        return beam < distances.size() ? std::clamp(distances[beam], 0.0, sensor.maxRange) : sensor.maxRange;
+    }
+    [[nodiscard]] bool hits(std::size_t beam) const { return beam < distances.size() && distances[beam] < sensor.maxRange; }
+
+    void fan() const {
+        std::vector<Vec3> echoes, area;
+        for (std::uint32_t layer = 0; layer < sensor.layers; ++layer) {
+            area.clear();
+            if (!sensor.closed) area.push_back(eye.position);
+            for (std::uint32_t i = 0; i < sensor.beams; ++i) {
+                const std::size_t beam = std::size_t(layer) * sensor.beams + i;
+                const Vec3 end = eye * (distance(beam) * sensor.directions[beam]);
+                area.push_back(end);
+                if (hits(beam)) echoes.push_back(end);
+                if (sensor.beams <= kMaxBeamLines) pen.line(eye.position, end, translucent(colour, 150), 1);
+            }
+            painter.setPen(QPen(translucent(colour, sensor.layers > 1 ? 60 : 130), 1));
+            painter.setBrush(translucent(colour, std::max(6, 34 / int(sensor.layers))));
+            pen.polygon(area);
+        }
+        pen.dots(echoes, colour, 3);
+    }
+
+    void cone() const {
+        const double length = distance(0), half = sensor.coneAngle / 2;
+        const Vec3 end = eye * Vec3(length, 0, 0);
+        std::vector<Vec3> rim;
+        for (int i = 0; half > 0 && i < kConeSides; ++i) {
+            const double around = 2 * std::numbers::pi * i / kConeSides;
+            rim.push_back(eye *
+                          (length * Vec3(std::cos(half), std::sin(half) * std::cos(around), std::sin(half) * std::sin(around))));
+        }
+        painter.setPen(QPen(translucent(colour, 170), 1));
+        painter.setBrush(translucent(colour, 40));
+        if (!rim.empty()) pen.polygon(rim);
+        for (std::size_t i = 0; i < rim.size(); i += kConeSides / 4) pen.line(eye.position, rim[i], translucent(colour, 170), 1);
+        if (rim.empty()) pen.line(eye.position, end, colour, 1.3);
+        if (hits(0)) pen.dots({&end, 1}, colour, 5);
+    }
+};
+
+const double* slotsOf(const SignalLayout& layout, const LiveSnapshot& snapshot, const std::string& path, std::uint32_t count) {
+    const SignalEntry* entry = layout.find(path);
+    return entry && entry->count == count ? snapshot.block->slots().data() + entry->offset : nullptr;
+}
+
+} // namespace
+
+std::span<const double> distancesOf(const RangeModel& sensor, const SignalLayout& layout, const LiveSnapshot& snapshot) {
+    const auto count = static_cast<std::uint32_t>(sensor.directions.size());
+    const double* time = slotsOf(layout, snapshot, sensor.path + "/time", 1);
+    const double* distances = slotsOf(layout, snapshot, sensor.signal(), count);
+    const bool hasReading = !time || *time >= 0;
+    return distances && hasReading ? std::span(distances, count) : std::span<const double>();
+}
+
+Pose poseAtReading(const RangeModel& sensor, const std::string& bodyName, const SignalLayout& layout,
+                   const LiveSnapshot& snapshot, const Pose& body) {
+    const double* time = slotsOf(layout, snapshot, sensor.path + "/time", 1);
+    const double* velocity = slotsOf(layout, snapshot, sensor.robot + "/" + bodyName + "/velocity", 6);
+    const double age = time ? snapshot.time - *time : 0;
+    if (!velocity || !(age > 0 && age < kMaxReadingAge)) return body;
+    const Vec3 linear(velocity), turn = -age * Vec3(velocity + 3);
+    const Quat back = turn.norm() > 0 ? Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) : Quat(Quat::Identity());
+    return {body.position - age * linear, (back * body.rotation).normalized()};
+}
+
+void paintBeams(QPainter& painter, const ToolView& view, bool all) {
+    const ViewportScene& world = view.context().world;
+    const std::vector<std::string>& paths = view.context().selection.paths();
+    if (world.rangeSensors().empty() || (!all && paths.empty())) return;
+    const RunResults& results = view.context().session.results();
+    const bool live = world.isRunning() && results.layout && results.snapshot;
+    const ScenePainter pen(painter, view);
+    const BodyPoses& poses = view.shownPoses();
+    std::size_t shown = 0;
+    for (const RangeModel& sensor : world.rangeSensors()) {
+        const auto refersTo = [&](const std::string& path) {
+            return world.isPartOf(path, sensor.robot, sensor.body, sensor.path);
+        };
+        const bool marked = std::ranges::any_of(paths, refersTo);
+        const auto robot = world.find(sensor.robot);
+        if ((!all && !marked) || sensor.body >= poses.size() || !robot || world.isHidden(*robot)) continue;
+        if (++shown > (all ? kMaxSensors : kMaxSelectedSensors)) break;
+        const std::string& body =
+            world.objects()->robotOf(*robot)->config->bodies[sensor.body - world.objects()->firstPose(robot->instance)].name;
+        Pose at = poses[sensor.body];
+        std::span<const double> distances;
+        if (live) {
+            distances = distancesOf(sensor, *results.layout, *results.snapshot);
+            if (!distances.empty()) at = poseAtReading(sensor, body, *results.layout, *results.snapshot, at);
+        }
+        const DrawnSensor drawn{
+            pen, painter, sensor, at * sensor.mounting, distances, marked ? ToolView::outlineColour() : kBeam};
+        if (sensor.beams > 0) drawn.fan();
+        else drawn.cone();
+    }
+}
+
+} // namespace trundle
