@@ -68,7 +68,7 @@ static constexpr ActionRow kTable[] = {
     {"view.overlayJoints", "|View/Overlays", "&Joint Axes",      "",            "",               "Where joints are, and about what they turn.", true},
     {"view.overlayMass", "View/Overlays", "Centres of &Mass",    "",            "",               "Of each body, and of each robot as a whole.", true},
     {"view.overlayFrusta", "View/Overlays", "Camera &Frusta",    "",            "",               "What cameras see, from their near to their far plane; those selected are shown always.", true},
-    {"view.overlayBeams", "View/Overlays", "&Range Sensors",     "",            "",               "What lidars and range sensors measure; those selected are shown always.", true},
+    {"view.overlayBeams", "View/Overlays", "Range S&ensors",     "",            "",               "What lidars and range sensors measure; those selected are shown always.", true},
     {"view.overlayLobes", "|View/Overlays", "&Antenna Lobes",    "",            "",               "How strongly each antenna sends and hears in each direction; of what is selected, or of all.", true},
     {"view.overlayLinks", "View/Overlays", "Radio &Links",       "",            "",               "Which radios reach each other, and by what margin; of what is selected, or of all.", true},
     {"view.overlayCoverage", "View/Overlays", "&Radio Coverage", "",            "",               "Received power on the floor from the selected radio.", true},
