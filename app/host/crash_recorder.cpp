@@ -12,7 +12,6 @@
 #include <execinfo.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
-#include <ucontext.h>
 #include <unistd.h>
 
 #include "crash/crash_text.h"

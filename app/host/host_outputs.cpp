@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "control/host/wire.h"
-#include "host/host_worker.h"
 
 namespace trundle {
 namespace {
@@ -13,8 +12,8 @@ constexpr std::size_t kLongestPiece = 256u << 10;
 /// The images that a controller has got, each valid until the next one of its camera.
 using Images = std::map<std::string, CameraImage>;
 
-Result<const CameraImage*> capture(HostWorker& worker, std::uint32_t controller, const std::string& camera, Images& images) {
-    const std::string reply = worker.ask(HostRecord::Capture, controller, WireWriter().bytes(camera).view());
+Result<const CameraImage*> capture(RecordSender& sender, std::uint32_t controller, const std::string& camera, Images& images) {
+    const std::string reply = sender.ask(HostRecord::Capture, controller, WireWriter().bytes(camera).view());
     WireReader in(reply);
     if (Status status = in.status(); !status) return status.error();
     CameraImage& image = images[camera];
@@ -31,7 +30,7 @@ Result<const CameraImage*> capture(HostWorker& worker, std::uint32_t controller,
 } // namespace
 
 std::optional<std::uint32_t> HostRadios::find(const std::string& path) {
-    const std::string reply = m_worker.ask(HostRecord::FindRadio, m_controller, WireWriter().bytes(path).view());
+    const std::string reply = m_sender.ask(HostRecord::FindRadio, m_controller, WireWriter().bytes(path).view());
     WireReader in(reply);
     if (in.number<std::uint8_t>() == 0) return std::nullopt;
     const auto radio = in.number<std::uint32_t>();
@@ -44,14 +43,14 @@ std::optional<std::uint32_t> HostRadios::find(const std::string& path) {
 bool HostRadios::send(std::uint32_t radio, std::span<const std::uint8_t> bytes, std::uint32_t to, double powerDbm) {
     WireWriter out;
     out.number(radio).number(to).number(powerDbm).bytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    const std::string reply = m_worker.ask(HostRecord::SendPacket, m_controller, out.view());
+    const std::string reply = m_sender.ask(HostRecord::SendPacket, m_controller, out.view());
     return WireReader(reply).number<std::uint8_t>() != 0;
 }
 
 bool HostRadios::receive(std::uint32_t radio, RadioPacket& packet) {
     Known& known = m_known.at(radio);
     if (known.pending == 0) return false;
-    const std::string reply = m_worker.ask(HostRecord::ReceivePacket, m_controller, WireWriter().number(radio).view());
+    const std::string reply = m_sender.ask(HostRecord::ReceivePacket, m_controller, WireWriter().number(radio).view());
     WireReader in(reply);
     if (in.number<std::uint8_t>() == 0) {
         known.pending = 0;
@@ -72,34 +71,34 @@ void HostRadios::setPending(std::uint32_t radio, std::size_t packets) {
     if (const auto known = m_known.find(radio); known != m_known.end()) known->second.pending = packets;
 }
 
-ControllerOutputs makeHostOutputs(HostWorker& worker, std::uint32_t controller, std::shared_ptr<RadioAccess> radios) {
+ControllerOutputs makeHostOutputs(RecordSender& sender, std::uint32_t controller, std::shared_ptr<RadioAccess> radios) {
     ControllerOutputs outputs;
     outputs.radios = std::move(radios);
-    outputs.print = [&worker, controller](int severity, const std::string& text) {
-        worker.record(HostRecord::Print, controller, WireWriter().number<std::int32_t>(severity).bytes(text).view());
+    outputs.print = [&sender, controller](int severity, const std::string& text) {
+        sender.record(HostRecord::Print, controller, WireWriter().number<std::int32_t>(severity).bytes(text).view());
     };
-    outputs.finish = [&worker, controller](const std::string& reason) {
-        worker.record(HostRecord::Finish, controller, WireWriter().bytes(reason).view());
+    outputs.finish = [&sender, controller](const std::string& reason) {
+        sender.record(HostRecord::Finish, controller, WireWriter().bytes(reason).view());
     };
-    outputs.openLog = [&worker, controller](const std::string& fileName) {
-        const std::string reply = worker.ask(HostRecord::OpenLog, controller, WireWriter().bytes(fileName).view());
+    outputs.openLog = [&sender, controller](const std::string& fileName) {
+        const std::string reply = sender.ask(HostRecord::OpenLog, controller, WireWriter().bytes(fileName).view());
         return static_cast<int>(WireReader(reply).number<std::int32_t>());
     };
-    outputs.writeLog = [&worker, controller](int log, std::string_view bytes) {
+    outputs.writeLog = [&sender, controller](int log, std::string_view bytes) {
         for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kLongestPiece)))
-            worker.record(HostRecord::WriteLog, controller,
+            sender.record(HostRecord::WriteLog, controller,
                           WireWriter().number<std::int32_t>(log).bytes(bytes.substr(0, kLongestPiece)).view());
     };
-    outputs.capture = [&worker, controller, images = std::make_shared<Images>()](const std::string& camera) {
-        return capture(worker, controller, camera, *images);
+    outputs.capture = [&sender, controller, images = std::make_shared<Images>()](const std::string& camera) {
+        return capture(sender, controller, camera, *images);
     };
-    outputs.savePicture = [&worker, controller](const std::string& camera, const std::string& fileName) {
+    outputs.savePicture = [&sender, controller](const std::string& camera, const std::string& fileName) {
         const std::string reply =
-            worker.ask(HostRecord::SavePicture, controller, WireWriter().bytes(camera).bytes(fileName).view());
+            sender.ask(HostRecord::SavePicture, controller, WireWriter().bytes(camera).bytes(fileName).view());
         return WireReader(reply).status();
     };
-    outputs.objectName = [&worker, controller](std::uint32_t object) {
-        const std::string reply = worker.ask(HostRecord::ObjectName, controller, WireWriter().number(object).view());
+    outputs.objectName = [&sender, controller](std::uint32_t object) {
+        const std::string reply = sender.ask(HostRecord::ObjectName, controller, WireWriter().number(object).view());
         return WireReader(reply).text();
     };
     return outputs;

@@ -2,15 +2,14 @@
 #include <map>
 
 #include "control/backend.h"
+#include "host/record_sender.h"
 
 namespace trundle {
-
-class HostWorker;
 
 /// The radios of a controller, asked for through the run.
 class HostRadios final : public RadioAccess {
 public:
-    HostRadios(HostWorker& worker, std::uint32_t controller) : m_worker(worker), m_controller(controller) {}
+    HostRadios(RecordSender& sender, std::uint32_t controller) : m_sender(sender), m_controller(controller) {}
 
     std::optional<std::uint32_t> find(const std::string& path) override;
     bool exists(std::uint32_t radio) const override { return m_known.contains(radio); }
@@ -26,12 +25,12 @@ private:
         std::uint32_t address = 0;
         std::size_t pending = 0;
     };
-    HostWorker& m_worker;
+    RecordSender& m_sender;
     const std::uint32_t m_controller;
     std::map<std::uint32_t, Known> m_known;
 };
 
-/// What a controller asks of the run. The worker must outlive the result.
-[[nodiscard]] ControllerOutputs makeHostOutputs(HostWorker& worker, std::uint32_t controller, std::shared_ptr<RadioAccess> radios);
+/// What a controller asks of the run. The sender must outlive the result.
+[[nodiscard]] ControllerOutputs makeHostOutputs(RecordSender& sender, std::uint32_t controller, std::shared_ptr<RadioAccess> radios);
 
 } // namespace trundle

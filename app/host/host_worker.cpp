@@ -9,7 +9,6 @@
 #include "control/kinds_json.h"
 #include "crash/exit_hook.h"
 #include "host/crash_recorder.h"
-#include "host/host_outputs.h"
 
 namespace trundle {
 namespace {
@@ -38,9 +37,9 @@ std::string HostWorker::receive() {
     return message;
 }
 
-void HostWorker::record(HostRecord record, std::uint32_t controller, std::string_view bytes) {
+void HostWorker::record(HostRecord kind, std::uint32_t controller, std::string_view bytes) {
     if (thisThread() != m_thread) return;
-    const RecordHeader header{static_cast<std::uint32_t>(record), controller, bytes.size()};
+    const RecordHeader header{static_cast<std::uint32_t>(kind), controller, bytes.size()};
     (void)append({reinterpret_cast<const char*>(&header), sizeof header});
     (void)append(bytes);
 }
@@ -53,7 +52,7 @@ std::string HostWorker::ask(HostRecord kind, std::uint32_t controller, std::stri
 }
 
 void HostWorker::done(const Status& status, std::string_view more) {
-    std::fflush(stdout);
+    std::fflush(nullptr); // what a module has printed
     WireWriter out;
     out.status(status);
     if (status) out.bytes(more);

@@ -9,11 +9,13 @@
 #include "control/host/controller_record.h"
 #include "control/host/message_link.h"
 #include "control/module_store.h"
+#include "host/host_outputs.h"
+#include "host/record_sender.h"
 
 namespace trundle {
 
 /// Carries out the requests of a run: loads a module and calls its controllers. Uses the thread that called run().
-class HostWorker final : private MessageLink {
+class HostWorker final : private MessageLink, public RecordSender {
 public:
     /// `sensors`, `commands`: descriptors of the images, which get their size later.
     HostWorker(ControlPage& page, int sensors, int commands);
@@ -21,16 +23,14 @@ public:
     [[noreturn]] void run();
     [[nodiscard]] const CallMonitor& calls() const { return *m_calls; }
 
-    /// Adds a record; ignored in another thread.
-    void record(HostRecord record, std::uint32_t controller, std::string_view bytes);
-    /// Adds a record and waits for the reply.
-    [[nodiscard]] std::string ask(HostRecord record, std::uint32_t controller, std::string_view bytes);
+    void record(HostRecord kind, std::uint32_t controller, std::string_view bytes) override;
+    [[nodiscard]] std::string ask(HostRecord kind, std::uint32_t controller, std::string_view bytes) override;
 
 private:
     struct Controller {
         ControllerRecord record;
         std::unique_ptr<ControllerInstance> instance;
-        std::shared_ptr<class HostRadios> radios;
+        std::shared_ptr<HostRadios> radios;
         const CallTarget* target = nullptr;
     };
 

@@ -77,7 +77,7 @@ std::shared_ptr<const Registry> builtInKinds() {
 /// The code of modules that a run uses, in this process and in host processes.
 struct RunCode {
     RunCode(const LoadedProject& loaded, const std::string& program, const RunOptions& options, Isolation isolation)
-        : store(options.calls), hosts(program, loaded.experiment, options.calls, isolation,
+        : experiment(loaded.experiment), store(options.calls), hosts(program, loaded.experiment, options.calls, isolation,
                                       [&loaded](const std::string& kind) {
                                           const Kind* found = loaded.registry->find(kind);
                                           return found ? found->module : std::string();
@@ -85,12 +85,18 @@ struct RunCode {
 
     /// Code of a module runs in this process only if a device or a controller needs it here.
     Result<std::vector<Kind>> load(const std::string& library, const Registry& registry) {
-        const bool isDevice = std::ranges::any_of(
-            registry.all(), [&](const Kind* kind) { return kind->module == library && kind->role == Role::Device; });
-        if (hosts.hasOnly(library) && !isDevice) return hosts.load(library);
-        return store.loadKinds(library);
+        return hosts.hasOnly(library) && !hasDeviceOf(library, registry) ? hosts.load(library) : store.loadKinds(library);
+    }
+    [[nodiscard]] bool hasDeviceOf(const std::string& library, const Registry& registry) const {
+        const auto isOfLibrary = [&](const ComponentSpec& device) {
+            const Kind* kind = registry.find(device.kind);
+            return kind && kind->module == library;
+        };
+        return std::ranges::any_of(
+            experiment->robots, [&](const RobotSpec& robot) { return std::ranges::any_of(robot.config->devices, isOfLibrary); });
     }
 
+    std::shared_ptr<const ExperimentSpec> experiment;
     ModuleStore store;
     HostPool hosts;
 };

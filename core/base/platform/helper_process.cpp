@@ -21,11 +21,9 @@ constexpr int kFirstDescriptor = 3, kAboveAll = 64;
 
 } // namespace
 
-Result<HelperProcess> HelperProcess::start(const std::string& program, const std::vector<std::string>& arguments,
-                                           const std::vector<int>& descriptors) {
-    std::vector<char*> words{const_cast<char*>(program.c_str())};
-    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-    words.push_back(nullptr);
+Result<HelperProcess> HelperProcess::start(const std::string& program, const std::vector<int>& descriptors) {
+    std::string own = std::to_string(::getpid());
+    char* words[] = {const_cast<char*>(program.c_str()), own.data(), nullptr};
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     std::vector<int> lifted; // out of the way of the numbers that the child uses
@@ -41,7 +39,7 @@ Result<HelperProcess> HelperProcess::start(const std::string& program, const std
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &all);
     HelperProcess made;
-    const int failed = ::posix_spawn(&made.m_process, program.c_str(), &files, &attributes, words.data(), environ);
+    const int failed = ::posix_spawn(&made.m_process, program.c_str(), &files, &attributes, words, environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     for (const int file : lifted)

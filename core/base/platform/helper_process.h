@@ -16,9 +16,8 @@ struct ProcessExit {
 /// does not reach it, and should end itself when its parent does (endWithParent()). Used by one thread.
 class HelperProcess {
 public:
-    /// `program`: a path. The child gets `descriptors` as its descriptors 3, 4 ...
-    [[nodiscard]] static Result<HelperProcess> start(const std::string& program, const std::vector<std::string>& arguments,
-                                                     const std::vector<int>& descriptors);
+    /// `program`: a path. Its argument is the id of this process; the child gets `descriptors` as its descriptors 3, 4 ...
+    [[nodiscard]] static Result<HelperProcess> start(const std::string& program, const std::vector<int>& descriptors);
     HelperProcess() = default;
     HelperProcess(HelperProcess&& other) noexcept { *this = std::move(other); }
     HelperProcess& operator=(HelperProcess&& other) noexcept;

@@ -48,6 +48,7 @@ Result<SharedSegment> SharedSegment::map(int descriptor, bool writable) {
 
 SharedSegment& SharedSegment::operator=(SharedSegment&& other) noexcept {
     std::swap(m_file, other.m_file);
+    std::swap(m_readOnly, other.m_readOnly);
     std::swap(m_data, other.m_data);
     std::swap(m_bytes, other.m_bytes);
     return *this;
@@ -55,11 +56,13 @@ SharedSegment& SharedSegment::operator=(SharedSegment&& other) noexcept {
 
 SharedSegment::~SharedSegment() {
     if (m_data) ::munmap(m_data, m_bytes);
-    if (m_file >= 0) ::close(m_file);
+    for (const int file : {m_file, m_readOnly})
+        if (file >= 0) ::close(file);
 }
 
-int SharedSegment::openReadOnly() const {
-    return ::open(("/proc/self/fd/" + std::to_string(m_file)).c_str(), O_RDONLY | O_CLOEXEC);
+int SharedSegment::readOnlyDescriptor() {
+    if (m_readOnly < 0) m_readOnly = ::open(("/proc/self/fd/" + std::to_string(m_file)).c_str(), O_RDONLY | O_CLOEXEC);
+    return m_readOnly;
 }
 
 } // namespace trundle

@@ -25,12 +25,12 @@ public:
     [[nodiscard]] void* data() const { return m_data; }
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] int descriptor() const { return m_file; }
-    /// A second descriptor of a created segment, through which it can be read but never be written. The caller closes it. -1: the
-    /// system refuses.
-    [[nodiscard]] int openReadOnly() const;
+    /// A second descriptor of a created segment, through which it can be read but never be written. -1: the system refuses.
+    [[nodiscard]] int readOnlyDescriptor();
 
 private:
     int m_file = -1; ///< own; -1: of a mapped one
+    int m_readOnly = -1;
     void* m_data = nullptr;
     std::size_t m_bytes = 0;
 };

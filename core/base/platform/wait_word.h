@@ -11,7 +11,7 @@ static_assert(WaitWord::is_always_lock_free);
 /// Returns when the word has another value than `value`, after the timeout, or spuriously. timeoutMs < 0: no timeout.
 void waitWhile(const WaitWord& word, std::uint32_t value, int timeoutMs) noexcept;
 void wakeWaiting(WaitWord& word) noexcept;
-/// Tells the processor that it is in a loop that polls a word.
+/// A hint to the processor, for loops that poll a word.
 void relaxProcessor() noexcept;
 
 } // namespace trundle

@@ -17,7 +17,7 @@ enum class Turn : std::uint32_t { Run = 0, Host = 1 };
 /// What a host process does in the code of a module.
 enum class HostPhase : std::uint32_t { None, Load, Setup, Update, Set, Destructor, Unload };
 
-/// What a host process tells of its end, written by its handlers of signals and of exit().
+/// Why a host process ended, written by its handlers of signals and of exit().
 struct CrashRecord {
     static constexpr std::size_t kMostFrames = 48;
     struct Frame {

@@ -3,10 +3,7 @@
 #include "control/host/host_connection.h"
 
 #include <algorithm>
-#include <csignal>
 #include <new>
-
-#include <unistd.h>
 
 namespace trundle {
 namespace {
@@ -34,11 +31,8 @@ Result<std::unique_ptr<HostConnection>> HostConnection::start(const std::string&
     if (!commands) return commands.error();
     made->m_sensors = std::move(sensors).value();
     made->m_commands = std::move(commands).value();
-    const int readOnly = made->m_sensors.openReadOnly();
-    Result<HelperProcess> process =
-        HelperProcess::start(program, {std::to_string(::getpid())},
-                             {made->m_control.descriptor(), readOnly, made->m_commands.descriptor()});
-    ::close(readOnly);
+    Result<HelperProcess> process = HelperProcess::start(
+        program, {made->m_control.descriptor(), made->m_sensors.readOnlyDescriptor(), made->m_commands.descriptor()});
     if (!process) return process.error();
     made->m_process = std::move(process).value();
     return made;

@@ -79,8 +79,8 @@ ControllerFault faultOf(const HostEnd& end, const RobotSpec* robot, const std::s
     return fault;
 }
 
-ControllerFault sharedFault(const ControllerFault& own, const RobotSpec& robot, const RobotSpec& culprit) {
-    return {"the controller " + robot.controller->kind + " of " + robot.name + " shares its process with that of " + culprit.name +
+ControllerFault sharedFault(const ControllerFault& own, const RobotSpec& robot, const RobotSpec& faulty) {
+    return {"the controller " + robot.controller->kind + " of " + robot.name + " shares its process with that of " + faulty.name +
                 ": " + own.reason + ". Isolation = robot gives each a process",
             {},
             own.process,

@@ -224,17 +224,17 @@ const ControllerFault* HostGroup::fault(std::size_t number) const {
 void HostGroup::setFaults() {
     m_updating = false;
     const HostEnd& end = m_host->end();
-    const std::size_t culprit = end.during.controller;
-    const bool known = culprit < m_members.size() && !end.ofThread && end.during.phase != HostPhase::None;
-    const RobotSpec* robot = known ? m_members[culprit].robot : nullptr;
+    const std::size_t faulty = end.during.controller;
+    const bool known = faulty < m_members.size() && !end.ofThread && end.during.phase != HostPhase::None;
+    const RobotSpec* robot = known ? m_members[faulty].robot : nullptr;
     ControllerFault own = faultOf(end, robot, m_library);
     own.process = m_library + " " + std::to_string(m_generation);
     for (std::size_t i = 0; i < m_members.size(); ++i) {
         Member& member = m_members[i];
-        const bool isCulprit = known && i == culprit;
-        if (!std::exchange(member.started, false) && !isCulprit) continue;
-        member.fault = known && !isCulprit ? sharedFault(own, *member.robot, *robot) : own;
-        if ((isCulprit || !known) && member.outputs.print)
+        const bool isFaulty = known && i == faulty;
+        if (!std::exchange(member.started, false) && !isFaulty) continue;
+        member.fault = known && !isFaulty ? sharedFault(own, *member.robot, *robot) : own;
+        if ((isFaulty || !known) && member.outputs.print)
             for (const std::string& line : own.backtrace) member.outputs.print(TRUNDLE_ERROR, "  " + line);
     }
 }

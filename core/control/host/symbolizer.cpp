@@ -26,7 +26,7 @@ void setPlace(SourceFrame& frame, std::string place) {
     const std::size_t colon = place.rfind(':');
     if (colon == std::string::npos || place.starts_with("??")) return;
     std::from_chars(place.data() + colon + 1, place.data() + place.size(), frame.line);
-    frame.file = place.substr(0, colon);
+    frame.file = std::filesystem::path(place.substr(0, colon)).lexically_normal().string();
 }
 
 /// Blocks of an address line and pairs of a function line and a "file:line" line.

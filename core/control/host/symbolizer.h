@@ -20,7 +20,7 @@ struct SourceFrame {
                                                  const std::vector<std::pair<std::uint32_t, std::uint64_t>>& frames);
 /// The innermost frame in code of the module's author rather than in a header of the system or the SDK; nullptr: none.
 [[nodiscard]] const SourceFrame* ownFrame(const std::vector<SourceFrame>& frames);
-/// "act(std::string const&) at /home/me/zoo.cpp:316".
+/// "act(std::string const&) at plugins/zoo.cpp:316".
 [[nodiscard]] std::string frameText(const SourceFrame& frame);
 
 } // namespace trundle
