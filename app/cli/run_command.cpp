@@ -276,10 +276,13 @@ ExitCode RunCommand::runLoaded() {
               {}});
     keepResults();
     const bool filmed = endMovie() && (m_movie || m_arguments.movie.path.empty());
+    const std::size_t warned = m_runner->warnings().size();
     (void)m_runner->finish(); // a failure is stored in failure()
+    for (std::size_t i = warned; i < m_runner->warnings().size(); ++i) warn(m_runner->warnings()[i]);
     m_guard->restoreProcess();
     m_progress->finish(m_runner->world().ticks());
 
+    const bool stopped = !m_runner->stoppedControllers().empty();
     const Diagnostic* failure = m_runner->failure();
     if (failure) {
         printDiagnostics({*failure}, m_report.sources);
@@ -287,6 +290,7 @@ ExitCode RunCommand::runLoaded() {
     }
     return printResults(failure               ? exitCodeFor(failure->code)
                         : outcome.interrupted ? kExitInterrupted
+                        : stopped             ? kExitController
                         : filmed              ? kExitDone
                                               : kExitText);
 }

@@ -74,6 +74,19 @@ Json endsJson(const World& world) {
     return ends;
 }
 
+/// Controllers that a fault stopped while the run continued.
+Json stoppedJson(const Runner& runner, const ExperimentSpec& experiment) {
+    Json list = Json::array();
+    for (const auto& [robot, time, fault] : runner.stoppedControllers())
+        list.push_back({{"robot", experiment.robots[robot].name},
+                        {"controller", experiment.robots[robot].controller->name},
+                        {"reason", fault.reason},
+                        {"backtrace", fault.backtrace},
+                        {"own", fault.isOwn},
+                        {"time", time}});
+    return list;
+}
+
 Json finishJson(const RunFinish* finish) {
     if (!finish) return nullptr;
     return {{"robot", finish->robot}, {"controller", finish->controller}, {"reason", finish->reason}, {"time", finish->time}};
@@ -103,6 +116,7 @@ std::string runJson(const RunReport& report) {
     json["robots"] = world ? robotsJson(*world) : Json::object();
     json["objects"] = world ? objectsJson(*world) : Json::array();
     json["ended"] = world ? endsJson(*world) : Json::array();
+    json["stopped"] = world ? stoppedJson(*report.runner, world->experiment()) : Json::array();
     json["diagnostics"] = diagnosticsJson(report.diagnostics, report.sources);
     if (!report.unreadable.empty()) json["diagnostics"][0]["file"] = report.unreadable;
     return jsonText(json);

@@ -106,6 +106,18 @@ std::string endRows(const World& world) {
     return text;
 }
 
+std::string stoppedRows(const Runner& runner, const ExperimentSpec& experiment) {
+    std::string text;
+    const auto& stopped = runner.stoppedControllers();
+    for (std::size_t i = 0; i < stopped.size() && i < kMaxListed; ++i) {
+        const RobotSpec& robot = experiment.robots[stopped[i].robot];
+        text += row(i == 0 ? "stopped" : "", robot.name + "/" + robot.controller->name + " at t = " +
+                                                 shortText(stopped[i].time, 9) + " s: " + cleanLine(stopped[i].fault.reason));
+    }
+    if (stopped.size() > kMaxListed) text += row("", "and " + std::to_string(stopped.size() - kMaxListed) + " more");
+    return text;
+}
+
 std::string solverRows(const World& world) {
     std::string text;
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
@@ -151,6 +163,7 @@ std::string runSummary(const RunReport& report) {
         text += row("took", shortText(report.wallS) + " s, " + shortText(simulated / report.wallS) + " x real time");
     if (!world.experiment().robots.empty()) text += robotRows(report, world);
     text += endRows(world);
+    text += stoppedRows(*report.runner, world.experiment());
     text += solverRows(world);
     text += logRows(report.runner->logFiles());
     if (const std::string counts = countText(report.diagnostics); !counts.empty()) text += row("messages", counts);

@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
     applyTheme(application, options.theme.value_or(system), preferences.fonts);
     QApplication::setWindowIcon(themedIcon(QStringLiteral("kind-robot")));
 
-    const std::unique_ptr<Application> trundleApplication = makeApplication();
+    const std::unique_ptr<Application> trundleApplication = makeApplication(findLocations(), Isolation::Module);
     const std::unique_ptr<RenderService> render = RenderService::startInBackground();
     MainWindow window(*trundleApplication, render.get(), findLocations(), options.given);
     if (options.screenshot.isEmpty()) window.rememberViews();

@@ -10,6 +10,7 @@
 #include "assets/asset_reader.h"
 #include "base/platform/read_file.h"
 #include "control/directory_catalog.h"
+#include "control/host/host_pool.h"
 #include "control/in_process_backend.h"
 #include "control/kinds_json.h"
 #include "control/module_kinds.h"
@@ -73,10 +74,37 @@ std::shared_ptr<const Registry> builtInKinds() {
     return registry;
 }
 
+/// The code of modules that a run uses, in this process and in host processes.
+struct RunCode {
+    RunCode(const LoadedProject& loaded, const std::string& program, const RunOptions& options, Isolation isolation)
+        : experiment(loaded.experiment), store(options.calls), hosts(program, loaded.experiment, options.calls, isolation,
+                                      [&loaded](const std::string& kind) {
+                                          const Kind* found = loaded.registry->find(kind);
+                                          return found ? found->module : std::string();
+                                      }) {}
+
+    /// Code of a module runs in this process only if a device or a controller needs it here.
+    Result<std::vector<Kind>> load(const std::string& library, const Registry& registry) {
+        return hosts.hasOnly(library) && !hasDeviceOf(library, registry) ? hosts.load(library) : store.loadKinds(library);
+    }
+    [[nodiscard]] bool hasDeviceOf(const std::string& library, const Registry& registry) const {
+        const auto isOfLibrary = [&](const ComponentSpec& device) {
+            const Kind* kind = registry.find(device.kind);
+            return kind && kind->module == library;
+        };
+        return std::ranges::any_of(
+            experiment->robots, [&](const RobotSpec& robot) { return std::ranges::any_of(robot.config->devices, isOfLibrary); });
+    }
+
+    std::shared_ptr<const ExperimentSpec> experiment;
+    ModuleStore store;
+    HostPool hosts;
+};
+
 class TrundleApplication final : public Application {
 public:
-    explicit TrundleApplication(Locations locations)
-        : m_locations(std::move(locations)), m_builtIn(builtInKinds()), m_assets(m_locations.meshReader) {}
+    TrundleApplication(Locations locations, Isolation isolation)
+        : m_locations(std::move(locations)), m_isolation(isolation), m_builtIn(builtInKinds()), m_assets(m_locations.meshReader) {}
 
     std::shared_ptr<const Registry> builtIn() const override { return m_builtIn; }
     const Locations& locations() const override { return m_locations; }
@@ -86,6 +114,7 @@ public:
 
 private:
     Locations m_locations;
+    Isolation m_isolation;
     std::shared_ptr<const Registry> m_builtIn;
     AssetReader m_assets;
 };
@@ -126,17 +155,20 @@ Result<std::shared_ptr<const LoadedProject>> TrundleApplication::open(const std:
 std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& loaded, RunOptions options,
                                                        Diagnostics& diagnostics) {
     if (!options.calls) options.calls = std::make_shared<CallMonitor>();
-    const auto keeper = std::make_shared<ModuleStore>(options.calls); // per run: the next one loads rebuilt libraries
-    ModuleStore& store = *keeper;
-    options.keeps = keeper;
-    loadModules(*loaded.experiment, *loaded.registry, store, diagnostics);
+    const auto code = std::make_shared<RunCode>(loaded, m_locations.host, options, m_isolation); // per run: the next one loads rebuilt libraries
+    options.keeps = code;
+    ModuleStore& store = code->store;
+    loadModules(*loaded.experiment, *loaded.registry,
+                [&](const std::string& library) { return code->load(library, *loaded.registry); }, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
     const DeviceCode devices = [&store](const std::string& kind) {
         const TrundleKind* builtIn = findBuiltInDevice(kind);
         return builtIn ? builtIn : store.find(kind, TRUNDLE_DEVICE);
     };
-    const BackendFactory backends = [&store](const RobotSpec& robot, const SettingsSpec& settings) {
-        return makeInProcessBackend(robot, settings, store);
+    const BackendFactory backends = [&code = *code](const RobotSpec& robot,
+                                                    const SettingsSpec& settings) -> Result<std::unique_ptr<ControllerBackend>> {
+        if (code.hosts.has(robot)) return code.hosts.makeBackend(robot);
+        return makeInProcessBackend(robot, settings, code.store);
     };
     const auto world = std::make_shared<const World*>(nullptr); // set once the world exists
     if (!options.pictures) {
@@ -154,8 +186,8 @@ std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& load
 
 } // namespace
 
-std::unique_ptr<Application> makeApplication(Locations locations) {
-    return std::make_unique<TrundleApplication>(std::move(locations));
+std::unique_ptr<Application> makeApplication(Locations locations, Isolation isolation) {
+    return std::make_unique<TrundleApplication>(std::move(locations), isolation);
 }
 
 } // namespace trundle

@@ -8,6 +8,7 @@
 #include "app/locations.h"
 #include "app/open_options.h"
 #include "base/result.h"
+#include "control/isolation.h"
 #include "project/loading/project.h"
 #include "run/runner.h"
 
@@ -32,6 +33,8 @@ public:
                                                              Diagnostics& diagnostics) = 0;
 };
 
-[[nodiscard]] std::unique_ptr<Application> makeApplication(Locations locations = findLocations());
+/// `isolation` holds for controllers for which the experiment does not set it.
+[[nodiscard]] std::unique_ptr<Application> makeApplication(Locations locations = findLocations(),
+                                                           Isolation isolation = Isolation::None);
 
 } // namespace trundle

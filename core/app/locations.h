@@ -9,6 +9,7 @@ struct Locations {
     std::string resources;  ///< textures and meshes
     std::string modules;    ///< controllers and components shipped with the program; always trusted
     std::string meshReader; ///< helper program that reads foreign mesh and image formats
+    std::string host;       ///< helper program that runs controllers
 };
 
 [[nodiscard]] Locations findLocations();

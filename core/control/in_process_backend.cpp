@@ -1,16 +1,8 @@
 #include "control/in_process_backend.h"
 
-#include <algorithm>
-#include <cstring>
 #include <filesystem>
-#include <limits>
-#include <vector>
 
-#include "base/platform/module_text.h"
-#include "base/rng.h"
-#include "control/port_names.h"
-#include "radio/medium.h"
-#include "schema/live_value.h"
+#include "control/controller_instance.h"
 
 namespace trundle {
 namespace {
@@ -18,243 +10,22 @@ namespace {
 class InProcessBackend final : public ControllerBackend {
 public:
     InProcessBackend(const RobotSpec& robot, const SettingsSpec& settings, const TrundleKind& code, std::string library)
-        : m_robot(robot), m_code(code), m_library(std::move(library)), m_seed(settings.seed), m_pathHash(fnv1a64(robot.name)) {
-        m_table.size = sizeof m_table;
-        m_table.context = this;
-        m_table.name = m_robot.name.c_str();
-        m_table.tick = settings.tick;
-        m_table.bind = &bind;
-        m_table.time = &time;
-        m_table.print = &print;
-        m_table.fail = &fail;
-        m_table.random = &random;
-        m_table.openLog = &openLog;
-        m_table.writeLog = &writeLog;
-        m_table.signalInfo = &signalInfo;
-        m_table.radio = &kRadio;
-        m_cameras = {sizeof m_cameras, 0, this, &capture, &savePicture, &objectName, &cameraError};
-        m_table.cameras = &m_cameras;
-        m_table.publish = &publish;
-        m_table.finish = &finish;
-    }
-    InProcessBackend(const InProcessBackend&) = delete;
-    InProcessBackend& operator=(const InProcessBackend&) = delete;
-    ~InProcessBackend() override { stop(); }
+        : m_controller(robot, settings, code), m_library(std::move(library)) {}
 
     Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) override {
-        stop();
-        m_layout = &layout;
-        m_block = &block;
-        m_outputs = std::move(outputs);
-        m_failure.reset();
-        m_tick = kSetupTick;
-        m_draws = 0;
-        m_instance = m_code.create();
-        if (!m_instance) return failed("could not be made", m_code.lastError(nullptr));
-        for (std::uint32_t i = 0; i < m_code.fieldCount; ++i)
-            if (auto status = setField(i); !status) return status;
-        const bool refused = m_code.setupController(m_instance, &m_table) != 0;
-        if (m_failure) return *m_failure; // a missing port is a better message than the setup error it caused
-        if (refused) return failed("failed in setup", m_code.lastError(m_instance));
-        return {};
+        return m_controller.start(layout, {block.slots().data(), block.slots().data()}, std::move(outputs));
     }
-
-    Status tick(std::uint64_t tick, double time, double sinceLast) override {
-        if (!m_instance) return failed("was not started", nullptr);
-        m_tick = tick;
-        m_time = time;
-        m_draws = 0;
-        const bool stopped = m_code.update(m_instance, sinceLast) != 0;
-        if (stopped) return failed("failed", m_code.lastError(m_instance));
-        if (m_failure) return *m_failure;
-        return {};
-    }
-
-    Status set(const std::string& property, const PropertyValue& value) override {
-        return setLive(m_code, m_instance, "the controller of " + m_robot.name, property, value);
-    }
-
-    void stop() override {
-        if (m_instance) m_code.destroy(m_instance);
-        m_instance = nullptr;
-    }
-
+    Status tick(std::uint64_t tick, double time, double sinceLast) override { return m_controller.tick(tick, time, sinceLast); }
+    Status set(const std::string& property, const PropertyValue& value) override { return m_controller.set(property, value); }
+    void stop() override { m_controller.stop(); }
     std::string describe() const override {
         const std::string file = std::filesystem::path(m_library).filename().string();
-        return std::string(m_code.name) + (file.empty() ? "" : " from " + file) + ", in process";
+        return std::string(m_controller.kind()) + (file.empty() ? "" : " from " + file) + ", in process";
     }
 
 private:
-    /// Random numbers drawn in setup must differ from those of tick 0.
-    static constexpr std::uint64_t kSetupTick = std::numeric_limits<std::uint64_t>::max();
-
-    Error failed(const std::string& how, const char* why) const {
-        const std::string reason = moduleMessage(why);
-        return {Code::ControllerFailed, "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how +
-                                            (reason.empty() ? "" : ": ") + reason};
-    }
-
-    Status setField(std::uint32_t index) {
-        const ResolvedValue* given = m_robot.controller ? m_robot.controller->find(m_code.fields[index].name) : nullptr;
-        if (!given) return {};
-        const PropertyValue& value = given->value;
-        std::vector<const char*> texts;
-        for (const std::string& text : value.texts) texts.push_back(text.c_str());
-        const TrundleField& field = m_code.fields[index];
-        const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
-        const std::size_t count = numeric ? value.numbers.size() : texts.size();
-        // The class reads as many elements as its member has: an outdated description must not make it read out of bounds.
-        if (count < field.minCount || count > field.maxCount)
-            return failed(std::string("cannot take the value of ") + field.name, "wrong count of elements");
-        const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
-        if (m_code.set(m_instance, index, &crossing) == 0) return {};
-        return failed(std::string("refuses the value of ") + field.name, m_code.lastError(m_instance));
-    }
-
-    static InProcessBackend& self(void* context) { return *static_cast<InProcessBackend*>(context); }
-    static double* bind(void* context, const char* kind, const char* device, const char* signal) {
-        auto& me = self(context);
-        const std::string ofKind = moduleName(kind), named = moduleName(device), asked = moduleName(signal);
-        const auto entry = PortNames(me.m_robot, *me.m_layout).bind(ofKind, named, asked);
-        if (entry && asked == "frame" && me.isAlwaysNew(ofKind, named)) return &me.m_noNumber;
-        if (entry) return &me.m_block->slots()[entry.value()->offset];
-        if (!me.m_failure) me.m_failure = entry.error();
-        return nullptr;
-    }
-    /// A camera without a stream renders on request, so every image is new to its port.
-    [[nodiscard]] bool isAlwaysNew(const std::string& kind, const std::string& device) const {
-        if (kind != "Camera") return false;
-        const auto named = [&](const ComponentSpec& component) { return component.name == device; };
-        const auto found = std::ranges::find_if(m_robot.config->devices, named);
-        return found != m_robot.config->devices.end() && !(found->number("UpdatePeriod") > 0);
-    }
-    static double* publish(void* context, const char* signal, std::uint32_t* count) {
-        auto& me = self(context);
-        const auto entry = PortNames(me.m_robot, *me.m_layout).published(moduleName(signal));
-        if (entry && count) *count = entry.value()->count;
-        if (entry) return &me.m_block->slots()[entry.value()->offset];
-        if (!me.m_failure) me.m_failure = entry.error();
-        return nullptr;
-    }
-    static void finish(void* context, const char* reason) {
-        if (self(context).m_outputs.finish) self(context).m_outputs.finish(moduleMessage(reason));
-    }
-    static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
-                                   std::uint32_t* direction) {
-        auto& me = self(context);
-        const SignalEntry* entry = PortNames(me.m_robot, *me.m_layout).look(moduleName(device), moduleName(signal));
-        if (!entry) return 1;
-        if (count) *count = entry->count;
-        if (direction) *direction = static_cast<std::uint32_t>(entry->direction);
-        return 0;
-    }
-    static double time(void* context) { return self(context).m_time; }
-    static void print(void* context, std::int32_t severity, const char* text) {
-        if (self(context).m_outputs.print) self(context).m_outputs.print(severity, moduleMessage(text));
-    }
-    static void fail(void* context, const char* text) {
-        auto& me = self(context);
-        if (!me.m_failure) me.m_failure = me.failed("gave up", text);
-    }
-    static std::uint64_t random(void* context) {
-        auto& me = self(context);
-        return randomBits(me.m_seed, me.m_pathHash, me.m_tick, me.m_draws++);
-    }
-    static std::int32_t openLog(void* context, const char* fileName) {
-        const auto& open = self(context).m_outputs.openLog;
-        return open ? open(moduleName(fileName)) : -1;
-    }
-    static void writeLog(void* context, std::int32_t log, const char* bytes, std::uint64_t count) {
-        const auto& write = self(context).m_outputs.writeLog;
-        if (write && log >= 0 && bytes) write(log, std::string_view(bytes, count));
-    }
-
-    std::int32_t reportStatus(const Status& status) {
-        m_cameraError = status ? std::string() : status.error().message;
-        return status ? 0 : 1;
-    }
-    static std::int32_t capture(void* context, const char* camera, TrundlePicture* picture) {
-        auto& me = self(context);
-        if (!me.m_outputs.capture || !picture) return me.reportStatus(noPictures());
-        const Result<const CameraImage*> taken = me.m_outputs.capture(moduleName(camera));
-        if (!taken) return me.reportStatus(taken.error());
-        const CameraImage& frame = *taken.value();
-        TrundlePicture all{picture->size, frame.width, frame.height, 0, frame.time, frame.pixels.data(), nullptr, nullptr};
-        if (!frame.depth.empty()) all.depth = frame.depth.data();
-        if (!frame.objects.empty()) all.objects = frame.objects.data();
-        std::memcpy(picture, &all, std::min<std::size_t>(picture->size, sizeof all));
-        return me.reportStatus({});
-    }
-    static std::int32_t savePicture(void* context, const char* camera, const char* fileName) {
-        auto& me = self(context);
-        return me.reportStatus(me.m_outputs.savePicture ? me.m_outputs.savePicture(moduleName(camera), moduleName(fileName))
-                                                        : noPictures());
-    }
-    static const char* objectName(void* context, std::uint32_t object) {
-        auto& me = self(context);
-        if (!me.m_outputs.objectName) return nullptr;
-        me.m_objectName = me.m_outputs.objectName(object);
-        return me.m_objectName.empty() ? nullptr : me.m_objectName.c_str();
-    }
-    static const char* cameraError(void* context) { return self(context).m_cameraError.c_str(); }
-    static Status noPictures() { return Error{Code::NoGraphics, "this run takes no pictures"}; }
-
-    static std::int32_t findRadio(void* context, const char* component, std::uint32_t* radio) {
-        auto& me = self(context);
-        const auto entry = PortNames(me.m_robot, *me.m_layout).bind("Transceiver", moduleName(component), "rssi");
-        const auto found =
-            me.m_outputs.medium ? me.m_outputs.medium->find(me.m_robot.name + "/" + moduleName(component)) : std::nullopt;
-        if (found) {
-            *radio = *found;
-            return 0;
-        }
-        if (!me.m_failure) me.m_failure = entry ? me.failed("has no medium for its radio", nullptr) : entry.error();
-        return 1;
-    }
-    static bool isRadio(const InProcessBackend& me, std::uint32_t radio) {
-        return me.m_outputs.medium && radio < me.m_outputs.medium->radioCount();
-    }
-    static std::uint32_t radioAddress(void* context, std::uint32_t radio) {
-        const auto& me = self(context);
-        return isRadio(me, radio) ? me.m_outputs.medium->radio(radio).address : 0;
-    }
-    static std::int32_t sendPacket(void* context, std::uint32_t radio, const std::uint8_t* bytes, std::uint32_t count,
-                                   std::uint32_t to, double power) {
-        const auto& me = self(context);
-        return isRadio(me, radio) && me.m_outputs.medium->send(radio, {bytes, count}, to, power) ? 0 : 1;
-    }
-    static std::int32_t receivePacket(void* context, std::uint32_t radio, TrundlePacket* out) {
-        auto& me = self(context);
-        if (!isRadio(me, radio) || !out || out->size < sizeof(TrundlePacket)) return 0;
-        RadioPacket packet;
-        if (!me.m_outputs.medium->receive(radio, packet)) return 0;
-        out->count = static_cast<std::uint32_t>(std::min(packet.bytes.size(), sizeof out->bytes));
-        std::copy_n(packet.bytes.begin(), out->count, out->bytes);
-        out->time = packet.time;
-        out->rssi = packet.rssi;
-        out->lqi = static_cast<std::uint32_t>(packet.lqi);
-        out->from = packet.from;
-        out->to = packet.to;
-        out->sequence = packet.sequence;
-        return 1;
-    }
-    static constexpr TrundleRobotRadio kRadio{
-        sizeof(TrundleRobotRadio), 0, &findRadio, &radioAddress, &sendPacket, &receivePacket};
-
-    const RobotSpec m_robot; // a copy, because pointers to its name and values are passed to the controller
-    const TrundleKind& m_code;
+    ControllerInstance m_controller;
     std::string m_library;
-    TrundleRobot m_table{};
-    TrundleCameras m_cameras{};
-    std::string m_cameraError, m_objectName;
-    double m_noNumber = std::numeric_limits<double>::quiet_NaN();
-    void* m_instance = nullptr;
-    const SignalLayout* m_layout = nullptr;
-    SignalBlock* m_block = nullptr;
-    ControllerOutputs m_outputs;
-    std::optional<Error> m_failure;
-    std::uint64_t m_seed, m_pathHash, m_tick = kSetupTick, m_draws = 0;
-    double m_time = 0;
 };
 
 } // namespace

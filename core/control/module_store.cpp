@@ -168,10 +168,20 @@ const TrundleKind* ModuleStore::find(std::string_view kind, std::uint32_t role) 
     return nullptr;
 }
 
+Result<std::vector<Kind>> ModuleStore::loadKinds(const std::string& library) {
+    const auto module = load(library);
+    if (!module) return module.error();
+    return module.value()->kinds;
+}
+
 void loadModules(const ExperimentSpec& experiment, const Registry& registry, ModuleStore& store, Diagnostics& diagnostics) {
+    loadModules(experiment, registry, [&store](const std::string& library) { return store.loadKinds(library); }, diagnostics);
+}
+
+void loadModules(const ExperimentSpec& experiment, const Registry& registry, const ModuleLoader& load, Diagnostics& diagnostics) {
     for (const ModuleSpec& spec : experiment.modules) {
         if (spec.library.empty()) continue; // already reported when it was not found
-        const auto module = store.load(spec.library);
+        const auto module = load(spec.library);
         if (!module) {
             diagnostics.error(module.error().code, spec.range, module.error().message);
             continue;
@@ -179,7 +189,7 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, Mod
         const auto described = describedKinds(spec.library);
         const std::vector<Kind> checked = kindsFrom(spec.library, registry);
         if (!described && checked.empty()) continue; // a missing description has its own warning
-        const std::vector<Kind>& now = module.value()->kinds;
+        const std::vector<Kind>& now = module.value();
         const bool isOld = !described || kindsToJson(*described) != kindsToJson(now);
         const std::string old = kindsJsonPath(spec.library) + " no longer matches the module; build the module again";
         if (contentOf(checked) != contentOf(now))

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -38,6 +39,7 @@ public:
     /// Checks the file, loads a copy of it from memory, so that the file can be rebuilt meanwhile, and checks its descriptor. A
     /// second call returns the same module.
     [[nodiscard]] Result<const LoadedModule*> load(const std::string& library);
+    [[nodiscard]] Result<std::vector<Kind>> loadKinds(const std::string& library); ///< the same; returns its kinds
     /// The module that provides a kind with this role (TRUNDLE_CONTROLLER, TRUNDLE_DEVICE); nullptr: none.
     [[nodiscard]] const LoadedModule* owner(std::string_view kind, std::uint32_t role) const;
     [[nodiscard]] const TrundleKind* find(std::string_view kind, std::uint32_t role) const;
@@ -48,9 +50,14 @@ private:
     std::vector<std::unique_ptr<LoadedModule>> m_modules;
 };
 
+/// Loads a module, in this process or another, and returns its kinds.
+using ModuleLoader = std::function<Result<std::vector<Kind>>(const std::string& library)>;
+
 /// Loads the modules of an experiment. An error is reported at the #loadModule of a module that cannot be used or whose kinds
 /// differ from those in `registry`, with which the text was checked. If only the help texts of the description file are outdated,
 /// the result is a warning (E412).
+void loadModules(const ExperimentSpec& experiment, const Registry& registry, const ModuleLoader& load, Diagnostics& diagnostics);
+/// The same into a store, in this process.
 void loadModules(const ExperimentSpec& experiment, const Registry& registry, ModuleStore& store, Diagnostics& diagnostics);
 
 /// Whether the description file of any module of the experiment now differs from `registry`, which was filled from it.

@@ -1,6 +1,5 @@
 #include "model/resolver.h"
 
-#include <set>
 
 #include "base/spelling.h"
 #include "model/resolve/resolve_steps.h"
@@ -53,18 +52,6 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
     return true;
 }
 
-void reportUnused(ResolveContext& context) {
-    std::set<SourceRange> reported; // once per source range: robots of a layout share their text
-    for (const RobotSpec& robot : context.out.robots) {
-        if (!robot.controller) continue;
-        for (const char* key : {"Isolation", "Budget"}) {
-            const ResolvedValue* value = robot.controller->find(key);
-            if (!value || value->origin == Origin::Default || robot.controller->text(key) == "none") continue;
-            if (reported.insert(value->range).second) reportUnusedParts(context, key, value->range);
-        }
-    }
-}
-
 void reportDefaults(ResolveContext& context) {
     if (context.defaulted.empty()) return;
     const auto& [part, missing] = context.defaulted.front();
@@ -75,11 +62,6 @@ void reportDefaults(ResolveContext& context) {
 }
 
 } // namespace
-
-void reportUnusedParts(ResolveContext& context, const std::string& key, SourceRange place) {
-    if (place.known())
-        context.diagnostics.warning(Code::Conflict, place, key + " has no effect: all controllers run inside the program");
-}
 
 void resolveLogs(ResolveContext& context) {
     AppearanceChecker looks(context);
@@ -113,7 +95,6 @@ std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLooku
     checkRadios(context);
     resolveLogs(context);
     checkFrameLogs(context);
-    reportUnused(context);
     reportDefaults(context);
     return experiment;
 }

@@ -38,11 +38,16 @@ struct PropertyCommand {
     std::string object, property;
     PropertyValue value;
 };
+/// Starts the controller of a robot again, from its setup; if its process has ended, those of all robots that shared it.
+struct RestartCommand {
+    std::string robot;
+};
 
 /// Applied before the controllers are called in tick `tick + 1`: `tick` is the number of completed ticks.
 struct Command {
     std::uint64_t tick = 0;
-    std::variant<PushCommand, PlaceCommand, SignalCommand, HoldCommand, SurfaceCommand, PropertyCommand> what;
+    std::variant<PushCommand, PlaceCommand, SignalCommand, HoldCommand, SurfaceCommand, PropertyCommand, RestartCommand>
+        what;
 };
 
 } // namespace trundle

@@ -1,12 +1,14 @@
 #include "run/experiment_runner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <set>
 
 #include <trundle/abi.h>
 
 #include "base/clean_text.h"
+#include "control/medium_radios.h"
 #include "run/logs/log_kinds.h"
 #include "schema/value_words.h"
 
@@ -80,7 +82,7 @@ ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot) {
             m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
     };
     m_pictures.addTo(outputs, robot.name);
-    outputs.medium = m_world->medium();
+    if (Medium* medium = m_world->medium()) outputs.radios = radiosOf(*medium);
     return outputs;
 }
 
@@ -140,6 +142,7 @@ Status ExperimentRunner::apply(const Command& command) {
     if (const auto* place = std::get_if<PlaceCommand>(&command.what)) return m_world->place(place->robot, place->pose);
     if (const auto* signal = std::get_if<SignalCommand>(&command.what)) return apply(*signal);
     if (const auto* hold = std::get_if<HoldCommand>(&command.what)) return apply(*hold);
+    if (const auto* restart = std::get_if<RestartCommand>(&command.what)) return apply(*restart);
     if (const auto* surface = std::get_if<SurfaceCommand>(&command.what)) return m_world->setSurface(surface->surface);
     return apply(std::get<PropertyCommand>(command.what));
 }
@@ -178,23 +181,118 @@ Status ExperimentRunner::apply(const PropertyCommand& command) {
     return m_world->setProperty(command.object, command.property, command.value);
 }
 
+Status ExperimentRunner::apply(const RestartCommand& restart) {
+    Controller* chosen = controllerOf(restart.robot);
+    if (!chosen) return Error{Code::NoSuchPath, restart.robot + " has no controller"};
+    const ControllerFault* fault = chosen->backend->fault();
+    const std::string process = fault ? fault->process : std::string();
+    for (Controller& controller : m_controllers) {
+        const ControllerFault* other = controller.backend->fault();
+        if (&controller != chosen && (process.empty() || !other || other->process != process)) continue;
+        std::erase_if(m_stopped, [&](const StoppedController& stopped) { return stopped.robot == controller.robot; });
+        controller.called = controller.slow = false;
+        const RobotSpec& robot = experiment().robots[controller.robot];
+        const MonitoredCall call(*m_options.calls, controller.target, "setup");
+        const Status started = controller.backend->start(m_world->layout(), m_world->block(), outputsFor(robot));
+        if (started) addMessage(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was started again");
+        else m_stopped.push_back({controller.robot, m_world->time(), {started.error().message, {}, {}, true}});
+        if (!started) addMessage(robot.name, TRUNDLE_ERROR, started.error().message);
+    }
+    return {};
+}
+
 void ExperimentRunner::applyCommands() {
     for (; m_applied < m_commands.size(); ++m_applied)
         if (const Status done = apply(m_commands[m_applied]); !done)
             addMessage("", TRUNDLE_ERROR, "command refused: " + done.error().message);
 }
 
+bool ExperimentRunner::isStopped(const Controller& controller) const {
+    return std::ranges::find(m_stopped, controller.robot, &StoppedController::robot) != m_stopped.end();
+}
+
+/// Announces all updates of this tick before the first, so that a host process gets them together.
+void ExperimentRunner::prepareUpdates(std::uint64_t tick, double time) {
+    for (Controller& controller : m_controllers) {
+        controller.due = controller.schedule.due(tick) && !controller.held && !hasEnded(*m_world, controller.robot) &&
+                         !isStopped(controller);
+        if (controller.due) controller.backend->prepare(tick, time, controller.called ? time - controller.lastTime : 0);
+    }
+}
+
+Status ExperimentRunner::update(Controller& controller, std::uint64_t tick, double time) {
+    using Clock = std::chrono::steady_clock;
+    const double sinceLast = controller.called ? time - controller.lastTime : 0;
+    controller.lastTime = time;
+    controller.called = true;
+    const Clock::time_point begin = Clock::now();
+    Status done;
+    {
+        const MonitoredCall call(*m_options.calls, controller.target, "update");
+        done = controller.backend->tick(tick, time, sinceLast);
+    }
+    reportSlow(controller,
+               controller.backend->updateS().value_or(std::chrono::duration<double>(Clock::now() - begin).count()));
+    return done;
+}
+
+/// Once for each controller. The time depends on the machine, so it goes to the console and affects nothing.
+void ExperimentRunner::reportSlow(Controller& controller, double seconds) {
+    const RobotSpec& robot = experiment().robots[controller.robot];
+    const double budget = robot.controller->number("Budget");
+    if (!(budget > 0) || seconds <= budget || std::exchange(controller.slow, true)) return;
+    addMessage(robot.name, TRUNDLE_WARNING,
+               "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
+                   " ms; its Budget is " + numberText(1e3 * budget) + " ms");
+}
+
+/// After a fault of one controller: its robot, and those whose controllers shared its process, get commands of 0.
+void ExperimentRunner::stopFaulty() {
+    for (const Controller& controller : m_controllers) {
+        const ControllerFault* fault = controller.backend->fault();
+        if (!fault || isStopped(controller)) continue;
+        const RobotSpec& robot = experiment().robots[controller.robot];
+        reportFault(controller);
+        for (const SignalEntry& entry : m_world->layout().entries())
+            if (entry.direction == SignalDirection::Command && entry.path.starts_with(robot.name + "/"))
+                std::fill_n(m_world->block().slots().begin() + entry.offset, entry.count, 0.0);
+    }
+}
+
+void ExperimentRunner::reportFault(const Controller& controller) {
+    const ControllerFault& fault = *controller.backend->fault();
+    const double time = tickTime(m_world->ticks(), experiment().settings.tick);
+    m_stopped.push_back({controller.robot, time, fault});
+    const SourceRange range = experiment().robots[controller.robot].controller->nameRange;
+    m_warnings.push_back({Severity::Error,
+                          Code::ControllerFailed,
+                          "at t = " + numberText(time) + " s " + fault.reason + (m_finished ? "" : "; the run continues without it"),
+                          range,
+                          {},
+                          {},
+                          {}});
+}
+
+/// At the end of the run; a destructor may have a fault too.
+void ExperimentRunner::stopControllers() {
+    for (Controller& controller : m_controllers) {
+        const MonitoredCall call(*m_options.calls, controller.target, "destructor");
+        controller.backend->stop();
+        const ControllerFault* fault = controller.backend->fault();
+        if (fault && fault->isOwn && !isStopped(controller)) reportFault(controller);
+    }
+}
+
 Status ExperimentRunner::think() {
     const std::uint64_t tick = m_world->ticks();
     const double time = m_world->time();
+    prepareUpdates(tick, time);
     for (Controller& controller : m_controllers) {
-        if (!controller.schedule.due(tick) || controller.held || hasEnded(*m_world, controller.robot)) continue;
-        const double sinceLast = controller.called ? time - controller.lastTime : 0;
-        controller.lastTime = time;
-        controller.called = true;
-        const MonitoredCall call(*m_options.calls, controller.target, "update");
-        const Status done = controller.backend->tick(tick, time, sinceLast);
-        if (!done) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
+        if (!controller.due || isStopped(controller)) continue;
+        const Status done = update(controller, tick, time);
+        if (done) continue;
+        if (!controller.backend->fault()) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
+        stopFaulty();
     }
     return {};
 }
@@ -250,10 +348,7 @@ void ExperimentRunner::flushLogs() {
 Status ExperimentRunner::finish() {
     if (m_finished) return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
     m_finished = true;
-    for (Controller& controller : m_controllers) {
-        const MonitoredCall call(*m_options.calls, controller.target, "destructor");
-        controller.backend->stop();
-    }
+    stopControllers();
     reportDropped();
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});

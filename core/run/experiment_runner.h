@@ -28,6 +28,7 @@ public:
     const std::vector<Command>& commands() const override { return m_commands; }
     const std::vector<Diagnostic>& warnings() const override { return m_warnings; }
     const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
+    const std::vector<StoppedController>& stoppedControllers() const override { return m_stopped; }
     const RunFinish* finished() const override { return m_finish ? &*m_finish : nullptr; }
     void flushLogs() override;
     Status finish() override;
@@ -43,6 +44,7 @@ private:
         const CallTarget* target; ///< for monitoring its calls
         double lastTime = 0;
         bool called = false, held = false;
+        bool due = false, slow = false; ///< in this tick; a slow update was reported
     };
     struct OpenLog {
         std::unique_ptr<Log> log;
@@ -62,8 +64,16 @@ private:
     Status apply(const SignalCommand& command);
     Status apply(const HoldCommand& command);
     Status apply(const PropertyCommand& command);
+    Status apply(const RestartCommand& command);
     [[nodiscard]] Controller* controllerOf(const std::string& robot);
     Status think();
+    void prepareUpdates(std::uint64_t tick, double time);
+    Status update(Controller& controller, std::uint64_t tick, double time);
+    void reportSlow(Controller& controller, double seconds);
+    void stopFaulty();
+    void stopControllers();
+    void reportFault(const Controller& controller);
+    [[nodiscard]] bool isStopped(const Controller& controller) const;
     Status writeLogs();
     void closeFinish();
 
@@ -74,6 +84,7 @@ private:
     LogFolder m_folder; // before the controllers, which write into it
     RunPictures m_pictures{*m_world, m_cameras, m_folder, m_warnings};
     std::vector<Controller> m_controllers;
+    std::vector<StoppedController> m_stopped;
     std::vector<OpenLog> m_logs;
     std::vector<LogFile*> m_controllerLogs; // index: the number returned to the controller
     std::vector<Command> m_commands;

@@ -36,6 +36,14 @@ struct RunFinish {
     double time = 0; ///< s, simulated, at the end of the tick of the call
 };
 
+/// A controller that a fault of its own stopped while the run continues: it is not called any more, and the commands of its robot
+/// are 0. A RestartCommand removes it.
+struct StoppedController {
+    std::size_t robot = 0; ///< index in the experiment
+    double time = 0;       ///< s, simulated
+    ControllerFault fault;
+};
+
 class Runner {
 public:
     /// Builds world and controllers. Returns nullptr, with errors in `diagnostics`, on failure.
@@ -53,6 +61,8 @@ public:
     [[nodiscard]] virtual const std::vector<Diagnostic>& warnings() const = 0;
     /// The error that ended the run, with its source range; nullptr if there is none. Set by a failed tick() or finish().
     [[nodiscard]] virtual const Diagnostic* failure() const = 0;
+    /// Controllers that are stopped now, in the order of their faults. A run that ends with any has failed in part.
+    [[nodiscard]] virtual const std::vector<StoppedController>& stoppedControllers() const = 0;
     /// Set if a controller called finish(), in the first such tick or in setup during create(): the run is over.
     [[nodiscard]] virtual const RunFinish* finished() const = 0;
     /// Writes buffered log data to the files, so that it survives a crash of the program.

@@ -105,6 +105,18 @@ void RobotCommands::stopDriving() {
     m_driven.clear();
 }
 
+bool RobotCommands::restartControllers(const std::vector<std::string>& robots) {
+    if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A controller can be restarted while the experiment runs."));
+    std::size_t restarted = 0;
+    for (const std::string& name : robots) {
+        const RobotSpec* robot = m_run.robot(name);
+        if (!robot || !robot->controller) continue;
+        m_run.live->command(RestartCommand{name});
+        ++restarted;
+    }
+    return restarted > 0 || m_messages.refuse(tr("Select a robot with a controller."));
+}
+
 std::vector<Command> RobotCommands::all() const { return m_run.live ? m_run.live->commands() : std::vector<Command>(); }
 
 std::shared_ptr<const LiveSnapshot> RobotCommands::withPlacedRobots(std::shared_ptr<const LiveSnapshot> snapshot) {

@@ -36,6 +36,9 @@ public:
     /// robot stops until the controller sends a new command.
     bool drive(const std::string& robot, double linear, double angular);
     void stopDriving();
+    /// Starts the controllers of these robots again, from their setup, where they are. A controller that was stopped with others
+    /// of its process is started with them.
+    bool restartControllers(const std::vector<std::string>& robots);
     [[nodiscard]] std::string driven() const { return m_driven; } ///< robot, or empty
     /// Why a robot cannot be driven; empty if it can.
     [[nodiscard]] QString driveRefusal(const std::string& robot) const;

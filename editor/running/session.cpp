@@ -19,12 +19,18 @@ constexpr std::chrono::milliseconds kLastWait(2000);
 LiveLines faultLines(const std::vector<Diagnostic>& warnings, const LiveSnapshot* snapshot, const ExperimentSpec& experiment) {
     LiveLines lines;
     for (const Diagnostic& warning : warnings) {
-        if (warning.code != Code::BlowUp) continue;
-        LiveLine line{snapshot ? snapshot->time : 0, {}, TRUNDLE_WARNING, codeName(warning.code) + ": " + warning.message};
+        if (warning.code != Code::BlowUp && warning.code != Code::ControllerFailed) continue;
+        const int severity = warning.severity == Severity::Error ? TRUNDLE_ERROR : TRUNDLE_WARNING;
+        LiveLine line{snapshot ? snapshot->time : 0, {}, severity, codeName(warning.code) + ": " + warning.message};
         for (const RobotEnd& end : snapshot ? snapshot->ended : std::vector<RobotEnd>())
             if (end.fault.range == warning.range) {
                 line.time = end.fault.time;
                 line.who = experiment.robots[end.robot].name;
+            }
+        for (const StoppedController& stopped : snapshot ? snapshot->stopped : std::vector<StoppedController>())
+            if (experiment.robots[stopped.robot].controller->nameRange == warning.range) {
+                line.time = stopped.time;
+                line.who = experiment.robots[stopped.robot].name;
             }
         lines.lines.push_back(std::move(line));
     }

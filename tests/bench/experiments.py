@@ -41,6 +41,21 @@ def crowd(count, seconds, tick=0.01):
 """
 
 
+def parked(count, seconds, controlled=True):
+    """`count` shipped robots on a plane that stand still; each controller commands that in every tick."""
+    columns, rows = pattern(count)
+    brain = "RandomDrive brain { Speed=0 TurnRate=0 Period=0.01 }" if controlled else ""
+    return f"""Tick = 0.01   Duration = {seconds}
+#import robots/simple_robot.sim
+#import arenas/open_floor.sim
+#loadModule controllers/random_drive
+Static floor {{ Config=OpenFloor }}
+Grid crowd {{ Config=SimpleRobot  Count={columns},{rows}  Spacing=0.6
+  {brain}
+}}
+"""
+
+
 def small_crowd(count, seconds):
     """`count` robots of the size and masses of the peer program's: 0.20 m x 0.15 m with two wheels under it and two sliders, one per
     square metre of a walled square, with new speeds every second."""

@@ -210,6 +210,32 @@ def radios(programs, options):
     return []
 
 
+def controllers(programs, options):
+    """What the calls of controllers cost in a tick, inside the program and in processes of their own, by wall time. Robots stand still."""
+    rows, failed = [], []
+    for count, isolations in [(10, ["none", "module", "robot"]), (100, ["none", "module"])]:
+        progress(f"controllers, {count} robots")
+        seconds = 20 if options.quick else 100
+        ticks = round(100 * seconds)
+        without = programs.write(f"parked{count}", experiments.parked(count, seconds, False))
+        path = programs.write(f"controlled{count}", experiments.parked(count, seconds))
+        sides = {"no controller": lambda: programs.run(without)["wall_s"]}
+        sides |= {name: lambda name=name: programs.run(path, "--set", f"Isolation={name}")["wall_s"] for name in isolations}
+        values = interleaved(options.repetitions, sides)
+        for name in isolations:
+            cost = median(1e6 * (a - b) / ticks for a, b in zip(values[name], values["no controller"]))
+            least = 1e6 * (min(values[name]) - min(values["no controller"])) / ticks
+            hosts = {"none": 0, "module": 1, "robot": count}[name]
+            rows.append([count, name, hosts, round(cost, 1), round(least, 1)])
+            wanted = {(10, "module"): 100, (100, "none"): 10}.get((count, name))
+            if wanted and cost > wanted:
+                failed.append(f"controllers of {count} robots with Isolation = {name} take {cost:.0f} us per tick, {wanted} us are wanted")
+    header = ["robots", "Isolation", "host processes", "controllers [us per tick], median", "of the fastest runs"]
+    report.write_csv(os.path.join(RESULTS, "controllers.csv"), header, rows)
+    report.put_table(PAGE, "controllers", header, rows)
+    return failed
+
+
 def windows(programs, options):
     """How fast the window answers."""
     return window_tables.measure(programs, options, RESULTS, PAGE)
@@ -225,7 +251,8 @@ def rays(programs, options):
     return ray_tables.measure(programs, options, RESULTS, PAGE)
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds, "radios": radios, "rays": rays}
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds,
+            "controllers": controllers, "radios": radios, "rays": rays}
 
 
 def main():

@@ -5,6 +5,7 @@
 
 #include "control/in_process_backend.h"
 #include "control/published.h"
+#include "control/medium_radios.h"
 #include "radio/medium.h"
 
 #include <QtTest>
@@ -346,7 +347,7 @@ private Q_SLOTS:
     void radiosOfTheRobot() {
         Stage stage;
         Radios radios;
-        stage.outputs.medium = &radios.medium;
+        stage.outputs.radios = radiosOf(radios.medium);
         QVERIFY(stage.start().ok());
         const TrundleRobot& robot = *stage.script.robot;
         const TrundleRobotRadio& r = *robot.radio;
@@ -395,7 +396,7 @@ private Q_SLOTS:
         QCOMPARE(radio, 5u);
         Radios radios; // robot1 has one of that name, robot2 none
         Stage other("robot2");
-        other.outputs.medium = &radios.medium;
+        other.outputs.radios = radiosOf(radios.medium);
         other.script.setup = [&](const TrundleRobot& robot) { return robot.radio->find(robot.context, "near", &radio) ? 0 : 1; };
         QVERIFY(!other.start().ok());
     }

@@ -84,7 +84,8 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     keys.sort();
     QStringList expected{"ticks",       "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash",
                          "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks",  "finished",
-                         "objects",     "ended"};
+                         "objects",     "ended",
+                         "stopped"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);

@@ -83,6 +83,11 @@ DynamicLibrary& DynamicLibrary::operator=(DynamicLibrary&& other) noexcept {
 
 void* DynamicLibrary::symbol(const char* name) const { return m_handle != nullptr ? ::dlsym(m_handle, name) : nullptr; }
 
+std::uintptr_t DynamicLibrary::base() const {
+    link_map* map = nullptr;
+    return m_handle != nullptr && ::dlinfo(m_handle, RTLD_DI_LINKMAP, &map) == 0 ? map->l_addr : 0;
+}
+
 std::vector<std::pair<std::uintptr_t, std::uintptr_t>> DynamicLibrary::code() const {
     struct Search {
         link_map* map = nullptr;

@@ -32,6 +32,8 @@ public:
         return reinterpret_cast<Function*>(symbol(name));
     }
 
+    /// The difference between its addresses in memory and in the file; 0 if unknown.
+    [[nodiscard]] std::uintptr_t base() const;
     /// The address ranges [first, second) of its machine code.
     [[nodiscard]] std::vector<std::pair<std::uintptr_t, std::uintptr_t>> code() const;
 

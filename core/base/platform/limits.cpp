@@ -39,6 +39,7 @@ bool applyLimits(const ResourceLimits& limits) noexcept {
     if (limits.memoryBytes > 0 && !memoryLimitsAreOff()) ok = lower(RLIMIT_AS, limits.memoryBytes) && ok;
     if (limits.cpuSeconds > 0) ok = lower(RLIMIT_CPU, limits.cpuSeconds) && ok;
     if (limits.fileBytes > 0) ok = lower(RLIMIT_FSIZE, limits.fileBytes) && ok;
+    if (limits.openFiles > 0) ok = lower(RLIMIT_NOFILE, limits.openFiles) && ok;
     if (!limits.coreDumps) ok = lower(RLIMIT_CORE, 0) && ok;
     return ok;
 }

@@ -8,6 +8,7 @@ struct ResourceLimits {
     std::uint64_t memoryBytes = 0; ///< address space; ignored in sanitizer builds, whose shadow memory needs terabytes
     std::uint64_t cpuSeconds = 0;  ///< beyond it SIGXCPU
     std::uint64_t fileBytes = 0;   ///< largest file it may write; beyond it SIGXFSZ
+    std::uint64_t openFiles = 0;   ///< file descriptors
     bool coreDumps = true;
 };
 

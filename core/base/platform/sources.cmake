@@ -2,12 +2,14 @@
 set(BASE_PLATFORM_SOURCES
   platform/atomic_file.cpp
   platform/buffered_file.cpp
+  platform/confinement.cpp
   platform/dynamic_library.cpp
   platform/end_requests.cpp
   platform/piped_process.cpp
   platform/file_lock.cpp
   platform/folder_handle.cpp
   platform/limits.cpp
+  platform/helper_process.cpp
   platform/locked_file.cpp
   platform/memory.cpp
   platform/module_text.cpp
@@ -19,6 +21,8 @@ set(BASE_PLATFORM_SOURCES
   platform/quiet_errors.cpp
   platform/recent_runs.cpp
   platform/read_file.cpp
+  platform/shared_segment.cpp
   platform/standard_descriptors.cpp
   platform/thread_priority.cpp
-  platform/user_folder.cpp)
+  platform/user_folder.cpp
+  platform/wait_word.cpp)

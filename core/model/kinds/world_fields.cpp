@@ -34,7 +34,8 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
     d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");
     d.field("ErrorReduction", &SettingsFields::errorReduction, number().within(0.05, 0.95),
             "Share of what a joint gapes that one tick closes (ODE's ERP). Less makes joints softer.");
-    d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"), "Which controllers share a process.");
+    d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"),
+            "Which controllers share a process of their own; not given: none in trundle-cli, module in the window.");
     d.field("Title", &SettingsFields::title, text(), "Name of the experiment.");
     d.field("Description", &SettingsFields::description, text(), "What the experiment is about.");
 }
@@ -144,8 +145,9 @@ void ControllerFields::describe(Describe<ControllerFields>& d) {
     d.field("UpdatePeriod", &ControllerFields::updatePeriod, seconds().within(0, 1e6),
             "Time between its updates; 0 = every tick.");
     d.field("Isolation", &ControllerFields::isolation, oneOf("none|module|robot"),
-            "Which controllers share its process; where absent, the experiment's.");
-    d.field("Budget", &ControllerFields::budget, milliseconds().above(0), "Time one update may take.");
+            "Which controllers share its process; not given: as the experiment says.");
+    d.field("Budget", &ControllerFields::budget, milliseconds().above(0),
+            "Time an update may take before it is reported as slow.");
 }
 
 } // namespace trundle

@@ -20,7 +20,8 @@ struct SettingsFields {
     std::string solver = "auto";
     int iterations = 20;
     double errorReduction = 0.8;
-    std::string isolation = "none", title, description;
+    std::optional<std::string> isolation;
+    std::string title, description;
     static void describe(Describe<SettingsFields>& d);
 };
 

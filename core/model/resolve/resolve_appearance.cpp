@@ -47,8 +47,7 @@ SettingsSpec resolveSettings(ResolveContext& context) {
     s.solverRange = record.rangeOf("Solver", {});
     s.iterations = f.iterations;
     s.errorReduction = f.errorReduction;
-    s.isolation = f.isolation;
-    if (s.isolation != "none") reportUnusedParts(context, "Isolation", record.rangeOf("Isolation", {}));
+    s.isolation = f.isolation.value_or("");
     s.title = f.title;
     s.description = f.description;
     return s;

@@ -25,8 +25,6 @@ using BodyIndices = std::unordered_map<std::string, int>;
                                                                                ParamScope& scope, const OverrideNode* overrides);
 /// Antenna patterns and the medium; requires the settings.
 void resolveRadio(ResolveContext& context);
-/// Reports a key that the language defines but this program does not use.
-void reportUnusedParts(ResolveContext& context, const std::string& key, SourceRange place);
 void resolveLogs(ResolveContext& context);
 /// Checks the cameras and views that FrameLogs name; requires robots and views.
 void checkFrameLogs(ResolveContext& context);

@@ -243,6 +243,7 @@ std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts)
     const std::vector<WorldContact>& touching = world.contacts();
     shot->contactCount = touching.size();
     shot->ended = world.robotFaults().ends;
+    shot->stopped = m_runner->stoppedControllers();
     shot->images = m_runner->cameras().images();
     if (contacts) shot->contacts = copied(touching);
     if (stands) shot->hash = world.stateHash();

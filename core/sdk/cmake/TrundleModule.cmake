@@ -33,6 +33,9 @@ function(trundle_module name)
     PREFIX lib OUTPUT_NAME ${MOD_OUTPUT} LIBRARY_OUTPUT_DIRECTORY ${TRUNDLE_MODULE_DIR}/${MOD_FOLDER}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
 
+  # Lines of functions, for the report of a crash.
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug,RelWithDebInfo>>:-g1>)
+
   # GNU unique symbols would be shared between two modules, or two versions of one, and prevent unloading.
   check_cxx_compiler_flag(-fno-gnu-unique TRUNDLE_HAS_NO_GNU_UNIQUE)
   if(TRUNDLE_HAS_NO_GNU_UNIQUE)

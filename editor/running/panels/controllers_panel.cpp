@@ -125,6 +125,9 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
         if (!m_notice->isHidden()) Q_EMIT attentionRequested();
     });
     connect(&session, &RunSession::stateChanged, this, &ControllersPanel::showStates);
+    connect(&session, &RunSession::stateChanged, this, &ControllersPanel::showButtons);
+    connect(&session.messages(), &RunMessages::problemsChanged, this, &ControllersPanel::showStates);
+    connect(&session, &RunSession::advanced, this, &ControllersPanel::showStopped);
     connect(&session.robots().ended(), &EndedRobots::changed, this, &ControllersPanel::showStates);
     connect(&selection, &Selection::changed, this, &ControllersPanel::showButtons);
     connectActions();
@@ -176,18 +179,34 @@ QWidget* ControllersPanel::makeRobots() {
     });
     connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
     return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")),
-                                actionButton(m_actions.at("controllers.remove"), tr("Remove"))});
+                                actionButton(m_actions.at("controllers.remove"), tr("Remove")),
+                                actionButton(m_actions.at("controllers.restart"), tr("Restart"))});
 }
 
 void ControllersPanel::connectActions() {
     connect(&m_actions.at("controllers.load"), &QAction::triggered, this, &ControllersPanel::loadByDialog);
     connect(&m_actions.at("controllers.assign"), &QAction::triggered, this, [this] { assignTo(chosenRobots()); });
     connect(&m_actions.at("controllers.remove"), &QAction::triggered, this, [this] { m_commands->unassign(chosenRobots()); });
+    connect(&m_actions.at("controllers.restart"), &QAction::triggered, this,
+            [this] { m_session.robots().restartControllers(controlledMembers()); });
     connect(&m_actions.at("controllers.reload"), &QAction::triggered, m_commands, &ControllerCommands::reload);
 }
 
 std::vector<std::string> ControllersPanel::chosenRobots() const {
     return m_document.loaded() ? robotsAmong(*m_document.loaded(), m_selection.paths()) : std::vector<std::string>();
+}
+
+/// The robots of the run that are chosen, with the members of Grids and Scatters.
+std::vector<std::string> ControllersPanel::controlledMembers() const {
+    std::vector<std::string> names;
+    const RunResults& results = m_session.results();
+    const std::vector<std::string> chosen = chosenRobots();
+    for (const RobotSpec& robot : results.experiment ? results.experiment->robots : std::vector<RobotSpec>()) {
+        const Part* layout = layoutOfMember(*results.built->outline, robot.name);
+        const std::string& row = layout ? layout->name : robot.name;
+        if (robot.controller && std::ranges::find(chosen, row) != chosen.end()) names.push_back(robot.name);
+    }
+    return names;
 }
 
 const ModuleInfo* ControllersPanel::currentModule() const {
@@ -292,6 +311,12 @@ void ControllersPanel::showStates() {
     }
 }
 
+/// A restart removes stopped controllers without a message.
+void ControllersPanel::showStopped() {
+    const auto& snapshot = m_session.results().snapshot;
+    if (const std::size_t stopped = snapshot ? snapshot->stopped.size() : 0; std::exchange(m_stopped, stopped) != stopped) showStates();
+}
+
 void ControllersPanel::showButtons() {
     const ModuleInfo* module = currentModule();
     m_unload->setEnabled(module != nullptr);
@@ -304,6 +329,8 @@ void ControllersPanel::showButtons() {
     for (const ControlledRobot& robot : m_listed)
         any = any || (!robot.kind.empty() && std::ranges::find(robots, robot.path) != robots.end());
     m_actions.at("controllers.remove").setEnabled(any);
+    const RunState state = m_session.state();
+    m_actions.at("controllers.restart").setEnabled(any && (state == RunState::Running || state == RunState::Paused));
     if (m_choosing) return;
     const QSignalBlocker quiet(m_robots);
     for (int i = 0; i < m_robots->topLevelItemCount(); ++i)

@@ -48,11 +48,13 @@ private:
     void refreshModules();
     void refreshRobots();
     void showStates();
+    void showStopped();
     void showButtons();
     void showRecent();
     void loadByDialog();
     [[nodiscard]] const ModuleInfo* currentModule() const;
     [[nodiscard]] std::vector<std::string> chosenRobots() const;
+    [[nodiscard]] std::vector<std::string> controlledMembers() const;
 
     Document& m_document;
     Selection& m_selection;
@@ -67,6 +69,7 @@ private:
     QToolButton* m_unload = nullptr;
     QToolButton* m_trust = nullptr;
     QMenu* m_recent = nullptr;
+    std::size_t m_stopped = 0; // controllers in the run, as shown
     bool m_choosing = false; // this panel is changing the selection
     bool m_stale = false;    // the rows must be rebuilt when the panel is shown
 };

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include "editor/running/session.h"
+#include "editor/widgets/strings.h"
 #include "project/edits/controllers.h"
 
 namespace trundle {
@@ -16,6 +17,26 @@ bool isOf(const RunSession& session, const std::string& built, const ControlledR
     if (built == robot.path) return true;
     const Part* layout = session.results().built ? layoutOfMember(*session.results().built->outline, built) : nullptr;
     return layout && layout->name == robot.path;
+}
+
+/// The stopped controllers of a robot, or of the members of a Grid or Scatter.
+std::vector<const StoppedController*> stoppedOf(const RunSession& session, const ControlledRobot& robot) {
+    std::vector<const StoppedController*> found;
+    const RunResults& results = session.results();
+    if (!results.snapshot) return found;
+    for (const StoppedController& stopped : results.snapshot->stopped)
+        if (isOf(session, results.experiment->robots[stopped.robot].name, robot)) found.push_back(&stopped);
+    return found;
+}
+
+ControllerState stoppedState(const std::vector<const StoppedController*>& stopped, const ControlledRobot& robot) {
+    const StoppedController& first = *stopped.front();
+    QString detail = trState("At t = %1 s %2").arg(QString::number(first.time), toQString(first.fault.reason));
+    for (const std::string& line : first.fault.backtrace) detail += QStringLiteral("\n  ") + toQString(line);
+    const QString text = robot.members == 1 ? trState("stopped by a fault, see Problems")
+                                            : trState("%1 of %2 stopped by a fault, see Problems")
+                                                  .arg(QString::number(stopped.size()), QString::number(robot.members));
+    return {text, false, true, detail};
 }
 
 } // namespace
@@ -35,6 +56,7 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
                 : trState("%1 of %2 ended by a fault, see Problems").arg(QString::number(ended), QString::number(robot.members)),
             false, true, session.robots().ended().explanation(robot.path)};
     if (!built->controller) return {trState("no controller"), false, false};
+    if (const auto stopped = stoppedOf(session, robot); !stopped.empty()) return stoppedState(stopped, robot);
     const std::optional<LiveEnd>& end = session.results().end;
     if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)
         return {QString::fromStdString(end->failure->message), false, true};

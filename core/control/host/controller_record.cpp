@@ -1,0 +1,83 @@
+#include "control/host/controller_record.h"
+
+#include <algorithm>
+
+namespace trundle {
+namespace {
+
+constexpr std::string_view kPeriod = "UpdatePeriod";
+
+void writeController(WireWriter& out, const ComponentSpec& controller) {
+    out.bytes(controller.kind).bytes(controller.name).number<std::uint64_t>(controller.values.size());
+    for (const auto& [key, value] : controller.values) out.bytes(key).value(value.value);
+}
+
+ComponentSpec readController(WireReader& in) {
+    ComponentSpec controller;
+    controller.kind = in.text();
+    controller.name = in.text();
+    for (std::uint64_t left = in.count(); left > 0; --left) {
+        std::string key = in.text();
+        controller.values[std::move(key)].value = in.value();
+    }
+    return controller;
+}
+
+} // namespace
+
+std::span<const SignalEntry> entriesOf(const SignalLayout& layout, const std::string& robot) {
+    const auto image = std::ranges::find(layout.images(), robot, &ImageSpan::robot);
+    if (image == layout.images().end()) return {};
+    const auto begin = std::ranges::lower_bound(layout.entries(), image->offset, {}, &SignalEntry::offset),
+               end = std::ranges::lower_bound(layout.entries(), image->offset + image->count, {}, &SignalEntry::offset);
+    return {begin, end};
+}
+
+void write(WireWriter& out, const RobotSpec& robot, const SettingsSpec& settings, std::span<const SignalEntry> entries,
+           std::uint64_t offset) {
+    out.number(offset).number(settings.seed).number(settings.tick).bytes(robot.name);
+    writeController(out, *robot.controller);
+    out.number<std::uint64_t>(robot.config->devices.size());
+    for (const ComponentSpec& device : robot.config->devices)
+        out.bytes(device.kind).bytes(device.name).number(device.number(kPeriod));
+    out.number<std::uint64_t>(robot.published.size());
+    for (const SignalDescription& signal : robot.published) out.bytes(signal.name);
+    out.number<std::uint64_t>(entries.size());
+    for (const SignalEntry& entry : entries)
+        out.bytes(entry.path)
+            .number(static_cast<std::uint32_t>(entry.type))
+            .number(static_cast<std::uint32_t>(entry.direction))
+            .number(entry.count);
+}
+
+ControllerRecord readControllerRecord(WireReader& in) {
+    ControllerRecord record;
+    record.offset = in.number<std::uint64_t>();
+    record.settings.seed = in.number<std::uint64_t>();
+    record.settings.tick = in.number<double>();
+    record.robot.name = in.text();
+    record.robot.controller = readController(in);
+    auto config = std::make_shared<RobotConfigSpec>();
+    for (std::uint64_t left = in.count(); left > 0; --left) {
+        ComponentSpec device;
+        device.kind = in.text();
+        device.name = in.text();
+        device.values[std::string(kPeriod)].value.numbers = {in.number<double>()};
+        config->devices.push_back(std::move(device));
+    }
+    record.robot.config = std::move(config);
+    for (std::uint64_t left = in.count(); left > 0; --left) {
+        record.robot.published.emplace_back();
+        record.robot.published.back().name = in.text();
+    }
+    record.layout.beginRobot(record.robot.name);
+    for (std::uint64_t left = in.count(); left > 0; --left) {
+        std::string path = in.text();
+        const auto type = static_cast<SignalType>(in.number<std::uint32_t>());
+        const auto direction = static_cast<SignalDirection>(in.number<std::uint32_t>());
+        record.layout.add(std::move(path), {}, type, direction, in.number<std::uint32_t>());
+    }
+    return record;
+}
+
+} // namespace trundle

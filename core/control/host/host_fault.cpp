@@ -1,0 +1,95 @@
+#include "control/host/host_fault.h"
+
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+#include "control/host/symbolizer.h"
+
+namespace trundle {
+namespace {
+
+/// "Segmentation fault".
+std::string signalName(int signal) {
+    switch (signal) {
+    case SIGSEGV: return "Segmentation fault";
+    case SIGBUS: return "Bus error";
+    case SIGFPE: return "Arithmetic exception";
+    case SIGILL: return "Illegal instruction";
+    case SIGABRT: return "Aborted";
+    case SIGTRAP: return "Trap";
+    case SIGSYS: return "Bad system call";
+    case SIGXFSZ: return "a file grew too large";
+    default: break;
+    }
+    const char* name = ::sigabbrev_np(signal);
+    return name ? std::string("SIG") + name : "signal " + std::to_string(signal);
+}
+
+std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string seconds(double value) {
+    const auto tenths = std::to_string(static_cast<long>(std::floor(value * 10)));
+    return tenths.size() < 2 ? "0." + tenths : tenths.substr(0, tenths.size() - 1) + "." + tenths.back();
+}
+
+std::string ending(const HostEnd& end) {
+    const std::string in = std::string(" in ") + phaseName(end.during.phase);
+    switch (end.cause) {
+    case HostEnd::Cause::Crash:
+        if (end.ofSensorImage) return " wrote to a sensor value" + in + ", which only the simulation may set";
+        return " crashed" + in + ": " + signalName(end.code);
+    case HostEnd::Cause::Exit:
+        return " ended its process" + in + (end.code < 0 ? ", by exit() or the like" : " with exit code " + std::to_string(end.code));
+    case HostEnd::Cause::Killed: return " ended its process" + in + ": " + signalName(end.code);
+    case HostEnd::Cause::NotResponding: return " did not return from " + std::string(phaseName(end.during.phase)) + " within " +
+                                               seconds(end.waitedS) + " s and was stopped";
+    case HostEnd::Cause::Damaged: return " damaged the messages of its process" + in + " and was stopped";
+    }
+    return {};
+}
+
+} // namespace
+
+const char* phaseName(HostPhase phase) {
+    switch (phase) {
+    case HostPhase::Load: return "load";
+    case HostPhase::Setup: return "setup";
+    case HostPhase::Update: return "update";
+    case HostPhase::Set: return "set";
+    case HostPhase::Destructor: return "destructor";
+    case HostPhase::Unload: return "unload";
+    case HostPhase::None: break;
+    }
+    return "the middle of the run";
+}
+
+ControllerFault faultOf(const HostEnd& end, const RobotSpec* robot, const std::string& library) {
+    ControllerFault fault;
+    const std::string module = "the module " + library;
+    if (robot) fault.reason = "the controller " + robot->controller->kind + " of " + robot->name + " (" + library + ")";
+    else fault.reason = end.ofThread ? "a thread of " + module : module;
+    fault.reason += ending(end);
+    if (!end.exception.empty()) fault.reason += ", uncaught exception: " + end.exception;
+    const std::vector<SourceFrame> frames = symbolize(library, end.frames);
+    if (const SourceFrame* own = ownFrame(frames))
+        fault.reason += ", in " + own->function + " at " + fileName(own->file) + ":" + std::to_string(own->line);
+    for (const SourceFrame& frame : frames) fault.backtrace.push_back(frameText(frame));
+    return fault;
+}
+
+ControllerFault sharedFault(const ControllerFault& own, const RobotSpec& robot, const RobotSpec& faulty) {
+    return {"the controller " + robot.controller->kind + " of " + robot.name + " shares its process with that of " + faulty.name +
+                ": " + own.reason + ". Isolation = robot gives each a process",
+            {},
+            own.process,
+            false};
+}
+
+std::string faultOfLoading(const HostEnd& end, const std::string& library) {
+    const ControllerFault fault = faultOf(end, nullptr, library);
+    return fault.reason.substr(std::string_view("the module ").size());
+}
+
+} // namespace trundle

@@ -1,0 +1,287 @@
+// Method: before a request the values of the robots are copied into the host's images; afterwards only the slots that a controller
+// may write, commands and published values of its own robot, are copied back.
+#include "control/host/host_group.h"
+
+#include <algorithm>
+
+#include "control/host/controller_record.h"
+#include "control/host/host_fault.h"
+#include "control/host/host_reply.h"
+#include "control/kinds_json.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kLongestCallS = 30, kLongestUpdateS = 10, kShortestLimitS = 1, kBudgetFactor = 20;
+
+} // namespace
+
+std::size_t HostGroup::add(std::size_t robot) {
+    Member member;
+    member.robot = &m_context.experiment->robots[robot];
+    member.index = robot;
+    m_members.push_back(std::move(member));
+    return m_members.size() - 1;
+}
+
+HostGroup::~HostGroup() {
+    if (!m_host || !m_host->alive()) return;
+    (void)m_host->call(HostRequest::Unload, {}, [this](HostRecord record, std::uint32_t number, WireReader& in) {
+        return handle(record, number, in);
+    });
+    m_waiting.reset();
+}
+
+// ---- the host ----
+
+Status HostGroup::connect() {
+    if (m_host && m_host->alive()) return {};
+    m_host.reset();
+    m_mapped = m_updating = false;
+    m_kinds.reset();
+    for (Member& member : m_members) member.started = false;
+    auto host = HostConnection::start(
+        m_context.program, m_generation = ++m_context.generations, [this](const HostCall& call) { return limitOf(call); },
+        [this](const HostCall& call) { showWaiting(call); });
+    if (!host) return host.error();
+    m_host = std::move(host).value();
+    return {};
+}
+
+Result<std::vector<Kind>> HostGroup::load() {
+    if (const Status connected = connect(); !connected) return connected.error();
+    if (m_kinds) return *m_kinds;
+    std::string json;
+    m_done.reset();
+    const bool alive = m_host->call(HostRequest::Load, WireWriter().bytes(m_library).view(),
+                                    [&](HostRecord record, std::uint32_t number, WireReader& in) {
+                                        std::string reply = handle(record, number, in);
+                                        if (record == HostRecord::Done) json = in.text();
+                                        return reply;
+                                    });
+    m_waiting.reset();
+    if (!alive) return Error{Code::ModuleUnreadable, faultOfLoading(m_host->end(), m_library)};
+    if (!*m_done) return m_done->error();
+    m_kinds = kindsFromJson(json, m_library);
+    return *m_kinds;
+}
+
+void HostGroup::place(const SignalLayout& layout) {
+    m_slots = 0;
+    for (Member& member : m_members) {
+        const std::span<const SignalEntry> entries = entriesOf(layout, member.robot->name);
+        member.inBlock = entries.empty() ? 0 : entries.front().offset;
+        member.inImage = m_slots;
+        member.slots = entries.empty() ? 0 : entries.back().offset + entries.back().count - member.inBlock;
+        m_slots += member.slots;
+        member.written.clear();
+        const std::string published = member.robot->name + "/" + member.robot->controller->name + "/";
+        for (const SignalEntry& entry : entries) {
+            if (entry.direction != SignalDirection::Command && !entry.path.starts_with(published)) continue;
+            const std::size_t inImage = member.inImage + entry.offset - member.inBlock;
+            if (!member.written.empty() && member.written.back().inBlock + member.written.back().count == entry.offset)
+                member.written.back().count += entry.count;
+            else member.written.push_back({entry.offset, inImage, entry.count});
+        }
+    }
+}
+
+Status HostGroup::map(const SignalLayout& layout) {
+    if (m_mapped) return {};
+    place(layout);
+    const Status mapped = m_host->map(
+        m_slots, [this](HostRecord record, std::uint32_t number, WireReader& in) { return handle(record, number, in); });
+    m_mapped = mapped.ok();
+    return mapped;
+}
+
+void HostGroup::copyIn(const Member& member) {
+    const std::span<const double> block = m_block->slots().subspan(member.inBlock, member.slots);
+    std::ranges::copy(block, m_host->sensors().begin() + static_cast<std::ptrdiff_t>(member.inImage));
+    for (const WrittenSlots& written : member.written)
+        std::copy_n(m_block->slots().data() + written.inBlock, written.count, m_host->commands().data() + written.inImage);
+}
+
+void HostGroup::copyOut(const Member& member) {
+    for (const WrittenSlots& written : member.written)
+        std::copy_n(m_host->commands().data() + written.inImage, written.count, m_block->slots().data() + written.inBlock);
+}
+
+// ---- calls ----
+
+Status HostGroup::call(std::size_t number, HostRequest request, std::string_view bytes) {
+    Member& member = m_members[number];
+    copyIn(member);
+    m_done.reset();
+    const bool alive = m_host->call(request, bytes, [this](HostRecord record, std::uint32_t from, WireReader& in) {
+        return handle(record, from, in);
+    });
+    m_waiting.reset();
+    if (alive && m_done) {
+        copyOut(member);
+        if (const auto reason = std::exchange(member.finish, {}); reason && member.outputs.finish) member.outputs.finish(*reason);
+        return *m_done;
+    }
+    setFaults();
+    return Error{Code::ControllerFailed, member.fault ? member.fault->reason : "its process has ended"};
+}
+
+Status HostGroup::start(std::size_t number, const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) {
+    m_block = &block;
+    if (const auto loaded = load(); !loaded) return loaded.error();
+    if (const Status mapped = map(layout); !mapped) return mapped;
+    Member& member = m_members[number];
+    member.outputs = std::move(outputs);
+    member.radios.clear();
+    member.due.reset();
+    member.fault.reset();
+    if (!member.target) {
+        const std::string& kind = member.robot->controller->kind;
+        member.target = m_context.calls->add({"the controller " + kind + " of " + member.robot->name, member.robot->name, kind,
+                                              m_library, static_cast<std::uint32_t>(member.index)});
+    }
+    WireWriter message;
+    message.number(static_cast<std::uint32_t>(number));
+    write(message, *member.robot, m_context.experiment->settings, entriesOf(layout, member.robot->name), member.inImage);
+    member.started = true;
+    Status started = call(number, HostRequest::Start, message.view());
+    member.started = started.ok();
+    return started;
+}
+
+void HostGroup::prepare(std::size_t number, std::uint64_t tick, double time, double sinceLast) {
+    m_members[number].due = sinceLast;
+    m_tick = tick;
+    m_time = time;
+    m_announced = true;
+}
+
+void HostGroup::beginUpdates() {
+    if (!std::exchange(m_announced, false) || !m_host || !m_host->alive()) return;
+    WireWriter message;
+    message.number(m_tick).number(m_time);
+    const auto due = std::ranges::count_if(m_members, [](const Member& member) { return member.due && member.started && !member.fault; });
+    message.number(static_cast<std::uint64_t>(due));
+    for (std::size_t i = 0; i < m_members.size(); ++i) {
+        Member& member = m_members[i];
+        member.result.reset();
+        if (!member.due || !member.started || member.fault) continue;
+        copyIn(member);
+        message.number(static_cast<std::uint32_t>(i)).number(*member.due);
+        std::vector<std::uint64_t> pending;
+        for (const std::uint32_t radio : member.radios) pending.push_back(member.outputs.radios->pending(radio));
+        message.numbers(member.radios).numbers(pending);
+    }
+    m_updating = m_host->begin(HostRequest::Update, message.view());
+}
+
+void HostGroup::completeUpdates() {
+    m_updating = false;
+    const bool alive = m_host->complete(
+        [this](HostRecord record, std::uint32_t number, WireReader& in) { return handle(record, number, in); });
+    m_waiting.reset();
+    for (Member& member : m_members)
+        if (std::exchange(member.due, {}) && member.result && alive) copyOut(member);
+    if (!alive) setFaults();
+}
+
+Status HostGroup::update(std::size_t number, std::uint64_t tick, double time, double sinceLast) {
+    Member& member = m_members[number];
+    if (!member.started) return Error{Code::ControllerFailed, "the controller of " + member.robot->name + " was not started"};
+    if (!m_updating && !member.result) {
+        if (!member.due) prepare(number, tick, time, sinceLast);
+        m_context.beginUpdates();
+    }
+    if (m_updating) completeUpdates();
+    const std::optional<UpdateResult> result = std::exchange(member.result, {});
+    if (member.fault) return Error{Code::ControllerFailed, member.fault->reason};
+    if (!result) return Error{Code::ControllerFailed, "the process of " + member.robot->name + " gave no result"};
+    member.seconds = result->seconds;
+    if (const auto reason = std::exchange(member.finish, {}); reason && member.outputs.finish) member.outputs.finish(*reason);
+    if (!result->status && !result->gaveUp) // an exception: the host and its other controllers are sound
+        member.fault = ControllerFault{result->status.error().message, {}, {}, true};
+    return result->status;
+}
+
+Status HostGroup::set(std::size_t number, const std::string& property, const PropertyValue& value) {
+    if (!m_members[number].started) return Error{Code::ControllerFailed, "it has stopped"};
+    return call(number, HostRequest::Set,
+                WireWriter().number(static_cast<std::uint32_t>(number)).bytes(property).value(value).view());
+}
+
+void HostGroup::stop(std::size_t number) {
+    Member& member = m_members[number];
+    if (std::exchange(member.started, false) && m_host && m_host->alive())
+        (void)call(number, HostRequest::Stop, WireWriter().number(static_cast<std::uint32_t>(number)).view());
+    member.outputs = {}; // what they refer to may be destroyed now
+}
+
+const ControllerFault* HostGroup::fault(std::size_t number) const {
+    const auto& fault = m_members[number].fault;
+    return fault ? &*fault : nullptr;
+}
+
+void HostGroup::setFaults() {
+    m_updating = false;
+    const HostEnd& end = m_host->end();
+    const std::size_t faulty = end.during.controller;
+    const bool known = faulty < m_members.size() && !end.ofThread && end.during.phase != HostPhase::None;
+    const RobotSpec* robot = known ? m_members[faulty].robot : nullptr;
+    ControllerFault own = faultOf(end, robot, m_library);
+    own.process = m_library + " " + std::to_string(m_generation);
+    for (std::size_t i = 0; i < m_members.size(); ++i) {
+        Member& member = m_members[i];
+        const bool isFaulty = known && i == faulty;
+        if (!std::exchange(member.started, false) && !isFaulty) continue;
+        member.fault = known && !isFaulty ? sharedFault(own, *member.robot, *robot) : own;
+        if ((isFaulty || !known) && member.outputs.print)
+            for (const std::string& line : own.backtrace) member.outputs.print(TRUNDLE_ERROR, "  " + line);
+    }
+}
+
+// ---- records of the host ----
+
+HostGroup::Member* HostGroup::memberAt(std::uint32_t number) {
+    return number < m_members.size() ? &m_members[number] : nullptr;
+}
+
+std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReader& in) {
+    if (record == HostRecord::Done) {
+        m_done = in.status();
+        return {};
+    }
+    Member* member = memberAt(number);
+    if (!member) return {};
+    switch (record) {
+    case HostRecord::Updated: {
+        UpdateResult result;
+        result.status = in.status();
+        result.gaveUp = in.number<std::uint8_t>() != 0;
+        result.seconds = in.number<double>();
+        member->result = std::move(result);
+        return {};
+    }
+    case HostRecord::Finish: {
+        std::string reason = in.text();
+        if (!member->finish) member->finish = std::move(reason);
+        return {};
+    }
+    default: return answerHost(record, member->robot->name, member->outputs, member->radios, in);
+    }
+}
+
+double HostGroup::limitOf(const HostCall& call) const {
+    const bool updates = call.phase == HostPhase::Update || call.phase == HostPhase::Set;
+    if (!updates || call.controller >= m_members.size()) return kLongestCallS;
+    const double budget = m_members[call.controller].robot->controller->number("Budget");
+    return budget > 0 ? std::max(kBudgetFactor * budget, kShortestLimitS) : kLongestUpdateS;
+}
+
+void HostGroup::showWaiting(const HostCall& call) {
+    const CallTarget* target = call.controller < m_members.size() ? m_members[call.controller].target : nullptr;
+    if (!target || m_context.calls->target() == target) return;
+    m_waiting.reset();
+    m_waiting.emplace(*m_context.calls, target, phaseName(call.phase));
+}
+
+} // namespace trundle

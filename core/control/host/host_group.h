@@ -1,0 +1,106 @@
+#pragma once
+// The robots whose controllers share one host process.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/call_monitor.h"
+#include "control/backend.h"
+#include "control/host/host_connection.h"
+#include "schema/kind.h"
+
+namespace trundle {
+
+/// What the groups of a run share.
+struct HostContext {
+    std::string program; ///< trundle-host
+    std::shared_ptr<const ExperimentSpec> experiment;
+    std::shared_ptr<CallMonitor> calls;
+    std::uint64_t generations = 0;         ///< hosts started so far
+    std::function<void()> beginUpdates;    ///< hands all announced updates to their hosts
+};
+
+class HostGroup {
+public:
+    /// `library`: path of the module that the controllers are from. The context must outlive the group.
+    HostGroup(HostContext& context, std::string library) : m_context(context), m_library(std::move(library)) {}
+    ~HostGroup();
+    HostGroup(const HostGroup&) = delete;
+    HostGroup& operator=(const HostGroup&) = delete;
+
+    /// Adds a robot by its index in the experiment. Returns its number here. Call for all before the first start().
+    std::size_t add(std::size_t robot);
+    /// Starts the host if it has ended or never ran, and loads the module into it. Returns the module's kinds.
+    [[nodiscard]] Result<std::vector<Kind>> load();
+
+    // As in ControllerBackend, for the robot with this number.
+    [[nodiscard]] Status start(std::size_t member, const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs);
+    void prepare(std::size_t member, std::uint64_t tick, double time, double sinceLast);
+    [[nodiscard]] Status update(std::size_t member, std::uint64_t tick, double time, double sinceLast);
+    [[nodiscard]] Status set(std::size_t member, const std::string& property, const PropertyValue& value);
+    void stop(std::size_t member);
+    [[nodiscard]] const ControllerFault* fault(std::size_t member) const;
+    [[nodiscard]] double updateS(std::size_t member) const { return m_members[member].seconds; }
+
+    /// Hands the announced updates to the host.
+    void beginUpdates();
+    [[nodiscard]] const std::string& library() const { return m_library; }
+
+private:
+    struct WrittenSlots { // by the controller
+        std::size_t inBlock, inImage, count;
+    };
+    struct UpdateResult {
+        Status status;
+        bool gaveUp = false;
+        double seconds = 0;
+    };
+    struct Member {
+        const RobotSpec* robot = nullptr;
+        std::size_t index = 0, inBlock = 0, inImage = 0, slots = 0;
+        const CallTarget* target = nullptr;
+        ControllerOutputs outputs;
+        std::vector<WrittenSlots> written;
+        std::vector<std::uint32_t> radios;
+        std::optional<double> due; ///< announced: time since the last call, s
+        std::optional<UpdateResult> result;
+        std::optional<std::string> finish;
+        std::optional<ControllerFault> fault;
+        double seconds = 0; ///< of the last update
+        bool started = false;
+    };
+
+    [[nodiscard]] Status connect();
+    [[nodiscard]] Status map(const SignalLayout& layout);
+    void place(const SignalLayout& layout);
+    void copyIn(const Member& member);
+    void copyOut(const Member& member);
+    void completeUpdates();
+    [[nodiscard]] Status call(std::size_t member, HostRequest request, std::string_view bytes);
+    [[nodiscard]] std::string handle(HostRecord record, std::uint32_t number, WireReader& in);
+    [[nodiscard]] Member* memberAt(std::uint32_t number);
+    [[nodiscard]] double limitOf(const HostCall& call) const;
+    void showWaiting(const HostCall& call);
+    /// After the end of the host: a fault of every member that it ran.
+    void setFaults();
+
+    HostContext& m_context;
+    std::string m_library;
+    std::vector<Member> m_members;
+    std::unique_ptr<HostConnection> m_host;
+    std::optional<Result<std::vector<Kind>>> m_kinds; // of the module in the current host
+    SignalBlock* m_block = nullptr;
+    std::size_t m_slots = 0;
+    bool m_mapped = false, m_updating = false, m_announced = false;
+    std::uint64_t m_generation = 0; // of the current host
+    std::uint64_t m_tick = 0;
+    double m_time = 0;
+    std::optional<Status> m_done;            // status of the request in progress
+    std::optional<MonitoredCall> m_waiting;  // names the controller that the clock waits for
+};
+
+} // namespace trundle

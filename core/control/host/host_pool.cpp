@@ -1,0 +1,83 @@
+#include "control/host/host_pool.h"
+
+#include <filesystem>
+
+namespace trundle {
+namespace {
+
+class HostBackend final : public ControllerBackend {
+public:
+    HostBackend(HostGroup& group, std::size_t member, std::string kind)
+        : m_group(group), m_member(member), m_kind(std::move(kind)) {}
+    HostBackend(const HostBackend&) = delete;
+    HostBackend& operator=(const HostBackend&) = delete;
+    ~HostBackend() override { m_group.stop(m_member); }
+
+    Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) override {
+        return m_group.start(m_member, layout, block, std::move(outputs));
+    }
+    void prepare(std::uint64_t tick, double time, double sinceLast) override {
+        m_group.prepare(m_member, tick, time, sinceLast);
+    }
+    Status tick(std::uint64_t tick, double time, double sinceLast) override {
+        return m_group.update(m_member, tick, time, sinceLast);
+    }
+    Status set(const std::string& property, const PropertyValue& value) override {
+        return m_group.set(m_member, property, value);
+    }
+    void stop() override { m_group.stop(m_member); }
+    const ControllerFault* fault() const override { return m_group.fault(m_member); }
+    std::optional<double> updateS() const override { return m_group.updateS(m_member); }
+    std::string describe() const override {
+        return m_kind + " from " + std::filesystem::path(m_group.library()).filename().string() + ", in a process of its own";
+    }
+
+private:
+    HostGroup& m_group;
+    std::size_t m_member;
+    std::string m_kind;
+};
+
+} // namespace
+
+HostPool::HostPool(std::string program, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
+                   Isolation otherwise, const std::function<std::string(const std::string& kind)>& moduleOf) {
+    m_hostsByDefault = isolationOf(RobotSpec(), experiment->settings, otherwise) != Isolation::None;
+    m_context.program = std::move(program);
+    m_context.experiment = std::move(experiment);
+    m_context.calls = std::move(calls);
+    m_context.beginUpdates = [this] {
+        for (const auto& [name, group] : m_groups) group->beginUpdates();
+    };
+    const std::vector<RobotSpec>& robots = m_context.experiment->robots;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        const RobotSpec& robot = robots[i];
+        if (!robot.controller) continue;
+        const Isolation isolation = isolationOf(robot, m_context.experiment->settings, otherwise);
+        const std::string library = moduleOf(robot.controller->kind);
+        m_inside[library] = m_inside[library] || isolation == Isolation::None;
+        if (library.empty() || isolation == Isolation::None) continue;
+        std::unique_ptr<HostGroup>& group = m_groups[isolation == Isolation::Module ? library : library + "\n" + robot.name];
+        if (!group) group = std::make_unique<HostGroup>(m_context, library);
+        m_members[robot.name] = {group.get(), group->add(i)};
+    }
+}
+
+bool HostPool::hasOnly(const std::string& library) const {
+    const auto inside = m_inside.find(library);
+    return inside == m_inside.end() ? m_hostsByDefault : !inside->second;
+}
+
+Result<std::vector<Kind>> HostPool::load(const std::string& library) {
+    if (const auto shared = m_groups.find(library); shared != m_groups.end()) return shared->second->load();
+    for (const auto& [name, group] : m_groups)
+        if (group->library() == library) return group->load();
+    return HostGroup(m_context, library).load();
+}
+
+std::unique_ptr<ControllerBackend> HostPool::makeBackend(const RobotSpec& robot) {
+    const auto& [group, member] = m_members.at(robot.name);
+    return std::make_unique<HostBackend>(*group, member, robot.controller->kind);
+}
+
+} // namespace trundle

@@ -1,0 +1,41 @@
+#pragma once
+// The host processes of one run: which controllers run in which, and the backends to them.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "control/host/host_group.h"
+#include "control/isolation.h"
+#include "control/module_store.h"
+
+namespace trundle {
+
+class HostPool {
+public:
+    /// `program`: trundle-host. `moduleOf` gives the path of the library with a kind of controller; empty: none.
+    HostPool(std::string program, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
+             Isolation otherwise, const std::function<std::string(const std::string& kind)>& moduleOf);
+    HostPool(const HostPool&) = delete;
+    HostPool& operator=(const HostPool&) = delete;
+
+    /// Whether a controller runs in a host process.
+    [[nodiscard]] bool has(const RobotSpec& robot) const { return m_members.contains(robot.name); }
+    /// Whether code of a module is needed in host processes alone: each controller that is from it runs in one, and if there is
+    /// none, one without a setting of its own would.
+    [[nodiscard]] bool hasOnly(const std::string& library) const;
+    /// Loads a module in a host process and returns its kinds.
+    [[nodiscard]] Result<std::vector<Kind>> load(const std::string& library);
+    /// The backend of a robot for which has() holds. The pool must outlive it.
+    [[nodiscard]] std::unique_ptr<ControllerBackend> makeBackend(const RobotSpec& robot);
+
+private:
+    bool m_hostsByDefault;
+    std::map<std::string, bool> m_inside; ///< by library: a controller of it runs inside the program
+    HostContext m_context;
+    std::map<std::string, std::unique_ptr<HostGroup>> m_groups; ///< by library, or library and robot
+    std::map<std::string, std::pair<HostGroup*, std::size_t>> m_members; ///< by robot
+};
+
+} // namespace trundle

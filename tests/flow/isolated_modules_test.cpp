@@ -1,0 +1,283 @@
+// Faults of controllers in processes of their own: the run goes on, all other robots move as without the sick one, and the report
+// names robot, module, function and line.
+#include <set>
+
+#include "flow/cli.h"
+
+namespace {
+
+bool isLong() { return qEnvironmentVariableIsSet("TRUNDLE_LONG"); }
+
+const QString kZoo = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo"),
+              kRogue = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/rogue");
+
+} // namespace
+
+class IsolatedModulesTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QByteArray m_trace; ///< of the sound robots beside one that does nothing bad
+
+    /// Beside a robot of another module and one of the same module. `controller`: "Zoo" or "Rogue".
+    QString experiment(const QByteArray& isolation, const QByteArray& kind, const QByteArray& settings) {
+        const QString path = m_folder.filePath("isolated.sim");
+        const QByteArray module = kind.toLower(), count = isolation == "robot" ? "second" : "good";
+        const bool written =
+            writeFile(path, "Duration = 1  Isolation = " + isolation +
+                                "\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                "#loadModule controllers/linear_motion\n#loadModule zoo\n#loadModule rogue\n"
+                                "Static floor { Config=OpenFloor }\n"
+                                "Robot good { Config=SimpleRobot LinearMotion brain { } }\n"
+                                "Robot bad { Config=SimpleRobot Pos=0,2,0 " +
+                                kind + " brain { " + settings +
+                                " } }\nRobot second { Config=SimpleRobot Pos=0,-2,0 Rogue brain { } }\n"
+                                "PoseLog path { Robot=good }\nPoseLog other { Robot=" +
+                                count + " }\n");
+        return written ? path : QString();
+    }
+    Outcome run(const QString& path, const QStringList& more = {}) {
+        QDir(m_folder.filePath("logs")).removeRecursively();
+        QStringList words{"ASAN_OPTIONS=" + kOwnHandlers, "TSAN_OPTIONS=" + kOwnHandlers, "UBSAN_OPTIONS=" + kOwnHandlers};
+        words << programPath() << "run" << path << "--json" << "--quiet" << "--modules" << kZoo << "--modules" << kRogue
+              << "--log-dir" << m_folder.filePath("logs");
+        return callProgram("/usr/bin/env", words + more, m_folder.path(), 120);
+    }
+    QByteArray trace() const { return contentOf(m_folder.filePath("logs/path.csv")); }
+    QByteArray otherTrace() const { return contentOf(m_folder.filePath("logs/other.csv")); }
+
+private Q_SLOTS:
+    void initTestCase();
+    void everyFaultStaysInItsProcess_data();
+    void everyFaultStaysInItsProcess();
+    void aFaultInSetupIsAnErrorOfTheText_data();
+    void aFaultInSetupIsAnErrorOfTheText();
+    void aFaultOnLoadIsAnErrorOfItsLine();
+    void robotsOfOneProcessShareItsCrash();
+    void reportsFunctionAndLine();
+    void commandsOfAStoppedRobotAreZero();
+    void failEndsTheRun();
+    void isolationOfABlockHoldsForItAlone();
+    void givesTheSameStateInAnyProcess_data();
+    void givesTheSameStateInAnyProcess();
+    void aSlowUpdateIsReported();
+};
+
+void IsolatedModulesTest::initTestCase() {
+    for (const char* isolation : {"none", "module", "robot"}) {
+        const Outcome outcome = run(experiment(isolation, "Zoo", {}));
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        QVERIFY2(m_trace.isEmpty() || trace() == m_trace, isolation);
+        m_trace = trace();
+        QCOMPARE(m_trace.count('\n'), 102);
+    }
+}
+
+void IsolatedModulesTest::everyFaultStaysInItsProcess_data() {
+    QTest::addColumn<QByteArray>("kind");
+    QTest::addColumn<QByteArray>("settings");
+    QTest::addColumn<QByteArray>("isolation");
+    QTest::addColumn<QByteArray>("said"); ///< part of the reason; empty: it is not stopped
+    std::set<QByteArray> names;
+    const auto row = [&](const QByteArray& kind, const QByteArray& action, const QByteArray& said, const QByteArray& more = {}) {
+        for (const char* isolation : {"module", "robot"}) {
+            if (!isLong() && kind == "Zoo" && (isolation == QByteArray("robot")) != (names.size() % 4 == 0)) continue;
+            const QByteArray name = kind + ": " + action + ", " + isolation;
+            QVERIFY2(names.insert(name).second, name);
+            QTest::newRow(name.constData()) << kind << "Action=\"" + action + "\" " + more << QByteArray(isolation) << said;
+        }
+    };
+    const QByteArray crashed = "the controller Zoo of bad (" + kZoo.toUtf8() + "/libzoo.so) crashed in update: ";
+    const auto crash = [&](const char* action, const QByteArray& why) { row("Zoo", action, crashed + why); };
+    crash("segv", "Segmentation fault");
+    crash("jump", "Segmentation fault");
+    crash("divide", "Arithmetic exception");
+    crash("trap", "Illegal instruction");
+    crash("bus", "Bus error");
+    crash("abort", "Aborted");
+    crash("overflow", "Segmentation fault");
+    crash("double free", "Aborted");
+    crash("terminate", "Aborted");
+    crash("throw past noexcept", "Aborted, uncaught exception: no ");
+    crash("leave thread", "Aborted");
+    crash("trapped division", "Arithmetic exception");
+    for (const char* exit : {"exit", "_exit", "_Exit", "quick_exit"})
+        row("Zoo", exit, "ended its process in update, by exit() or the like");
+    const QByteArray thread = "a thread of the module " + kZoo.toUtf8() + "/libzoo.so ";
+    for (const char* action : {"thread crashes", "thread throws", "thread aborts", "thread jumps", "thread of a thread crashes",
+                               "thread overflows", "thread overflows in the C library", "standard thread overflows",
+                               "library code crashes in a thread", "bare thread crashes", "bare thread overflows"})
+        row("Zoo", action, thread + "crashed in update: ");
+    for (const char* action : {"thread exits", "thread _exits", "thread quick_exits"}) row("Zoo", action, thread + "ended its ");
+    for (const char* action : {"throw", "throw int", "throw other", "throw much"}) row("Zoo", action, "the controller Zoo of bad failed: ");
+    row("Zoo", "print escapes and be killed", "ended its process in update: SIGKILL");
+    row("Zoo", "print escapes and leave", "ended its process in update with exit code 7");
+    row("Zoo", "terminate itself", "ended its process in update: SIGTERM");
+    row("Zoo", "user signal", "ended its process in update: SIGUSR1");
+    for (const char* action : {"loop", "ignore and loop", "block and loop"})
+        row("Zoo", action, "did not return from update within 1.0 s and was stopped", "Budget=20");
+    for (const char* action :
+         {"round up", "trap floats", "flush denormals", "replace standard", "close standard", "close all", "replace all", "flood",
+          "ignore signals", "handle signals", "block signals", "change folder", "set locale", "umask", "fork without leave", "fork",
+          "wait for all children", "break pipe", "command nan", "command infinity", "print badly", "print much", "print long",
+          "log badly", "write outputs", "bare thread ends", "print escapes"})
+        row("Zoo", action, {});
+    row("Rogue", "write a sensor", "wrote to a sensor value in update, which only the simulation may set");
+    row("Rogue", "stop itself", "did not return from update within 1.0 s", "Budget=20");
+    row("Rogue", "leave", "ended its process in update with exit code 0");
+    row("Rogue", "kill itself", "ended its process in update: SIGKILL");
+    row("Rogue", "overwrite control", "damaged the messages");
+    row("Rogue", "unmap control", "ended its process in update with exit code 1"); // without the page it cannot report why
+    row("Rogue", "eat memory", "the controller Rogue of bad failed: std::bad_alloc");
+    for (const char* action :
+         {"kill the parent", "kill all", "kill the group", "trace me", "trace the parent", "execute", "system", "fork bomb",
+          "thread bomb", "keep a thread", "keep writing", "close 0 to 63", "raise limits", "outlive the parent",
+          "change folder", "make sensors writable", "overwrite commands", "shrink segments"})
+        row("Rogue", action, {});
+}
+
+void IsolatedModulesTest::everyFaultStaysInItsProcess() {
+    QFETCH(QByteArray, kind);
+    QFETCH(QByteArray, settings);
+    QFETCH(QByteArray, isolation);
+    QFETCH(QByteArray, said);
+    const Outcome outcome = run(experiment(isolation, kind, settings));
+    QCOMPARE(trace(), m_trace);
+    QVERIFY2(outcome.code == (said.isEmpty() ? 0 : 4), shown(outcome).left(4000));
+    const QJsonObject json = QJsonDocument::fromJson(outcome.out).object();
+    QCOMPARE(json["ticks"].toInt(), 100);
+    QVERIFY(!json.contains("crashed"));
+    const QJsonArray stopped = json["stopped"].toArray();
+    if (said.isEmpty()) QCOMPARE(stopped.size(), 0);
+    else QVERIFY2(!stopped.isEmpty() && stopped[0]["reason"].toString().toUtf8().contains(said), shown(outcome).left(4000));
+    if (!said.isEmpty()) {
+        QCOMPARE(stopped[0]["robot"].toString(), QStringLiteral("bad"));
+        QCOMPARE(stopped[0]["time"].toDouble(), 0.49);
+        QVERIFY2(outcome.err.contains("error E410: at t = 0.49 s "), shown(outcome).left(4000));
+    }
+    if (isolation == "robot") QVERIFY2(stopped.size() <= 1, shown(outcome).left(4000)); // also not the one of the same module
+    QCOMPARE(controlCharacters(outcome.err), QByteArray());
+}
+
+void IsolatedModulesTest::aFaultInSetupIsAnErrorOfTheText_data() {
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("segv") << QByteArray("crashed in setup: Segmentation fault");
+    QTest::newRow("exit") << QByteArray("ended its process in setup");
+    QTest::newRow("throw") << QByteArray("failed in setup: no ");
+    QTest::newRow("unended port") << QByteArray("a name without a terminating zero byte");
+}
+
+void IsolatedModulesTest::aFaultInSetupIsAnErrorOfTheText() {
+    QFETCH(QByteArray, said);
+    const Outcome outcome = run(experiment("module", "Zoo", QByteArray("Phase=setup Action=\"") + QTest::currentDataTag() + "\""));
+    QVERIFY2(outcome.code == 4 && outcome.err.contains(said), shown(outcome));
+    QVERIFY2(outcome.err.contains("isolated.sim:9:"), shown(outcome)); // the line of its block
+}
+
+void IsolatedModulesTest::aFaultOnLoadIsAnErrorOfItsLine() {
+    QDir(m_folder.filePath("logs")).removeRecursively();
+    const Outcome outcome =
+        callProgram("/usr/bin/env", {"TRUNDLE_ZOO_LOAD=segv", programPath(), "run", experiment("module", "Zoo", {}), "--json",
+                                     "--modules", kZoo, "--modules", kRogue});
+    QVERIFY2(outcome.code == 1, shown(outcome));
+    QVERIFY2(outcome.err.contains("isolated.sim:5:13: error E403: " + kZoo.toUtf8() + "/libzoo.so crashed in load: Segmentation"),
+             shown(outcome));
+}
+
+void IsolatedModulesTest::robotsOfOneProcessShareItsCrash() {
+    for (const char* isolation : {"module", "robot"}) {
+        const Outcome outcome = run(experiment(isolation, "Rogue", "Action=\"leave\""));
+        QVERIFY2(outcome.code == 4, shown(outcome));
+        const QJsonArray stopped = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray();
+        QCOMPARE(stopped.size(), isolation == QByteArray("module") ? 2 : 1);
+        QCOMPARE(stopped[0]["own"].toBool(), true);
+        if (stopped.size() < 2) continue;
+        QCOMPARE(stopped[1]["robot"].toString(), QStringLiteral("second"));
+        QCOMPARE(stopped[1]["own"].toBool(), false);
+        QVERIFY2(stopped[1]["reason"].toString().contains("shares its process with that of bad"), shown(outcome));
+    }
+}
+
+/// In a sanitizer build its own frames are on the stack too.
+void IsolatedModulesTest::reportsFunctionAndLine() {
+    const Outcome outcome = run(experiment("module", "Zoo", "Action=\"bus\""));
+    const QJsonObject stopped = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray()[0].toObject();
+    const QFile source(QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/control/modules/zoo.cpp"));
+    const QList<QByteArray> lines = contentOf(source.fileName()).split('\n');
+    const QRegularExpressionMatch place =
+        QRegularExpression("busError\\(\\) at (\\S+/zoo\\.cpp):(\\d+)$").match(stopped["backtrace"].toArray()[0].toString());
+    QVERIFY2(place.hasMatch(), shown(outcome));
+    QCOMPARE(place.captured(1), source.fileName());
+    QVERIFY2(lines.value(place.captured(2).toInt() - 1).contains("SIGBUS"), shown(outcome)); // the comment of that line
+    QVERIFY2(stopped["reason"].toString().contains("busError() at zoo.cpp:" + place.captured(2)), shown(outcome));
+    QVERIFY2(outcome.err.contains("bad] error:   (anonymous namespace)::Zoo::update"), shown(outcome));
+}
+
+void IsolatedModulesTest::commandsOfAStoppedRobotAreZero() {
+    const Outcome outcome = run(experiment("module", "Rogue", "Action=\"leave\""));
+    const QJsonObject robots = QJsonDocument::fromJson(outcome.out).object()["robots"].toObject();
+    for (const char* robot : {"bad", "second"}) {
+        const QJsonObject signal = robots[robot].toObject()["signals"].toObject();
+        QCOMPARE(signal["base/linearVelocity"].toDouble(-1), 0.0);
+        QCOMPARE(signal["base/angularVelocity"].toDouble(-1), 0.0);
+        QVERIFY(qAbs(signal["velocity"].toArray()[0].toDouble(1)) < 1e-3);
+    }
+}
+
+/// A controller that calls fail() asks for the end of the run, in any process.
+void IsolatedModulesTest::failEndsTheRun() {
+    for (const char* isolation : {"none", "module"}) {
+        const Outcome outcome = run(experiment(isolation, "Zoo", "Action=\"fail badly\""));
+        QVERIFY2(outcome.code == 4, shown(outcome));
+        QCOMPARE(QJsonDocument::fromJson(outcome.out).object()["ticks"].toInt(), 49);
+    }
+}
+
+void IsolatedModulesTest::isolationOfABlockHoldsForItAlone() {
+    const Outcome outcome = run(experiment("none", "Zoo", "Action=segv Isolation=robot"));
+    QVERIFY2(outcome.code == 4, shown(outcome));
+    QCOMPARE(trace(), m_trace);
+    QCOMPARE(QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray().size(), 1);
+    const Outcome inside = run(experiment("robot", "Zoo", "Action=segv Isolation=none"));
+    QVERIFY2(inside.code == 4 && QJsonDocument::fromJson(inside.out).object().contains("crashed"), shown(inside));
+}
+
+void IsolatedModulesTest::givesTheSameStateInAnyProcess_data() {
+    QTest::addColumn<QByteArray>("text");
+    const QByteArray head = "#import robots/simple_robot.sim\n#import robots/amr.sim\n#import arenas/medium_arena.sim\n"
+                            "#loadModule controllers/linear_motion\n#loadModule controllers/bump_and_turn\n"
+                            "#loadModule controllers/random_drive\nStatic arena { Config=MediumArena }\n";
+    QTest::newRow("ten robots") << head + "Grid g { Config=SimpleRobot Count=5,2 Spacing=0.7 RandomDrive b { Speed=0.5 } }\n";
+    QTest::newRow("three kinds") << head + "Robot a { Config=SimpleRobot Pos=-1,0,0 RandomDrive b { } }\n"
+                                           "Robot c { Config=SimpleRobot Pos=1,0,0 BumpAndTurn b { Speed=0.4 } }\n"
+                                           "Robot d { Config=Amr Pos=0,1,0 LinearMotion b { Distance=1 Speed=0.3 } }\n";
+    QTest::newRow("radios") << contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/sensor_network_amr.sim"));
+}
+
+void IsolatedModulesTest::givesTheSameStateInAnyProcess() {
+    QFETCH(QByteArray, text);
+    const QString path = m_folder.filePath("same.sim");
+    QVERIFY(writeFile(path, text));
+    QJsonObject first;
+    for (const char* isolation : {"none", "module", "robot"}) {
+        const Outcome outcome = run(path, {"--duration", isLong() ? "100" : "5", "--set", QStringLiteral("Isolation=%1").arg(isolation)});
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        const QJsonObject json = QJsonDocument::fromJson(outcome.out).object();
+        if (first.isEmpty()) first = json;
+        QCOMPARE(json["state_hash"].toString(), first["state_hash"].toString());
+        QCOMPARE(json["robots"], first["robots"]); // with all signals, also published ones
+        QVERIFY(json["ticks"].toInt() >= (isLong() ? 10'000 : 500));
+    }
+}
+
+void IsolatedModulesTest::aSlowUpdateIsReported() {
+    for (const char* isolation : {"none", "module"}) {
+        const Outcome outcome = run(experiment(isolation, "Rogue", "Budget=0.000001"));
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        QCOMPARE(outcome.err.count("an update of the controller brain took "), 1); // once
+        QVERIFY2(outcome.err.contains("bad] warning: an update of the controller brain took "), shown(outcome));
+    }
+}
+
+QTEST_GUILESS_MAIN(IsolatedModulesTest)
+#include "isolated_modules_test.moc"
