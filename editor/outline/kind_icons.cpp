@@ -12,13 +12,13 @@ static constexpr auto kDrawn = std::to_array<std::string_view>({"Ball",         
                                                                 "Convex",       "Cylinder",    "DifferentialDrive",
                                                                 "Encoder",      "EnergyLog",   "Fixed",
                                                                 "Grid",         "Heightfield", "Hinge",
-                                                                "Material",     "Mesh",        "Plane",
-                                                                "PoseLog",      "Robot",       "RobotConfig",
-                                                                "RotaryMotor",  "Scatter",     "SignalLog",
-                                                                "Slider",       "Sphere",      "Static",
-                                                                "StaticConfig", "Surface",     "Suspension",
-                                                                "TouchSensor",  "Transceiver", "Universal",
-                                                                "View"});
+                                                                "Material",     "Mesh",        "Part",
+                                                                "PartConfig",   "Plane",       "PoseLog",
+                                                                "Robot",        "RobotConfig", "RotaryMotor",
+                                                                "Scatter",      "SignalLog",   "Slider",
+                                                                "Sphere",       "Static",      "StaticConfig",
+                                                                "Surface",      "Suspension",  "TouchSensor",
+                                                                "Transceiver",  "Universal",   "View"});
 
 QString roleIcon(Role role) {
     switch (role) {

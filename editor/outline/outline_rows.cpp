@@ -37,7 +37,10 @@ OutlineGroup plainGroupOf(const Part& part) {
     case Role::Medium:
     case Role::Pattern: return OutlineGroup::Radio;
     case Role::Log: return OutlineGroup::Logs;
-    case Role::Config: return part.kind->name == "StaticConfig" ? OutlineGroup::StaticConfigs : OutlineGroup::RobotConfigs;
+    case Role::Config:
+        return part.kind->name == "StaticConfig" ? OutlineGroup::StaticConfigs
+               : part.kind->name == "PartConfig" ? OutlineGroup::PartConfigs
+                                                 : OutlineGroup::RobotConfigs;
     case Role::Material: return OutlineGroup::Materials;
     case Role::Surface: return OutlineGroup::Surfaces;
     default: return OutlineGroup::Misplaced;
@@ -46,7 +49,7 @@ OutlineGroup plainGroupOf(const Part& part) {
 
 constexpr std::array<const char*, kOutlineGroups> kGroupNames{"Robots",          "Objects",   "Scenery",  "Light and views",
                                                               "Radio",           "Logs",      "Modules",  "Robot configs",
-                                                              "Scenery configs", "Materials", "Surfaces", "Misplaced"};
+                                                              "Scenery configs", "Part configs", "Materials", "Surfaces", "Misplaced"};
 constexpr std::size_t kMaxBeside = 100; // members below one row; more are split into ranges
 
 /// "10×10" from `Count = 10, 10`.
@@ -363,7 +366,8 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
                                                                        : a ? std::string(m_loaded->sources.slice(a->valueRange()))
                                                                            : part.kind->name);
         // A config that contains an instance of itself (an error) would recurse without end.
-        if (m_mode == OutlineMode::ByOwner && above.type != OutlineRow::Type::Object) row.config = config;
+        const bool opens = above.type != OutlineRow::Type::Object || part.isPartUse(); // Parts contain no circle
+        if (m_mode == OutlineMode::ByOwner && opens) row.config = config;
         row.hasRows |= row.config && !row.config->parts.empty();
         row.hasRows |= m_members.contains(&part);
         row.passive = isPassive(part, config);

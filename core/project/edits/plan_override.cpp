@@ -48,7 +48,7 @@ std::optional<OverrideTarget> targetOf(const LoadedProject& loaded, const std::s
         if (!t.param && !t.property) return std::nullopt;
         t.within = t.key;
         t.place.part = config;
-    } else if (place->instance && !self && (place->above.empty() || place->above.front() == config)) {
+    } else if (place->instance && !self && std::ranges::find(place->above, config) != place->above.end()) {
         t.within = place->within + "." + t.key;
     }
     return t.property || t.param ? std::optional(t) : std::nullopt;

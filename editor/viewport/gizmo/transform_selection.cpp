@@ -81,13 +81,14 @@ void TransformSelection::take(const std::string& path) {
             tr("%1 is a member of %2, which sets its pose.").arg(QString::fromStdString(path), QString::fromStdString(m_layout));
         return;
     }
+    if (place->part && place->part->isPartUse()) return takePart(path, *place, object);
     const bool isLayout = place->instance && place->within.empty() && objects.size() >= 1 && !world.find(path);
-    if (isLayout && !path.starts_with("RobotConfig.") && !path.starts_with("StaticConfig.")) return takeLayout(path);
+    if (isLayout && !place->instance->isPartUse()) return takeLayout(path);
     if (world.isLocked(object)) {
         m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
         return;
     }
-    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}};
+    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}, {}};
     if (const RobotSpec* robot = m_objects->robotOf(object)) {
         if (object.kind == ObjectKind::Robot) item.local = robot->pose;
         if (object.kind == ObjectKind::Body) item.local = robot->config->bodies[object.body].pose;
@@ -95,6 +96,12 @@ void TransformSelection::take(const std::string& path) {
         item.local = m_objects->staticOf(object)->pose;
     }
     if (const GeomSpec* geom = m_objects->geomOf(object)) item.local = geom->pose;
+    item.described = describedFrame(*m_context.document.loaded(), *place);
+    if (object.kind == ObjectKind::Body || object.kind == ObjectKind::StaticGeom) { // its Pos is in the frame of its Part
+        item.frame = item.frame * item.described.pose;
+        item.local = item.described.pose.inverse() * item.local;
+    }
+    item.local = item.described.mirrored(item.local);
     item.posText = textOf(path + ".Pos");
     item.hprText = textOf(path + ".HPR");
     m_items.push_back(std::move(item));
@@ -127,9 +134,21 @@ void TransformSelection::takeLayout(const std::string& path) {
               poseAt(*m_context.document.loaded(), *place),
               Pose{},
               {},
+              {},
               textOf(path + ".Pos"),
               textOf(path + ".HPR")};
     item.local = item.world;
+    m_items.push_back(std::move(item));
+}
+
+void TransformSelection::takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside) {
+    const LoadedProject& loaded = *m_context.document.loaded();
+    const RobotSpec* robot = m_objects->robotOf(inside);
+    const ObjectRef whole{robot ? ObjectKind::Robot : ObjectKind::Static, inside.instance};
+    Item item{path, std::nullopt, {}, {}, poseAt(loaded, place), describedFrame(loaded, place), textOf(path + ".Pos"),
+              textOf(path + ".HPR")};
+    item.frame = m_context.world.poseOf(whole) * item.described.pose;
+    item.world = item.frame * item.described.mirrored(item.local);
     m_items.push_back(std::move(item));
 }
 
@@ -139,6 +158,12 @@ std::string TransformSelection::textOf(const std::string& property) const {
     if (!from || !from->value.known()) return {};
     // A value written in the config is not edited through an instance; the instance gets a new value with plain numbers.
     const bool inConfig = property.starts_with("RobotConfig.") || property.starts_with("StaticConfig.");
+    if (const auto place = placeOf(loaded, withoutLastWord(property)); inConfig && place && !place->above.empty()) {
+        const SourceRange config = place->above.front()->range; // a value in a PartConfig is not edited through its Part
+        if (config.file != from->value.file || from->value.range.begin < config.range.begin ||
+            from->value.range.end > config.range.end)
+            return {};
+    }
     const SourceRange own = blockOf(loaded, firstWord(property));
     const bool inPlace = inConfig || (own.known() && own.file == from->value.file && own.range.begin <= from->value.range.begin &&
                                       from->value.range.end <= own.range.end);
@@ -192,17 +217,18 @@ Status TransformSelection::move(const Pose& motion, const QString& name, const s
         return {};
     }
     std::vector<ValueEdit> edits;
-    for (Item& item : m_items) {
-        // Applied in the object's own frame, so that unaffected numbers stay exact.
-        const Pose inFrame = item.frame.inverse() * motion * item.frame;
-        Pose local;
-        local.rotation = (inFrame.rotation * item.local.rotation).normalized();
-        const bool turns = motion.rotation.angularDistance(Quat::Identity()) > 1e-12;
-        local.position =
-            turns ? inFrame * item.local.position : Vec3(item.local.position + item.frame.rotation.conjugate() * motion.position);
-        for (ValueEdit& edit : editsOf(item, local, fineness)) edits.push_back(std::move(edit));
-    }
+    for (Item& item : m_items)
+        for (ValueEdit& edit : editsOf(item, movedLocal(item, motion), fineness)) edits.push_back(std::move(edit));
     return apply(edits, name, mergeKey);
+}
+
+Pose TransformSelection::movedLocal(const Item& item, const Pose& motion) {
+    // Applied in the object's own frame, so that unaffected numbers stay exact.
+    const Pose inFrame = item.described.mirrored(item.frame.inverse() * motion * item.frame);
+    const bool turns = motion.rotation.angularDistance(Quat::Identity()) > 1e-12;
+    const Vec3 shift = item.described.signs.cwiseProduct(item.frame.rotation.conjugate() * motion.position);
+    return {turns ? inFrame * item.local.position : Vec3(item.local.position + shift),
+            (inFrame.rotation * item.local.rotation).normalized()};
 }
 
 Status TransformSelection::moveEach(const std::vector<Vec3>& offsets, const QString& name) {
@@ -216,7 +242,7 @@ Status TransformSelection::moveEach(const std::vector<Vec3>& offsets, const QStr
             continue;
         }
         Pose local = item.local;
-        local.position += item.frame.rotation.conjugate() * offsets[i];
+        local.position += item.described.signs.cwiseProduct(item.frame.rotation.conjugate() * offsets[i]);
         for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
     }
     m_context.document.edits().endMerge();
@@ -268,7 +294,7 @@ std::array<SizeName, 3> TransformSelection::sizeNames() const {
 void TransformSelection::follow(Item& item, const Vec3& before, const Vec3& after, int side,
                                 std::vector<ValueEdit>& edits) const {
     Pose local = item.local;
-    local.position += item.local.rotation * (0.5 * side * (after - before));
+    local.position += item.local.rotation * item.described.signs.cwiseProduct(0.5 * side * (after - before));
     for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
 }
 

@@ -15,6 +15,22 @@ using namespace sample;
 
 namespace {
 
+/// A rover of two parts, of which one is mirrored.
+const char* const kPartsRover = R"(// A rover.
+PartConfig Wheel {
+  Param r = 0.05 // its radius
+  Body wheel { Cylinder tyre { Radius=$r Length=0.03 HPR=0,0,90 Mass=0.15 } }
+  Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0 }
+}
+RobotConfig Rover {
+  Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=2 } } // two kilograms
+  Part left { Config=Wheel Pos=0,0.1,0.05 carrier=chassis }
+  Part right { Config=Wheel Pos=0,-0.1,0.05 Mirror=y carrier=chassis }
+  Body mast { Box pole { Size=0.02,0.02,0.2 Pos=0,0,0.3 Mass=0.1 } }
+  Fixed leftAxle { Parent=chassis Child=mast }
+}
+)";
+
 class RandomEdits {
 public:
     RandomEdits(Document& document, const DocumentFixture& fixture, unsigned seed)
@@ -75,6 +91,12 @@ private:
                                              {"Tick", number + " ms"},
                                              {"Seed", number},
                                              {"robot1.HPR", "-" + number + ",0,0"},
+                                             {"robot0.left.wheel.tyre.Mass", number},
+                                             {"robot1.right.r", "0." + number},
+                                             {"RobotConfig.Rover.left.wheel.tyre.Mass", number + " kg"},
+                                             {"RobotConfig.Rover.right.Pos", "0,-0." + number + ",0.05"},
+                                             {"RobotConfig.Rover.left.Mirror", number.size() % 2 ? "x" : "none"},
+                                             {"PartConfig.Wheel.r", "0." + number},
                                              {"Tick", "-" + number},
                                              {"robot7.Pos", "0,0,0"}};
         std::vector<ValueEdit> values{choices[below(choices.size())]};
@@ -89,7 +111,7 @@ private:
         for (const Part* config : before.outline->configs.all())
             if (config->kind) objects.push_back(config->kind->name + "." + config->name);
         const std::string object = objects[below(objects.size())], body = object + ".chassis";
-        const std::size_t configs = before.outline->configs.all().size(), which = below(4);
+        const std::size_t configs = before.outline->configs.all().size(), which = below(8);
         const std::string name = "part" + std::to_string(below(100));
         const Status done = m_document.structure().apply(
             u"Structure"_qs, {object}, [&](const LoadedProject& loaded, const auto& renamed) -> Result<EditPlan> {
@@ -97,6 +119,11 @@ private:
                 case 0: return planInsert(loaded, renamed(object), "Body " + name + " { Sphere ball { Radius=0.1 Mass=1 } }");
                 case 1: return planDuplicate(loaded, {renamed(body)}, Vec3(0.1, 0, 0));
                 case 2: return planRename(loaded, renamed(object + ".leftAxle"), name);
+                case 3: return planRename(loaded, renamed(object + ".left.wheel"), name);
+                case 4: return planDuplicate(loaded, {renamed(object + ".left")}, Vec3(0, 0.1, 0));
+                case 5: return planRemove(loaded, {renamed(object + ".right")});
+                case 6:
+                    return planInsert(loaded, renamed(object), "Part " + name + " { Config=Wheel carrier=chassis Pos=0.2,0,0.1 }");
                 default: return planRemove(loaded, {renamed(object + ".rightAxle")});
                 }
             });
@@ -152,12 +179,16 @@ private Q_SLOTS:
 
     void undoAllRedoAll_data() {
         QTest::addColumn<unsigned>("seed");
-        for (unsigned seed = 1; seed <= 4; ++seed) QTest::addRow("seed %u", seed) << seed;
+        QTest::addColumn<bool>("parts");
+        for (unsigned seed = 1; seed <= 4; ++seed) QTest::addRow("seed %u", seed) << seed << false;
+        for (unsigned seed = 5; seed <= 8; ++seed) QTest::addRow("parts, seed %u", seed) << seed << true;
     }
     void undoAllRedoAll() {
         QFETCH(unsigned, seed);
+        QFETCH(bool, parts);
         const int edits = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 1000 : 100;
         const DocumentFixture fixture;
+        if (parts) (void)fixture.write("configs/robots/rover.sim", kPartsRover);
         Document d(*m_application);
         QVERIFY(d.opening().open(fixture.main).ok());
         RandomEdits random(d, fixture, seed);
@@ -187,7 +218,7 @@ private Q_SLOTS:
         const std::string endMain = *d.texts().text(fixture.main), endRobot = *d.texts().text(fixture.robot);
         while (d.edits().history().canUndo()) d.edits().undo();
         QCOMPARE(*d.texts().text(fixture.main), kMain);
-        QCOMPARE(*d.texts().text(fixture.robot), kRover);
+        QCOMPARE(*d.texts().text(fixture.robot), parts ? kPartsRover : kRover);
         QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
         while (d.edits().history().canRedo()) d.edits().redo();
         QCOMPARE(*d.texts().text(fixture.main), endMain);
