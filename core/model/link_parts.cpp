@@ -35,8 +35,7 @@ public:
 
 private:
     bool takesReference(const Part& part, const std::string& key) const {
-        if (const Property* property = part.kind->find(key))
-            return namesInsideConfig(m_outline.registry(), m_outline, *property);
+        if (const Property* property = part.kind->find(key)) return namesInsideConfig(m_outline.registry(), m_outline, *property);
         const SourceParam* param = part.isPartUse() && part.config ? part.config->param(key) : nullptr;
         return param && param->required;
     }

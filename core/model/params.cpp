@@ -36,6 +36,15 @@ double sine(double degrees) {
     return std::sin(degrees * std::numbers::pi / 180);
 }
 
+const std::set<std::string_view> kPairs{"mod", "atan2", "<", ">", "<=", ">=", "==", "!="};
+
+std::optional<double> wholeNumber(const std::string& function, double value) {
+    if (function == "floor") return std::floor(value);
+    if (function == "ceil") return std::ceil(value);
+    if (function == "round") return std::round(value);
+    return std::nullopt;
+}
+
 /// An element that is written out; of others only where it is.
 GivenElement literalOf(const Element& element, FileId file) {
     GivenElement given;
@@ -345,10 +354,9 @@ std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId fil
         }
         return best;
     }
-    static const std::set<std::string_view> pairs{"mod", "atan2", "<", ">", "<=", ">=", "==", "!="};
-    if (pairs.contains(e.name) && takes(2)) return withTwo(e, file, args[0], args[1]);
-    static const std::string functions[] = {"min",  "max",  "abs",  "sqrt",  "sin",   "cos",  "tan",   "asin",
-                                            "acos", "mod",  "floor", "ceil", "round", "atan2", "if"};
+    if (kPairs.contains(e.name) && takes(2)) return withTwo(e, file, args[0], args[1]);
+    static const std::string functions[] = {"min",  "max", "abs",   "sqrt", "sin",   "cos",   "tan", "asin",
+                                            "acos", "mod", "floor", "ceil", "round", "atan2", "if"};
     if (std::find(std::begin(functions), std::end(functions), e.name) == std::end(functions)) {
         Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range},
                                             "there is no function " + e.name + "; there are " + listText(functions, "and"));
@@ -359,9 +367,7 @@ std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId fil
     if (!takes(1)) return fault(e, file, e.name + " takes one number");
     const Amount a = args[0];
     if (e.name == "abs") return Amount{std::abs(a.value), a.unit};
-    if (e.name == "floor") return Amount{std::floor(a.value), a.unit};
-    if (e.name == "ceil") return Amount{std::ceil(a.value), a.unit};
-    if (e.name == "round") return Amount{std::round(a.value), a.unit};
+    if (const auto whole = wholeNumber(e.name, a.value)) return Amount{*whole, a.unit};
     if (e.name == "asin" || e.name == "acos") {
         if (!a.unit.empty()) return fault(e, file, e.name + " takes a number without unit, this is in " + a.unit);
         if (std::abs(a.value) > 1) return fault(e, file, e.name + " of " + numberText(a.value) + " is not a number");

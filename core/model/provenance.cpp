@@ -47,7 +47,7 @@ std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std
 /// `origin`: of what the instance's own block sets.
 std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words,
                                        Origin origin) {
-    std::optional<Provenance> own = words.size() == 1       ? inPart(outline, instance, words[0], origin)
+    std::optional<Provenance> own = words.size() == 1      ? inPart(outline, instance, words[0], origin)
                                     : instance.isPartUse() ? std::nullopt
                                                            : fromPart(outline, instance, words, origin);
     if (own) return own;

@@ -7,18 +7,18 @@
 namespace trundle {
 
 // Kinds that have an icon. Must be sorted, for the binary search.
-static constexpr auto kDrawn = std::to_array<std::string_view>({"Ball",         "Body",        "Box",
-                                                                "Camera",       "Capsule",     "ContactLog",
-                                                                "Convex",       "Cylinder",    "DifferentialDrive",
-                                                                "Encoder",      "EnergyLog",   "Fixed",
-                                                                "Grid",         "Heightfield", "Hinge",
-                                                                "Material",     "Mesh",        "Part",
-                                                                "PartConfig",   "Plane",       "PoseLog",
-                                                                "Robot",        "RobotConfig", "RotaryMotor",
-                                                                "Scatter",      "SignalLog",   "Slider",
-                                                                "Sphere",       "Static",      "StaticConfig",
-                                                                "Surface",      "Suspension",  "TouchSensor",
-                                                                "Transceiver",  "Universal",   "View"});
+static constexpr auto kDrawn = std::to_array<std::string_view>({"Ball",        "Body",        "Box",
+                                                                "Camera",      "Capsule",     "ContactLog",
+                                                                "Convex",      "Cylinder",    "DifferentialDrive",
+                                                                "Encoder",     "EnergyLog",   "Fixed",
+                                                                "Grid",        "Heightfield", "Hinge",
+                                                                "Material",    "Mesh",        "Part",
+                                                                "PartConfig",  "Plane",       "PoseLog",
+                                                                "Robot",       "RobotConfig", "RotaryMotor",
+                                                                "Scatter",     "SignalLog",   "Slider",
+                                                                "Sphere",      "Static",      "StaticConfig",
+                                                                "Surface",     "Suspension",  "TouchSensor",
+                                                                "Transceiver", "Universal",   "View"});
 
 QString roleIcon(Role role) {
     switch (role) {

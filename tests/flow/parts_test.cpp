@@ -4,9 +4,10 @@
 
 namespace {
 
-const char* const kHead = "Duration=1.5\n#import common/materials.sim\n#import common/surfaces.sim\n#import arenas/open_floor.sim\n"
-                          "#loadModule controllers/linear_motion\nStatic floor { Config=OpenFloor }\n"
-                          "Surface roller { Friction=0.2 Friction2=0.9 FrictionHeading=45 }\n";
+const char* const kHead =
+    "Duration=1.5\n#import common/materials.sim\n#import common/surfaces.sim\n#import arenas/open_floor.sim\n"
+    "#loadModule controllers/linear_motion\nStatic floor { Config=OpenFloor }\n"
+    "Surface roller { Friction=0.2 Friction2=0.9 FrictionHeading=45 }\n";
 
 const char* const kParts =
     "PartConfig DrivenWheel { Param r = 0.05\n"
@@ -35,28 +36,32 @@ const char* const kDrive = " RightMotor=%2 WheelRadius=0.05 WheelSeparation=0.25
 /// One side by hand; its bodies A to D are in the order of the names of those of the parts. `s` is "" or "-", the sign of what is mirrored.
 QString side(const QString& n, const QString& s) {
     const QString m = s.isEmpty() ? QStringLiteral("-") : QString();
-    const QString low = s.isEmpty() ? "-100" : "-170", high = s.isEmpty() ? "170" : "100";
-    const QString roller = s.isEmpty() ? "roller" : "roller2";
-    return QStringLiteral(
-               "Body %1D { Pos=0.06,%20.125,0.05 Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,%290 Mass=0.15 Material=black "
-               "Surface=rubber }\n Box cleat { Size=0.02,0.01,0.02 Pos=0.01,%20.02,0.01 HPR=%210,20,%230 Mass=0.01 Material=red "
-               "Surface=rubber } }\n"
-               "Body %1C { Pos=-0.1,%20.08,0.05 Box bar { Size=0.02,0.02,0.02 Pos=0.01,%20.005,0 Mass=0.05 Material=grey "
-               "Surface=plastic } }\n"
-               "Body %1B { Pos=$(-0.1-0.02),$(%20.08+%20.01),$(0.05-0.03) Sphere tyre { Radius=0.02 Mass=0.05 Material=black "
-               "Surface=%6 } }\n"
-               "Body %1A { Pos=0.16,%20.06,0.07 Box board { Size=0.01,0.1,0.04 Mass=0.05 Material=red Surface=plastic } }\n")
-               .arg(n, s, m, low, high, roller) +
-           QStringLiteral("Hinge %1Axle { Parent=chassis Child=%1D Axis=0,1,0 Damping=0.001 }\n"
-                          "Hinge %1Swivel { Parent=chassis Child=%1C Axis=0,0,1 LowStop=%4 HighStop=%5 }\n"
-                          "Hinge %1Roll { Parent=%1C Child=%1B Axis=0,1,0 }\n"
-                          "Slider %1Spring { Parent=chassis Child=%1A Axis=1,%20.2,0 LowStop=-0.01 HighStop=0 "
-                          "Stiffness=200 Damping=2 }\n"
-                          "RotaryMotor %1Motor { Joint=%1Axle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 GearRatio=30 "
-                          "MaxVoltage=12 }\n"
-                          "Encoder %1Encoder { Joint=%1Axle CountsPerRevolution=512 }\n"
-                          "TouchSensor %1Touch { Geom=%1A.board }\n")
-               .arg(n, s, m, low, high);
+    const QString low = QString::fromLatin1(s.isEmpty() ? "-100" : "-170"),
+                  high = QString::fromLatin1(s.isEmpty() ? "170" : "100");
+    const QString roller = QString::fromLatin1(s.isEmpty() ? "roller" : "roller2");
+    QString text =
+        QStringLiteral(
+            "Body @nD { Pos=0.06,@s0.125,0.05 Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,@s90 Mass=0.15 Material=black "
+            "Surface=rubber }\n Box cleat { Size=0.02,0.01,0.02 Pos=0.01,@s0.02,0.01 HPR=@s10,20,@s30 Mass=0.01 Material=red "
+            "Surface=rubber } }\n"
+            "Body @nC { Pos=-0.1,@s0.08,0.05 Box bar { Size=0.02,0.02,0.02 Pos=0.01,@s0.005,0 Mass=0.05 Material=grey "
+            "Surface=plastic } }\n"
+            "Body @nB { Pos=$(-0.1-0.02),$(@s0.08+@s0.01),$(0.05-0.03) Sphere tyre { Radius=0.02 Mass=0.05 Material=black "
+            "Surface=@roller } }\n"
+            "Body @nA { Pos=0.16,@s0.06,0.07 Box board { Size=0.01,0.1,0.04 Mass=0.05 Material=red Surface=plastic } }\n") +
+        QStringLiteral("Hinge @nAxle { Parent=chassis Child=@nD Axis=0,1,0 Damping=0.001 }\n"
+                       "Hinge @nSwivel { Parent=chassis Child=@nC Axis=0,0,1 LowStop=@low HighStop=@high }\n"
+                       "Hinge @nRoll { Parent=@nC Child=@nB Axis=0,1,0 }\n"
+                       "Slider @nSpring { Parent=chassis Child=@nA Axis=1,@s0.2,0 LowStop=-0.01 HighStop=0 "
+                       "Stiffness=200 Damping=2 }\n"
+                       "RotaryMotor @nMotor { Joint=@nAxle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 GearRatio=30 "
+                       "MaxVoltage=12 }\n"
+                       "Encoder @nEncoder { Joint=@nAxle CountsPerRevolution=512 }\n"
+                       "TouchSensor @nTouch { Geom=@nA.board }\n");
+    for (const auto& [word, value] :
+         {std::pair{"@roller", roller}, {"@low", low}, {"@high", high}, {"@n", n}, {"@s", s}, {"@m", m}})
+        text.replace(QLatin1String(word), value);
+    return text;
 }
 
 QByteArray hashOf(const Outcome& run) {
@@ -77,8 +82,8 @@ private Q_SLOTS:
                               "Part left { Config=Side base=chassis }\nPart right { Config=Side Mirror=y base=chassis }\n"
                               "DifferentialDrive base { LeftMotor=left.wheel.motor" +
                               QString(kDrive).replace("%2", "right.wheel.motor");
-        const QString hand = kHead + QStringLiteral("Surface roller2 { Friction=0.2 Friction2=0.9 FrictionHeading=-45 }\n") + kChassis +
-                             side("left", "") + side("right", "-") + "DifferentialDrive base { LeftMotor=leftMotor" +
+        const QString hand = kHead + QStringLiteral("Surface roller2 { Friction=0.2 Friction2=0.9 FrictionHeading=-45 }\n") +
+                             kChassis + side("left", "") + side("right", "-") + "DifferentialDrive base { LeftMotor=leftMotor" +
                              QString(kDrive).replace("%2", "rightMotor");
         QVERIFY(writeFile(folder.filePath("parts.sim"), parts.toUtf8()));
         QVERIFY(writeFile(folder.filePath("hand.sim"), hand.toUtf8()));

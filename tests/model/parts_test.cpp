@@ -15,18 +15,19 @@ const std::string kHead = "Material g { } Surface s { }\n"
                           "Surface rollers { Friction=0.1 Friction2=0.9 FrictionHeading=45 }\n";
 
 /// A wheel with everything that has a side: a tilted axle, a geom off the centre, a given centre and inertia.
-const std::string kWheel = "PartConfig Wheel {\n"
-                           "  Param r = 0.05\n"
-                           "  Body wheel { Pos=0.01,0.02,0.03 HPR=10,20,30\n"
-                           "    Cylinder tyre { Radius=$r Length=0.02 Pos=0.001,0.002,0.003 HPR=5,6,90 Material=g Surface=rollers }\n"
-                           "    Mass=0.5 CenterOfMass=0.004,0.005,0.006 Inertia=1,1.1,1.2,0.01,0.02,0.03 }\n"
-                           "  Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0.1 LowStop=-10 HighStop=20 }\n"
-                           "  RotaryMotor motor { Joint=axle TorqueConstant=1 SpeedConstant=1 Resistance=2 }\n"
-                           "}\n";
+const std::string kWheel =
+    "PartConfig Wheel {\n"
+    "  Param r = 0.05\n"
+    "  Body wheel { Pos=0.01,0.02,0.03 HPR=10,20,30\n"
+    "    Cylinder tyre { Radius=$r Length=0.02 Pos=0.001,0.002,0.003 HPR=5,6,90 Material=g Surface=rollers }\n"
+    "    Mass=0.5 CenterOfMass=0.004,0.005,0.006 Inertia=1,1.1,1.2,0.01,0.02,0.03 }\n"
+    "  Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0.1 LowStop=-10 HighStop=20 }\n"
+    "  RotaryMotor motor { Joint=axle TorqueConstant=1 SpeedConstant=1 Resistance=2 }\n"
+    "}\n";
 
 std::string kit(const std::string& parts) {
-    return kHead + kWheel + "RobotConfig Kit {\n  Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n" + parts +
-           "}\nRobot r { Config=Kit }\n";
+    return kHead + kWheel + "RobotConfig Kit {\n  Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n" +
+           parts + "}\nRobot r { Config=Kit }\n";
 }
 
 /// The same by hand, with other names for the wheel's blocks.
@@ -35,7 +36,7 @@ std::string twin(const std::string& blocks) {
            "}\nRobot r { Config=Kit }\n";
 }
 
-QString said(const Resolved& r) { return QString::fromStdString(r.messages()); }
+QString messagesOf(const Resolved& r) { return QString::fromStdString(r.messages()); }
 
 template <class T> bool sameBits(const T& a, const T& b) { return a.size() == b.size() && (a.array() == b.array()).all(); }
 bool sameBits(const Pose& a, const Pose& b) {
@@ -77,7 +78,7 @@ private Q_SLOTS:
     /// A Part is its PartConfig, moved, with its name in front.
     void isWhatItsConfigSays() {
         const Resolved r = resolved(kit("  Part left { Config=Wheel Pos=1,2,3 carrier=chassis r=0.07 motor.Resistance=5 }\n"));
-        QCOMPARE(said(r), QString());
+        QCOMPARE(messagesOf(r), QString());
         const RobotConfigSpec& c = r.config();
         QCOMPARE(c.bodies[1].name, std::string("left.wheel"));
         QCOMPARE(c.joints[0].name, std::string("left.axle"));
@@ -91,7 +92,7 @@ private Q_SLOTS:
                  "    Mass=0.5 CenterOfMass=0.004,0.005,0.006 Inertia=1,1.1,1.2,0.01,0.02,0.03 }\n"
                  "  Hinge a { Parent=chassis Child=w Axis=0,1,0.1 LowStop=-10 HighStop=20 }\n"
                  "  RotaryMotor m { Joint=a TorqueConstant=1 SpeedConstant=1 Resistance=5 }\n"));
-        QCOMPARE(said(by), QString());
+        QCOMPARE(messagesOf(by), QString());
         QCOMPARE(difference(c, by.config()), std::string());
     }
 
@@ -119,10 +120,10 @@ private Q_SLOTS:
         QFETCH(QString, mirror);
         QFETCH(QString, hand);
         const Resolved r = resolved(kit("  Part w { Config=Wheel Mirror=" + mirror.toStdString() + " carrier=chassis }\n"));
-        const Resolved by = resolved(
-            twin(hand.toStdString() + "  RotaryMotor m { Joint=a TorqueConstant=1 SpeedConstant=1 Resistance=2 }\n"));
-        QCOMPARE(said(r), QString());
-        QCOMPARE(said(by), QString());
+        const Resolved by =
+            resolved(twin(hand.toStdString() + "  RotaryMotor m { Joint=a TorqueConstant=1 SpeedConstant=1 Resistance=2 }\n"));
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(messagesOf(by), QString());
         QCOMPARE(difference(r.config(), by.config()), std::string());
     }
 
@@ -134,7 +135,7 @@ private Q_SLOTS:
                                     "RobotConfig Kit { Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n"
                                     "  Part both { Config=Both base=chassis }\n"
                                     "  Part image { Config=Both base=chassis Mirror=y Pos=0,-1,0 } }\nRobot r { Config=Kit }\n");
-        QCOMPARE(said(r), QString());
+        QCOMPARE(messagesOf(r), QString());
         const auto heading = [&](std::size_t body) {
             return r.experiment->surfaces[r.config().bodies[body].geoms[0].surface].frictionHeading;
         };
@@ -149,9 +150,10 @@ private Q_SLOTS:
     /// A mesh is mirrored with its triangles the right way round; a height map cannot be.
     void mirrorsMeshes() {
         const Resolved r = resolved(
-            kHead + "PartConfig Block { Body b { Mesh m { File=cube.obj Shape=hull Density=1 Material=g Surface=s } } }\n"
-                    "RobotConfig Kit { Part right { Config=Block } Part left { Config=Block Mirror=y } }\nRobot r { Config=Kit }\n");
-        QCOMPARE(said(r), QString());
+            kHead +
+            "PartConfig Block { Body b { Mesh m { File=cube.obj Shape=hull Density=1 Material=g Surface=s } } }\n"
+            "RobotConfig Kit { Part right { Config=Block } Part left { Config=Block Mirror=y } }\nRobot r { Config=Kit }\n");
+        QCOMPARE(messagesOf(r), QString());
         const GeomSpec &right = r.config().bodies[0].geoms[0], &left = r.config().bodies[1].geoms[0];
         QCOMPARE(left.mesh->points[7], (std::array<double, 3>{1, -1, 1}));
         const double volume = solidOf(*right.mesh).value().mass;
@@ -167,28 +169,30 @@ private Q_SLOTS:
 
     /// Overrides at three levels: the outermost holds.
     void takesTheOutermostOverride() {
-        const std::string pair = "PartConfig Pair { Param r = 0.05\n  Part left { Config=Wheel r=$r carrier=$base motor.Resistance=3 }\n"
-                                 "  Part right { Config=Wheel Mirror=y r=$r carrier=$base } }\n";
+        const std::string pair =
+            "PartConfig Pair { Param r = 0.05\n  Part left { Config=Wheel r=$r carrier=$base motor.Resistance=3 }\n"
+            "  Part right { Config=Wheel Mirror=y r=$r carrier=$base } }\n";
         const std::string robot = "RobotConfig Kit { Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n"
                                   "  Part front { Config=Pair base=chassis right.motor.Resistance=4 right.r=0.06 } }\n";
         const auto resistances = [](const Resolved& r) {
             return std::array{r.config().devices[0].number("Resistance"), r.config().devices[1].number("Resistance")};
         };
         const Resolved plain = resolved(kHead + kWheel + pair + robot + "Robot r { Config=Kit }\n");
-        QCOMPARE(said(plain), QString());
+        QCOMPARE(messagesOf(plain), QString());
         QCOMPARE(resistances(plain), (std::array{3.0, 4.0}));
         QCOMPARE(plain.config().bodies[1].geoms[0].radius, 0.05);
         QCOMPARE(plain.config().bodies[2].geoms[0].radius, 0.06);
-        const Resolved over = resolved(kHead + kWheel + pair + robot +
-                                       "Robot r { Config=Kit front.left.motor.Resistance=7 front.r=0.08 front.right.Mirror=none }\n");
-        QCOMPARE(said(over), QString());
+        const Resolved over =
+            resolved(kHead + kWheel + pair + robot +
+                     "Robot r { Config=Kit front.left.motor.Resistance=7 front.r=0.08 front.right.Mirror=none }\n");
+        QCOMPARE(messagesOf(over), QString());
         QCOMPARE(resistances(over), (std::array{7.0, 4.0}));
         QCOMPARE(over.config().bodies[1].geoms[0].radius, 0.08);
         QCOMPARE(over.config().bodies[2].geoms[0].radius, 0.06);
         QCOMPARE(over.config().bodies[2].pose.position.y(), 0.02);
         const Resolved set = resolved(kHead + kWheel + pair + robot + "Robot r { Config=Kit }\n",
                                       {"r.front.left.motor.Resistance=9", "RobotConfig.Kit.front.right.motor.Resistance=8"});
-        QCOMPARE(said(set), QString());
+        QCOMPARE(messagesOf(set), QString());
         QCOMPARE(resistances(set), (std::array{9.0, 8.0}));
     }
 
@@ -210,42 +214,56 @@ private Q_SLOTS:
 
     /// Geoms directly in a PartConfig are scenery.
     void isSceneryInAStaticConfig() {
-        const Resolved r = resolved(kHead + "PartConfig Post { Box foot { Size=1,1,1 Pos=0,1,0 Material=g Surface=s } }\n"
-                                            "StaticConfig Arena { Part a { Config=Post Pos=0,5,0 } Part b { Config=Post Mirror=y } }\n"
-                                            "Static arena { Config=Arena }\n");
-        QCOMPARE(said(r), QString());
+        const Resolved r =
+            resolved(kHead + "PartConfig Post { Box foot { Size=1,1,1 Pos=0,1,0 Material=g Surface=s } }\n"
+                             "StaticConfig Arena { Part a { Config=Post Pos=0,5,0 } Part b { Config=Post Mirror=y } }\n"
+                             "Static arena { Config=Arena }\n");
+        QCOMPARE(messagesOf(r), QString());
         const std::vector<GeomSpec>& geoms = *r.experiment->statics.at(0).geoms;
         QCOMPARE(geoms[0].name, std::string("a.foot"));
         QCOMPARE(geoms[0].pose.position.y(), 6.0);
         QCOMPARE(geoms[1].pose.position.y(), -1.0);
     }
 
-    /// What is wrong with a part is told with its place, and with the use that it is wrong for.
+    /// What is wrong with a part is reported with its place, and with the use that it is wrong for.
     void namesPlaceAndUse_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<QString>("message");
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("note");
         QTest::newRow("unknown outside") << "Part left { Config=Wheel carrier=chasis }"
-                                         << "E208 Parent names chasis, but there is no such Body\n" << "chasis"
+                                         << "E208 Parent names chasis, but there is no such Body\n"
+                                         << "chasis"
                                          << "it is used here: $carrier";
         QTest::newRow("nothing given") << "Part left { Config=Wheel }"
-                                       << "E209 Part left needs carrier: what PartConfig Wheel is joined to\n" << "left"
+                                       << "E209 Part left needs carrier: what PartConfig Wheel is joined to\n"
+                                       << "left"
                                        << "it is used here: carrier";
         QTest::newRow("bad Param") << "Part left { Config=Wheel carrier=chassis r=-1 }"
-                                   << "E203 Radius is -1, it must be above 0\n" << "-1" << "it is used here: $r";
+                                   << "E203 Radius is -1, it must be above 0\n"
+                                   << "-1"
+                                   << "it is used here: $r";
         QTest::newRow("bad override") << "Part left { Config=Wheel carrier=chassis motor.Resistance=0 }"
-                                      << "E203 Resistance is 0, it must be above 0\n" << "0" << "";
+                                      << "E203 Resistance is 0, it must be above 0\n"
+                                      << "0"
+                                      << "";
         QTest::newRow("misspelt Param") << "Part left { Config=Wheel carier=chassis }"
                                         << "E201 Part left has no property carier\nE209 Part left needs carrier: what PartConfig "
                                            "Wheel is joined to\n"
-                                        << "carier" << "";
+                                        << "carier"
+                                        << "";
         QTest::newRow("wrong kind") << "Hinge h { Parent=world Child=chassis } Part left { Config=Wheel carrier=h }"
-                                    << "E208 Parent names h, a Hinge; it takes a Body: chassis, left.wheel or world\n" << "h" << "it is used here: $carrier";
+                                    << "E208 Parent names h, a Hinge; it takes a Body: chassis, left.wheel or world\n"
+                                    << "h"
+                                    << "it is used here: $carrier";
         QTest::newRow("no such path") << "Part left { Config=Wheel carrier=chassis moter.Resistance=1 }"
-                                      << "E314 PartConfig Wheel has no moter; it has wheel, axle and motor\n" << "moter" << "";
+                                      << "E314 PartConfig Wheel has no moter; it has wheel, axle and motor\n"
+                                      << "moter"
+                                      << "";
         QTest::newRow("config of another kind") << "Part left { Config=Kit }"
-                                                << "E208 Config names Kit, a RobotConfig; a Part takes a PartConfig\n" << "Kit" << "";
+                                                << "E208 Config names Kit, a RobotConfig; a Part takes a PartConfig\n"
+                                                << "Kit"
+                                                << "";
     }
     void namesPlaceAndUse() {
         QFETCH(QString, parts);
@@ -264,9 +282,10 @@ private Q_SLOTS:
 
     /// An error in the text of a part names its first use.
     void namesTheUseOfABrokenPart() {
-        const Resolved r = resolved(kHead + "PartConfig Wheel { Body wheel { Sphere tyre { Radius=-1 Material=g Surface=s } Mass=1 } }\n"
-                                            "RobotConfig Kit { Part left { Config=Wheel } Part right { Config=Wheel } }\n"
-                                            "Robot r { Config=Kit }\n");
+        const Resolved r =
+            resolved(kHead + "PartConfig Wheel { Body wheel { Sphere tyre { Radius=-1 Material=g Surface=s } Mass=1 } }\n"
+                             "RobotConfig Kit { Part left { Config=Wheel } Part right { Config=Wheel } }\n"
+                             "Robot r { Config=Kit }\n");
         QCOMPARE(r.diagnostics.all().size(), std::size_t(1));
         const Diagnostic& d = r.diagnostics.all()[0];
         QCOMPARE(r.slice(d.range), std::string("-1"));
@@ -276,34 +295,37 @@ private Q_SLOTS:
 
     /// A name of something outside is no name of a PartConfig.
     void saysHowToReachOutside() {
-        const Resolved r = resolved(kHead + "PartConfig Wheel { Body wheel { Sphere tyre { Radius=1 Material=g Surface=s } Mass=1 }\n"
-                                            "  Hinge axle { Parent=chassis Child=wheel } }\n");
-        QCOMPARE(said(r), QString("E208 Parent names chassis, but there is no such Body; there are wheel and world; "
-                                           "what is outside of a PartConfig comes in by a Param, Parent=$chassis\n"));
+        const Resolved r =
+            resolved(kHead + "PartConfig Wheel { Body wheel { Sphere tyre { Radius=1 Material=g Surface=s } Mass=1 }\n"
+                             "  Hinge axle { Parent=chassis Child=wheel } }\n");
+        QCOMPARE(messagesOf(r), QString("E208 Parent names chassis, but there is no such Body; there are wheel and world; "
+                                        "what is outside of a PartConfig comes in by a Param, Parent=$chassis\n"));
     }
 
     /// The default of a Param may name something of what uses the part; misspelt Params are not taken for new ones.
     void takesDefaultsOfReferences() {
-        const std::string wheel = "PartConfig Wheel { Param carrier = chassis  Body wheel { Sphere tyre { Radius=1 Material=g Surface=s } "
-                                  "Mass=1 }\n  Hinge axle { Parent=$carrier Child=wheel } }\n";
+        const std::string wheel =
+            "PartConfig Wheel { Param carrier = chassis  Body wheel { Sphere tyre { Radius=1 Material=g Surface=s } "
+            "Mass=1 }\n  Hinge axle { Parent=$carrier Child=wheel } }\n";
         const std::string robot = "RobotConfig Kit { Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n"
                                   "  Part left { Config=Wheel } }\nRobot r { Config=Kit }\n";
         const Resolved r = resolved(kHead + wheel + robot);
-        QCOMPARE(said(r), QString());
+        QCOMPARE(messagesOf(r), QString());
         QCOMPARE(r.config().joints[0].parent, 0);
         std::string misspelt = wheel;
         misspelt.replace(misspelt.find("$carrier"), 8, "$carier");
         const Resolved wrong = resolved(kHead + misspelt + robot);
-        QCOMPARE(said(wrong), QString("E211 there is no Param carier\n"));
+        QCOMPARE(messagesOf(wrong), QString("E211 there is no Param carier\n"));
         QCOMPARE(wrong.diagnostics.all()[0].suggestions.at(0), std::string("carrier"));
     }
 
-    /// Circles are told as a chain; they end.
+    /// Circles are reported as a chain; they end.
     void refusesCircles() {
         const Resolved r = resolved("PartConfig A { Part b { Config=B } }\nPartConfig B { Part a { Config=A } }\n"
                                     "RobotConfig Kit { Part a { Config=A } }\nRobot r { Config=Kit }\n");
-        QVERIFY2(said(r).startsWith("E302 PartConfigs contain each other in a circle: A > B > A\n"), qPrintable(said(r)));
-        QVERIFY(!said(r).contains("B > A > B"));
+        QVERIFY2(messagesOf(r).startsWith("E302 PartConfigs contain each other in a circle: A > B > A\n"),
+                 qPrintable(messagesOf(r)));
+        QVERIFY(!messagesOf(r).contains("B > A > B"));
         QCOMPARE(resolved("PartConfig Self { Part s { Config=Self } }\n").messages(),
                  std::string("E302 PartConfigs contain each other in a circle: Self > Self\n"));
     }
@@ -323,7 +345,8 @@ private Q_SLOTS:
     /// The work for many Parts grows with their number alone: each block of each Part is read once.
     void readsEachPartOnce() {
         const auto readsOf = [](int count) {
-            std::string text = kHead + kWheel + "RobotConfig Kit { Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n";
+            std::string text =
+                kHead + kWheel + "RobotConfig Kit { Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n";
             for (int i = 0; i < count; ++i)
                 text += "  Part p" + std::to_string(i) + " { Config=Wheel Pos=0," + std::to_string(i) + ",0 carrier=chassis }\n";
             Resolved r = resolved(text + "}\nRobot r { Config=Kit }\n");

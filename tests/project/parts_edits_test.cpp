@@ -95,6 +95,14 @@ private Q_SLOTS:
         QCOMPARE(int(value->origin), origin);
     }
 
+    /// What an override replaces is the value that holds without it: here that of the Part.
+    void inheritedValues() {
+        ObjectValues motor(m_loaded, "b.left.motor");
+        const auto value = motor.property("Resistance");
+        QCOMPARE(value->config, std::string("Kit"));
+        QVERIFY2(value->inherited.starts_with("5"), value->inherited.c_str());
+    }
+
     /// A formula in a part shows its value with the Params of each use.
     void paramsOfEachUse() {
         const auto radius = [&](const char* path) {
@@ -122,11 +130,13 @@ private Q_SLOTS:
         QTest::addColumn<QString>("asked");
         QTest::addColumn<QString>("target");
         QTest::addColumn<QString>("text");
-        const auto row = [](const char* name, const std::string& robots, const char* asked, const char* target, const char* text) {
+        const auto row = [](const char* name, const std::string& robots, const char* asked, const char* target,
+                            const char* text) {
             QTest::newRow(name) << QString::fromStdString(robots) << asked << target << text;
         };
         const std::string one = "Robot a { Config=Kit }\n";
-        row("of one of two robots", kRobots, "a.left.wheel.tyre.Mass", "a.left.wheel.tyre.Mass", "a { Config=Kit left.wheel.tyre.Mass=9");
+        row("of one of two robots", kRobots, "a.left.wheel.tyre.Mass", "a.left.wheel.tyre.Mass",
+            "a { Config=Kit left.wheel.tyre.Mass=9");
         row("of the only robot: in its config", one, "a.left.wheel.tyre.Mass", "RobotConfig.Kit.left.wheel.tyre.Mass",
             "motor.Resistance=5 wheel.tyre.Mass=9");
         row("of a Part", kRobots, "RobotConfig.Kit.left.wheel.tyre.Mass", "RobotConfig.Kit.left.wheel.tyre.Mass",
@@ -170,7 +180,8 @@ private Q_SLOTS:
 
     void resetsAndMovesOverrides() {
         const auto text = [&](const Result<EditPlan>& plan) { return m_fixture.text(m_loaded, plan); };
-        QVERIFY(text(planReset(*m_loaded, {"RobotConfig.Kit.left.motor.Resistance"})).find("carrier=chassis }") != std::string::npos);
+        QVERIFY(text(planReset(*m_loaded, {"RobotConfig.Kit.left.motor.Resistance"})).find("carrier=chassis }") !=
+                std::string::npos);
         QVERIFY(text(planReset(*m_loaded, {"b.left.motor.Resistance"})).find("Kit right.r=0.07") != std::string::npos);
         const std::string pushed = text(planPushOverride(*m_loaded, "RobotConfig.Kit.left.motor.Resistance"));
         QVERIFY2(pushed.find("SpeedConstant=1 Resistance=5") != std::string::npos, pushed.c_str());
@@ -196,7 +207,8 @@ private Q_SLOTS:
             m_loaded = m_fixture.open(kWheel + drive);
             return errors + now + " " + std::string(after->trees[0]->source().bytes());
         };
-        QVERIFY(QString::fromStdString(renamed("RobotConfig.Two.chassis", "frame")).contains("carrier=frame } Part right { Config=Wheel carrier=frame"));
+        QVERIFY(QString::fromStdString(renamed("RobotConfig.Two.chassis", "frame"))
+                    .contains("carrier=frame } Part right { Config=Wheel carrier=frame"));
         const QString motor = QString::fromStdString(renamed("PartConfig.Wheel.motor", "engine"));
         QVERIFY2(motor.startsWith("t.left.engine ") && motor.contains("LeftMotor=left.engine RightMotor=right.engine") &&
                      motor.contains("right.engine.Resistance=1") && motor.contains("t/left.engine/voltage"),

@@ -232,8 +232,7 @@ ExpressionParser::Sum ExpressionParser::call(int depth) {
         std::vector<std::string> names;
         std::string known;
         for (const Function& f : kFunctions) known += " " + names.emplace_back(f.name);
-        Sum none = fault(Code::BadExpression, nameRange,
-                         "there is no function `" + functionName + "`; there are" + known);
+        Sum none = fault(Code::BadExpression, nameRange, "there is no function `" + functionName + "`; there are" + known);
         if (Diagnostic* d = m_report.lastAt(nameRange)) {
             d->suggestions = nearestWords(functionName, names);
             if (!d->suggestions.empty()) fix(*d, d->suggestions[0], {edit(nameRange, d->suggestions[0])});
@@ -260,8 +259,7 @@ ExpressionParser::Sum ExpressionParser::call(int depth) {
         return fault(Code::TooDeep, s.expression.range,
                      "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
     if (count < function->least || count > function->most)
-        return fault(Code::BadExpression, s.expression.range,
-                     "`" + functionName + "` takes " + countWords(*function));
+        return fault(Code::BadExpression, s.expression.range, "`" + functionName + "` takes " + countWords(*function));
     return s;
 }
 

@@ -42,8 +42,7 @@ void addModelKinds(Registry& registry) {
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
     kinds.add<ViewFields>("View", Role::Look, {""}, true);
     kinds.add<BodyFields>("Body", Role::Body, {"RobotConfig", "PartConfig"});
-    const std::vector<std::string> solid{"Body", "StaticConfig", "PartConfig"},
-        ground{"StaticConfig", "PartConfig"};
+    const std::vector<std::string> solid{"Body", "StaticConfig", "PartConfig"}, ground{"StaticConfig", "PartConfig"};
     kinds.add<BoxFields>("Box", Role::Geom, solid, true);
     kinds.add<SphereFields>("Sphere", Role::Geom, solid, true);
     kinds.add<CylinderFields>("Cylinder", Role::Geom, solid, true);

@@ -15,7 +15,10 @@ void negateAt(Vec3& v, int axis) { v[axis] = negated(v[axis]); }
 } // namespace
 
 PartPlacement::PartPlacement(const PartFields& fields)
-    : m_axis(fields.mirror == "x" ? 0 : fields.mirror == "y" ? 1 : fields.mirror == "z" ? 2 : -1),
+    : m_axis(fields.mirror == "x"   ? 0
+             : fields.mirror == "y" ? 1
+             : fields.mirror == "z" ? 2
+                                    : -1),
       m_pose(poseOf(fields.pos, fields.hpr)) {}
 
 Vec3 PartPlacement::mirrored(const Vec3& vector) const {

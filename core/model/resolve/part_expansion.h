@@ -12,14 +12,14 @@ namespace trundle {
 /// The blocks of one config: the config that is resolved, or what one Part in it uses. Names are looked up in it.
 struct PartFrame {
     const Part* config = nullptr;
-    const Part* use = nullptr;          ///< the Part; nullptr: it is the config that is resolved
-    const PartFrame* outer = nullptr;   ///< of the config that holds the Part
-    std::string prefix;                 ///< of its names: "left."
-    ParamScope* scope = nullptr;        ///< the Params of the config
+    const Part* use = nullptr;        ///< the Part; nullptr: it is the config that is resolved
+    const PartFrame* outer = nullptr; ///< of the config that holds the Part
+    std::string prefix;               ///< of its names: "left."
+    ParamScope* scope = nullptr;      ///< the Params of the config
     const OverrideNode* overrides = nullptr;
-    bool isOpen = false;                ///< a PartConfig by itself: what is outside is not known
+    bool isOpen = false; ///< a PartConfig by itself: what is outside is not known
     PartPlacement placement;
-    InstanceValues given;               ///< by the Part
+    InstanceValues given; ///< by the Part
     std::map<std::string, const PartFrame*, std::less<>> inner;
 
     /// What has that name: "wheel", "left.wheel", "chassis.bumper"; nullptr if there is nothing.
@@ -70,7 +70,7 @@ private:
 
     ResolveContext& m_context;
     bool m_isScenery, m_isFull = false;
-    std::deque<PartFrame> m_frames;  // deques, since pointers to their elements are kept
+    std::deque<PartFrame> m_frames; // deques, since pointers to their elements are kept
     std::deque<ParamScope> m_scopes;
     std::deque<OverrideNode> m_overrides;
     std::vector<ExpandedPart> m_parts;

@@ -113,7 +113,8 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
         unknownReference(property.name, what, name, range, literal,
                          manyAlready(diagnostics) ? std::vector<std::string>() : FittingNames(property, geoms).in(frame));
         if ((frame.isOpen || frame.use) && !given && diagnostics.all().size() > before)
-            diagnostics.at(before).message += "; what is outside of a PartConfig comes in by a Param, " + property.name + "=$" + name;
+            diagnostics.at(before).message +=
+                "; what is outside of a PartConfig comes in by a Param, " + property.name + "=$" + name;
         return false;
     }
     if (!part->kind) return false; // reported at its block

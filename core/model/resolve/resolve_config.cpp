@@ -104,9 +104,8 @@ void checkPartConfig(ResolveContext& context, const Part& config) {
     RobotConfigSpec discarded;
     PartExpansion expansion(context, config, scope, nullptr);
     resolveParts(context, expansion, discarded);
-    expansion.each(Role::Geom, [&](const ExpandedPart& part) {
-        (void)resolveGeom(context, *part.part, *part.frame->scope, nullptr, false);
-    });
+    expansion.each(Role::Geom,
+                   [&](const ExpandedPart& part) { (void)resolveGeom(context, *part.part, *part.frame->scope, nullptr, false); });
 }
 
 } // namespace trundle

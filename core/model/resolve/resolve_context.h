@@ -64,7 +64,7 @@ public:
     /// Geoms without a Material or Surface, in order of discovery.
     std::vector<std::pair<const Part*, std::string>> defaulted;
     std::unordered_set<const Part*> defaultedParts;
-    std::size_t reads = 0;      ///< blocks read so far
+    std::size_t reads = 0; ///< blocks read so far
 
 private:
     /// Checks one name against the parts of a frame; `property` defines the accepted kinds. `given`: the name's element, if it

@@ -57,7 +57,7 @@ public:
 
 private:
     /// Resolves every config with its own values, so that errors in unused ones are reported too; PartConfigs last, since what is
-    /// wrong in one is told with the first use.
+    /// wrong in one is reported with the first use.
     void checkConfigs() {
         reportPartCircles(m_context);
         double objects = 0;
@@ -79,7 +79,7 @@ private:
 
     Record read(const Part& part, ParamScope& scope, InstanceValues& given, const Part*& config, std::string_view kind) {
         Record record = readInstance(m_context, part, scope, given, config, kind);
-        for (const auto& [name, value] : config && m_params ? *m_params : InstanceVariants::Params{}) given.addParam(name, value);
+        for (const auto& [name, value] : config&& m_params ? *m_params : InstanceVariants::Params{}) given.addParam(name, value);
         return record;
     }
 

@@ -25,7 +25,8 @@ struct Target {
 std::vector<Target> nearTo(const LoadedProject& loaded, const ObjectLocation& place, std::string path) {
     std::vector<Target> all{{place.part, path}};
     for (auto it = place.above.rbegin(); it != place.above.rend(); ++it) {
-        const bool isHolderOfConfig = (*it)->config && all.back().part == (*it)->config; // a Part and its PartConfig have one path
+        const bool isHolderOfConfig =
+            (*it)->config && all.back().part == (*it)->config; // a Part and its PartConfig have one path
         if (!isHolderOfConfig) path = withoutLastWord(path);
         all.push_back({*it, path});
     }

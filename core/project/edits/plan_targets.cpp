@@ -50,8 +50,8 @@ namespace {
 bool mixesScenery(const Kind& kind, const Part& config) {
     const auto isOfRobot = [](Role role) { return role == Role::Body || role == Role::Joint || role == Role::Device; };
     return std::ranges::any_of(config.parts, [&](const Part& part) {
-        return part.kind && (kind.role == Role::Geom ? isOfRobot(part.kind->role)
-                                                     : isOfRobot(kind.role) && part.kind->role == Role::Geom);
+        return part.kind &&
+               (kind.role == Role::Geom ? isOfRobot(part.kind->role) : isOfRobot(kind.role) && part.kind->role == Role::Geom);
     });
 }
 

@@ -210,7 +210,8 @@ private:
     }
 
     /// Every word of "left.wheel.tyre" names something.
-    void path(const Part& config, const ValueWord& said, const ValueContext& place, const std::string& key, bool pattern = false) {
+    void path(const Part& config, const ValueWord& said, const ValueContext& place, const std::string& key,
+              bool pattern = false) {
         const Part* at = &config;
         SourceRange before;
         for (std::size_t begin = 0; begin <= said.text.size();) {

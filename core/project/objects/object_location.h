@@ -12,11 +12,11 @@
 namespace trundle {
 
 struct ObjectLocation {
-    const Part* part = nullptr;     ///< its block; for an object reached through an instance, the block in the config
+    const Part* part = nullptr; ///< its block; for an object reached through an instance, the block in the config
     /// The Robot, Static, Grid or Scatter that it is or is reached through; of a path into a config, the first Part on it.
     const Part* instance = nullptr;
-    std::string within;             ///< path below the instance: "chassis.hull"; empty: the instance itself, or no instance
-    bool member = false;            ///< a member of a Grid or Scatter ("swarm_3"), which has no text of its own
+    std::string within;  ///< path below the instance: "chassis.hull"; empty: the instance itself, or no instance
+    bool member = false; ///< a member of a Grid or Scatter ("swarm_3"), which has no text of its own
     /// The enclosing blocks of `part`, outermost first; empty: it is at the top level. A Part is followed by its PartConfig.
     std::vector<const Part*> above;
 };

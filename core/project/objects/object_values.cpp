@@ -114,6 +114,13 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
         const bool isOurs = set->layer->instance == m_place.instance;
         fill(field, {set->assignment->value, set->assignment->file, set->layer->scope,
                      isOurs ? ValueOrigin::Override : ValueOrigin::Config});
+        for (const PathScopes::Layer& inner : m_scopes->layers()) { // an inner Part may override it too
+            if (&inner <= set->layer || inner.inside.empty()) continue;
+            const SourceAssignment* next = inner.instance->assignments.find(pathInside(inner.inside, property.name));
+            if (!next) continue;
+            a = next;
+            break;
+        }
         fillInherited(field, *set->layer, a ? a->value : nullptr, a ? a->file : kNoFile);
     } else if (a) {
         fill(field, {a->value, a->file, &scope, m_inConfig || isOfConfig ? ValueOrigin::Config : ValueOrigin::Own});

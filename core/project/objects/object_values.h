@@ -58,7 +58,7 @@ public:
     [[nodiscard]] const std::string& shownPath() const { return m_shownPath; } ///< as selected
     /// nullptr if the kind is unknown, for example of a module that could not be loaded.
     [[nodiscard]] const Kind* kind() const { return m_kind; }
-    [[nodiscard]] const Part* part() const { return m_part; }         ///< nullptr: the experiment
+    [[nodiscard]] const Part* part() const { return m_part; }               ///< nullptr: the experiment
     [[nodiscard]] const Part* instance() const { return m_place.instance; } ///< the object, or the path goes through it
     [[nodiscard]] const Part* config() const { return m_config; } ///< of the object, of the instance, or the one that contains it
     [[nodiscard]] bool isInstance() const { return m_part && isPlaced(*m_part); }

@@ -55,7 +55,8 @@ ParamScope& PathScopes::configScope() {
 std::optional<PathScopes::Override> PathScopes::overrideOf(std::string_view key, bool isParam) const {
     for (const Layer& layer : m_layers) {
         if (layer.inside.empty() && !isParam) continue;
-        if (const SourceAssignment* a = layer.instance->assignments.find(pathInside(layer.inside, key))) return Override{a, &layer};
+        if (const SourceAssignment* a = layer.instance->assignments.find(pathInside(layer.inside, key)))
+            return Override{a, &layer};
     }
     return std::nullopt;
 }

@@ -3,9 +3,7 @@
 namespace trundle {
 namespace {
 
-std::size_t endOfWord(std::string_view path, std::size_t begin) {
-    return std::min(path.find_first_of("./", begin), path.size());
-}
+std::size_t endOfWord(std::string_view path, std::size_t begin) { return std::min(path.find_first_of("./", begin), path.size()); }
 
 /// The name of the instance that a path begins with; it may itself be dotted, like the path of its config ("RobotConfig.Rover").
 std::string_view instanceOf(std::string_view path) {

@@ -313,8 +313,8 @@ private:
 
     void expression() {
         params({});
-        for (const char* name : {"abs", "acos", "asin", "atan2", "ceil", "cos", "floor", "if", "max", "min", "mod", "round", "sin",
-                                 "sqrt", "tan"})
+        for (const char* name :
+             {"abs", "acos", "asin", "atan2", "ceil", "cos", "floor", "if", "max", "min", "mod", "round", "sin", "sqrt", "tan"})
             add(CompletionSort::Word, name, std::string(name) + "(", "",
                 std::string(name) == "cos" || std::string(name) == "sin" || std::string(name) == "tan" ? "Of an angle in degrees."
                                                                                                        : "");

@@ -84,8 +84,6 @@ private:
     void take(const std::string& path);
     void takeLayout(const std::string& path);
     void takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside);
-    /// The local pose after a motion in the world.
-    [[nodiscard]] static Pose movedLocal(const Item& item, const Pose& motion);
     [[nodiscard]] std::string textOf(const std::string& property) const;
     /// The edits that resize an instance: its Param, and Pos if the opposite side is to stay.
     void resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) const;

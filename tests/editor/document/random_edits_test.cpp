@@ -33,8 +33,8 @@ RobotConfig Rover {
 
 class RandomEdits {
 public:
-    RandomEdits(Document& document, const DocumentFixture& fixture, unsigned seed)
-        : m_document(document), m_fixture(fixture), m_seed(seed), m_random(seed) {
+    RandomEdits(Document& document, const DocumentFixture& fixture, unsigned seed, bool parts)
+        : m_document(document), m_fixture(fixture), m_seed(seed), m_parts(parts), m_random(seed) {
         document.structure().setShareQuestionHandler([this](const ShareQuestion&, const StructureEdits::ShareAnswer& answer) {
             static constexpr ShareChoice kChoices[] = {ShareChoice::Cancel, ShareChoice::MakeCopy, ShareChoice::Cancel,
                                                        ShareChoice::ChangeForAll};
@@ -84,21 +84,22 @@ public:
 private:
     void setValue() {
         const std::string number = std::to_string(below(50) + 1);
-        const std::vector<ValueEdit> choices{{"robot0.Pos", number + ",0,0"},
-                                             {"robot1.Pos", "0," + number + ",0"},
-                                             {"robot0.chassis.hull.Mass", number},
-                                             {"RobotConfig.Rover.chassis.hull.Mass", number + " kg"},
-                                             {"Tick", number + " ms"},
-                                             {"Seed", number},
-                                             {"robot1.HPR", "-" + number + ",0,0"},
-                                             {"robot0.left.wheel.tyre.Mass", number},
-                                             {"robot1.right.r", "0." + number},
-                                             {"RobotConfig.Rover.left.wheel.tyre.Mass", number + " kg"},
-                                             {"RobotConfig.Rover.right.Pos", "0,-0." + number + ",0.05"},
-                                             {"RobotConfig.Rover.left.Mirror", number.size() % 2 ? "x" : "none"},
-                                             {"PartConfig.Wheel.r", "0." + number},
-                                             {"Tick", "-" + number},
-                                             {"robot7.Pos", "0,0,0"}};
+        std::vector<ValueEdit> choices{{"robot0.Pos", number + ",0,0"},
+                                       {"robot1.Pos", "0," + number + ",0"},
+                                       {"robot0.chassis.hull.Mass", number},
+                                       {"RobotConfig.Rover.chassis.hull.Mass", number + " kg"},
+                                       {"Tick", number + " ms"},
+                                       {"Seed", number},
+                                       {"robot1.HPR", "-" + number + ",0,0"},
+                                       {"Tick", "-" + number},
+                                       {"robot7.Pos", "0,0,0"}};
+        if (m_parts)
+            choices.insert(choices.end(), {{"robot0.left.wheel.tyre.Mass", number},
+                                           {"robot1.right.r", "0." + number},
+                                           {"RobotConfig.Rover.left.wheel.tyre.Mass", number + " kg"},
+                                           {"RobotConfig.Rover.right.Pos", "0,-0." + number + ",0.05"},
+                                           {"RobotConfig.Rover.left.Mirror", number.size() % 2 ? "x" : "none"},
+                                           {"PartConfig.Wheel.r", "0." + number}});
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
         (void)m_document.structure().setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path.text());
@@ -111,7 +112,7 @@ private:
         for (const Part* config : before.outline->configs.all())
             if (config->kind) objects.push_back(config->kind->name + "." + config->name);
         const std::string object = objects[below(objects.size())], body = object + ".chassis";
-        const std::size_t configs = before.outline->configs.all().size(), which = below(8);
+        const std::size_t configs = before.outline->configs.all().size(), which = below(m_parts ? 8 : 4);
         const std::string name = "part" + std::to_string(below(100));
         const Status done = m_document.structure().apply(
             u"Structure"_qs, {object}, [&](const LoadedProject& loaded, const auto& renamed) -> Result<EditPlan> {
@@ -119,12 +120,13 @@ private:
                 case 0: return planInsert(loaded, renamed(object), "Body " + name + " { Sphere ball { Radius=0.1 Mass=1 } }");
                 case 1: return planDuplicate(loaded, {renamed(body)}, Vec3(0.1, 0, 0));
                 case 2: return planRename(loaded, renamed(object + ".leftAxle"), name);
-                case 3: return planRename(loaded, renamed(object + ".left.wheel"), name);
+                case 3: return planRemove(loaded, {renamed(object + ".rightAxle")});
                 case 4: return planDuplicate(loaded, {renamed(object + ".left")}, Vec3(0, 0.1, 0));
                 case 5: return planRemove(loaded, {renamed(object + ".right")});
                 case 6:
-                    return planInsert(loaded, renamed(object), "Part " + name + " { Config=Wheel carrier=chassis Pos=0.2,0,0.1 }");
-                default: return planRemove(loaded, {renamed(object + ".rightAxle")});
+                    return planInsert(loaded, renamed(object),
+                                      "Part " + name + " { Config=Wheel carrier=chassis Pos=0.2,0,0.1 }");
+                default: return planRename(loaded, renamed(object + ".left.wheel"), name);
                 }
             });
         structures += done.ok();
@@ -166,6 +168,7 @@ private:
     Document& m_document;
     const DocumentFixture& m_fixture;
     const unsigned m_seed;
+    const bool m_parts; ///< the rover is made of parts
     unsigned m_asked = 0;
     std::mt19937 m_random;
 };
@@ -191,7 +194,7 @@ private Q_SLOTS:
         if (parts) (void)fixture.write("configs/robots/rover.sim", kPartsRover);
         Document d(*m_application);
         QVERIFY(d.opening().open(fixture.main).ok());
-        RandomEdits random(d, fixture, seed);
+        RandomEdits random(d, fixture, seed, parts);
         for (int i = 0; i < edits; ++i) {
             if (i % 10 == 0) random.undoErrors();
             if (i % 10 == 9) random.group();
