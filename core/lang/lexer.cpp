@@ -195,7 +195,9 @@ void Lexer::punctuation() {
     switch (m_scan.at(m_at)) {
     case '{': return structure(TokenKind::OpenBrace);
     case '}': return structure(TokenKind::CloseBrace);
-    case '=': return m_scan.startsWith(m_at, "==") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Equals, 1);
+    case '=':
+        if (m_parens > 0 && m_scan.startsWith(m_at, "==")) return emit(TokenKind::Unknown, m_at + 2); // a comparison
+        return m_scan.startsWith(m_at, "==") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Equals, 1);
     case ':': return m_scan.startsWith(m_at, ":=") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Unknown, 1);
     case ',':
         if (m_parens == 0 && m_state == LexerState::AfterElement) m_state = LexerState::Value;
@@ -225,6 +227,8 @@ void Lexer::unknown() {
         return emit(TokenKind::Unknown, quoted);
     }
     const char c = m_scan.at(m_at);
+    const bool compares = m_parens > 0 && (c == '<' || c == '>' || c == '!') && m_scan.at(m_at + 1) == '=';
+    if (compares) return emit(TokenKind::Unknown, m_at + 2);
     if (static_cast<unsigned char>(c) > ' ' && static_cast<unsigned char>(c) < 0x7F) return emit(TokenKind::Unknown, m_at + 1);
     // Invalid bytes and valid code points become separate tokens, since they are reported differently.
     const bool valid = codePointAt(m_text, m_at).valid && c != '\0';

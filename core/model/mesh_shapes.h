@@ -19,6 +19,7 @@ class MeshShapes {
 public:
     using Mesh = std::shared_ptr<const TriangleMesh>;
 
+    /// Negative factors give mirror images.
     [[nodiscard]] Mesh scaled(const Mesh& mesh, const std::array<double, 3>& scale);
     /// Null if the points are in one plane.
     [[nodiscard]] Mesh hull(const Mesh& mesh);

@@ -113,6 +113,7 @@ std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, st
         if (!namers.try_emplace(space, diagnostics).first->second.name(*part)) part->usable = false;
         else space->add(*part);
     }
+    outline->linkParts();
     return outline;
 }
 

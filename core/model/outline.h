@@ -31,8 +31,19 @@ public:
     [[nodiscard]] const Registry& registry() const { return *m_registry; }
     /// The name space of a kind, the first word of `Surface.rubber`; nullptr for kinds without one.
     [[nodiscard]] const NameSpace* spaceOf(const Kind& kind) const;
+    /// Leads every Part to its PartConfig, except where PartConfigs would contain each other, and adds the Params to PartConfigs that
+    /// their references imply. Called by build(), and again where values were set.
+    void linkParts();
+    /// PartConfigs that contain each other.
+    struct PartCircle {
+        const Part* use = nullptr; ///< the Part that closes the circle; it has no config
+        std::string chain;         ///< "A > B > A"
+    };
+    [[nodiscard]] const std::vector<PartCircle>& partCircles() const { return m_circles; }
 
 private:
+    void linkPart(Part& part, const Part* owner);
+    std::vector<PartCircle> m_circles;
     std::shared_ptr<const TextSet> m_texts;
     std::shared_ptr<const Registry> m_registry;
 };

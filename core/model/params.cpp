@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "base/units.h"
 #include "model/outline.h"
@@ -33,6 +34,15 @@ double sine(double degrees) {
         return exact[((static_cast<long long>(quarters) % 4) + 4) % 4];
     }
     return std::sin(degrees * std::numbers::pi / 180);
+}
+
+const std::set<std::string_view> kPairs{"mod", "atan2", "<", ">", "<=", ">=", "==", "!="};
+
+std::optional<double> wholeNumber(const std::string& function, double value) {
+    if (function == "floor") return std::floor(value);
+    if (function == "ceil") return std::ceil(value);
+    if (function == "round") return std::round(value);
+    return std::nullopt;
 }
 
 /// An element that is written out; of others only where it is.
@@ -254,17 +264,23 @@ std::optional<Evaluator::Amount> Evaluator::paramAmount(const Expression& e, Fil
     const GivenElement& element = value->elements[0];
     if (element.kind != GivenElement::Kind::Number)
         return fault(e, file, "Param " + e.name + " is " + elementText(element) + ", an expression takes numbers");
-    if (element.unit.empty()) return Amount{element.number, {}};
-    const UnitInfo* unit = findUnit(element.unit);
-    if (!unit) return fault(e, file, "Param " + e.name + " is " + elementText(element) + ": there is no unit " + element.unit);
-    if (element.unit == "%") return Amount{element.number * unit->factor, {}};
+    if (!element.unit.empty() && !findUnit(element.unit))
+        return fault(e, file, "Param " + e.name + " is " + elementText(element) + ": there is no unit " + element.unit);
+    return inBaseUnit(element.number, element.unit);
+}
+
+/// With the unit of plain numbers of its dimension.
+Evaluator::Amount Evaluator::inBaseUnit(double number, const std::string& written) {
+    const UnitInfo* unit = findUnit(written);
+    if (!unit) return {number, {}};
+    if (written == "%") return {number * unit->factor, {}};
     const std::string base = baseUnit(unit->dimension);
-    return Amount{convertUnit(element.number, element.unit, base).value_or(element.number), base};
+    return {convertUnit(number, written, base).value_or(number), base};
 }
 
 std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId file, ParamScope& scope) {
     using Op = Expression::Op;
-    if (e.op == Op::Number) return Amount{e.number, {}};
+    if (e.op == Op::Number) return inBaseUnit(e.number, e.name);
     if (e.op == Op::Name) return paramAmount(e, file, scope);
     if (e.op == Op::Call) return call(e, file, scope);
     if (e.arguments.empty() || (e.op != Op::Negate && e.arguments.size() < 2)) return std::nullopt; // reported by the parser
@@ -293,7 +309,33 @@ std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId f
     }
 }
 
+/// Of a condition only the branch that holds is evaluated: the other one may divide by zero.
+std::optional<Evaluator::Amount> Evaluator::choice(const Expression& e, FileId file, ParamScope& scope) {
+    const std::optional<Amount> condition = amount(e.arguments[0], file, scope);
+    if (!condition) return std::nullopt;
+    return amount(e.arguments[condition->value != 0 ? 1 : 2], file, scope);
+}
+
+std::optional<Evaluator::Amount> Evaluator::withTwo(const Expression& e, FileId file, const Amount& a, const Amount& b) {
+    if (!a.unit.empty() && !b.unit.empty() && a.unit != b.unit)
+        return fault(e, file, a.unit + " and " + b.unit + " cannot be compared");
+    if (e.name == "mod") {
+        if (b.value == 0) return fault(e, file, "division by zero");
+        const double rest = std::fmod(a.value, b.value); // with the sign of b, so that angles wrap
+        return Amount{rest != 0 && (rest < 0) != (b.value < 0) ? rest + b.value : rest, a.unit.empty() ? b.unit : a.unit};
+    }
+    if (e.name == "atan2") return Amount{std::atan2(a.value, b.value) * 180 / std::numbers::pi, "deg"};
+    const bool holds = e.name == "<"    ? a.value < b.value
+                       : e.name == ">"  ? a.value > b.value
+                       : e.name == "<=" ? a.value <= b.value
+                       : e.name == ">=" ? a.value >= b.value
+                       : e.name == "==" ? a.value == b.value
+                                        : a.value != b.value;
+    return Amount{holds ? 1.0 : 0.0, {}};
+}
+
 std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId file, ParamScope& scope) {
+    if (e.name == "if" && e.arguments.size() == 3) return choice(e, file, scope);
     std::vector<Amount> args;
     for (const Expression& argument : e.arguments) {
         const std::optional<Amount> a = amount(argument, file, scope);
@@ -312,7 +354,9 @@ std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId fil
         }
         return best;
     }
-    static const std::string functions[] = {"min", "max", "abs", "sqrt", "sin", "cos", "tan"};
+    if (kPairs.contains(e.name) && takes(2)) return withTwo(e, file, args[0], args[1]);
+    static const std::string functions[] = {"min",  "max", "abs",   "sqrt", "sin",   "cos",   "tan", "asin",
+                                            "acos", "mod", "floor", "ceil", "round", "atan2", "if"};
     if (std::find(std::begin(functions), std::end(functions), e.name) == std::end(functions)) {
         Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range},
                                             "there is no function " + e.name + "; there are " + listText(functions, "and"));
@@ -323,6 +367,13 @@ std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId fil
     if (!takes(1)) return fault(e, file, e.name + " takes one number");
     const Amount a = args[0];
     if (e.name == "abs") return Amount{std::abs(a.value), a.unit};
+    if (const auto whole = wholeNumber(e.name, a.value)) return Amount{*whole, a.unit};
+    if (e.name == "asin" || e.name == "acos") {
+        if (!a.unit.empty()) return fault(e, file, e.name + " takes a number without unit, this is in " + a.unit);
+        if (std::abs(a.value) > 1) return fault(e, file, e.name + " of " + numberText(a.value) + " is not a number");
+        const double radians = e.name == "asin" ? std::asin(a.value) : std::acos(a.value);
+        return Amount{radians * 180 / std::numbers::pi, "deg"};
+    }
     if (e.name == "sqrt") {
         if (a.value < 0) return fault(e, file, "the square root of " + numberText(a.value) + " is not a number");
         return Amount{std::sqrt(a.value), {}};

@@ -68,6 +68,9 @@ private:
     [[nodiscard]] const GivenValue* paramValue(std::string_view name, SourceRange place, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> amount(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> paramAmount(const Expression& e, FileId file, ParamScope& scope);
+    [[nodiscard]] static Amount inBaseUnit(double number, const std::string& written);
+    [[nodiscard]] std::optional<Amount> choice(const Expression& e, FileId file, ParamScope& scope);
+    [[nodiscard]] std::optional<Amount> withTwo(const Expression& e, FileId file, const Amount& a, const Amount& b);
     [[nodiscard]] std::optional<Amount> call(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> fault(const Expression& e, FileId file, std::string message);
     [[nodiscard]] std::optional<Amount> finite(const Expression& e, FileId file, Amount amount);

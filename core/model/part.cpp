@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/dotted_path.h"
+
 namespace trundle {
 
 void Part::makeIndex() {
@@ -15,7 +17,17 @@ const Part* Part::find(std::string_view part) const {
         return it == index.end() ? nullptr : &parts[it->second];
     }
     const auto it = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == part; });
-    return it == parts.end() ? nullptr : &*it;
+    if (it != parts.end()) return &*it;
+    return config ? config->find(part) : nullptr;
+}
+
+const Part* Part::findPath(std::string_view path) const {
+    const Part* at = find(firstWord(path));
+    while (at && firstWord(path) != path) { // an empty word, as in "arm.", is no name
+        path = withoutFirstWord(path);
+        at = at->find(firstWord(path));
+    }
+    return at;
 }
 
 const SourceParam* Part::param(std::string_view key) const {

@@ -1,6 +1,7 @@
 #pragma once
 // A named block of an experiment, and lists of them by name.
 
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -9,6 +10,12 @@
 #include "schema/kind.h"
 
 namespace trundle {
+
+/// A Param that no text declares: `$name` as the reference of a PartConfig to something outside of it.
+struct ImpliedParam {
+    Name name;
+    Value value; ///< without elements
+};
 
 /// One block with its name and its inner blocks.
 struct Part {
@@ -23,14 +30,21 @@ struct Part {
     std::vector<SourceParam> params;
     std::vector<Part> parts;                            ///< inner blocks, in order
     std::unordered_map<std::string, std::size_t> index; ///< parts by name, only for long lists
+    const Part* config = nullptr;                       ///< of a Part: the PartConfig that it uses, see Outline::linkParts()
+    std::vector<std::shared_ptr<const ImpliedParam>> implied; ///< of a PartConfig: the texts of its implied Params
 
     [[nodiscard]] SourceRange nameRange() const { return {file, block->name ? block->name->range : block->type.range}; }
     [[nodiscard]] SourceRange typeRange() const { return {file, block->type.range}; }
     /// For messages: "Cylinder tyre".
     [[nodiscard]] std::string title() const { return block->name ? block->type.text + " " + name : block->type.text; }
+    /// What has that name inside; of a Part also what its PartConfig has.
     [[nodiscard]] const Part* find(std::string_view part) const;
+    /// The same for a path, "left.wheel.tyre".
+    [[nodiscard]] const Part* findPath(std::string_view path) const;
     [[nodiscard]] bool is(Role role) const { return kind && kind->role == role; }
     [[nodiscard]] const SourceParam* param(std::string_view key) const;
+    /// Whether it is a Part: an instance inside a config, with parts of its own.
+    [[nodiscard]] bool isPartUse() const { return kind && kind->name == "Part"; }
     void makeIndex();
 };
 

@@ -93,8 +93,8 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     for (const Kind* kind : m_registry.all()) {
         if (isAllowedInside(*kind, kindIn(parent))) candidates.push_back(kind->name);
     }
-    const bool holdsModuleKinds =
-        parent && (parent->is(Role::Instance) || parent->is(Role::Layout) || kindIn(parent) == "RobotConfig");
+    const bool isWorldInstance = parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && !parent->isPartUse();
+    const bool holdsModuleKinds = isWorldInstance || kindIn(parent) == "RobotConfig" || kindIn(parent) == "PartConfig";
     std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : nearestWords(word, candidates);
     if (m_texts.openModules && holdsModuleKinds && (near.empty() || !parent->is(Role::Config))) return;
     if (near.empty() && !manyAlready(m_diagnostics)) {
@@ -109,7 +109,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
         d.message += parent ? "; " + withArticle(kindIn(parent)) +
                                   (candidates.empty() ? " holds no blocks" : " may hold " + listText(candidates))
                             : "; allowed at the top level: " + listText(candidates, "and");
-        if (parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && candidates.empty()) {
+        if (isWorldInstance && candidates.empty()) {
             d.message = "there is no kind " + word + "; a controller's kind comes from the module that #loadModule names";
         }
     }

@@ -33,24 +33,35 @@ std::optional<Provenance> inPart(const Outline& outline, const Part& part, const
     return Provenance{Origin::Default, {}, part.nameRange(), property};
 }
 
+std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words,
+                                       Origin origin);
+
 std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std::span<const std::string> words, Origin origin) {
     if (words.size() == 1) return inPart(outline, part, words[0], origin);
     const Part* inner = part.find(words[0]);
-    return inner ? fromPart(outline, *inner, words.subspan(1), origin) : std::nullopt;
+    if (!inner) return std::nullopt;
+    const std::span<const std::string> rest = words.subspan(1);
+    return inner->isPartUse() ? fromInstance(outline, *inner, rest, origin) : fromPart(outline, *inner, rest, origin);
 }
 
-std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words) {
-    if (auto own = fromPart(outline, instance, words, Origin::Instance)) return own;
+/// `origin`: of what the instance's own block sets.
+std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words,
+                                       Origin origin) {
+    std::optional<Provenance> own = words.size() == 1      ? inPart(outline, instance, words[0], origin)
+                                    : instance.isPartUse() ? std::nullopt
+                                                           : fromPart(outline, instance, words, origin);
+    if (own) return own;
     const Part* config = configOf(outline, instance);
     std::optional<Provenance> inConfig = config ? fromPart(outline, *config, words, Origin::Config) : std::nullopt;
     const SourceAssignment* a = instance.assignments.find(joined(words));
     if (!inConfig || !a) return inConfig;
-    return found(outline, *a, Origin::Instance, inConfig->property, instance.nameRange());
+    return found(outline, *a, origin, inConfig->property, instance.nameRange());
 }
 
 } // namespace
 
 const Part* configOf(const Outline& outline, const Part& instance) {
+    if (instance.isPartUse()) return instance.config;
     const SourceAssignment* a = instance.assignments.find("Config");
     if (!a || a->value->elements.size() != 1) return nullptr;
     const Element& e = a->value->elements[0];
@@ -86,7 +97,7 @@ std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view 
     if (!part || used >= words.size()) return std::nullopt;
     const std::span<const std::string> rest = std::span(words).subspan(used);
     const bool instance = part->is(Role::Instance) || part->is(Role::Layout);
-    return instance ? fromInstance(outline, *part, rest) : fromPart(outline, *part, rest, Origin::Config);
+    return instance ? fromInstance(outline, *part, rest, Origin::Instance) : fromPart(outline, *part, rest, Origin::Config);
 }
 
 } // namespace trundle

@@ -47,7 +47,7 @@ private:
         const std::vector<Name>& path = m_set->item->path;
         const Part* at = &part;
         for (; i + 1 < path.size(); ++i) {
-            const Part* next = at->find(path[i].text);
+            const Part* next = at->isPartUse() ? nullptr : at->find(path[i].text);
             if (next) {
                 at = next;
                 continue;
@@ -142,7 +142,9 @@ PathStart startOfPath(const Outline& outline, std::span<const std::string> path)
 }
 
 AppliedSets applySets(Outline& outline, Diagnostics& diagnostics) {
-    return Applier(outline, true, diagnostics).run(outline.texts().sets);
+    AppliedSets applied = Applier(outline, true, diagnostics).run(outline.texts().sets);
+    if (!applied.targets.empty()) outline.linkParts(); // a set may name another PartConfig
+    return applied;
 }
 
 AppliedSets targetsOfSets(const Outline& outline, std::span<const SetText> sets, Diagnostics& diagnostics) {

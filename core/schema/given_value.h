@@ -1,6 +1,7 @@
 #pragma once
 // A value as written, after evaluation of Params and expressions.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct GivenElement {
     SourceRange unitRange; ///< empty if there is no unit
     SourceRange source;    ///< range of the value itself where it comes from a Param
     bool literal = true;   ///< written literally in the text, so that a fix may rewrite it
+    /// How many Parts further out it was written: a name in it is looked up there.
+    std::uint32_t level = 0;
 };
 
 struct GivenValue {

@@ -97,7 +97,7 @@ struct MountCalls {
     static std::int32_t geom(void* context, const char* path, std::uint32_t* out) {
         Device& d = device(context);
         const std::string asked = moduleName(path);
-        const std::string_view bodyName = firstWord(asked), geomName = withoutFirstWord(asked);
+        const std::string_view bodyName = withoutLastWord(asked), geomName = lastWord(asked); // left.wheel.tyre
         const int b = indexOf(config(d).bodies, bodyName);
         if (b < 0) {
             d.note(unknownName("body", bodyName, config(d).bodies));

@@ -1,4 +1,5 @@
 // Reading a world's state, external commands to it, and its end in a fault.
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 
@@ -111,12 +112,15 @@ Status BuiltWorld::place(const std::string& name, const Pose& pose) {
 Status BuiltWorld::setSurface(const SurfaceSpec& surface) {
     if (!isSurface(surface)) return Error{Code::OutOfRange, "the surface " + surface.name + " cannot have these values"};
     const std::vector<SurfaceSpec>& surfaces = m_experiment->surfaces;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        if (surfaces[i].name != surface.name) continue;
-        m_engine->setSurface(i, surface);
-        return {};
+    const auto first = std::ranges::find(surfaces, surface.name, &SurfaceSpec::name);
+    if (first == surfaces.end()) return Error{Code::UnknownReference, "there is no surface " + surface.name};
+    for (auto s = first; s != surfaces.end(); ++s) {
+        if (s->name != surface.name) continue;
+        SurfaceSpec values = surface;
+        if (s != first) values.frictionHeading = -values.frictionHeading; // that of mirrored parts
+        m_engine->setSurface(static_cast<std::size_t>(s - surfaces.begin()), values);
     }
-    return Error{Code::UnknownReference, "there is no surface " + surface.name};
+    return {};
 }
 
 Status BuiltWorld::setProperty(const std::string& path, const std::string& property, const PropertyValue& value) {

@@ -22,6 +22,9 @@ std::vector<const Part*> instancesForCopy(const LoadedProject& loaded, const std
     for (const std::string& path : edited) {
         const auto place = placeOf(loaded, path);
         const Part* instance = place ? place->instance : nullptr;
+        if (place) // an inner Part may be what uses it
+            for (const Part* part : place->above)
+                if (part->config == &config) instance = part;
         if (instance && configOf(loaded, *instance) == &config && std::ranges::find(through, instance) == through.end())
             through.push_back(instance);
     }

@@ -38,6 +38,7 @@ QString iconOf(const OutlineRow& row) {
     case OutlineGroup::Modules: return QStringLiteral("module");
     case OutlineGroup::RobotConfigs: return QStringLiteral("kind-robotconfig");
     case OutlineGroup::StaticConfigs: return QStringLiteral("kind-staticconfig");
+    case OutlineGroup::PartConfigs: return QStringLiteral("kind-partconfig");
     case OutlineGroup::Materials: return QStringLiteral("kind-material");
     case OutlineGroup::Surfaces: return QStringLiteral("kind-surface");
     case OutlineGroup::Misplaced: break;

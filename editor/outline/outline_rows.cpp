@@ -37,16 +37,19 @@ OutlineGroup plainGroupOf(const Part& part) {
     case Role::Medium:
     case Role::Pattern: return OutlineGroup::Radio;
     case Role::Log: return OutlineGroup::Logs;
-    case Role::Config: return part.kind->name == "StaticConfig" ? OutlineGroup::StaticConfigs : OutlineGroup::RobotConfigs;
+    case Role::Config:
+        return part.kind->name == "StaticConfig" ? OutlineGroup::StaticConfigs
+               : part.kind->name == "PartConfig" ? OutlineGroup::PartConfigs
+                                                 : OutlineGroup::RobotConfigs;
     case Role::Material: return OutlineGroup::Materials;
     case Role::Surface: return OutlineGroup::Surfaces;
     default: return OutlineGroup::Misplaced;
     }
 }
 
-constexpr std::array<const char*, kOutlineGroups> kGroupNames{"Robots",          "Objects",   "Scenery",  "Light and views",
-                                                              "Radio",           "Logs",      "Modules",  "Robot configs",
-                                                              "Scenery configs", "Materials", "Surfaces", "Misplaced"};
+constexpr std::array<const char*, kOutlineGroups> kGroupNames{
+    "Robots",        "Objects",         "Scenery",      "Light and views", "Radio",    "Logs",     "Modules",
+    "Robot configs", "Scenery configs", "Part configs", "Materials",       "Surfaces", "Misplaced"};
 constexpr std::size_t kMaxBeside = 100; // members below one row; more are split into ranges
 
 /// "10×10" from `Count = 10, 10`.
@@ -59,6 +62,12 @@ std::string countOf(const LoadedProject& loaded, const Part& layout) {
         else if (!std::isspace(static_cast<unsigned char>(c))) text += c;
     }
     return text.size() < 24 ? text + " " : std::string();
+}
+
+/// What an instance names as its config, as written; its kind if it names none.
+std::string configText(const LoadedProject& loaded, const Part& instance) {
+    const SourceAssignment* a = instance.assignments.find("Config");
+    return a ? std::string(loaded.sources.slice(a->valueRange())) : instance.kind->name;
 }
 
 std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
@@ -357,19 +366,16 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
     row.tip = part.kind->name + ": " + part.kind->help;
     if (instance) {
         const Part* config = configOf(*m_loaded, part);
-        const SourceAssignment* a = part.assignments.find("Config");
         row.detail =
-            (part.is(Role::Layout) ? countOf(*m_loaded, part) : "") + (config ? config->name
-                                                                       : a ? std::string(m_loaded->sources.slice(a->valueRange()))
-                                                                           : part.kind->name);
+            (part.is(Role::Layout) ? countOf(*m_loaded, part) : "") + (config ? config->name : configText(*m_loaded, part));
         // A config that contains an instance of itself (an error) would recurse without end.
-        if (m_mode == OutlineMode::ByOwner && above.type != OutlineRow::Type::Object) row.config = config;
+        const bool isEndless = above.type == OutlineRow::Type::Object && !part.isPartUse();
+        if (m_mode == OutlineMode::ByOwner && !isEndless) row.config = config;
         row.hasRows |= row.config && !row.config->parts.empty();
         row.hasRows |= m_members.contains(&part);
         row.passive = isPassive(part, config);
         if (row.passive) row.tip = part.kind->name + " of a movable object: it has no joints, no devices and no controller.";
-    }
-    if (part.is(Role::Material))
+    } else if (part.is(Role::Material))
         if (const auto it = m_materials.find(part.name); it != m_materials.end()) row.colour = it->second->colour;
     return row;
 }
@@ -427,7 +433,9 @@ bool OutlineRows::leads(const Part& part) const {
     const auto [it, fresh] = m_leads.try_emplace(&part, false);
     if (!fresh) return it->second;
     const bool any = std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
-        return says(inner.name.empty() ? inner.block->type.text : inner.name, "", inner.block->type.text) || leads(inner);
+        const std::string& type = inner.block->type.text;
+        if (inner.config && leads(*inner.config)) return true;
+        return says(inner.name.empty() ? type : inner.name, "", type) || leads(inner);
     });
     return m_leads[&part] = any; // leads(inner) may have rehashed the map, so `it` may be invalid
 }

@@ -26,11 +26,12 @@ enum class OutlineGroup {
     Modules,
     RobotConfigs,
     StaticConfigs,
+    PartConfigs,
     Materials,
     Surfaces,
     Misplaced
 };
-inline constexpr std::size_t kOutlineGroups = 12;
+inline constexpr std::size_t kOutlineGroups = 13;
 
 struct OutlineRow {
     /// Members: robots of a Grid or Scatter, or a range of them if there are many.

@@ -19,12 +19,17 @@ bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices
     });
 }
 
-void addInside(const Part& config, const std::vector<std::string>& choices, bool geoms, std::vector<std::string>& names) {
+constexpr std::size_t kMostNames = 2000; // Parts may hold very many
+
+void addInside(const Part& config, const std::string& before, const std::vector<std::string>& choices, bool geoms,
+               std::vector<std::string>& names) {
     for (const Part& part : config.parts) {
-        if (fits(part, choices)) names.push_back(part.name);
+        if (names.size() > kMostNames) return;
+        if (fits(part, choices)) names.push_back(before + part.name);
+        if (part.config) addInside(*part.config, before + part.name + ".", choices, geoms, names);
         if (!geoms || !part.is(Role::Body)) continue;
         for (const Part& geom : part.parts)
-            if (fits(geom, choices)) names.push_back(part.name + "." + geom.name);
+            if (fits(geom, choices)) names.push_back(before + part.name + "." + geom.name);
     }
 }
 
@@ -40,7 +45,7 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
              {&outline.materials, &outline.surfaces, &outline.patterns, &outline.configs, &outline.world})
             for (const Part* part : space->all())
                 if (fits(*part, choices)) found.push_back(part->name);
-    if (config) addInside(*config, choices, wantsGeom(*loaded.registry, choices), found);
+    if (config) addInside(*config, {}, choices, wantsGeom(*loaded.registry, choices), found);
     const bool looks = names("Material") || names("Surface");
     if (looks && !std::count(found.begin(), found.end(), "default")) found.insert(found.begin(), "default");
     if (names("world")) found.emplace_back("world");

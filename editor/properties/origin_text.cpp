@@ -48,14 +48,14 @@ QString targetWords(const ObjectValues& object, Document& document) {
         return instances < 2 ? QString() : QObject::tr("A change here is for all %1 instances of %2.").arg(instances).arg(name);
     }
     if (!object.inConfig() && !object.isInstance()) return {};
-    const std::string below = object.inConfig() ? object.path().substr(instance->name.size() + 1) + "." : std::string();
+    const std::string below = object.within().empty() ? std::string() : object.within() + ".";
     std::vector<std::string> keys; // of values set in the config
     if (object.inConfig())
         for (const Property& p : object.kind()->properties) keys.push_back(p.name);
     for (const SourceParam& p : object.isInstance() ? config->params : std::vector<SourceParam>()) keys.push_back(p.name->text);
     if (object.isInstance() && config->kind)
         for (const Property& p : config->kind->properties)
-            if (!instance->kind->find(p.name)) keys.push_back(p.name);
+            if (!object.kind()->find(p.name)) keys.push_back(p.name);
     const auto key = std::ranges::find_if(keys, [&](const std::string& k) { return !instance->assignments.find(below + k); });
     if (key == keys.end()) return {};
     const EditTarget target = document.structure().targetOf(object.path() + "." + *key);

@@ -156,9 +156,12 @@ bool PropertiesPanel::isUnaffected(const ChangeSet& changes) const {
     return m_selection.paths() == m_paths && !m_paths.empty() && std::ranges::all_of(m_paths, [&](const std::string& path) {
                const auto place = placeOf(*changes.before(), path);
                if (!place || !place->part) return false;
-               const Part* top = place->instance ? place->instance : place->above.empty() ? place->part : place->above.front();
-               const Part* config = place->instance ? configOf(*changes.before(), *place->instance) : nullptr;
-               return std::ranges::none_of(std::initializer_list<const Part*>{top, config}, [&](const Part* shown) {
+               std::vector<const Part*> involved{topOf(*place)};
+               if (place->instance) involved.push_back(configOf(*changes.before(), *place->instance));
+               involved.push_back(place->part->config);
+               for (const Part* part : place->above)
+                   if (part->is(Role::Config)) involved.push_back(part);
+               return std::ranges::none_of(involved, [&](const Part* shown) {
                    return shown && (changes.nowAt(shown->range) != shown->range || changes.isEdited(*shown));
                });
            });

@@ -141,9 +141,11 @@ private:
         return isMeant;
     }
 
-    /// A robot is changed by its own block, by that of its Grid or Scatter, and by its config.
+    /// A robot is changed by its own block, by that of its Grid or Scatter, by its config, and by what Parts use.
     bool isMeant(const RobotSpec& robot) {
-        const bool isMeant = m_isWhole || m_tops.contains(robot.name) ||
+        const auto part = m_tops.lower_bound("PartConfig.");
+        const bool usesPart = part != m_tops.end() && part->starts_with("PartConfig.");
+        const bool isMeant = m_isWhole || usesPart || m_tops.contains(robot.name) ||
                              m_tops.contains(robot.name.substr(0, robot.name.rfind('_'))) ||
                              (robot.config && m_tops.contains("RobotConfig." + robot.config->name));
         m_compared += isMeant;
@@ -158,6 +160,8 @@ private:
     void surfaces() {
         for (std::size_t i = 0; i < m_running.surfaces.size(); ++i) {
             if (!isMeant("Surface." + m_running.surfaces[i].name)) continue;
+            const auto first = std::ranges::find(m_running.surfaces, m_running.surfaces[i].name, &SurfaceSpec::name);
+            if (first != m_running.surfaces.begin() + std::ptrdiff_t(i)) continue; // of mirrored parts; follows the first one
             for (const SurfaceSpec& s : m_now.surfaces) {
                 const SurfaceSpec& r = m_running.surfaces[i];
                 if (s.name != r.name) continue;
@@ -166,7 +170,11 @@ private:
                                   s.rollingFriction == r.rollingFriction && s.softness == r.softness;
                 if (same) break;
                 m_out.commands.emplace_back(SurfaceCommand{s});
-                changed().surfaces[i] = s;
+                for (std::size_t k = i; k < m_running.surfaces.size(); ++k) {
+                    if (m_running.surfaces[k].name != s.name) continue;
+                    changed().surfaces[k] = s;
+                    if (k > i) changed().surfaces[k].frictionHeading = -s.frictionHeading;
+                }
                 break;
             }
         }

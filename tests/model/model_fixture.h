@@ -41,6 +41,9 @@ inline AssetLookup assets() {
         if (written == "open.obj") cube.triangles.pop_back();
         return FoundAsset<TriangleMesh>{"/" + written, std::make_shared<const TriangleMesh>(std::move(cube))};
     };
+    lookup.heightMap = [](const std::string& written, FileId) -> Result<FoundAsset<HeightMap>> {
+        return FoundAsset<HeightMap>{"/" + written, std::make_shared<const HeightMap>(HeightMap{2, 2, {0, 0, 1, 1}})};
+    };
     return lookup;
 }
 

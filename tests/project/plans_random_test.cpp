@@ -19,17 +19,25 @@ void collect(const LoadedProject& loaded, const Part& part, std::vector<const Pa
     for (const Part& inner : part.parts) collect(loaded, inner, chain, paths);
 }
 
+/// What is reached through an instance, also what its Parts hold.
+void inside(const Part& holder, const std::string& path, std::vector<std::string>& paths) {
+    for (const Part& inner : holder.parts) {
+        paths.push_back(path + "." + inner.name);
+        inside(inner.config ? *inner.config : inner, paths.back(), paths);
+    }
+}
+
 std::vector<std::string> pathsOf(const LoadedProject& loaded) {
     std::vector<std::string> paths;
     for (const auto& part : loaded.outline->parts) {
         collect(loaded, *part, {}, paths);
         if (!isPlaced(*part)) continue;
         const Part* config = configOf(loaded, *part);
-        for (const Part& inner : config ? config->parts : std::vector<Part>()) {
-            paths.push_back(part->name + "." + inner.name);
-            for (const Part& geom : inner.parts) paths.push_back(part->name + "." + inner.name + "." + geom.name);
-        }
+        if (config) inside(*config, part->name, paths);
     }
+    for (const Part* config : loaded.outline->configs.all())
+        for (const Part& part : config->parts)
+            if (part.config) inside(*part.config, pathOfConfig(*config) + "." + part.name, paths);
     return paths;
 }
 
@@ -141,7 +149,7 @@ private Q_SLOTS:
     void anyPlan_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("style");
-        for (const char* file : {"linear_motion", "obstacle_detection", "swarm"})
+        for (const char* file : {"linear_motion", "obstacle_detection", "swarm", "parts_kit"})
             for (const char* style : {"as written", "CRLF"})
                 QTest::newRow((std::string(file) + " " + style).c_str()) << file << style;
     }
@@ -158,10 +166,13 @@ private Q_SLOTS:
             if (style == "CRLF") text = std::string(QByteArray::fromStdString(text).replace("\n", "\r\n").replace("  ", "\t"));
             files["configs/" + entry.path().lexically_relative(configs).string()] = text;
         }
+        std::string parts = readFile(TRUNDLE_SOURCE_DIR "/tests/data/parts_kit.sim", 1 << 20).value();
+        if (style == "CRLF") parts = QByteArray::fromStdString(parts).replace("\n", "\r\n").toStdString();
+        files["configs/experiments/parts_kit.sim"] = parts;
         const auto start = fixture.open(files, "configs/experiments/" + file.toStdString() + ".sim");
         QVERIFY2(start && !start->diagnostics.hasErrors(), sample::messages(*start).c_str());
         const bool isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
-        const int count = isLong ? 10000 / 6 : 150;
+        const int count = isLong ? 10000 / 8 : 150;
         auto loaded = start;
         int done = 0;
         const unsigned seed = isLong ? std::random_device()() : static_cast<unsigned>(file.size() * 7 + style.size());

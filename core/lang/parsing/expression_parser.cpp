@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "base/spelling.h"
+#include "base/units.h"
 #include "base/utf8.h"
 #include "lang/characters.h"
 
@@ -15,8 +16,29 @@ struct Function {
     std::string_view name;
     std::size_t least, most;
 };
-constexpr std::array<Function, 7> kFunctions{
-    {{"min", 2, 100}, {"max", 2, 100}, {"abs", 1, 1}, {"sqrt", 1, 1}, {"sin", 1, 1}, {"cos", 1, 1}, {"tan", 1, 1}}};
+constexpr std::array<Function, 15> kFunctions{{{"min", 2, 100},
+                                               {"max", 2, 100},
+                                               {"abs", 1, 1},
+                                               {"sqrt", 1, 1},
+                                               {"sin", 1, 1},
+                                               {"cos", 1, 1},
+                                               {"tan", 1, 1},
+                                               {"asin", 1, 1},
+                                               {"acos", 1, 1},
+                                               {"atan2", 2, 2},
+                                               {"floor", 1, 1},
+                                               {"ceil", 1, 1},
+                                               {"round", 1, 1},
+                                               {"mod", 2, 2},
+                                               {"if", 3, 3}}};
+
+constexpr std::array<std::string_view, 6> kComparisons{"<=", ">=", "==", "!=", "<", ">"};
+
+std::string countWords(const Function& f) {
+    static constexpr const char* kWords[] = {"no", "one", "two", "three"};
+    if (f.most > 3) return "two or more arguments";
+    return std::string(kWords[f.most]) + (f.most == 1 ? " argument" : " arguments");
+}
 
 } // namespace
 
@@ -24,7 +46,7 @@ void ExpressionParser::element(Element& e, Value& v) {
     e.kind = Element::Kind::Expression;
     const std::size_t start = position();
     advance();
-    Sum inner = sum(1);
+    Sum inner = comparison(1);
     if (inner.ok && kind() != TokenKind::CloseParen) {
         const bool over = atEnd() || newLine() || kind() == TokenKind::OpenBrace || kind() == TokenKind::CloseBrace ||
                           kind() == TokenKind::Comma || startsItem();
@@ -34,7 +56,7 @@ void ExpressionParser::element(Element& e, Value& v) {
             if (Diagnostic* d = m_report.lastAt(open); d && kind() != TokenKind::Comma)
                 fix(*d, "add `)`", {edit({previous().end, previous().end}, ")")});
         } else if (kind() == TokenKind::Word && adjacent()) {
-            inner = fault(Code::BadExpression, range(), "numbers in $( ) have no unit");
+            inner = fault(Code::BadExpression, range(), "there is no unit " + std::string(text()));
         } else {
             inner = fault(Code::BadExpression, range(), "operator or `)` expected");
         }
@@ -84,6 +106,17 @@ ExpressionParser::Sum ExpressionParser::binary(Expression::Op op, Sum left, Sum 
     both.expression.arguments.reserve(2);
     both.expression.arguments.push_back(std::move(left.expression));
     both.expression.arguments.push_back(std::move(right.expression));
+    return both;
+}
+
+/// At most one: 1 for true, 0 for false.
+ExpressionParser::Sum ExpressionParser::comparison(int depth) {
+    Sum left = sum(depth);
+    if (!left.ok || kind() != TokenKind::Unknown || std::ranges::find(kComparisons, text()) == kComparisons.end()) return left;
+    const std::string op(text());
+    advance();
+    Sum both = binary(Expression::Op::Call, std::move(left), sum(depth));
+    both.expression.name = op;
     return both;
 }
 
@@ -146,6 +179,11 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
         if (failure != std::errc() || end != digits.data() + digits.size())
             return fault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
         advance();
+        if (kind() == TokenKind::Word && !newLine() && findUnit(text())) {
+            s.expression.name = text(); // its unit
+            s.expression.range.end = range().end;
+            advance();
+        }
         return s;
     }
     case TokenKind::Word:
@@ -157,7 +195,7 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
         return s;
     case TokenKind::OpenParen: {
         advance();
-        s = sum(depth + 1);
+        s = comparison(depth + 1);
         if (!s.ok) return s;
         if (kind() != TokenKind::CloseParen)
             return fault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`)` expected");
@@ -191,10 +229,10 @@ ExpressionParser::Sum ExpressionParser::call(int depth) {
     const auto function =
         std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == functionName; });
     if (function == kFunctions.end()) {
-        Sum none = fault(Code::BadExpression, nameRange,
-                         "there is no function `" + functionName + "`; there are min max abs sqrt sin cos tan");
         std::vector<std::string> names;
-        for (const Function& f : kFunctions) names.emplace_back(f.name);
+        std::string known;
+        for (const Function& f : kFunctions) known += " " + names.emplace_back(f.name);
+        Sum none = fault(Code::BadExpression, nameRange, "there is no function `" + functionName + "`; there are" + known);
         if (Diagnostic* d = m_report.lastAt(nameRange)) {
             d->suggestions = nearestWords(functionName, names);
             if (!d->suggestions.empty()) fix(*d, d->suggestions[0], {edit(nameRange, d->suggestions[0])});
@@ -205,7 +243,7 @@ ExpressionParser::Sum ExpressionParser::call(int depth) {
     advance();
     int height = 0;
     while (kind() != TokenKind::CloseParen) {
-        Sum argument = sum(depth + 1);
+        Sum argument = comparison(depth + 1);
         if (!argument.ok) return argument;
         height = std::max(height, argument.height);
         s.expression.arguments.push_back(std::move(argument.expression));
@@ -221,8 +259,7 @@ ExpressionParser::Sum ExpressionParser::call(int depth) {
         return fault(Code::TooDeep, s.expression.range,
                      "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
     if (count < function->least || count > function->most)
-        return fault(Code::BadExpression, s.expression.range,
-                     "`" + functionName + (function->most > 1 ? "` takes two or more arguments" : "` takes one argument"));
+        return fault(Code::BadExpression, s.expression.range, "`" + functionName + "` takes " + countWords(*function));
     return s;
 }
 

@@ -19,6 +19,7 @@ private:
         int height = 1;
         bool ok = true;
     };
+    Sum comparison(int depth);
     Sum sum(int depth);
     Sum product(int depth);
     Sum signedTerm(int depth);

@@ -32,6 +32,8 @@ void addModelKinds(Registry& registry) {
     kinds.add<RadioMediumFields>("RadioMedium", Role::Medium, {""}, true);
     kinds.add<RobotConfigFields>("RobotConfig", Role::Config, {""});
     kinds.add<StaticConfigFields>("StaticConfig", Role::Config, {""});
+    kinds.add<PartConfigFields>("PartConfig", Role::Config, {""});
+    kinds.add<PartFields>("Part", Role::Instance, {"RobotConfig", "StaticConfig", "PartConfig"});
     kinds.add<RobotFields>("Robot", Role::Instance, {""});
     kinds.add<StaticFields>("Static", Role::Instance, {""});
     kinds.add<GridFields>("Grid", Role::Layout, {""});
@@ -39,8 +41,8 @@ void addModelKinds(Registry& registry) {
     kinds.add<LightFields>("Light", Role::Look, {""}, true);
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
     kinds.add<ViewFields>("View", Role::Look, {""}, true);
-    kinds.add<BodyFields>("Body", Role::Body, {"RobotConfig"});
-    const std::vector<std::string> solid{"Body", "StaticConfig"}, ground{"StaticConfig"};
+    kinds.add<BodyFields>("Body", Role::Body, {"RobotConfig", "PartConfig"});
+    const std::vector<std::string> solid{"Body", "StaticConfig", "PartConfig"}, ground{"StaticConfig", "PartConfig"};
     kinds.add<BoxFields>("Box", Role::Geom, solid, true);
     kinds.add<SphereFields>("Sphere", Role::Geom, solid, true);
     kinds.add<CylinderFields>("Cylinder", Role::Geom, solid, true);
@@ -49,7 +51,7 @@ void addModelKinds(Registry& registry) {
     kinds.add<MeshFields>("Mesh", Role::Geom, solid, true);
     kinds.add<PlaneFields>("Plane", Role::Geom, ground, true);
     kinds.add<HeightfieldFields>("Heightfield", Role::Geom, ground, true);
-    const std::vector<std::string> config{"RobotConfig"};
+    const std::vector<std::string> config{"RobotConfig", "PartConfig"};
     kinds.add<HingeFields>("Hinge", Role::Joint, config);
     kinds.add<SliderFields>("Slider", Role::Joint, config);
     kinds.add<BallFields>("Ball", Role::Joint, config);

@@ -80,6 +80,20 @@ void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
     d.help("Scenery: geoms fixed to the world, to be placed by Static.");
 }
 
+void PartConfigFields::describe(Describe<PartConfigFields>& d) {
+    d.help("Something that robots, scenery or other parts have several times: a wheel with its motor, an axle, a fence. Used by "
+           "Part. `$name` as a reference to something outside of it is a Param that every use gives.");
+}
+
+void PartFields::describe(Describe<PartFields>& d) {
+    d.help("One use of a PartConfig: what is in it gets the name of the Part in front, left.wheel. Takes values of the config's "
+           "Params, and overrides by path.");
+    describePose(d, "PartConfig", "Position of the part's frame in the config that it is in.");
+    d.field("Mirror", &PartFields::mirror, oneOf("none|x|y|z"),
+            "The mirror image along this axis of the part's frame. What turns keeps its sense: a mirrored wheel drives forwards "
+            "under the same command.");
+}
+
 void RobotFields::describe(Describe<RobotFields>& d) {
     d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without "
            "joints, "

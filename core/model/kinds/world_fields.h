@@ -45,6 +45,9 @@ struct RobotConfigFields {
     static void describe(Describe<RobotConfigFields>& d);
 };
 
+struct PartConfigFields {
+    static void describe(Describe<PartConfigFields>& d);
+};
 struct StaticConfigFields {
     static void describe(Describe<StaticConfigFields>& d);
 };
@@ -60,6 +63,10 @@ struct RobotFields : PoseFields {
 };
 struct StaticFields : PoseFields {
     static void describe(Describe<StaticFields>& d);
+};
+struct PartFields : PoseFields {
+    std::string mirror = "none";
+    static void describe(Describe<PartFields>& d);
 };
 struct GridFields : PoseFields {
     std::vector<double> count, spacing;

@@ -31,6 +31,7 @@ struct Record {
     std::vector<std::optional<ResolvedValue>> values; ///< parallel to kind->properties; defaults filled in
     std::vector<bool> literal;                        ///< literal text, which a fix may rewrite
     bool complete = true;                             ///< false: a required value is missing or invalid
+    std::map<std::size_t, GivenValue> names;          ///< references that come from Params, by the property's index
 
     [[nodiscard]] const ResolvedValue* find(std::string_view property) const;
     /// The source range of a property's value, or `otherwise` if it has none.

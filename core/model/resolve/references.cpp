@@ -4,7 +4,7 @@
 
 #include "base/spelling.h"
 #include "model/dotted_path.h"
-#include "model/resolve/resolve_context.h"
+#include "model/resolve/part_expansion.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -26,18 +26,45 @@ bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices
     });
 }
 
-/// All names that the property accepts, in text order.
-std::vector<std::string> fitting(const Property& property, const Part& config, bool geoms) {
-    std::vector<std::string> names;
-    for (const Part& part : config.parts) {
-        if (part.kind && !part.name.empty() && kindFits(part, property.choices)) names.push_back(part.name);
-        if (!geoms || !part.is(Role::Body)) continue;
-        for (const Part& geom : part.parts) {
-            if (geom.kind && kindFits(geom, property.choices)) names.push_back(part.name + "." + geom.name);
+/// All names that the property accepts, in text order; at most a few hundred, since Parts may hold very many.
+class FittingNames {
+public:
+    FittingNames(const Property& property, bool geoms) : m_property(property), m_geoms(geoms) {}
+
+    std::vector<std::string> in(const PartFrame& frame) {
+        add(*frame.config, "", 0);
+        if (std::count(m_property.choices.begin(), m_property.choices.end(), "world")) m_names.push_back("world");
+        return std::move(m_names);
+    }
+
+private:
+    void add(const Part& config, const std::string& prefix, int depth) {
+        constexpr std::size_t kMost = 500;
+        constexpr int kDeepest = 8;
+        for (const Part& part : config.parts) {
+            if (m_names.size() > kMost || depth > kDeepest) return;
+            if (part.kind && !part.name.empty() && kindFits(part, m_property.choices)) m_names.push_back(prefix + part.name);
+            if (part.config) add(*part.config, prefix + part.name + ".", depth + 1);
+            if (!m_geoms || !part.is(Role::Body)) continue;
+            for (const Part& geom : part.parts)
+                if (geom.kind && kindFits(geom, m_property.choices)) m_names.push_back(prefix + part.name + "." + geom.name);
         }
     }
-    if (std::count(property.choices.begin(), property.choices.end(), "world")) names.push_back("world");
-    return names;
+
+    const Property& m_property;
+    bool m_geoms;
+    std::vector<std::string> m_names;
+};
+
+/// The frame that a name is looked up in: a word that a Param brought in from outside belongs there, and the default of a Param may
+/// name something of the part or of what uses it.
+const PartFrame& frameOf(const PartFrame& frame, const std::string& name, const GivenElement* given) {
+    const PartFrame* at = &frame;
+    for (std::uint32_t level = given ? given->level : 0; level > 0 && at->outer; --level) at = at->outer;
+    if (!given || given->level > 0 || given->literal) return *at;
+    for (const PartFrame* outer = at; outer; outer = outer->outer)
+        if (outer->find(name)) return *outer;
+    return *at;
 }
 
 } // namespace
@@ -68,7 +95,7 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
 }
 
 bool ResolveContext::checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
-                                    const Part& config) {
+                                    const PartFrame& frame, const GivenElement* given) {
     const std::vector<std::string>& choices = property.choices;
     if (name == "world" && std::count(choices.begin(), choices.end(), "world")) return true;
     if (std::count(choices.begin(), choices.end(), "AntennaPattern")) { // at the top level, or an antenna model
@@ -77,17 +104,20 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
         return false;
     }
     const bool geoms = wantsGeom(registry, choices);
-    const Part* part = config.find(firstWord(name));
-    if (part && firstWord(name) != name) {
-        if (!part->kind) return false;
-        part = part->find(withoutFirstWord(name));
-    }
+    const Part* part = frame.find(name);
     std::vector<std::string> kinds = choices;
     std::erase(kinds, "world");
     const std::string what = geoms ? "geom (body.geom)" : kinds.empty() ? "thing" : listText(kinds);
+    const std::size_t before = diagnostics.all().size();
     if (!part) {
+        if (frame.isOpen && given) return false; // it may name something where the part is used
+        const Part* first = frame.config->find(firstWord(name));
+        if (first && firstWord(name) != name && !first->kind) return false; // reported at its block
         unknownReference(property.name, what, name, range, literal,
-                         manyAlready(diagnostics) ? std::vector<std::string>() : fitting(property, config, geoms));
+                         manyAlready(diagnostics) ? std::vector<std::string>() : FittingNames(property, geoms).in(frame));
+        if ((frame.isOpen || frame.use) && !given && diagnostics.all().size() > before)
+            diagnostics.at(before).message +=
+                "; what is outside of a PartConfig comes in by a Param, " + property.name + "=$" + name;
         return false;
     }
     if (!part->kind) return false; // reported at its block
@@ -96,7 +126,7 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
                                       property.name + " names " + name + ", " + withArticle(part->kind->name) + "; it takes " +
                                           withArticle(what));
     if (manyAlready(diagnostics)) return false;
-    const std::vector<std::string> candidates = fitting(property, config, geoms);
+    const std::vector<std::string> candidates = FittingNames(property, geoms).in(frame);
     std::vector<std::string> near;
     for (const std::string& candidate : candidates) {
         if (candidate.starts_with(name + ".")) near.push_back(candidate); // `chassis.bumper` is suggested for `chassis`
@@ -110,18 +140,50 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
     return false;
 }
 
-bool ResolveContext::checkReferences(const Record& record, const Part& config) {
+bool ResolveContext::checkReferences(Record& record, const Part& config) {
+    PartFrame frame;
+    frame.config = &config;
+    return checkReferences(record, frame);
+}
+
+bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
     bool good = true;
     for (std::size_t i = 0; i < record.values.size(); ++i) {
         const Property& property = record.kind->properties[i];
         if (property.type != PropertyType::Reference || !record.values[i]) continue;
-        const ResolvedValue& value = *record.values[i];
+        ResolvedValue& value = *record.values[i];
         if (value.origin == Origin::Default) continue; // an empty default means "none"
         const bool literal = record.literal[i] && value.value.texts.size() == 1;
-        for (const std::string& name : value.value.texts)
-            good = checkReference(property, name, value.range, literal, config) && good;
+        const auto names = record.names.find(i);
+        const bool isWhole = names != record.names.end() && names->second.elements.size() == value.value.texts.size();
+        const bool isAntenna = std::count(property.choices.begin(), property.choices.end(), "AntennaPattern") > 0;
+        for (std::size_t k = 0; k < value.value.texts.size(); ++k) {
+            std::string& name = value.value.texts[k];
+            const GivenElement* given = isWhole ? &names->second.elements[k] : nullptr;
+            const PartFrame& there = frameOf(frame, name, given);
+            const std::size_t before = diagnostics.all().size();
+            const bool isFromOutside = given && given->level > 0 && given->source.known(); // reported where it is given
+            good = checkReference(property, name, isFromOutside ? given->source : value.range, literal || isFromOutside, there,
+                                  given) &&
+                   good;
+            if (isFromOutside && diagnostics.all().size() > before)
+                diagnostics.at(before).notes.emplace_back(kUsedHere, value.range);
+            if (!isAntenna && name != "world") name = there.prefix + name;
+        }
     }
     return good;
+}
+
+std::uint32_t ResolveContext::mirroredSurface(std::uint32_t surface) {
+    const SurfaceSpec& described = out.surfaces[surface];
+    if (!described.friction2 || described.frictionHeading == 0) return surface;
+    const auto [it, isNew] = m_mirrored.try_emplace(surface, static_cast<std::uint32_t>(out.surfaces.size()));
+    if (!isNew) return it->second;
+    const std::uint32_t image = it->second;
+    m_mirrored.emplace(image, surface);
+    out.surfaces.push_back(described);
+    out.surfaces.back().frictionHeading = -described.frictionHeading;
+    return image;
 }
 
 void ResolveContext::hintLater(const Part& found, const Part& user, SourceRange range) {

@@ -1,4 +1,6 @@
 // Resolves a RobotConfig with one set of Param values and overrides: bodies, then joints, then devices.
+#include <algorithm>
+
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
 #include "model/resolve/resolve_steps.h"
@@ -38,15 +40,39 @@ bool checkOrder(ResolveContext& context, const Record& record, const Part& part)
     return true;
 }
 
-std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Part& part, ParamScope& scope,
-                                           const OverrideNode* overrides, const Part& config) {
-    ParamScope own(&scope);
+std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const ExpandedPart& expanded) {
+    const Part& part = *expanded.part;
+    ParamScope own(expanded.frame->scope);
     own.declare(part.params);
     context.evaluator.checkAll(own);
-    const Record record = context.read(part, own, overrides, Origin::Config);
-    const bool known = context.checkReferences(record, config);
+    Record record = context.read(part, own, expanded.overrides(), Origin::Config);
+    const bool known = context.checkReferences(record, *expanded.frame);
     if (!record.complete || !known || !checkOrder(context, record, part)) return std::nullopt;
-    return componentFrom(record, part);
+    ComponentSpec device = componentFrom(record, part);
+    expanded.place(device);
+    device.name = expanded.name();
+    return device;
+}
+
+void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfigSpec& spec) {
+    BodyIndices places;
+    JoinedPairs pairs;
+    expansion.each(Role::Body, [&](const ExpandedPart& part) {
+        std::optional<BodySpec> body = resolveBody(context, *part.part, *part.frame->scope, part.overrides());
+        if (!body || !part.place(*body, context)) return;
+        body->name = part.name();
+        places.emplace(body->name, static_cast<int>(spec.bodies.size()));
+        spec.bodies.push_back(std::move(*body));
+    });
+    expansion.each(Role::Joint, [&](const ExpandedPart& part) {
+        std::optional<JointSpec> joint = resolveJoint(context, part, spec.bodies, places);
+        if (!joint) return;
+        warnAboutDuplicateJoints(context, pairs, *joint, *part.part);
+        spec.joints.push_back(std::move(*joint));
+    });
+    expansion.each(Role::Device, [&](const ExpandedPart& part) {
+        if (auto device = resolveDevice(context, part)) spec.devices.push_back(std::move(*device));
+    });
 }
 
 } // namespace
@@ -57,35 +83,29 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
     spec->name = config.name;
     spec->range = config.range;
     spec->selfCollision = fieldsFrom<RobotConfigFields>(context.read(config, scope, overrides, Origin::Config)).selfCollision;
-    BodyIndices places;
-    JoinedPairs pairs;
-    bool bodies = false;
-    for (const Part& part : config.parts) {
-        bodies = bodies || part.is(Role::Body) || part.is(Role::Geom) || !part.kind;
-        if (!part.usable || !part.is(Role::Body)) continue;
-        if (std::optional<BodySpec> body = resolveBody(context, part, scope, below(overrides, part.name))) {
-            places.emplace(part.name, static_cast<int>(spec->bodies.size()));
-            spec->bodies.push_back(std::move(*body));
-        }
-    }
-    if (!bodies && !context.brokenText(config.range)) {
+    PartExpansion expansion(context, config, scope, overrides);
+    const bool bodies = std::ranges::any_of(expansion.parts(), [](const ExpandedPart& part) {
+        return part.part->is(Role::Body) || part.part->is(Role::Geom) || !part.part->kind;
+    });
+    const bool hasUses = std::ranges::any_of(config.parts, [](const Part& part) { return part.isPartUse() && !part.config; });
+    if (!bodies && !hasUses && !context.brokenText(config.range)) {
         context.diagnostics.error(Code::MissingRequired, config.nameRange(),
                                   config.title() + " needs a Body: the first one carries the robot's pose");
     }
-    for (const Part& part : config.parts) {
-        if (!part.usable || !part.is(Role::Joint)) continue;
-        std::optional<JointSpec> joint =
-            resolveJoint(context, part, scope, below(overrides, part.name), config, spec->bodies, places);
-        if (!joint) continue;
-        warnAboutDuplicateJoints(context, pairs, *joint, part);
-        spec->joints.push_back(std::move(*joint));
-    }
-    for (const Part& part : config.parts) {
-        if (!part.usable || !part.is(Role::Device)) continue;
-        if (auto device = resolveDevice(context, part, scope, below(overrides, part.name), config))
-            spec->devices.push_back(std::move(*device));
-    }
+    resolveParts(context, expansion, *spec);
     return spec;
+}
+
+void checkPartConfig(ResolveContext& context, const Part& config) {
+    ParamScope scope(&context.globals);
+    scope.declare(config.params);
+    context.evaluator.checkAll(scope);
+    (void)context.read(config, scope, nullptr, Origin::Config);
+    RobotConfigSpec discarded;
+    PartExpansion expansion(context, config, scope, nullptr);
+    resolveParts(context, expansion, discarded);
+    expansion.each(Role::Geom,
+                   [&](const ExpandedPart& part) { (void)resolveGeom(context, *part.part, *part.frame->scope, nullptr, false); });
 }
 
 } // namespace trundle

@@ -41,6 +41,7 @@ void ResolveContext::fixAdd(Diagnostic& d, const Part& part, const std::string& 
 Record ResolveContext::read(const Part& part, ParamScope& scope, const OverrideNode* overrides, Origin origin,
                             const ExtraKeys& extra) {
     Record record;
+    ++reads;
     record.kind = part.kind;
     fill(record, part.assignments, &part, scope, overrides, origin, extra);
     return record;
@@ -82,6 +83,7 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
         if (given) record.values[i] = readGiven(properties[i], *given, origin);
         if (!record.values[i]) record.complete = false;
         else record.literal[i] = !given->fromParam;
+        if (given && given->fromParam && properties[i].type == PropertyType::Reference) record.names.emplace(i, *given);
     }
     for (std::size_t i = 0; i < properties.size(); ++i) {
         const Property& p = properties[i];
@@ -89,6 +91,7 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
             validated[i] = true;
             record.values[i] = readGiven(p, *node->value, node->origin);
             if (!record.values[i]) record.complete = false;
+            if (node->value->fromParam && p.type == PropertyType::Reference) record.names.emplace(i, *node->value);
         }
         if (record.values[i]) continue;
         if (p.defaultValue)

@@ -12,6 +12,8 @@
 
 namespace trundle {
 
+struct PartFrame;
+
 class ResolveContext {
 public:
     ResolveContext(const Outline& outline, const AssetLookup& assets, Diagnostics& diagnostics, ExperimentSpec& out)
@@ -47,11 +49,12 @@ public:
     [[nodiscard]] std::uint32_t surfaceIndex(const Record& record, const Part& user);
     /// The config that an instance names; nullptr, with a diagnostic, on failure.
     [[nodiscard]] const Part* configOf(const Record& record, const Part& user, std::string_view kind);
-    /// Checks the references of a component of `config`.
-    [[nodiscard]] bool checkReferences(const Record& record, const Part& config);
-    /// Checks one name against the parts of a config; `property` defines the accepted kinds.
-    [[nodiscard]] bool checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
-                                      const Part& config);
+    /// Checks the references of a controller of a robot with this config.
+    [[nodiscard]] bool checkReferences(Record& record, const Part& config);
+    /// Checks the references of a block of a frame, and replaces the names by those in the config that is resolved: "left.wheel".
+    [[nodiscard]] bool checkReferences(Record& record, const PartFrame& frame);
+    /// The surface of a mirrored geom: the friction that points to the left points to the right.
+    [[nodiscard]] std::uint32_t mirroredSurface(std::uint32_t surface);
     void unknownReference(const std::string& property, const std::string& what, const std::string& name, SourceRange range,
                           bool literal, const std::vector<std::string>& candidates);
     /// Adds a fix that writes `key=value` into a block.
@@ -61,8 +64,13 @@ public:
     /// Geoms without a Material or Surface, in order of discovery.
     std::vector<std::pair<const Part*, std::string>> defaulted;
     std::unordered_set<const Part*> defaultedParts;
+    std::size_t reads = 0; ///< blocks read so far
 
 private:
+    /// Checks one name against the parts of a frame; `property` defines the accepted kinds. `given`: the name's element, if it
+    /// comes from a Param.
+    [[nodiscard]] bool checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
+                                      const PartFrame& frame, const GivenElement* given);
     void fill(Record& record, const AssignmentList& assignments, const Part* part, ParamScope& scope,
               const OverrideNode* overrides, Origin origin, const ExtraKeys& extra);
     [[nodiscard]] std::optional<ResolvedValue> readGiven(const Property& property, const GivenValue& given, Origin origin);
@@ -78,6 +86,7 @@ private:
                                        const std::map<std::string, std::uint32_t>& places);
     void hintLater(const Part& found, const Part& user, SourceRange range);
 
+    std::map<std::uint32_t, std::uint32_t> m_mirrored; ///< surfaces
     struct UnknownName {
         int reports = 0;
         std::size_t last = 0; ///< index of its last diagnostic + 1; 0: none was kept

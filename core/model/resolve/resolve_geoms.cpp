@@ -207,11 +207,13 @@ std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext&
                                                                  const OverrideNode* overrides) {
     auto geoms = std::make_shared<std::vector<GeomSpec>>();
     (void)context.read(config, scope, overrides, Origin::Config);
-    for (const Part& part : config.parts) {
-        if (!part.usable || !part.is(Role::Geom)) continue;
-        if (std::optional<GeomSpec> geom = resolveGeom(context, part, scope, below(overrides, part.name), false))
-            geoms->push_back(std::move(*geom));
-    }
+    PartExpansion expansion(context, config, scope, overrides);
+    expansion.each(Role::Geom, [&](const ExpandedPart& part) {
+        std::optional<GeomSpec> geom = resolveGeom(context, *part.part, *part.frame->scope, part.overrides(), false);
+        if (!geom || !part.place(*geom, context)) return;
+        geom->name = part.name();
+        geoms->push_back(std::move(*geom));
+    });
     return geoms;
 }
 

@@ -38,7 +38,7 @@ public:
     JointReader(ResolveContext& context, const Part& part, const Record& record)
         : m_context(context), m_part(part), m_record(record) {}
 
-    bool read(JointSpec& joint, const std::vector<BodySpec>& bodies, const BodyIndices& places) {
+    bool read(JointSpec& joint, const BodyIndices& places) {
         const JointFields f = jointFields(m_part.kind->name, m_record, joint.type);
         if (f.parent == f.child) return fail("Child", "the child of " + m_part.title() + " is its parent as well");
         joint.name = m_part.name;
@@ -46,7 +46,7 @@ public:
         joint.nameRange = m_part.nameRange();
         if (!findBody(places, f.child, joint.child) || (f.parent != "world" && !findBody(places, f.parent, joint.parent)))
             return false;
-        joint.anchor = f.anchor ? vec3(*f.anchor) : bodies[joint.child].pose.position;
+        if (f.anchor) joint.anchor = vec3(*f.anchor);
         joint.damping = f.damping;
         joint.friction = f.friction;
         joint.stiffness = f.stiffness;
@@ -104,16 +104,20 @@ private:
 
 } // namespace
 
-std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides,
-                                      const Part& config, const std::vector<BodySpec>& bodies, const BodyIndices& places) {
-    ParamScope own(&scope);
+std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPart& expanded, const std::vector<BodySpec>& bodies,
+                                      const BodyIndices& places) {
+    const Part& part = *expanded.part;
+    ParamScope own(expanded.frame->scope);
     own.declare(part.params);
     context.evaluator.checkAll(own);
-    const Record record = context.read(part, own, overrides, Origin::Config);
-    const bool known = context.checkReferences(record, config);
+    Record record = context.read(part, own, expanded.overrides(), Origin::Config);
+    const bool known = context.checkReferences(record, *expanded.frame);
     if (!record.complete || !known) return std::nullopt;
     JointSpec joint;
-    if (!JointReader(context, part, record).read(joint, bodies, places)) return std::nullopt;
+    if (!JointReader(context, part, record).read(joint, places)) return std::nullopt;
+    expanded.place(joint);
+    joint.name = expanded.name();
+    if (!record.given("Anchor")) joint.anchor = bodies[static_cast<std::size_t>(joint.child)].pose.position;
     return joint;
 }
 

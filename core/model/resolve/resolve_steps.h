@@ -1,7 +1,7 @@
 #pragma once
 // The steps of the resolver, one file per step. Private to core/model.
 
-#include "model/resolve/resolve_context.h"
+#include "model/resolve/part_expansion.h"
 
 namespace trundle {
 
@@ -16,13 +16,14 @@ void resolveSurfaces(ResolveContext& context);
                                                   const OverrideNode* overrides);
 /// Index by name of the bodies that could be resolved.
 using BodyIndices = std::unordered_map<std::string, int>;
-[[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope,
-                                                    const OverrideNode* overrides, const Part& config,
+[[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPart& expanded,
                                                     const std::vector<BodySpec>& bodies, const BodyIndices& places);
 [[nodiscard]] std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config,
                                                                         ParamScope& scope, const OverrideNode* overrides);
 [[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config,
                                                                                ParamScope& scope, const OverrideNode* overrides);
+/// Checks a PartConfig by itself; what is outside of it is not known.
+void checkPartConfig(ResolveContext& context, const Part& config);
 /// Antenna patterns and the medium; requires the settings.
 void resolveRadio(ResolveContext& context);
 void resolveLogs(ResolveContext& context);

@@ -26,7 +26,7 @@ ConfigPath configPathOf(const LoadedProject& loaded, const ObjectLocation& place
         const bool theirs = config->param(key) || (config->kind && config->kind->find(key));
         return own || !theirs ? ConfigPath{} : ConfigPath{config, config, key};
     }
-    const bool through = place.above.empty() || place.above.front() == config;
+    const bool through = std::ranges::find(place.above, config) != place.above.end();
     return through ? ConfigPath{config, place.part, place.within + "." + key} : ConfigPath{};
 }
 
@@ -63,8 +63,11 @@ FileEdits editsOf(const Fix& fix) {
 
 std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config) {
     std::vector<const Part*> instances;
-    for (const auto& part : loaded.outline->parts)
+    for (const auto& part : loaded.outline->parts) {
         if (isPlaced(*part) && configOf(loaded, *part) == &config) instances.push_back(part.get());
+        for (const Part& inner : part->parts)
+            if (inner.config == &config) instances.push_back(&inner);
+    }
     return instances;
 }
 
@@ -126,6 +129,8 @@ EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propert
         return target;
     target.isOverride = false;
     target.path = pathOfConfig(*inConfig.config) + "." + inConfig.within;
+    const std::optional<ObjectLocation> there = placeOf(loaded, withoutLastWord(target.path));
+    if (there && there->instance) return targetOfValue(loaded, target.path, users); // of a Part in the config
     target.users = std::move(all);
     return target;
 }

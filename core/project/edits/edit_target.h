@@ -5,7 +5,8 @@
 // its only instance: then the config is changed. A value that the instance already overrides is changed in the override. A change
 // of structure (insert, remove, move, rename) is made in the config itself. If the config has other users, the user of the editor
 // chooses between changing all of them and making a copy. A config shipped with the program is read-only: it is always copied, and
-// so are materials, surfaces, antenna patterns and Params.
+// so are materials, surfaces, antenna patterns and Params. A Part is an instance too, of its PartConfig: the outermost instance of a path
+// gets the override.
 
 #include <functional>
 #include <set>
@@ -31,7 +32,7 @@ struct EditTarget {
 
 /// Whether a file was shipped with the program. The opened file never counts: it can be edited, and Save As stores it elsewhere.
 [[nodiscard]] bool isShippedFile(const LoadedProject& loaded, FileId file);
-/// The Robots, Statics, Grids and Scatters of a load that use a config, in text order.
+/// The Robots, Statics, Grids and Scatters of a load that use a config, or the Parts, in text order.
 [[nodiscard]] std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config);
 
 /// The path of the material, surface, antenna pattern or top-level Param of a shipped file that a path leads to: "Material.red",

@@ -38,7 +38,7 @@ std::vector<std::string> placesAround(const LoadedProject& loaded, const std::st
     const std::optional<ObjectLocation> place = selected.empty() ? std::nullopt : placeOf(loaded, selected);
     if (place && place->part) {
         for (std::string path = definedAt(loaded, selected); !path.empty(); path = parentOf(loaded, path)) places.push_back(path);
-        if (const Part* instance = place->instance) {
+        if (const Part* instance = place->instance; instance && !instance->isPartUse()) {
             if (std::find(places.begin(), places.end(), instance->name) == places.end()) places.push_back(instance->name);
             else if (const Part* config = configOf(loaded, *instance)) places.push_back(config->kind->name + "." + config->name);
         }

@@ -42,13 +42,13 @@ std::optional<std::string> pathAfterEdit(const LoadedProject& before, const Load
     if (path.empty()) return path;
     const auto place = placeOf(before, path);
     if (!place || !place->part) return placeOf(after, path) ? std::optional(path) : std::nullopt;
-    const bool isReached = place->instance && !place->within.empty();
+    const Part* top = topOf(*place);
+    const bool isReached = top == place->instance && !place->within.empty();
     if (place->member) return placeOf(after, path) ? std::optional(path) : std::nullopt; // its name comes from its Grid
-    const Part* top = place->instance ? place->instance : place->above.empty() ? place->part : place->above.front();
     const Part* topNow = counterpart(spaceOf(*before.outline, *top), spaceOf(*after.outline, *top), *top);
     if (!topNow) return std::nullopt;
     // "robot0" or "RobotConfig.Rover", then the names of the inner blocks.
-    const bool hasSpace = !place->instance && firstWord(path) != top->name;
+    const bool hasSpace = top != place->instance && firstWord(path) != top->name;
     std::string now = hasSpace ? pathInside(firstWord(path), topNow->name) : topNow->name;
     std::string_view rest = withoutFirstWord(hasSpace ? withoutFirstWord(path) : path);
     const Part* from = isReached ? configOf(before, *top) : top;
@@ -65,8 +65,8 @@ std::optional<std::string> pathAfterEdit(const LoadedProject& before, const Load
         if (!partNow) return std::nullopt;
         now = pathInside(now, partNow->name);
         rest = withoutFirstWord(rest);
-        from = part;
-        to = partNow;
+        from = part->config ? part->config : part;
+        to = partNow->config ? partNow->config : partNow;
     }
     return now;
 }

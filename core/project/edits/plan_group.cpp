@@ -121,7 +121,7 @@ private:
             if (place && place->member)
                 return Error{Code::ReplaceBySingles, path + " is one of many; select " + place->instance->name +
                                                          " to group all of them, or replace it by single robots first"};
-            const Part* config = part && part == place->instance ? configOf(m_loaded, *part) : nullptr;
+            const Part* config = part && part == place->instance && !part->isPartUse() ? configOf(m_loaded, *part) : nullptr;
             const bool scenery = part && part->kind && part->kind->name == "Static";
             if (!config || !isPlaced(*part) || (!scenery && !isPassive(*part, config)))
                 return Error{Code::WrongPlace, (part ? part->title() : path) +

@@ -25,10 +25,12 @@ struct Target {
 std::vector<Target> nearTo(const LoadedProject& loaded, const ObjectLocation& place, std::string path) {
     std::vector<Target> all{{place.part, path}};
     for (auto it = place.above.rbegin(); it != place.above.rend(); ++it) {
-        path = withoutLastWord(path);
+        const bool isHolderOfConfig =
+            (*it)->config && all.back().part == (*it)->config; // a Part and its PartConfig have one path
+        if (!isHolderOfConfig) path = withoutLastWord(path);
         all.push_back({*it, path});
     }
-    if (!place.instance) return all;
+    if (!place.instance || place.instance->isPartUse()) return all;
     if (all.back().part != place.instance) all.push_back({place.instance, path}); // same path: its config is reached through it
     else if (const Part* config = configOf(loaded, *place.instance)) all.push_back({config, path});
     return all;

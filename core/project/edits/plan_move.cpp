@@ -86,7 +86,8 @@ private:
     Status settle(MovedItem& m, const std::string& parent) {
         const Part& part = *m.part;
         if (!part.kind) return Error{Code::UnknownKind, part.title() + " is of a kind that is not loaded"};
-        const Part* config = m_into.part && m_into.part == m_into.instance ? configOf(m_loaded, *m_into.part) : nullptr;
+        const bool isInstance = m_into.part && m_into.part == m_into.instance && !m_into.part->isPartUse();
+        const Part* config = isInstance ? configOf(m_loaded, *m_into.part) : nullptr;
         m.path = parent;
         if (isAllowedIn(*part.kind, m_into.part)) m.to = m_into.part;
         else if (config && isAllowedIn(*part.kind, config)) m.to = config;
@@ -106,6 +107,9 @@ private:
         for (const auto& top : m_loaded.outline->parts) count(count, top->parts);
         if (places > 1) return Error{Code::WrongPlace, part.title() + " is in a file that several blocks import"};
         if (m.from == m.to) return {};
+        const auto isInPart = [](const ObjectLocation& place) { return std::ranges::any_of(place.above, &Part::isPartUse); };
+        if (isInPart(m.chosen->place) || isInPart(m_into))
+            return Error{Code::WrongPlace, "what is in a Part is moved in its PartConfig"};
         if (part.is(Role::Controller))
             for (const Part& other : m.to->parts)
                 if (other.is(Role::Controller))
@@ -294,7 +298,8 @@ private:
     /// The path of an object below its config.
     static std::string withinOf(const ObjectLocation& place) {
         std::string within;
-        for (std::size_t i = 1; i < place.above.size(); ++i) within += place.above[i]->name + ".";
+        for (std::size_t i = 1; i < place.above.size(); ++i)
+            if (!place.above[i]->is(Role::Config)) within += place.above[i]->name + ".";
         return place.above.empty() || !place.part ? std::string() : within + place.part->name;
     }
     /// Pose in the new parent that keeps the pose in the world, and pose in the old parent, evaluated with the given instances.

@@ -48,7 +48,7 @@ std::optional<OverrideTarget> targetOf(const LoadedProject& loaded, const std::s
         if (!t.param && !t.property) return std::nullopt;
         t.within = t.key;
         t.place.part = config;
-    } else if (place->instance && !self && (place->above.empty() || place->above.front() == config)) {
+    } else if (place->instance && !self && std::ranges::find(place->above, config) != place->above.end()) {
         t.within = place->within + "." + t.key;
     }
     return t.property || t.param ? std::optional(t) : std::nullopt;
@@ -76,6 +76,9 @@ Result<std::string> textElsewhere(const LoadedProject& loaded, const OverrideTar
     const Part* config = configOf(loaded, *t.place.instance);
     if (config && isInScope(loaded, *t.place.instance, *config, *a.value))
         return std::string(loaded.outline->texts().slice(a.valueRange()));
+    const bool isInPart = t.place.instance->isPartUse() || std::ranges::any_of(t.place.above, &Part::isPartUse);
+    if (isInPart && t.property && t.property->type == PropertyType::Reference) // what a Param names may be outside of the Part
+        return Error{Code::UnknownParam, t.key + " is worked out from other Params; set it by hand"};
     const std::optional<PropertyValue> value = t.property ? valueAt(loaded, t.place, t.key) : std::nullopt;
     if (!value) return Error{Code::UnknownParam, t.key + " uses Params that are not known there"};
     return valueText(*t.property, *value);

@@ -45,7 +45,8 @@ public:
         if (!place || !place->part) return;
         m_chain = place->above;
         m_chain.push_back(place->part);
-        if (place->instance && m_chain.front() != place->instance) m_chain.insert(m_chain.begin(), place->instance);
+        const bool isReached = place->instance && !place->instance->isPartUse() && m_chain.front() != place->instance;
+        if (isReached) m_chain.insert(m_chain.begin(), place->instance);
         if (place->part == place->instance)
             if (const Part* config = configOf(loaded, *place->part)) m_chain.push_back(config);
         for (const Part* part : m_chain)
@@ -89,6 +90,7 @@ private:
             for (const Property& p : kind.properties)
                 if (p.required) text += " " + p.name + "=" + value(kind, p, name, depth);
         for (const Alternatives& choice : kind.alternatives) text += alternative(kind, choice, name, depth);
+        if (kind.name == "Part") text += outside(text);
         if (kind.role == Role::Geom) text += position(kind, target) + looks(kind, target) + mass(kind, target);
         if (kind.role == Role::Instance || kind.role == Role::Layout) text += " Pos=0,0,0";
         if (kind.role == Role::Body)
@@ -96,7 +98,9 @@ private:
                     looks(*m_loaded.registry->find("Box"), nullptr) + " Mass=0.1 }";
         if (kind.name == "RobotConfig")
             text += "\n  Body chassis { Box hull { Size=0.2,0.2,0.1 Pos=0,0,0.05" + looks(kind, nullptr) + " Mass=1 } }\n";
-        else if (kind.name == "StaticConfig")
+        else if (kind.name == "PartConfig" && !isScenery())
+            text += "\n  Body body { Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
+        else if (kind.name == "StaticConfig" || kind.name == "PartConfig")
             text += "\n  Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1" + looks(kind, nullptr) + " }\n";
         else text += " ";
         m_texts.push_back(text + "}");
@@ -108,7 +112,8 @@ private:
         if (kind.role == Role::Controller) return "brain";
         if (kind.name == "Robot") return "robot0";
         if (kind.name == "Grid" || kind.name == "Scatter") return "swarm";
-        if (kind.role == Role::Config) return kind.name == "RobotConfig" ? "MyRobot" : "MyArena";
+        if (kind.role == Role::Config)
+            return kind.name == "RobotConfig" ? "MyRobot" : kind.name == "PartConfig" ? "MyPart" : "MyArena";
         return lowerFirst(kind.name);
     }
 
@@ -178,8 +183,35 @@ private:
         return names;
     }
 
+    bool isScenery() const { return m_config && m_config->kind->name == "StaticConfig"; }
+
+    /// Values for the Params by which a PartConfig is joined to what is outside of it: the first body of the config.
+    std::string outside(const std::string& block) const {
+        const std::size_t at = block.find("Config=");
+        const std::string name = at == std::string::npos ? std::string() : block.substr(at + 7, block.find(' ', at) - at - 7);
+        const Part* used = m_loaded.outline->configs.find(name);
+        std::string text;
+        for (const SourceParam& param : used ? used->params : std::vector<SourceParam>()) {
+            if (!param.required) continue;
+            const std::vector<std::string> bodies = candidates("Body");
+            text += " " + param.name->text + "=" + (bodies.empty() ? "$" + param.name->text : bodies.front());
+        }
+        return text;
+    }
+
+    /// Whether a Part in the config can use a PartConfig: not itself in it, and of geoms alone in scenery.
+    bool fitsPart(const Part& part) const {
+        const auto contains = [&](const auto& self, const Part& config) -> bool {
+            return &config == m_config ||
+                   std::ranges::any_of(config.parts, [&](const Part& p) { return p.config && self(self, *p.config); });
+        };
+        const auto fits = [&](const Part& p) { return p.usable && (isScenery() ? p.is(Role::Geom) : !p.is(Role::Geom)); };
+        return !contains(contains, part) && !part.parts.empty() && std::ranges::all_of(part.parts, fits);
+    }
+
     /// A RobotConfig needs a body to be usable.
-    static bool sound(const Part& part) {
+    bool sound(const Part& part) const {
+        if (part.kind->name == "PartConfig") return fitsPart(part);
         return part.kind->name != "RobotConfig" ||
                std::any_of(part.parts.begin(), part.parts.end(), [](const Part& p) { return p.usable && p.is(Role::Body); });
     }

@@ -32,9 +32,12 @@ public:
         : m_loaded(loaded), m_outline(*loaded.outline), m_texts(m_outline.texts()) {}
 
     std::vector<NameReference> run() {
-        for (const auto& part : m_outline.parts)
+        for (const auto& part : m_outline.parts) {
             if (isPlaced(*part))
-                if (const Part* config = configOf(m_loaded, *part)) m_instances[config].push_back(part.get());
+                if (const Part* config = configOf(m_loaded, *part)) m_instances[config].push_back({part.get(), nullptr});
+            for (const Part& inner : part->parts)
+                if (inner.config) m_instances[inner.config].push_back({&inner, part.get()});
+        }
         m_globals = NameScope(m_texts, m_texts.trees[0]->items(), 0, nullptr);
         values(m_texts.trees[0]->items(), 0, {nullptr, m_outline.registry().find("settings"), nullptr, nullptr}, m_globals);
         for (const auto& part : m_outline.parts) visit(*part, nullptr, m_globals);
@@ -103,6 +106,8 @@ private:
             m_found.push_back({at->block, nullptr, {file, a.path[i].range}, before, place.user, key, false});
             before = {file, a.path[i].range};
         }
+        if (const SourceParam* param = at->config ? at->config->param(a.path.back().text) : nullptr)
+            m_found.push_back({nullptr, declarationOf(*param), {file, a.path.back().range}, before, place.user, key, false});
         return at->kind ? at->kind->find(a.path.back().text) : nullptr;
     }
     static bool param(const ValueContext& place, const AssignmentItem& a) { return place.config->param(a.path[0].text); }
@@ -159,16 +164,27 @@ private:
                 word(property, {e.text, {file, {e.range.begin + 1, e.range.end - 1}}}, place, key);
             if (e.kind != Element::Kind::ParamRef) continue;
             const NameScope::Declaration d = scope.find(e.text);
-            if (!d.item) continue;
-            follow(property, d.item->value, d.file, place, key, *d.scope, seen);
-            const auto users = m_instances.find(d.scope->config());
-            if (users == m_instances.end()) continue;
-            for (const Part* instance : users->second) {
-                const SourceAssignment* preset = instance->assignments.find(e.text);
-                if (!preset || (instance->kind && instance->kind->find(e.text))) continue;
-                const NameScope own(m_texts, instance->block->items, instance->file, &m_globals);
-                follow(property, *preset->value, preset->file, place, key, own, seen);
+            const SourceParam* implied = d.item || !place.config ? nullptr : place.config->param(e.text);
+            if (d.item) follow(property, d.item->value, d.file, place, key, *d.scope, seen);
+            if (d.item || implied) followUsers(property, e.text, d.item ? d.scope->config() : place.config, place, key, seen);
+        }
+    }
+    /// The values that instances of a config give to one of its Params. A name that a Part gives is one of the config around it.
+    void followUsers(const Property& property, const std::string& param, const Part* config, const ValueContext& place,
+                     const std::string& key, std::set<const Value*>& seen) {
+        const auto users = m_instances.find(config);
+        if (users == m_instances.end()) return;
+        for (const auto& [instance, owner] : users->second) {
+            const SourceAssignment* preset = instance->assignments.find(param);
+            if (!preset || (instance->kind && instance->kind->find(param))) continue;
+            ValueContext there = place;
+            NameScope around;
+            if (owner) {
+                around = NameScope(m_texts, owner->block->items, owner->file, &m_globals, owner);
+                there = {instance, place.kind, owner, nullptr};
             }
+            const NameScope own(m_texts, instance->block->items, instance->file, owner ? &around : &m_globals);
+            follow(property, *preset->value, preset->file, there, owner ? param : key, own, seen);
         }
     }
 
@@ -177,8 +193,8 @@ private:
         if (place.kind && namesWorld(*place.kind, property)) return world(said, place, key);
         if (property.type == PropertyType::Text) {
             if (!place.kind || place.kind->role != Role::Controller || !place.config) return;
-            const Part* part = place.config->find(said.text);
-            if (part && part->is(Role::Device)) add(*part, said.range, {}, place, key);
+            const Part* part = place.config->findPath(said.text);
+            if (part && part->is(Role::Device)) path(*place.config, said, place, key);
             return;
         }
         bool local = property.choices.empty();
@@ -190,14 +206,22 @@ private:
             if (part) return add(*part, said.range, {}, place, key);
         }
         if (!local || !place.config) return;
-        const ValueWord first = said.piece(0, firstWord(said.text).size());
-        const Part* part = place.config->find(first.text);
-        if (!part) return;
-        add(*part, first.range, {}, place, key);
-        const std::size_t inside = withoutFirstWord(said.text).size();
-        if (inside == 0) return;
-        const ValueWord second = said.piece(said.text.size() - inside, inside);
-        if (const Part* inner = part->find(second.text)) add(*inner, second.range, first.range, place, key);
+        path(*place.config, said, place, key);
+    }
+
+    /// Every word of "left.wheel.tyre" names something.
+    void path(const Part& config, const ValueWord& said, const ValueContext& place, const std::string& key,
+              bool pattern = false) {
+        const Part* at = &config;
+        SourceRange before;
+        for (std::size_t begin = 0; begin <= said.text.size();) {
+            const ValueWord word = said.piece(begin, firstWord(said.text.substr(begin)).size());
+            at = at->find(word.text);
+            if (!at) return;
+            add(*at, word.range, before, place, key, pattern);
+            before = word.range;
+            begin += word.text.size() + 1;
+        }
     }
 
     /// A path into the world: "robot0", "swarm_*", "robot0/leftEncoder/count".
@@ -233,9 +257,10 @@ private:
         std::set<const BlockItem*> named;
         for (const Part* instance : meant) {
             const Part* config = configOf(m_loaded, *instance);
-            const Part* part = config ? config->find(second.text) : nullptr;
+            const Part* part = config ? config->findPath(second.text) : nullptr;
+            const Part& holder = part ? *config : *instance;
             if (!part) part = instance->find(second.text);
-            if (part && named.insert(part->block).second) add(*part, second.range, {}, place, key, meant.size() > 1);
+            if (part && named.insert(part->block).second) path(holder, second, place, key, meant.size() > 1);
         }
     }
 
@@ -258,7 +283,8 @@ private:
     const Outline& m_outline;
     const TextSet& m_texts;
     NameScope m_globals;
-    std::unordered_map<const Part*, std::vector<const Part*>> m_instances; ///< by config
+    /// By config: the instances, and the config that a Part is in.
+    std::unordered_map<const Part*, std::vector<std::pair<const Part*, const Part*>>> m_instances;
     std::unordered_map<const Name*, const ParamItem*> m_declarations;
     std::vector<NameReference> m_found;
 };

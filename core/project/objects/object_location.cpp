@@ -20,11 +20,25 @@ bool descend(ObjectLocation& place, const Part& from, std::span<const std::strin
         const Part* next = at->find(word);
         if (!next) return false;
         above.push_back(at);
+        if (at->config) above.push_back(at->config);
         at = next;
     }
     place.part = at;
     place.above = std::move(above);
     return true;
+}
+
+/// The first Part on a path into a config is the instance that the rest is reached through.
+void findPart(ObjectLocation& place, std::span<const std::string> words) {
+    std::vector<const Part*> chain = place.above;
+    chain.push_back(place.part);
+    std::size_t used = 0;
+    for (const Part* part : chain) {
+        if (place.instance || part->is(Role::Config)) continue;
+        ++used;
+        if (part->isPartUse()) place.instance = part;
+    }
+    for (; place.instance && used < words.size(); ++used) place.within = pathInside(place.within, words[used]);
 }
 
 /// Finds the top-level block that a path begins with; returns the number of words it takes.
@@ -70,7 +84,11 @@ std::optional<ObjectLocation> placeOf(const LoadedProject& loaded, std::string_v
     if (!place.part) return std::nullopt;
     const std::span<const std::string> rest = std::span(words).subspan(used);
     const Part& top = *place.part;
-    if (!isPlaced(top)) return descend(place, top, rest) ? std::optional(place) : std::nullopt;
+    if (!isPlaced(top)) {
+        if (!descend(place, top, rest)) return std::nullopt;
+        findPart(place, rest);
+        return place;
+    }
     place.instance = &top;
     for (const std::string& word : rest) place.within = pathInside(place.within, word);
     if (descend(place, top, rest)) return place;

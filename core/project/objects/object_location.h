@@ -12,15 +12,23 @@
 namespace trundle {
 
 struct ObjectLocation {
-    const Part* part = nullptr;     ///< its block; for an object reached through an instance, the block in the config
-    const Part* instance = nullptr; ///< the Robot, Static, Grid or Scatter that it is or is reached through
-    std::string within;             ///< path below the instance: "chassis.hull"; empty: the instance itself, or no instance
-    bool member = false;            ///< a member of a Grid or Scatter ("swarm_3"), which has no text of its own
-    std::vector<const Part*> above; ///< the enclosing blocks of `part`, outermost first; empty: it is at the top level
+    const Part* part = nullptr; ///< its block; for an object reached through an instance, the block in the config
+    /// The Robot, Static, Grid or Scatter that it is or is reached through; of a path into a config, the first Part on it.
+    const Part* instance = nullptr;
+    std::string within;  ///< path below the instance: "chassis.hull"; empty: the instance itself, or no instance
+    bool member = false; ///< a member of a Grid or Scatter ("swarm_3"), which has no text of its own
+    /// The enclosing blocks of `part`, outermost first; empty: it is at the top level. A Part is followed by its PartConfig.
+    std::vector<const Part*> above;
 };
 
-/// Whether a block is a Robot, Static, Grid or Scatter.
+/// Whether a block is a Robot, Static, Grid, Scatter or Part.
 [[nodiscard]] inline bool isPlaced(const Part& part) { return part.is(Role::Instance) || part.is(Role::Layout); }
+
+/// The top-level block that the path of a location begins with; nullptr for the experiment.
+[[nodiscard]] inline const Part* topOf(const ObjectLocation& place) {
+    if (place.instance && !place.instance->isPartUse()) return place.instance;
+    return place.above.empty() ? place.part : place.above.front();
+}
 
 /// Nothing if the path does not lead to an object ("" gives a location without a part).
 [[nodiscard]] std::optional<ObjectLocation> placeOf(const LoadedProject& loaded, std::string_view path);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "model/dotted_path.h"
-#include "model/set_targets.h"
 #include "project/objects/object_location.h"
 #include "project/objects/value_text.h"
 #include "schema/value_words.h"
@@ -34,70 +33,31 @@ std::string FieldValue::before(std::size_t i) const {
 }
 
 ObjectValues::ObjectValues(std::shared_ptr<const LoadedProject> loaded, std::string path)
-    : m_loaded(std::move(loaded)), m_path(path), m_shownPath(std::move(path)), m_evaluator(m_loaded->outline->texts(), m_silent) {
-    m_globals = m_scope = inside(nullptr, m_loaded->outline->params);
+    : m_loaded(std::move(loaded)), m_path(path), m_shownPath(std::move(path)) {
+    const Outline& outline = *m_loaded->outline;
     if (m_path.empty()) m_kind = m_loaded->registry->find("settings");
-    else walk(DottedPath(m_path).words());
-}
-
-ParamScope* ObjectValues::inside(ParamScope* outer, const std::vector<SourceParam>& params) {
-    ParamScope& scope = m_scopes.emplace_back(outer);
-    scope.declare(params);
-    return &scope;
-}
-
-void ObjectValues::walk(const std::vector<std::string>& words) {
-    const Outline& outline = *m_loaded->outline;
-    std::vector<std::string> longer = words;
-    longer.emplace_back("x"); // a placeholder property: startOfPath() parses property paths
-    PathStart start = startOfPath(outline, longer);
-    if (!start.part) {
-        start = {layoutOfMember(outline, words[0]), 1};
-        m_member = start.part != nullptr;
-        if (m_member) m_path.replace(0, words[0].size(), start.part->name); // edits apply to the whole Grid or Scatter
+    const std::string first(firstWord(m_path));
+    if (const Part* layout = m_path.empty() || outline.world.find(first) ? nullptr : layoutOfMember(outline, first)) {
+        m_member = true;
+        m_path.replace(0, first.size(), layout->name); // edits apply to the whole Grid or Scatter
     }
-    if (!start.part || start.words > words.size()) return;
-    if (isPlaced(*start.part)) return enterInstance(words, start.words);
-    if (start.part->is(Role::Config)) m_config = start.part;
-    m_scope = inside(m_globals, start.part->params);
-    descend(start.part, words, start.words);
-}
-
-void ObjectValues::enterInstance(const std::vector<std::string>& words, std::size_t used) {
-    const Outline& outline = *m_loaded->outline;
-    m_instance = m_member ? layoutOfMember(outline, words[0]) : outline.world.find(words[0]);
-    m_instanceScope = m_scope = inside(m_globals, m_instance->params);
-    m_config = configOf(*m_loaded, *m_instance);
-    if (m_config) {
-        m_configScope = inside(m_globals, m_config->params);
-        for (const SourceAssignment& a : m_instance->assignments.all()) {
-            if (a.path.size() != 1 || m_instance->kind->find(a.key) || !m_config->param(a.key)) continue;
-            if (const auto given = m_evaluator.evaluate(*a.value, a.file, *m_instanceScope)) m_configScope->preset(a.key, *given);
-        }
-    }
-    if (used == words.size() || m_instance->find(words[used])) return descend(m_instance, words, used);
-    if (!m_config) return;
-    m_inConfig = true;
-    m_scope = m_configScope;
-    for (std::size_t i = used; i < words.size(); ++i) m_within = pathInside(m_within, words[i]);
-    descend(m_config, words, used);
-}
-
-void ObjectValues::descend(const Part* from, const std::vector<std::string>& words, std::size_t used) {
-    for (; used < words.size(); ++used) {
-        from = from->find(words[used]);
-        if (!from) return;
-        m_scope = inside(m_scope, from->params);
-    }
-    m_part = from;
-    m_kind = from->kind;
+    if (auto place = placeOf(*m_loaded, m_path)) m_place = std::move(*place);
+    m_scopes = std::make_unique<PathScopes>(*m_loaded, m_place);
+    m_part = m_place.part;
+    if (!m_part) return;
+    m_kind = m_part->kind;
+    const Part& top = m_place.above.empty() ? *m_part : *m_place.above.front();
+    m_inConfig = m_place.instance && m_part != m_place.instance && &top != m_place.instance;
+    if (isInstance()) m_config = configOf(*m_loaded, *m_part);
+    else if (m_place.instance) m_config = configOf(*m_loaded, *m_place.instance);
+    else if (top.is(Role::Config)) m_config = &top;
 }
 
 std::string ObjectValues::below(std::string_view name) const { return pathInside(m_path, name); }
 
 const std::string& ObjectValues::separator() {
     if (!m_separator.empty()) return m_separator;
-    const FileId file = m_instance ? m_instance->file : m_part ? m_part->file : FileId{0};
+    const FileId file = m_place.instance ? m_place.instance->file : m_part ? m_part->file : FileId{0};
     const auto& trees = m_loaded->trees;
     return m_separator = file < trees.size() ? separatorOf(*trees[file]) : ",";
 }
@@ -112,55 +72,58 @@ std::vector<FieldValue> ObjectValues::properties() {
 std::optional<FieldValue> ObjectValues::property(std::string_view name) {
     const Property* p = m_kind ? m_kind->find(name) : nullptr;
     if (!p) return std::nullopt;
-    const AssignmentList& list = m_part ? m_part->assignments : m_loaded->outline->settings;
-    return read(*p, below(name), &list, m_scope, m_inConfig ? m_within + "." + std::string(name) : std::string());
+    return read(*p, below(name), m_part ? &m_part->assignments : &m_loaded->outline->settings, m_scopes->scope());
 }
 
 std::vector<FieldValue> ObjectValues::configProperties() {
     std::vector<FieldValue> fields;
     if (!isInstance() || !m_config || !m_config->kind) return fields;
     for (const Property& p : m_config->kind->properties)
-        if (!m_kind->find(p.name)) fields.push_back(read(p, below(p.name), &m_config->assignments, m_configScope, p.name));
+        if (!m_kind->find(p.name)) fields.push_back(read(p, below(p.name), &m_config->assignments, m_scopes->configScope()));
     return fields;
 }
 
 std::vector<FieldValue> ObjectValues::params(std::size_t most) {
     std::vector<FieldValue> fields;
-    if (isInstance()) {
-        for (const SourceParam& p : m_config ? m_config->params : std::vector<SourceParam>())
-            if (fields.size() < most && !m_kind->find(p.name->text))
-                fields.push_back(readParam(p, m_configScope, m_instance->assignments.find(p.name->text)));
-        return fields;
-    }
-    if (m_inConfig || (m_part && !m_part->is(Role::Config))) return fields;
-    for (const SourceParam& p : m_part ? m_part->params : m_loaded->outline->params)
-        if (fields.size() < most && (!m_kind || !m_kind->find(p.name->text))) fields.push_back(readParam(p, m_scope, nullptr));
+    const bool isDeclaredHere = isInstance() || (!m_inConfig && (!m_part || m_part->is(Role::Config)));
+    if (!isDeclaredHere || (isInstance() && !m_config)) return fields;
+    for (const SourceParam& p : isInstance() ? m_config->params : m_part ? m_part->params : m_loaded->outline->params)
+        if (fields.size() < most && (!m_kind || !m_kind->find(p.name->text))) fields.push_back(readParam(p));
     return fields;
 }
 
 std::vector<std::string> ObjectValues::overrides() const {
     std::vector<std::string> paths;
     if (!isInstance()) return paths;
-    for (const SourceAssignment& a : m_instance->assignments.all())
+    for (const SourceAssignment& a : m_part->assignments.all())
         if (a.path.size() > 1) paths.push_back(a.key);
     return paths;
 }
 
-FieldValue ObjectValues::read(const Property& property, const std::string& path, const AssignmentList* list, ParamScope* scope,
-                              const std::string& overrideKey) {
+FieldValue ObjectValues::read(const Property& property, const std::string& path, const AssignmentList* list, ParamScope& scope) {
     FieldValue field;
     field.path = path;
     field.property = &property;
     if (property.maxCount > 1) field.separator = separator();
     if (m_part) field.place = m_part->nameRange();
-    const bool throughInstance = !overrideKey.empty();
-    const SourceAssignment* over = throughInstance && m_instance ? m_instance->assignments.find(overrideKey) : nullptr;
+    const bool isOfConfig = list != (m_part ? &m_part->assignments : &m_loaded->outline->settings);
+    const auto set = m_scopes->overrideOf(property.name, isOfConfig);
     const SourceAssignment* a = list->find(property.name);
-    if (over) {
-        fill(field, {over->value, over->file, m_instanceScope, ValueOrigin::Override});
-        fillInherited(field, a ? a->value : nullptr, a ? a->file : kNoFile);
+    if (set) {
+        // What an inner Part sets is the config's value for the outer instance.
+        const bool isOurs = set->layer->instance == m_place.instance;
+        fill(field, {set->assignment->value, set->assignment->file, set->layer->scope,
+                     isOurs ? ValueOrigin::Override : ValueOrigin::Config});
+        for (const PathScopes::Layer& inner : m_scopes->layers()) { // an inner Part may override it too
+            if (&inner <= set->layer || inner.inside.empty()) continue;
+            const SourceAssignment* next = inner.instance->assignments.find(pathInside(inner.inside, property.name));
+            if (!next) continue;
+            a = next;
+            break;
+        }
+        fillInherited(field, *set->layer, a ? a->value : nullptr, a ? a->file : kNoFile);
     } else if (a) {
-        fill(field, {a->value, a->file, scope, throughInstance ? ValueOrigin::Config : ValueOrigin::Own});
+        fill(field, {a->value, a->file, &scope, m_inConfig || isOfConfig ? ValueOrigin::Config : ValueOrigin::Own});
     }
     if (field.given() || !property.defaultValue) return field;
     field.value = property.defaultValue;
@@ -173,13 +136,21 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
     return field;
 }
 
-FieldValue ObjectValues::readParam(const SourceParam& param, ParamScope* scope, const SourceAssignment* own) {
+FieldValue ObjectValues::readParam(const SourceParam& param) {
     FieldValue field;
     field.path = below(param.name->text);
-    if (own) {
-        fill(field, {own->value, own->file, m_instanceScope, ValueOrigin::Override});
-        fillInherited(field, param.value, param.valueFile);
-    } else fill(field, {param.value, param.valueFile, scope, isInstance() ? ValueOrigin::Config : ValueOrigin::Own});
+    const auto set = isInstance() ? m_scopes->overrideOf(param.name->text, true) : std::nullopt;
+    if (set) {
+        const bool isOurs = set->layer->instance == m_place.instance;
+        fill(field, {set->assignment->value, set->assignment->file, set->layer->scope,
+                     isOurs ? ValueOrigin::Override : ValueOrigin::Config});
+        fillInherited(field, *set->layer, param.value, param.valueFile);
+    } else if (param.value->elements.empty() && param.required) { // every use must give it
+        field.place = m_part ? m_part->nameRange() : param.nameRange();
+    } else {
+        ParamScope& scope = isInstance() ? m_scopes->configScope() : m_scopes->scope();
+        fill(field, {param.value, param.valueFile, &scope, isInstance() ? ValueOrigin::Config : ValueOrigin::Own});
+    }
     return field;
 }
 
@@ -195,16 +166,16 @@ void ObjectValues::fill(FieldValue& field, const ValueText& written) {
         field.elements.push_back({e.range.begin - begin, e.range.end - begin});
         field.formula = field.formula || isFormula(e);
     }
-    field.broken = written.value->broken || m_evaluator.broken(field.place);
-    const std::optional<GivenValue> given = m_evaluator.evaluate(*written.value, written.file, *written.scope);
+    field.broken = written.value->broken || m_scopes->evaluator().broken(field.place);
+    const std::optional<GivenValue> given = m_scopes->evaluator().evaluate(*written.value, written.file, *written.scope);
     if (!given) return;
     if (field.property) field.value = readValue(*field.property, *given, m_silent);
     if (field.formula) showFormula(field, *given);
 }
 
 /// The value without the override: the text in the config, or the default.
-void ObjectValues::fillInherited(FieldValue& field, const Value* value, FileId file) const {
-    if (m_config) field.config = m_config->name;
+void ObjectValues::fillInherited(FieldValue& field, const PathScopes::Layer& from, const Value* value, FileId file) const {
+    if (from.config) field.config = from.config->name;
     const Property* property = field.property;
     bool bare = true; // the numbers are written without units
     if (value && value->range.end - value->range.begin > kMaxShownValue) {

@@ -1,14 +1,13 @@
 #pragma once
 // The property values of one object: their texts, evaluated values and source ranges.
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "model/params.h"
-#include "project/loading/project.h"
+#include "project/objects/path_scopes.h"
+#include "schema/value_reader.h"
 
 namespace trundle {
 
@@ -59,11 +58,13 @@ public:
     [[nodiscard]] const std::string& shownPath() const { return m_shownPath; } ///< as selected
     /// nullptr if the kind is unknown, for example of a module that could not be loaded.
     [[nodiscard]] const Kind* kind() const { return m_kind; }
-    [[nodiscard]] const Part* part() const { return m_part; }         ///< nullptr: the experiment
-    [[nodiscard]] const Part* instance() const { return m_instance; } ///< the object, or the path goes through it
-    [[nodiscard]] const Part* config() const { return m_config; }     ///< of the instance, or the one that contains the object
-    [[nodiscard]] bool isInstance() const { return m_instance && m_part == m_instance; }
+    [[nodiscard]] const Part* part() const { return m_part; }               ///< nullptr: the experiment
+    [[nodiscard]] const Part* instance() const { return m_place.instance; } ///< the object, or the path goes through it
+    [[nodiscard]] const Part* config() const { return m_config; } ///< of the object, of the instance, or the one that contains it
+    [[nodiscard]] bool isInstance() const { return m_part && isPlaced(*m_part); }
     [[nodiscard]] bool inConfig() const { return m_inConfig; } ///< the block is in the instance's config
+    /// Path below instance(), "left.wheel"; empty: it is the instance, or there is none.
+    [[nodiscard]] const std::string& within() const { return m_place.within; }
     [[nodiscard]] bool member() const { return m_member; }
     [[nodiscard]] const LoadedProject& loaded() const { return *m_loaded; }
     [[nodiscard]] const std::shared_ptr<const LoadedProject>& sharedLoaded() const { return m_loaded; }
@@ -85,30 +86,24 @@ private:
         ParamScope* scope = nullptr;
         ValueOrigin origin = ValueOrigin::Default;
     };
-    void walk(const std::vector<std::string>& words);
-    void enterInstance(const std::vector<std::string>& words, std::size_t used);
-    void descend(const Part* from, const std::vector<std::string>& words, std::size_t used);
-    [[nodiscard]] ParamScope* inside(ParamScope* outer, const std::vector<SourceParam>& params);
     [[nodiscard]] FieldValue read(const Property& property, const std::string& path, const AssignmentList* list,
-                                  ParamScope* scope, const std::string& overrideKey);
-    [[nodiscard]] FieldValue readParam(const SourceParam& param, ParamScope* scope, const SourceAssignment* own);
+                                  ParamScope& scope);
+    [[nodiscard]] FieldValue readParam(const SourceParam& param);
     void fill(FieldValue& field, const ValueText& written);
-    void fillInherited(FieldValue& field, const Value* value, FileId file) const;
+    void fillInherited(FieldValue& field, const PathScopes::Layer& from, const Value* value, FileId file) const;
     void showFormula(FieldValue& field, const GivenValue& given);
     [[nodiscard]] std::string below(std::string_view name) const;
     [[nodiscard]] const std::string& separator();
 
     std::shared_ptr<const LoadedProject> m_loaded;
     std::string m_path, m_shownPath;
-    std::string m_within;    ///< path below the config
     std::string m_separator; ///< cached; empty: not determined yet
+    ObjectLocation m_place;
+    std::unique_ptr<PathScopes> m_scopes;
     const Kind* m_kind = nullptr;
-    const Part *m_part = nullptr, *m_instance = nullptr, *m_config = nullptr;
+    const Part *m_part = nullptr, *m_config = nullptr;
     bool m_member = false, m_inConfig = false;
     Diagnostics m_silent;
-    Evaluator m_evaluator;
-    std::deque<ParamScope> m_scopes; // a deque, since pointers to its elements are kept
-    ParamScope *m_globals = nullptr, *m_instanceScope = nullptr, *m_configScope = nullptr, *m_scope = nullptr;
 };
 
 } // namespace trundle

@@ -1,59 +1,15 @@
 #include "project/objects/part_values.h"
 
 #include <cmath>
-#include <deque>
 #include <numbers>
 
 #include "lang/characters.h"
-#include "model/params.h"
+#include "project/objects/path_scopes.h"
 #include "schema/value_words.h"
 
 namespace trundle {
 
 namespace {
-
-/// The Params in scope at a part, with the values that an instance sets.
-class Scopes {
-public:
-    Scopes(const LoadedProject& loaded, const ObjectLocation& place) : m_evaluator(loaded.outline->texts(), m_silent) {
-        m_scopes.emplace_back(nullptr).declare(loaded.outline->params);
-        const bool inConfig =
-            place.instance && place.part != place.instance && (place.above.empty() || place.above.front() != place.instance);
-        if (inConfig) m_instance = &m_scopes.emplace_back(&m_scopes.front());
-        if (m_instance) m_instance->declare(place.instance->params);
-        ParamScope* outer = &m_scopes.front();
-        std::vector<const Part*> chain = place.above;
-        if (place.part) chain.push_back(place.part);
-        for (const Part* part : chain) {
-            ParamScope& scope = m_scopes.emplace_back(outer);
-            scope.declare(part->params);
-            if (m_instance && part->is(Role::Config)) preset(scope, *part, *place.instance);
-            outer = &scope;
-        }
-        m_inner = outer;
-    }
-
-    std::optional<PropertyValue> read(const SourceAssignment& a, const Property& property, bool override) {
-        ParamScope& scope = override && m_instance ? *m_instance : *m_inner;
-        const std::optional<GivenValue> given = m_evaluator.evaluate(*a.value, a.file, scope);
-        return given ? readValue(property, *given, m_silent) : std::nullopt;
-    }
-
-private:
-    void preset(ParamScope& scope, const Part& config, const Part& instance) {
-        for (const SourceParam& p : config.params) {
-            const SourceAssignment* a = instance.assignments.find(p.name->text);
-            if (!a || (instance.kind && instance.kind->find(p.name->text))) continue;
-            if (const auto value = m_evaluator.evaluate(*a->value, a->file, *m_instance)) scope.preset(p.name->text, *value);
-        }
-    }
-
-    Diagnostics m_silent;
-    Evaluator m_evaluator;
-    std::deque<ParamScope> m_scopes; // a deque: the scopes point to each other
-    ParamScope* m_instance = nullptr;
-    ParamScope* m_inner = nullptr;
-};
 
 Vec3 triple(const std::optional<PropertyValue>& value) {
     if (!value || value->numbers.size() != 3) return Vec3::Zero();
@@ -74,12 +30,14 @@ std::string quoted(const std::string& text) {
 std::optional<PropertyValue> valueAt(const LoadedProject& loaded, const ObjectLocation& place, const std::string& key) {
     const Property* property = place.part && place.part->kind ? place.part->kind->find(key) : nullptr;
     if (!property) return std::nullopt;
-    Scopes scopes(loaded, place);
-    if (place.instance && place.part != place.instance) {
-        if (const SourceAssignment* a = place.instance->assignments.find(place.within + "." + key))
-            return scopes.read(*a, *property, true);
-    }
-    if (const SourceAssignment* a = place.part->assignments.find(key)) return scopes.read(*a, *property, false);
+    PathScopes scopes(loaded, place);
+    Diagnostics silent;
+    const auto read = [&](const SourceAssignment& a, ParamScope& scope) {
+        const std::optional<GivenValue> given = scopes.evaluator().evaluate(*a.value, a.file, scope);
+        return given ? readValue(*property, *given, silent) : std::nullopt;
+    };
+    if (const auto set = scopes.overrideOf(key)) return read(*set->assignment, *set->layer->scope);
+    if (const SourceAssignment* a = place.part->assignments.find(key)) return read(*a, scopes.scope());
     return property->defaultValue;
 }
 
@@ -108,6 +66,28 @@ std::string valueText(const Property& property, const PropertyValue& value) {
 
 Pose poseAt(const LoadedProject& loaded, const ObjectLocation& place) {
     return {triple(valueAt(loaded, place, "Pos")), rotationFromHpr(triple(valueAt(loaded, place, "HPR")))};
+}
+
+Pose DescribedFrame::mirrored(const Pose& described) const {
+    const Vec3 turned = signs.prod() * signs.cwiseProduct(described.rotation.vec()); // M R M
+    const Quat& q = described.rotation;
+    return {signs.cwiseProduct(described.position), Quat(q.w(), turned.x(), turned.y(), turned.z())};
+}
+
+DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation& place) {
+    DescribedFrame frame;
+    for (std::size_t i = 0; i < place.above.size(); ++i) {
+        if (!place.above[i]->isPartUse()) continue;
+        ObjectLocation use;
+        use.part = place.above[i];
+        use.instance = place.instance;
+        use.above.assign(place.above.begin(), place.above.begin() + static_cast<std::ptrdiff_t>(i));
+        frame.pose = frame.pose * frame.mirrored(poseAt(loaded, use));
+        const std::optional<PropertyValue> mirror = valueAt(loaded, use, "Mirror");
+        const std::string axis = mirror && !mirror->texts.empty() ? mirror->texts[0] : std::string();
+        if (axis == "x" || axis == "y" || axis == "z") frame.signs[axis[0] - 'x'] *= -1;
+    }
+    return frame;
 }
 
 std::string positionText(const Vec3& p) { return shortNumber(p.x()) + "," + shortNumber(p.y()) + "," + shortNumber(p.z()); }

@@ -21,6 +21,16 @@ namespace trundle {
 
 /// Pose of a body, geom or instance relative to its parent, from Pos and HPR.
 [[nodiscard]] Pose poseAt(const LoadedProject& loaded, const ObjectLocation& place);
+/// The frame in which a block inside a Part is described, in the frame of the config or scenery: first the mirror image, then the
+/// pose. For an object that is in no Part that is the frame of the config.
+struct DescribedFrame {
+    Pose pose;
+    Vec3 signs = Vec3::Ones(); ///< -1 along mirrored axes
+
+    /// The mirror image of a pose, which is its own inverse.
+    [[nodiscard]] Pose mirrored(const Pose& described) const;
+};
+[[nodiscard]] DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation& place);
 /// A position (m) as text: "0.1,0,0.05".
 [[nodiscard]] std::string positionText(const Vec3& position);
 /// HPR in degrees as text.

@@ -11,7 +11,7 @@ std::vector<const Part*> configsWithoutInstances(const LoadedProject& loaded) {
     const Outline& outline = *loaded.outline;
     if (std::ranges::any_of(outline.parts, [](const auto& part) { return isPlaced(*part); })) return described;
     for (const Part* config : outline.configs.all())
-        if (config->file == 0) described.push_back(config);
+        if (config->file == 0 && config->kind->name != "PartConfig") described.push_back(config);
     return described;
 }
 

@@ -49,16 +49,18 @@ void LiveObject::bind(const ExperimentSpec& experiment, const SignalLayout& layo
     const RobotSpec* robot = named(experiment.robots, takeWord(path));
     if (!robot || !robot->config) return;
     if (path.empty()) return addRobot(*robot, layout, registry);
-    const std::string_view word = takeWord(path);
-    const std::string prefix = robot->name + "/" + std::string(word) + "/";
-    if (const BodySpec* body = named(robot->config->bodies, word)) {
-        const GeomSpec* geom = path.empty() ? nullptr : named(body->geoms, path);
-        if (geom || path.empty()) addMotion(layout, prefix, geom ? geom->pose : Pose{});
+    // "left.wheel" is a body of a Part, "left.wheel.tyre" a geom of that.
+    const BodySpec* body = named(robot->config->bodies, path);
+    const GeomSpec* geom = nullptr;
+    if (!body && (body = named(robot->config->bodies, withoutLastWord(path)))) geom = named(body->geoms, lastWord(path));
+    if (body) {
+        const std::string prefix = robot->name + "/" + body->name + "/";
+        if (geom || body->name == path) addMotion(layout, prefix, geom ? geom->pose : Pose{});
         return;
     }
-    if (!path.empty()) return;
-    const ComponentSpec* part = named(robot->config->devices, word);
-    if (!part && robot->controller && robot->controller->name == word) part = &*robot->controller;
+    const std::string prefix = robot->name + "/" + std::string(path) + "/";
+    const ComponentSpec* part = named(robot->config->devices, path);
+    if (!part && robot->controller && robot->controller->name == path) part = &*robot->controller;
     addSignals(layout, prefix, part ? registry.find(part->kind) : nullptr);
 }
 

@@ -3,28 +3,23 @@
 namespace trundle {
 namespace {
 
-std::vector<std::string_view> wordsOf(std::string_view path) {
-    std::vector<std::string_view> words;
-    for (std::size_t begin = 0; begin <= path.size();) {
-        const std::size_t end = std::min(path.find_first_of("./", begin), path.size());
-        words.push_back(path.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return words;
+std::size_t endOfWord(std::string_view path, std::size_t begin) { return std::min(path.find_first_of("./", begin), path.size()); }
+
+/// The name of the instance that a path begins with; it may itself be dotted, like the path of its config ("RobotConfig.Rover").
+std::string_view instanceOf(std::string_view path) {
+    const std::size_t end = endOfWord(path, 0);
+    const bool isConfig = path.starts_with("RobotConfig") || path.starts_with("StaticConfig");
+    const bool hasMore = end < path.size() && isConfig && end == path.find("Config") + 6;
+    return path.substr(0, hasMore ? endOfWord(path, end + 1) : end);
 }
 
-/// Splits a path into words. The first names an instance and may itself be dotted, like the path of its config
-/// ("RobotConfig.Rover").
-std::vector<std::string_view> wordsFrom(std::string_view path) {
-    std::vector<std::string_view> words = wordsOf(path);
-    if (words.size() < 2 || (words[0] != "RobotConfig" && words[0] != "StaticConfig")) return words;
-    words[1] = path.substr(0, words[0].size() + 1 + words[1].size());
-    words.erase(words.begin());
-    return words;
-}
-
-template <class T> std::optional<std::uint32_t> named(const std::vector<T>& parts, std::string_view name) {
-    const auto it = std::find_if(parts.begin(), parts.end(), [&](const T& part) { return part.name == name; });
+/// What has that name, or the name of which the path continues: "left.wheel" of "left.wheel.tyre".
+template <class T> std::optional<std::uint32_t> named(const std::vector<T>& parts, std::string_view path, bool isWhole) {
+    const auto it = std::find_if(parts.begin(), parts.end(), [&](const T& part) {
+        if (!path.starts_with(part.name)) return false;
+        const std::size_t size = part.name.size();
+        return path.size() == size || (!isWhole && (path[size] == '.' || path[size] == '/'));
+    });
     if (it == parts.end()) return std::nullopt;
     return static_cast<std::uint32_t>(it - parts.begin());
 }
@@ -60,21 +55,23 @@ const std::vector<Ball>& ObjectIndex::ballsOf(const std::vector<GeomSpec>& geoms
 }
 
 std::optional<ObjectRef> ObjectIndex::find(std::string_view path) const {
-    const std::vector<std::string_view> words = wordsFrom(path);
-    if (const auto it = m_statics.find(words[0]); it != m_statics.end()) {
-        if (words.size() == 1) return ObjectRef{ObjectKind::Static, it->second};
+    const std::string_view instance = instanceOf(path);
+    const std::string_view inside = path.substr(std::min(path.size(), instance.size() + 1));
+    if (const auto it = m_statics.find(instance); it != m_statics.end()) {
+        if (inside.empty()) return ObjectRef{ObjectKind::Static, it->second};
         const auto& geoms = m_experiment->statics[it->second].geoms;
-        const auto geom = words.size() == 2 && geoms ? named(*geoms, words[1]) : std::nullopt;
+        const auto geom = geoms ? named(*geoms, inside, true) : std::nullopt;
         return geom ? std::optional(ObjectRef{ObjectKind::StaticGeom, it->second, 0, *geom}) : std::nullopt;
     }
-    const auto it = m_robots.find(words[0]);
-    if (it == m_robots.end() || words.size() > 3) return std::nullopt;
-    if (words.size() == 1) return ObjectRef{ObjectKind::Robot, it->second};
+    const auto it = m_robots.find(instance);
+    if (it == m_robots.end()) return std::nullopt;
+    if (inside.empty()) return ObjectRef{ObjectKind::Robot, it->second};
     const auto& config = m_experiment->robots[it->second].config;
-    const auto body = config ? named(config->bodies, words[1]) : std::nullopt;
+    const auto body = config ? named(config->bodies, inside, false) : std::nullopt;
     if (!body) return std::nullopt;
-    if (words.size() == 2) return ObjectRef{ObjectKind::Body, it->second, *body};
-    const auto geom = named(config->bodies[*body].geoms, words[2]);
+    const std::string& bodyName = config->bodies[*body].name;
+    if (inside.size() == bodyName.size()) return ObjectRef{ObjectKind::Body, it->second, *body};
+    const auto geom = named(config->bodies[*body].geoms, inside.substr(bodyName.size() + 1), true);
     return geom ? std::optional(ObjectRef{ObjectKind::Geom, it->second, *body, *geom}) : std::nullopt;
 }
 

@@ -191,7 +191,8 @@ private:
         }
         if (!at || !at->kind) return;
         keys(*at->kind, before);
-        parts(*at);
+        if (at->config) configKeys(*at->config);
+        parts(at->config ? *at->config : *at);
     }
 
     // --- blocks ---
@@ -312,7 +313,8 @@ private:
 
     void expression() {
         params({});
-        for (const char* name : {"abs", "cos", "max", "min", "sin", "sqrt", "tan"})
+        for (const char* name :
+             {"abs", "acos", "asin", "atan2", "ceil", "cos", "floor", "if", "max", "min", "mod", "round", "sin", "sqrt", "tan"})
             add(CompletionSort::Word, name, std::string(name) + "(", "",
                 std::string(name) == "cos" || std::string(name) == "sin" || std::string(name) == "tan" ? "Of an angle in degrees."
                                                                                                        : "");

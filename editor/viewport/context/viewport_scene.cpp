@@ -104,6 +104,7 @@ std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
     std::vector<ObjectRef> objects;
     const auto add = [&](const std::string& instance, std::string_view rest) {
         if (const auto object = find(rest.empty() ? instance : pathInside(instance, rest))) objects.push_back(*object);
+        else addInside(instance, rest, objects);
     };
     const std::string_view first = firstWord(path), inside = withoutFirstWord(path);
     const bool isRobotConfig = first == "RobotConfig", isStaticConfig = first == "StaticConfig";
@@ -120,9 +121,22 @@ std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
         }
         return objects;
     }
+    if (!inside.empty()) addInside(std::string(first), inside, objects);
     for (const RobotSpec& robot : m_objects->experiment().robots)
         if (isMemberOf(robot.name, first)) add(robot.name, inside);
     return objects;
+}
+
+/// What a Part of an instance holds: the bodies or geoms whose names begin with its name.
+void ViewportScene::addInside(const std::string& instance, std::string_view part, std::vector<ObjectRef>& objects) const {
+    const auto object = find(instance);
+    const RobotSpec* robot = object ? m_objects->robotOf(*object) : nullptr;
+    const StaticSpec* fixed = object && !robot ? m_objects->staticOf(*object) : nullptr;
+    if (part.empty()) return;
+    for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i)
+        if (startsWithPath(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, object->instance, i});
+    for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
+        if (startsWithPath((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
 }
 
 const CameraModel* ViewportScene::camera(const std::string& path) const {

@@ -74,6 +74,7 @@ private:
     void updateScene();
     void updatePoses();
     void listHidden();
+    void addInside(const std::string& instance, std::string_view part, std::vector<ObjectRef>& objects) const;
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> ghosts() const;
     [[nodiscard]] bool holds(const std::vector<std::string>& marks, const ObjectRef& object) const;
 

@@ -40,6 +40,41 @@ std::array<SizeName, 3> sizeNamesOf(GeomShape shape) {
     }
 }
 
+/// The pose of an object in the frame that contains it, as resolved.
+Pose localPose(const ObjectIndex& objects, const ObjectRef& object) {
+    if (const GeomSpec* geom = objects.geomOf(object)) return geom->pose;
+    const RobotSpec* robot = objects.robotOf(object);
+    if (!robot) return objects.staticOf(object)->pose;
+    return object.kind == ObjectKind::Robot ? robot->pose : robot->config->bodies[object.body].pose;
+}
+
+/// Pos and HPR of an object after a motion in the world.
+Pose movedLocal(const Pose& local, const Pose& frame, const DescribedFrame& described, const Pose& motion) {
+    // Applied in the object's own frame, so that unaffected numbers stay exact.
+    const Pose inFrame = described.mirrored(frame.inverse() * motion * frame);
+    const bool turns = motion.rotation.angularDistance(Quat::Identity()) > 1e-12;
+    const Vec3 shift = described.signs.cwiseProduct(frame.rotation.conjugate() * motion.position);
+    return {turns ? inFrame * local.position : Vec3(local.position + shift), (inFrame.rotation * local.rotation).normalized()};
+}
+
+/// The text of a property where an edit through this path would replace it; empty: it gets a new value.
+std::string textInPlace(const LoadedProject& loaded, const std::string& property) {
+    const auto from = provenanceOf(*loaded.outline, property);
+    if (!from || !from->value.known()) return {};
+    // A value written in the config is not edited through an instance; the instance gets a new value with plain numbers.
+    const bool inConfig = property.starts_with("RobotConfig.") || property.starts_with("StaticConfig.");
+    if (const auto place = placeOf(loaded, withoutLastWord(property)); inConfig && place && !place->above.empty()) {
+        const SourceRange config = place->above.front()->range; // a value in a PartConfig is not edited through its Part
+        if (config.file != from->value.file || from->value.range.begin < config.range.begin ||
+            from->value.range.end > config.range.end)
+            return {};
+    }
+    const SourceRange own = blockOf(loaded, firstWord(property));
+    const bool inPlace = inConfig || (own.known() && own.file == from->value.file && own.range.begin <= from->value.range.begin &&
+                                      from->value.range.end <= own.range.end);
+    return inPlace ? std::string(loaded.sources.slice(from->value)) : std::string();
+}
+
 } // namespace
 
 TransformSelection::TransformSelection(const ViewContext& context, Operation purpose)
@@ -72,8 +107,7 @@ void TransformSelection::take(const std::string& path) {
     }
     if (!m_context.document.isOpen()) return;
     const auto place = placeOf(*m_context.document.loaded(), path);
-    if (!place) return;
-    const bool hasPlace = place->member || (place->part && place->part->kind && place->part->kind->find("Pos"));
+    const bool hasPlace = place && (place->member || (place->part && place->part->kind && place->part->kind->find("Pos")));
     if (!hasPlace) return; // a whole config has no pose
     if (place->member) {
         m_layout = place->instance ? place->instance->name : std::string();
@@ -81,20 +115,22 @@ void TransformSelection::take(const std::string& path) {
             tr("%1 is a member of %2, which sets its pose.").arg(QString::fromStdString(path), QString::fromStdString(m_layout));
         return;
     }
-    const bool isLayout = place->instance && place->within.empty() && objects.size() >= 1 && !world.find(path);
-    if (isLayout && !path.starts_with("RobotConfig.") && !path.starts_with("StaticConfig.")) return takeLayout(path);
+    if (place->part && place->part->isPartUse()) return takePart(path, *place, object);
+    if (place->instance && place->within.empty() && !world.find(path)) return takeLayout(path);
     if (world.isLocked(object)) {
         m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
         return;
     }
-    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}};
-    if (const RobotSpec* robot = m_objects->robotOf(object)) {
-        if (object.kind == ObjectKind::Robot) item.local = robot->pose;
-        if (object.kind == ObjectKind::Body) item.local = robot->config->bodies[object.body].pose;
-    } else if (object.kind == ObjectKind::Static) {
-        item.local = m_objects->staticOf(object)->pose;
+    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}, {}};
+    item.local = localPose(*m_objects, object);
+    if (std::ranges::any_of(place->above, &Part::isPartUse)) {
+        item.described = describedFrame(*m_context.document.loaded(), *place);
+        if (object.kind == ObjectKind::Body || object.kind == ObjectKind::StaticGeom) { // its Pos is in the frame of its Part
+            item.frame = item.frame * item.described.pose;
+            item.local = item.described.pose.inverse() * item.local;
+        }
+        item.local = item.described.mirrored(item.local);
     }
-    if (const GeomSpec* geom = m_objects->geomOf(object)) item.local = geom->pose;
     item.posText = textOf(path + ".Pos");
     item.hprText = textOf(path + ".HPR");
     m_items.push_back(std::move(item));
@@ -102,6 +138,7 @@ void TransformSelection::take(const std::string& path) {
 
 void TransformSelection::addSizes(const std::string& path) {
     Item& item = m_items.back();
+    if (const auto place = placeOf(*m_context.document.loaded(), path); place && place->part && place->part->isPartUse()) return;
     const std::vector<ObjectRef> members = item.object ? std::vector<ObjectRef>() : m_context.world.objectsOf(path);
     m_layoutExtent.reset();
     if (!members.empty()) {
@@ -127,22 +164,32 @@ void TransformSelection::takeLayout(const std::string& path) {
               poseAt(*m_context.document.loaded(), *place),
               Pose{},
               {},
+              {},
               textOf(path + ".Pos"),
               textOf(path + ".HPR")};
     item.local = item.world;
     m_items.push_back(std::move(item));
 }
 
-std::string TransformSelection::textOf(const std::string& property) const {
+void TransformSelection::takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside) {
     const LoadedProject& loaded = *m_context.document.loaded();
-    const auto from = provenanceOf(*loaded.outline, property);
-    if (!from || !from->value.known()) return {};
-    // A value written in the config is not edited through an instance; the instance gets a new value with plain numbers.
-    const bool inConfig = property.starts_with("RobotConfig.") || property.starts_with("StaticConfig.");
-    const SourceRange own = blockOf(loaded, firstWord(property));
-    const bool inPlace = inConfig || (own.known() && own.file == from->value.file && own.range.begin <= from->value.range.begin &&
-                                      from->value.range.end <= own.range.end);
-    return inPlace ? std::string(loaded.sources.slice(from->value)) : std::string();
+    const RobotSpec* robot = m_objects->robotOf(inside);
+    const ObjectRef whole{robot ? ObjectKind::Robot : ObjectKind::Static, inside.instance};
+    Item item{path,
+              std::nullopt,
+              {},
+              {},
+              poseAt(loaded, place),
+              describedFrame(loaded, place),
+              textOf(path + ".Pos"),
+              textOf(path + ".HPR")};
+    item.frame = m_context.world.poseOf(whole) * item.described.pose;
+    item.world = item.frame * item.described.mirrored(item.local);
+    m_items.push_back(std::move(item));
+}
+
+std::string TransformSelection::textOf(const std::string& property) const {
+    return textInPlace(*m_context.document.loaded(), property);
 }
 
 QString TransformSelection::title() const {
@@ -192,16 +239,9 @@ Status TransformSelection::move(const Pose& motion, const QString& name, const s
         return {};
     }
     std::vector<ValueEdit> edits;
-    for (Item& item : m_items) {
-        // Applied in the object's own frame, so that unaffected numbers stay exact.
-        const Pose inFrame = item.frame.inverse() * motion * item.frame;
-        Pose local;
-        local.rotation = (inFrame.rotation * item.local.rotation).normalized();
-        const bool turns = motion.rotation.angularDistance(Quat::Identity()) > 1e-12;
-        local.position =
-            turns ? inFrame * item.local.position : Vec3(item.local.position + item.frame.rotation.conjugate() * motion.position);
-        for (ValueEdit& edit : editsOf(item, local, fineness)) edits.push_back(std::move(edit));
-    }
+    for (Item& item : m_items)
+        for (ValueEdit& edit : editsOf(item, movedLocal(item.local, item.frame, item.described, motion), fineness))
+            edits.push_back(std::move(edit));
     return apply(edits, name, mergeKey);
 }
 
@@ -215,8 +255,7 @@ Status TransformSelection::moveEach(const std::vector<Vec3>& offsets, const QStr
             if (!m_context.session.robots().place(item.path, to)) return Error{Code::EditRefused, "it cannot be placed there"};
             continue;
         }
-        Pose local = item.local;
-        local.position += item.frame.rotation.conjugate() * offsets[i];
+        const Pose local = movedLocal(item.local, item.frame, item.described, {offsets[i], Quat::Identity()});
         for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
     }
     m_context.document.edits().endMerge();
@@ -268,7 +307,7 @@ std::array<SizeName, 3> TransformSelection::sizeNames() const {
 void TransformSelection::follow(Item& item, const Vec3& before, const Vec3& after, int side,
                                 std::vector<ValueEdit>& edits) const {
     Pose local = item.local;
-    local.position += item.local.rotation * (0.5 * side * (after - before));
+    local.position += item.local.rotation * item.described.signs.cwiseProduct(0.5 * side * (after - before));
     for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
 }
 

@@ -11,6 +11,7 @@
 #include "editor/document/document.h"
 #include "editor/viewport/gizmo/layout_extent.h"
 #include "editor/viewport/gizmo/param_sizes.h"
+#include "project/objects/part_values.h"
 #include "scene/queries/object_index.h"
 
 namespace trundle {
@@ -71,8 +72,9 @@ public:
 private:
     struct Item {
         std::string path;
-        std::optional<ObjectRef> object; ///< nullopt: a Grid or Scatter
+        std::optional<ObjectRef> object; ///< nullopt: a Grid, Scatter or Part
         Pose world, frame, local;        ///< local: Pos and HPR of the text
+        DescribedFrame described;        ///< of the Parts that it is in; `frame` has its pose already
         std::string posText, hprText;    ///< as written where they are edited; empty: not written
         bool posEdited = false, hprEdited = false;
         std::optional<ParamSizes> sizes; ///< only for an instance to be scaled
@@ -81,6 +83,7 @@ private:
     void addSizes(const std::string& path);
     void take(const std::string& path);
     void takeLayout(const std::string& path);
+    void takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside);
     [[nodiscard]] std::string textOf(const std::string& property) const;
     /// The edits that resize an instance: its Param, and Pos if the opposite side is to stay.
     void resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) const;

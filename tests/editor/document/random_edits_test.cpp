@@ -15,10 +15,26 @@ using namespace sample;
 
 namespace {
 
+/// A rover of two parts, of which one is mirrored.
+const char* const kPartsRover = R"(// A rover.
+PartConfig Wheel {
+  Param r = 0.05 // its radius
+  Body wheel { Cylinder tyre { Radius=$r Length=0.03 HPR=0,0,90 Mass=0.15 } }
+  Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0 }
+}
+RobotConfig Rover {
+  Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=2 } } // two kilograms
+  Part left { Config=Wheel Pos=0,0.1,0.05 carrier=chassis }
+  Part right { Config=Wheel Pos=0,-0.1,0.05 Mirror=y carrier=chassis }
+  Body mast { Box pole { Size=0.02,0.02,0.2 Pos=0,0,0.3 Mass=0.1 } }
+  Fixed leftAxle { Parent=chassis Child=mast }
+}
+)";
+
 class RandomEdits {
 public:
-    RandomEdits(Document& document, const DocumentFixture& fixture, unsigned seed)
-        : m_document(document), m_fixture(fixture), m_seed(seed), m_random(seed) {
+    RandomEdits(Document& document, const DocumentFixture& fixture, unsigned seed, bool parts)
+        : m_document(document), m_fixture(fixture), m_seed(seed), m_parts(parts), m_random(seed) {
         document.structure().setShareQuestionHandler([this](const ShareQuestion&, const StructureEdits::ShareAnswer& answer) {
             static constexpr ShareChoice kChoices[] = {ShareChoice::Cancel, ShareChoice::MakeCopy, ShareChoice::Cancel,
                                                        ShareChoice::ChangeForAll};
@@ -68,15 +84,22 @@ public:
 private:
     void setValue() {
         const std::string number = std::to_string(below(50) + 1);
-        const std::vector<ValueEdit> choices{{"robot0.Pos", number + ",0,0"},
-                                             {"robot1.Pos", "0," + number + ",0"},
-                                             {"robot0.chassis.hull.Mass", number},
-                                             {"RobotConfig.Rover.chassis.hull.Mass", number + " kg"},
-                                             {"Tick", number + " ms"},
-                                             {"Seed", number},
-                                             {"robot1.HPR", "-" + number + ",0,0"},
-                                             {"Tick", "-" + number},
-                                             {"robot7.Pos", "0,0,0"}};
+        std::vector<ValueEdit> choices{{"robot0.Pos", number + ",0,0"},
+                                       {"robot1.Pos", "0," + number + ",0"},
+                                       {"robot0.chassis.hull.Mass", number},
+                                       {"RobotConfig.Rover.chassis.hull.Mass", number + " kg"},
+                                       {"Tick", number + " ms"},
+                                       {"Seed", number},
+                                       {"robot1.HPR", "-" + number + ",0,0"},
+                                       {"Tick", "-" + number},
+                                       {"robot7.Pos", "0,0,0"}};
+        if (m_parts)
+            choices.insert(choices.end(), {{"robot0.left.wheel.tyre.Mass", number},
+                                           {"robot1.right.r", "0." + number},
+                                           {"RobotConfig.Rover.left.wheel.tyre.Mass", number + " kg"},
+                                           {"RobotConfig.Rover.right.Pos", "0,-0." + number + ",0.05"},
+                                           {"RobotConfig.Rover.left.Mirror", number.size() % 2 ? "x" : "none"},
+                                           {"PartConfig.Wheel.r", "0." + number}});
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
         (void)m_document.structure().setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path.text());
@@ -89,7 +112,7 @@ private:
         for (const Part* config : before.outline->configs.all())
             if (config->kind) objects.push_back(config->kind->name + "." + config->name);
         const std::string object = objects[below(objects.size())], body = object + ".chassis";
-        const std::size_t configs = before.outline->configs.all().size(), which = below(4);
+        const std::size_t configs = before.outline->configs.all().size(), which = below(m_parts ? 8 : 4);
         const std::string name = "part" + std::to_string(below(100));
         const Status done = m_document.structure().apply(
             u"Structure"_qs, {object}, [&](const LoadedProject& loaded, const auto& renamed) -> Result<EditPlan> {
@@ -97,7 +120,13 @@ private:
                 case 0: return planInsert(loaded, renamed(object), "Body " + name + " { Sphere ball { Radius=0.1 Mass=1 } }");
                 case 1: return planDuplicate(loaded, {renamed(body)}, Vec3(0.1, 0, 0));
                 case 2: return planRename(loaded, renamed(object + ".leftAxle"), name);
-                default: return planRemove(loaded, {renamed(object + ".rightAxle")});
+                case 3: return planRemove(loaded, {renamed(object + ".rightAxle")});
+                case 4: return planDuplicate(loaded, {renamed(object + ".left")}, Vec3(0, 0.1, 0));
+                case 5: return planRemove(loaded, {renamed(object + ".right")});
+                case 6:
+                    return planInsert(loaded, renamed(object),
+                                      "Part " + name + " { Config=Wheel carrier=chassis Pos=0.2,0,0.1 }");
+                default: return planRename(loaded, renamed(object + ".left.wheel"), name);
                 }
             });
         structures += done.ok();
@@ -139,6 +168,7 @@ private:
     Document& m_document;
     const DocumentFixture& m_fixture;
     const unsigned m_seed;
+    const bool m_parts; ///< the rover is made of parts
     unsigned m_asked = 0;
     std::mt19937 m_random;
 };
@@ -152,15 +182,19 @@ private Q_SLOTS:
 
     void undoAllRedoAll_data() {
         QTest::addColumn<unsigned>("seed");
-        for (unsigned seed = 1; seed <= 4; ++seed) QTest::addRow("seed %u", seed) << seed;
+        QTest::addColumn<bool>("parts");
+        for (unsigned seed = 1; seed <= 4; ++seed) QTest::addRow("seed %u", seed) << seed << false;
+        for (unsigned seed = 5; seed <= 8; ++seed) QTest::addRow("parts, seed %u", seed) << seed << true;
     }
     void undoAllRedoAll() {
         QFETCH(unsigned, seed);
+        QFETCH(bool, parts);
         const int edits = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 1000 : 100;
         const DocumentFixture fixture;
+        if (parts) (void)fixture.write("configs/robots/rover.sim", kPartsRover);
         Document d(*m_application);
         QVERIFY(d.opening().open(fixture.main).ok());
-        RandomEdits random(d, fixture, seed);
+        RandomEdits random(d, fixture, seed, parts);
         for (int i = 0; i < edits; ++i) {
             if (i % 10 == 0) random.undoErrors();
             if (i % 10 == 9) random.group();
@@ -187,7 +221,7 @@ private Q_SLOTS:
         const std::string endMain = *d.texts().text(fixture.main), endRobot = *d.texts().text(fixture.robot);
         while (d.edits().history().canUndo()) d.edits().undo();
         QCOMPARE(*d.texts().text(fixture.main), kMain);
-        QCOMPARE(*d.texts().text(fixture.robot), kRover);
+        QCOMPARE(*d.texts().text(fixture.robot), parts ? kPartsRover : kRover);
         QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
         while (d.edits().history().canRedo()) d.edits().redo();
         QCOMPARE(*d.texts().text(fixture.main), endMain);

@@ -20,6 +20,8 @@ Surface slick { Friction=0 }
 AntennaPattern lobe { Model=cosine }
 StaticConfig Yard { Box wall { Size=1,0.1,0.3 Pos=0,2,0.15 Material=grey Surface=slick } }
 StaticConfig Hall { Box wall { Size=1,0.1,0.3 Pos=0,3,0.15 Material=grey Surface=slick } }
+PartConfig Peg { Body peg { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=grey Surface=slick } } }
+PartConfig Knob { Body knob { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.2 Mass=1 Material=grey Surface=slick } } }
 RobotConfig Other { Body body { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=grey Surface=slick } } }
 RobotConfig Seer {
   Body body { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=grey Surface=slick } }

@@ -179,6 +179,24 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRoom);
     }
 
+    /// A Part moves in the frame of its config; what is in a mirrored Part moves with the mouse, its numbers the mirrored way.
+    void partsMove() {
+        const QByteArray text = "PartConfig Wheel { Body wheel { Box tyre { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                "  Part right { Config=Wheel Pos=0,-0.5,0 Mirror=y } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\n"
+                                "Robot robot1 { Config=Kit Pos=0,3,0.2 }\n";
+        open(text);
+        m_window->look({-1.6, -2.2, 1.2}, {0, -0.3, 0.2});
+        take("RobotConfig.Kit.right", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Part right { Config=Wheel Pos=0,-0.5,0.1 Mirror=y }"), m_window->text().constData());
+        open(text);
+        take("robot0.right.wheel", "tool.move");
+        dragBy({Handle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Robot robot0 { Config=Kit Pos=0,0,0.2 right.wheel.Pos=0,-0.1,0 }"),
+                 m_window->text().constData());
+    }
+
     void aShapeIsSizedBySides() {
         open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n");
         take("StaticConfig.Yard.crate", "tool.scale");

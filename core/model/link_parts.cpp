@@ -1,0 +1,131 @@
+// Leads every Part to the PartConfig that it names, and finds the Params that references to something outside of a PartConfig
+// imply: `Parent=$carrier`, where no text declares carrier.
+#include <algorithm>
+
+#include "base/spelling.h"
+#include "model/outline.h"
+#include "model/params.h"
+
+namespace trundle {
+
+namespace {
+
+/// Whether it names a body, joint, device or geom of a config, and not a Material or Robot.
+bool namesInsideConfig(const Registry& registry, const Outline& outline, const Property& property) {
+    if (property.type != PropertyType::Reference) return false;
+    return std::ranges::none_of(property.choices, [&](const std::string& choice) {
+        const Kind* kind = registry.find(choice);
+        return kind && outline.spaceOf(*kind);
+    });
+}
+
+class ImpliedParams {
+public:
+    explicit ImpliedParams(const Outline& outline) : m_outline(outline) {}
+
+    void add(Part& config) {
+        if (!m_visited.insert(&config).second) return;
+        for (const Part& part : config.parts) {
+            if (part.isPartUse() && part.config) add(const_cast<Part&>(*part.config));
+            if (!part.kind) continue;
+            for (const SourceAssignment& a : part.assignments.all())
+                if (a.path.size() == 1 && takesReference(part, a.key)) names(config, part, a);
+        }
+    }
+
+private:
+    bool takesReference(const Part& part, const std::string& key) const {
+        if (const Property* property = part.kind->find(key)) return namesInsideConfig(m_outline.registry(), m_outline, *property);
+        const SourceParam* param = part.isPartUse() && part.config ? part.config->param(key) : nullptr;
+        return param && param->required;
+    }
+
+    void names(Part& config, const Part& part, const SourceAssignment& a) const {
+        for (const Element& e : a.value->elements) {
+            if (e.kind != Element::Kind::ParamRef || config.param(e.text) || part.param(e.text) || isGlobal(e.text)) continue;
+            if (std::ranges::find(config.parts, e.text, &Part::name) != config.parts.end()) continue; // `$wheel` for `wheel`
+            std::vector<std::string> declared;
+            for (const SourceParam& param : config.params) declared.push_back(param.name->text);
+            if (!nearestWords(e.text, declared).empty()) continue; // most likely one of these, misspelt
+            const TextRange range{e.range.begin + 1, e.range.end};
+            auto implied = std::make_shared<ImpliedParam>();
+            implied->name = {e.text, range};
+            implied->value.range = {range.end, range.end};
+            config.params.push_back({&implied->name, &implied->value, a.file, a.file, true});
+            config.implied.push_back(std::move(implied));
+        }
+    }
+
+    bool isGlobal(const std::string& name) const {
+        return std::ranges::any_of(m_outline.params, [&](const SourceParam& p) { return p.name->text == name; });
+    }
+
+    const Outline& m_outline;
+    std::unordered_set<const Part*> m_visited;
+};
+
+/// Takes the config from the Parts that close a circle of PartConfigs.
+class CircleSearch {
+public:
+    explicit CircleSearch(std::vector<Outline::PartCircle>& found) : m_found(found) {}
+
+    void visit(Part& config) {
+        if (!m_done.insert(&config).second) return;
+        m_chain.push_back(&config);
+        for (Part& part : config.parts) {
+            if (!part.config) continue;
+            const auto begin = std::ranges::find(m_chain, part.config);
+            if (begin == m_chain.end()) {
+                visit(const_cast<Part&>(*part.config));
+                continue;
+            }
+            std::string chain;
+            for (auto it = begin; it != m_chain.end(); ++it) chain += (*it)->name + " > ";
+            m_found.push_back({&part, chain + part.config->name});
+            part.config = nullptr;
+        }
+        m_chain.pop_back();
+    }
+
+private:
+    std::vector<Outline::PartCircle>& m_found;
+    std::unordered_set<const Part*> m_done;
+    std::vector<const Part*> m_chain;
+};
+
+} // namespace
+
+void Outline::linkPart(Part& part, const Part* owner) {
+    if (part.isPartUse()) part.config = nullptr;
+    const SourceAssignment* a = part.isPartUse() ? part.assignments.find("Config") : nullptr;
+    if (a && a->value->elements.size() == 1) {
+        const Element& e = a->value->elements[0];
+        std::string name = e.text;
+        if (e.kind == Element::Kind::ParamRef) {
+            Diagnostics silent;
+            Evaluator evaluator(*m_texts, silent);
+            ParamScope globals, scope(&globals);
+            globals.declare(params);
+            if (owner) scope.declare(owner->params);
+            const std::optional<GivenValue> value = evaluator.evaluate(*a->value, a->file, scope);
+            name = value && value->elements.size() == 1 ? value->elements[0].text : std::string();
+        }
+        const Part* config = configs.find(name);
+        if (config && config->kind->name == "PartConfig") part.config = config;
+    }
+    if (part.is(Role::Config))
+        for (Part& inner : part.parts) linkPart(inner, &part);
+}
+
+void Outline::linkParts() {
+    for (const auto& part : parts) linkPart(*part, nullptr);
+    m_circles.clear();
+    CircleSearch circles(m_circles);
+    for (const auto& part : parts)
+        if (part->kind && part->kind->name == "PartConfig") circles.visit(*part);
+    ImpliedParams implied(*this);
+    for (const auto& part : parts)
+        if (part->kind && part->kind->name == "PartConfig") implied.add(*part);
+}
+
+} // namespace trundle

@@ -1,0 +1,172 @@
+#include "model/resolve/instance_values.h"
+
+#include <algorithm>
+
+#include "base/spelling.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+
+namespace {
+
+void appendKey(std::string& key, const std::string& name, const GivenValue& value) {
+    key += '\n' + name + '=';
+    for (const GivenElement& e : value.elements) {
+        key += static_cast<char>('0' + static_cast<int>(e.kind));
+        key += elementText(e) + e.text + ',';
+    }
+}
+
+class InstanceReader {
+public:
+    InstanceReader(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given)
+        : m_context(context), m_part(part), m_scope(scope), m_given(given) {}
+
+    Record read(const Part*& config, std::string_view kind, const OverrideNode* outer) {
+        const Part* likely = likelyConfig();
+        ResolveContext::ExtraKeys extra;
+        if (likely) {
+            for (const SourceParam& p : likely->params) extra.words.push_back(p.name->text);
+            for (const Property& p : likely->kind->properties) extra.words.push_back(p.name);
+        }
+        std::vector<const SourceAssignment*> taken;
+        extra.take = [&](const SourceAssignment& a) {
+            if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
+                const std::vector<std::string> own = propertyNames(*m_part.kind);
+                return !likely && m_part.assignments.find("Config") &&
+                       nearestWords(a.key, own).empty(); // of an unknown config the Params are unknown too
+            }
+            taken.push_back(&a);
+            return true;
+        };
+        Record record = m_context.read(m_part, m_scope, outer, Origin::Instance, extra);
+        config = m_context.configOf(record, m_part, kind);
+        if (!config) return record;
+        for (const SourceAssignment* a : taken) takeValue(*config, *a);
+        return record;
+    }
+
+private:
+    /// The config that an instance probably names; reports no errors.
+    const Part* likelyConfig() {
+        const SourceAssignment* a = m_part.assignments.find("Config");
+        if (!a || a->value->elements.size() != 1) return nullptr;
+        const Element& e = a->value->elements[0];
+        if (e.kind == Element::Kind::Word || e.kind == Element::Kind::String) return m_context.outline.configs.find(e.text);
+        Diagnostics silent;
+        Evaluator trial(m_context.texts, silent);
+        const std::optional<GivenValue> value = trial.evaluate(*a->value, a->file, m_scope);
+        return value && value->elements.size() == 1 ? m_context.outline.configs.find(value->elements[0].text) : nullptr;
+    }
+
+    void takeValue(const Part& config, const SourceAssignment& a) {
+        const bool param = a.path.size() == 1 && config.param(a.key);
+        const Part* own = m_part.isPartUse() ? nullptr : m_part.find(a.path[0].text);
+        if (!param && a.path.size() > 1 && own) {
+            m_context.diagnostics.error(Code::NoSuchPath, a.keyRange(),
+                                        "set " + a.key.substr(a.path[0].text.size() + 1) + " inside the block of " +
+                                            a.path[0].text);
+            return;
+        }
+        if (!param && !pathLeadsSomewhere(config, a)) return;
+        std::optional<GivenValue> value = m_context.evaluator.evaluate(*a.value, a.file, m_scope);
+        if (!value || (param && !m_context.evaluator.checkUnits(*value))) return;
+        appendKey(m_given.key, a.key, *value);
+        if (param) {
+            value->fromParam = true;
+            m_given.params.emplace_back(a.key, std::move(*value));
+            return;
+        }
+        OverrideNode* node = &m_given.overrides;
+        for (const Name& name : a.path) node = &node->children[name.text];
+        node->origin = Origin::Instance;
+        node->value = std::make_shared<const GivenValue>(std::move(*value));
+    }
+
+    bool pathLeadsSomewhere(const Part& config, const SourceAssignment& a) {
+        const Part* part = &config;
+        for (std::size_t i = 0; i + 1 < a.path.size(); ++i) {
+            const Part* next = part->find(a.path[i].text);
+            if (!next) return noSuchPath(*part, a, i);
+            if (!next->kind) return false; // raw text of an unavailable module
+            part = next;
+        }
+        const std::string& key = a.path.back().text;
+        if (part->kind->find(key) || (part->config && part->config->param(key))) return true;
+        return noSuchPath(*part, a, a.path.size() - 1);
+    }
+
+    bool noSuchPath(const Part& part, const SourceAssignment& a, std::size_t i) {
+        if (part.isPartUse() && !part.config) return false; // its config is reported as unknown
+        std::vector<std::string> words;
+        for (const Part& inner : part.config ? part.config->parts : part.parts) words.push_back(inner.name);
+        if (i + 1 == a.path.size()) {
+            words = propertyNames(*part.kind);
+            if (part.config)
+                for (const SourceParam& param : part.config->params) words.push_back(param.name->text);
+        }
+        const SourceRange place{a.file, a.path[i].range};
+        Diagnostic& d = m_context.diagnostics.error(Code::NoSuchPath, place, part.title() + " has no " + a.path[i].text);
+        if (words.empty()) return false;
+        d.message += "; it has " + listText(words, "and", 20);
+        if (manyAlready(m_context.diagnostics)) return false;
+        suggest(d, a.path[i].text, words, place);
+        if (d.suggestions.empty() && i + 1 < a.path.size()) suggestWords(d, oneDeeper(part, a.path[i].text), place);
+        return false;
+    }
+
+    /// Paths with one more level for a missing word: `chassis.hull.Size` for `hull.Size`.
+    static std::vector<std::string> oneDeeper(const Part& part, const std::string& name) {
+        std::vector<std::string> paths;
+        for (const Part& inner : part.config ? part.config->parts : part.parts)
+            if (inner.find(name)) paths.push_back(inner.name + "." + name);
+        return paths;
+    }
+
+    ResolveContext& m_context;
+    const Part& m_part;
+    ParamScope& m_scope;
+    InstanceValues& m_given;
+};
+
+bool inside(const SourceRange& a, const SourceRange& b) {
+    return a.file == b.file && a.range.begin >= b.range.begin && a.range.end <= b.range.end;
+}
+
+/// Its fixes are for the place in the config, which other instances use too. The word of a reference is given for it alone.
+bool moveToValue(Diagnostic& d, const InstanceValues& given) {
+    if (d.notes.empty() || d.notes[0].first != kGivenHere) return false;
+    const SourceRange value = d.notes[0].second;
+    if (std::ranges::none_of(given.params, [&](const auto& p) { return inside(value, p.second.range); })) return false;
+    d.notes[0] = {kUsedHere, d.range};
+    d.range = value;
+    d.fixes.clear();
+    if (d.code == Code::UnknownReference && !d.suggestions.empty())
+        d.fixes.push_back({d.suggestions.front(), {{value, d.suggestions.front()}}});
+    return true;
+}
+
+} // namespace
+
+void InstanceValues::addParam(const std::string& name, GivenValue value) {
+    std::erase_if(params, [&](const auto& p) { return p.first == name; });
+    appendKey(key, name, value);
+    params.emplace_back(name, std::move(value));
+}
+
+Record readInstance(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given, const Part*& config,
+                    std::string_view kind, const OverrideNode* outer) {
+    return InstanceReader(context, part, scope, given).read(config, kind, outer);
+}
+
+void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part& instance,
+                  const std::string& note) {
+    if (context.diagnostics.all().size() == first || manyAlready(context.diagnostics)) return;
+    for (std::size_t i = first; i < context.diagnostics.all().size(); ++i) {
+        Diagnostic& d = context.diagnostics.at(i);
+        if (moveToValue(d, given)) continue;
+        if (!inside(d.range, instance.range)) d.notes.push_back({note, instance.nameRange()});
+    }
+}
+
+} // namespace trundle

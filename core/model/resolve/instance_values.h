@@ -1,0 +1,27 @@
+#pragma once
+// The values that an instance sets in its config: of a Robot, Static, Grid or Scatter, and of a Part. Private to core/model.
+
+#include "model/resolve/resolve_context.h"
+
+namespace trundle {
+
+struct InstanceValues {
+    std::vector<std::pair<std::string, GivenValue>> params;
+    OverrideNode overrides;
+    std::string key; ///< identifies the values: equal keys for equal values
+
+    void addParam(const std::string& name, GivenValue value);
+};
+
+/// Reads the values of an instance's own block, sorted into properties of its kind, Params of its config and overrides by path.
+/// `outer` overrides its own properties; null: nothing does. `config` becomes the config that it names, nullptr with a diagnostic
+/// if there is none of the kind.
+[[nodiscard]] Record readInstance(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given,
+                                  const Part*& config, std::string_view kind, const OverrideNode* outer = nullptr);
+
+/// Moves the diagnostics from index `first` on to the values of the instance that caused them; one that they did not cause gets a
+/// note with the instance.
+void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part& instance,
+                  const std::string& note);
+
+} // namespace trundle

@@ -1,0 +1,136 @@
+// With M = diag(1, -1, 1) for Mirror = y: a point p becomes M p, a rotation R becomes M R M, which is a rotation again, and an
+// inertia I becomes M I M. All of these change signs only, so that a mirrored part has the bits of its copy by hand.
+#include "model/resolve/mirror.h"
+
+#include <numbers>
+
+namespace trundle {
+
+namespace {
+
+double negated(double value) { return 0.0 - value; } // never -0
+
+void negateAt(Vec3& v, int axis) { v[axis] = negated(v[axis]); }
+
+} // namespace
+
+PartPlacement::PartPlacement(const PartFields& fields)
+    : m_axis(fields.mirror == "x"   ? 0
+             : fields.mirror == "y" ? 1
+             : fields.mirror == "z" ? 2
+                                    : -1),
+      m_pose(poseOf(fields.pos, fields.hpr)) {}
+
+Vec3 PartPlacement::mirrored(const Vec3& vector) const {
+    Vec3 image = vector;
+    if (isMirrored()) negateAt(image, m_axis);
+    return image;
+}
+
+Quat PartPlacement::mirrored(const Quat& q) const {
+    if (!isMirrored()) return q;
+    Vec3 v = q.vec();
+    for (int i = 0; i < 3; ++i)
+        if (i != m_axis) negateAt(v, i);
+    return {q.w(), v.x(), v.y(), v.z()};
+}
+
+Vec3 PartPlacement::mirroredAxis(const Vec3& axis, bool& isReversed) const {
+    isReversed = false;
+    if (!isMirrored()) return axis;
+    Vec3 image = axis; // an angular velocity is an axial vector: its mirror image is -M w
+    for (int i = 0; i < 3; ++i)
+        if (i != m_axis) negateAt(image, i);
+    isReversed = image.dot(axis) < 0;
+    return isReversed ? Vec3(negated(image.x()), negated(image.y()), negated(image.z())) : image;
+}
+
+Pose PartPlacement::pose(const Pose& described) const {
+    const Pose image{mirrored(described.position), mirrored(described.rotation)};
+    if (m_pose.rotation.coeffs() == Quat::Identity().coeffs()) return {m_pose.position + image.position, image.rotation};
+    return m_pose * image;
+}
+
+bool PartPlacement::mirror(ResolveContext& context, GeomSpec& geom) const {
+    geom.pose = {mirrored(geom.pose.position), mirrored(geom.pose.rotation)};
+    geom.surface = context.mirroredSurface(geom.surface);
+    if (geom.shape == GeomShape::Heightfield) {
+        context.diagnostics.error(Code::BadGeometry, geom.nameRange,
+                                  "the Heightfield " + geom.name + " has no mirror image; mirror its picture instead");
+        return false;
+    }
+    if (geom.shape == GeomShape::Plane && m_axis == 2) // its ground is on the other side
+        geom.pose.rotation = geom.pose.rotation * Quat(0, 1, 0, 0);
+    if (!geom.mesh) return true;
+    std::array<double, 3> signs{1, 1, 1};
+    signs[static_cast<std::size_t>(m_axis)] = -1;
+    const bool isHull = geom.hull == geom.mesh;
+    geom.mesh = context.assets.shapes->scaled(geom.mesh, signs);
+    if (geom.hull) geom.hull = isHull ? geom.mesh : context.assets.shapes->scaled(geom.hull, signs);
+    return true;
+}
+
+bool PartPlacement::place(ResolveContext& context, BodySpec& body) const {
+    body.pose = pose(body.pose);
+    if (!isMirrored()) return true;
+    bool good = true;
+    for (GeomSpec& geom : body.geoms) good = mirror(context, geom) && good;
+    negateAt(body.mass.centre, m_axis);
+    for (int i = 0; i < 3; ++i) {
+        if (i == m_axis) continue;
+        body.mass.inertia(i, m_axis) = negated(body.mass.inertia(i, m_axis));
+        body.mass.inertia(m_axis, i) = negated(body.mass.inertia(m_axis, i));
+    }
+    return good;
+}
+
+bool PartPlacement::place(ResolveContext& context, GeomSpec& geom) const {
+    const bool good = !isMirrored() || mirror(context, geom);
+    PartPlacement moved;
+    moved.m_pose = m_pose;
+    geom.pose = moved.pose(geom.pose);
+    return good;
+}
+
+void PartPlacement::place(JointSpec& joint) const {
+    bool isReversed = false, isAlsoReversed = false;
+    const bool slides = joint.type == JointType::Slider || joint.type == JointType::Suspension;
+    joint.axis = slides ? mirrored(joint.axis) : mirroredAxis(joint.axis, isReversed);
+    joint.axis2 = mirroredAxis(joint.axis2, isAlsoReversed);
+    joint.anchor = pose({joint.anchor, Quat::Identity()}).position;
+    if (m_pose.rotation.coeffs() != Quat::Identity().coeffs()) {
+        joint.axis = (m_pose.rotation * joint.axis).normalized();
+        joint.axis2 = (m_pose.rotation * joint.axis2).normalized();
+    }
+    if (!isReversed) return;
+    std::swap(joint.lowStop, joint.highStop);
+    for (std::optional<double>* stop : {&joint.lowStop, &joint.highStop})
+        if (*stop) *stop = negated(**stop);
+}
+
+/// What looks along its x axis looks along the mirrored x axis, with the mirrored z axis up: for Mirror = y that is M R M, and the
+/// mirror images along x and z are that of y, turned by half a turn about z or x.
+Vec3 PartPlacement::mirroredHpr(const Vec3& hpr) const {
+    const double heading = hpr[0], pitch = hpr[1], roll = hpr[2];
+    if (m_axis == 0) return {std::numbers::pi - heading, pitch, negated(roll)};
+    if (m_axis == 1) return {negated(heading), pitch, negated(roll)};
+    return {heading, negated(pitch), std::numbers::pi - roll};
+}
+
+void PartPlacement::place(ComponentSpec& device) const {
+    if (!isMirrored()) return;
+    const auto triple = [&](const char* key) -> std::vector<double>* {
+        const auto it = device.values.find(key);
+        return it != device.values.end() && it->second.value.numbers.size() == 3 ? &it->second.value.numbers : nullptr;
+    };
+    if (std::vector<double>* pos = triple("Pos")) {
+        double& value = (*pos)[static_cast<std::size_t>(m_axis)];
+        value = negated(value);
+    }
+    if (std::vector<double>* hpr = triple("HPR")) {
+        const Vec3 image = mirroredHpr({(*hpr)[0], (*hpr)[1], (*hpr)[2]});
+        *hpr = {image[0], image[1], image[2]};
+    }
+}
+
+} // namespace trundle

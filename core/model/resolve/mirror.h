@@ -1,0 +1,40 @@
+#pragma once
+// Mirror images of bodies, geoms, joints and devices, as a Part with Mirror has them. Private to core/model.
+
+#include "model/kinds/world_fields.h"
+#include "model/resolve/resolve_context.h"
+
+namespace trundle {
+
+/// Where a Part puts what its config describes: first the mirror image, then the pose, in the frame of what holds the Part.
+class PartPlacement {
+public:
+    PartPlacement() = default; ///< as described
+    explicit PartPlacement(const PartFields& fields);
+
+    [[nodiscard]] bool isMirrored() const { return m_axis >= 0; }
+
+    [[nodiscard]] Pose pose(const Pose& described) const;
+    /// Bodies with their geoms, centre of mass and inertia. False, with a diagnostic, if something has no mirror image.
+    [[nodiscard]] bool place(ResolveContext& context, BodySpec& body) const;
+    /// A geom of a StaticConfig, whose frame is that of the part.
+    [[nodiscard]] bool place(ResolveContext& context, GeomSpec& geom) const;
+    /// The mirror image of a joint moves as the joint does: what slides goes the mirrored way; what turns keeps its sense, so that
+    /// its axis is the mirrored line in the direction nearest to the described one, and its stops are where the mirror image has
+    /// them.
+    void place(JointSpec& joint) const;
+    /// Pos and HPR of a device are those of its mirror image in the body.
+    void place(ComponentSpec& device) const;
+
+private:
+    [[nodiscard]] Vec3 mirrored(const Vec3& vector) const;
+    [[nodiscard]] Quat mirrored(const Quat& rotation) const;
+    [[nodiscard]] Vec3 mirroredAxis(const Vec3& axis, bool& isReversed) const;
+    [[nodiscard]] bool mirror(ResolveContext& context, GeomSpec& geom) const;
+    [[nodiscard]] Vec3 mirroredHpr(const Vec3& hpr) const;
+
+    int m_axis = -1; ///< that is mirrored: 0 x, 1 y, 2 z
+    Pose m_pose;
+};
+
+} // namespace trundle

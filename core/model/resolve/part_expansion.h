@@ -1,0 +1,92 @@
+#pragma once
+// The blocks of a config with those of its Parts, in text order: what a Part uses is as if its PartConfig were written in its place,
+// with the name of the Part in front. Private to core/model.
+
+#include <deque>
+
+#include "model/resolve/instance_values.h"
+#include "model/resolve/mirror.h"
+
+namespace trundle {
+
+/// The blocks of one config: the config that is resolved, or what one Part in it uses. Names are looked up in it.
+struct PartFrame {
+    const Part* config = nullptr;
+    const Part* use = nullptr;        ///< the Part; nullptr: it is the config that is resolved
+    const PartFrame* outer = nullptr; ///< of the config that holds the Part
+    std::string prefix;               ///< of its names: "left."
+    ParamScope* scope = nullptr;      ///< the Params of the config
+    const OverrideNode* overrides = nullptr;
+    bool isOpen = false; ///< a PartConfig by itself: what is outside is not known
+    PartPlacement placement;
+    InstanceValues given; ///< by the Part
+    std::map<std::string, const PartFrame*, std::less<>> inner;
+
+    /// What has that name: "wheel", "left.wheel", "chassis.bumper"; nullptr if there is nothing.
+    [[nodiscard]] const Part* find(std::string_view name) const;
+};
+
+/// A block that is resolved, and the frame that it is described in.
+struct ExpandedPart {
+    const Part* part = nullptr;
+    const PartFrame* frame = nullptr;
+
+    [[nodiscard]] const OverrideNode* overrides() const { return below(frame->overrides, part->name); }
+    [[nodiscard]] std::string name() const { return frame->prefix + part->name; }
+    /// Puts something described in the innermost frame into the config that is resolved.
+    template <class Spec, class... Context> bool place(Spec& spec, Context&... context) const {
+        bool good = true;
+        for (const PartFrame* at = frame; at->use; at = at->outer) {
+            if constexpr (sizeof...(Context) > 0) good = at->placement.place(context..., spec) && good;
+            else at->placement.place(spec);
+        }
+        return good;
+    }
+};
+
+class PartExpansion {
+public:
+    /// `scope` has the Params of the config; it and `overrides` must outlive this.
+    PartExpansion(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides);
+
+    [[nodiscard]] const std::vector<ExpandedPart>& parts() const { return m_parts; }
+    /// Calls `resolve` for every usable block of a role; what is reported meanwhile names the Parts that it is used by.
+    template <class Resolve> void each(Role role, const Resolve& resolve) {
+        for (const ExpandedPart& part : m_parts) {
+            if (!part.part->usable || !part.part->is(role)) continue;
+            const std::size_t first = m_context.diagnostics.all().size();
+            resolve(part);
+            nameUses(first, *part.frame);
+        }
+    }
+
+private:
+    void expand(PartFrame& frame);
+    void expandUse(const Part& use, PartFrame& outer);
+    [[nodiscard]] bool takeParams(PartFrame& frame, const OverrideNode* outside, ParamScope& scope);
+    [[nodiscard]] bool isCircle(const PartFrame& outer, const Part& config, SourceRange place);
+    void checkContent(const Part& part, const PartFrame& frame);
+    void nameUses(std::size_t first, const PartFrame& frame);
+
+    ResolveContext& m_context;
+    bool m_isScenery, m_isFull = false;
+    std::deque<PartFrame> m_frames; // deques, since pointers to their elements are kept
+    std::deque<ParamScope> m_scopes;
+    std::deque<OverrideNode> m_overrides;
+    std::vector<ExpandedPart> m_parts;
+};
+
+/// Counts the objects of configs with those of their Parts, without expanding them.
+class ConfigSizes {
+public:
+    [[nodiscard]] double of(const Part& config);
+
+private:
+    [[nodiscard]] double count(const Part& part);
+    std::map<const Part*, double> m_known;
+};
+
+/// Reports PartConfigs that contain each other (E302).
+void reportPartCircles(ResolveContext& context);
+
+} // namespace trundle

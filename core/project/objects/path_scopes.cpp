@@ -1,0 +1,64 @@
+#include "project/objects/path_scopes.h"
+
+#include "model/dotted_path.h"
+
+namespace trundle {
+
+PathScopes::PathScopes(const LoadedProject& loaded, const ObjectLocation& place)
+    : m_object(place.part), m_evaluator(loaded.outline->texts(), m_silent) {
+    m_globals = m_scope = inside(nullptr, loaded.outline->params);
+    std::vector<const Part*> chain = place.above;
+    if (place.part) chain.push_back(place.part);
+    const bool isReached = place.instance && isPlaced(*place.instance) && !place.instance->isPartUse() && !chain.empty() &&
+                           chain.front() != place.instance;
+    if (isReached)
+        m_layers.push_back({place.instance, configOf(loaded, *place.instance), inside(m_globals, place.instance->params), {}});
+    for (const Part* part : chain) {
+        if (part->is(Role::Config)) {
+            m_scope = enter(*part);
+            continue;
+        }
+        if (part != chain.front())
+            for (Layer& layer : m_layers) layer.inside = pathInside(layer.inside, part->name);
+        m_scope = inside(m_scope, part->params);
+        if (isPlaced(*part)) m_layers.push_back({part, configOf(loaded, *part), m_scope, {}});
+    }
+}
+
+ParamScope* PathScopes::inside(ParamScope* outer, const std::vector<SourceParam>& params) {
+    ParamScope& scope = m_scopes.emplace_back(outer);
+    scope.declare(params);
+    return &scope;
+}
+
+/// The Params of a config, with what the instances on the path set.
+ParamScope* PathScopes::enter(const Part& config) {
+    ParamScope* scope = inside(m_globals, config.params);
+    if (m_layers.empty() || m_layers.back().config != &config) return scope;
+    for (const SourceParam& param : config.params) {
+        const std::string& name = param.name->text;
+        if (m_layers.back().instance->kind && m_layers.back().instance->kind->find(name)) continue;
+        const std::optional<Override> set = overrideOf(name, true);
+        if (!set) continue;
+        if (const auto value = m_evaluator.evaluate(*set->assignment->value, set->assignment->file, *set->layer->scope))
+            scope->preset(name, *value);
+    }
+    return scope;
+}
+
+ParamScope& PathScopes::configScope() {
+    const bool isInstance = m_object && isPlaced(*m_object) && !m_layers.empty() && m_layers.back().config;
+    if (isInstance && !m_configScope) m_configScope = enter(*m_layers.back().config);
+    return m_configScope ? *m_configScope : *m_scope;
+}
+
+std::optional<PathScopes::Override> PathScopes::overrideOf(std::string_view key, bool isParam) const {
+    for (const Layer& layer : m_layers) {
+        if (layer.inside.empty() && !isParam) continue;
+        if (const SourceAssignment* a = layer.instance->assignments.find(pathInside(layer.inside, key)))
+            return Override{a, &layer};
+    }
+    return std::nullopt;
+}
+
+} // namespace trundle
