@@ -129,7 +129,7 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
         const TrundleSignal& s = from.signals[i];
         to.signals.push_back(
             {copied(s.name, ok), copied(s.unit, ok), cleanText(copied(s.help, ok)), s.type, s.count, s.direction});
-        for (std::uint32_t bits = s.reserved; bits != 0; bits >>= 16) {
+        for (std::uint32_t bits = s.countFields; bits != 0; bits >>= 16) {
             const std::uint32_t field = bits & 0xffff;
             ok = ok && field >= 1 && field <= from.fieldCount;
             if (ok) to.signals.back().countFields.push_back(to.properties[field - 1].name);

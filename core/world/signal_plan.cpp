@@ -36,7 +36,7 @@ std::uint32_t signalCount(const SignalDescription& signal, const ComponentSpec& 
 
 std::uint64_t signalCount(const TrundleKind& kind, const TrundleSignal& signal, const ComponentSpec& device) {
     std::uint64_t count = std::max(signal.count, 1u);
-    for (std::uint32_t bits = signal.reserved; bits != 0; bits >>= 16) { // see countFieldBits in the SDK
+    for (std::uint32_t bits = signal.countFields; bits != 0; bits >>= 16) {
         const std::uint32_t index = bits & 0xffff;
         if (index < 1 || index > kind.fieldCount) continue;
         const TrundleField& field = kind.fields[index - 1];

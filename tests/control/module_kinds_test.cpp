@@ -147,20 +147,20 @@ private Q_SLOTS:
             t.makeDevice();
             t.fields[0].type = TRUNDLE_INTEGER;
             t.fields[0].minimum = 1;
-            t.signals[1].reserved = 1;
+            t.signals[1].countFields = 1;
         };
         row("counted signal", fine, counted);
         row("counted by two", fine, [counted](Tables& t) {
             counted(t);
-            t.signals[1].reserved = 1 | 1 << 16;
+            t.signals[1].countFields = 1 | 1 << 16;
         });
         row("counted by no field", own("has a broken signal, number 2"), [counted](Tables& t) {
             counted(t);
-            t.signals[1].reserved = 4;
+            t.signals[1].countFields = 4;
         });
         row("counted by half a field", own("has a broken signal, number 2"), [counted](Tables& t) {
             counted(t);
-            t.signals[1].reserved = 1 << 16;
+            t.signals[1].countFields = 1 << 16;
         });
         row("counted by a number", own("has a signal count counted by 'Speed', which is no field with one positive integer"),
             [counted](Tables& t) {

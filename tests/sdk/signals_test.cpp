@@ -146,7 +146,7 @@ private Q_SLOTS:
     void aSignalIsCountedByFields() {
         const auto table = deviceTable<Comb>("Comb");
         QCOMPARE(table->kind.signals[0].count, 1u);
-        QCOMPARE(table->kind.signals[0].reserved, 1u | 2u << 16);
+        QCOMPARE(table->kind.signals[0].countFields, 1u | 2u << 16);
         Comb comb;
         const Describe<Comb>& d = descriptionOf<Comb>();
         QCOMPARE(d.countOf(d.signals()[0], comb), 6u);

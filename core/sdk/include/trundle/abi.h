@@ -59,12 +59,13 @@ enum { TRUNDLE_REAL_SIGNAL = 1, TRUNDLE_INTEGER_SIGNAL = 2, TRUNDLE_BOOLEAN_SIGN
 enum { TRUNDLE_OUTPUT = 1, TRUNDLE_COMMAND = 2, TRUNDLE_TRUTH = 3 };
 
 /* A signal of a device, or since 1.3 of a controller (only TRUNDLE_OUTPUT): `count` slots of 8-byte doubles in its robot's image.
- * Integers and booleans are stored as doubles. */
+ * Integers and booleans are stored as doubles. Since 1.5 countFields names up to two integer fields whose values multiply the
+ * count: 1 + the index of the first in bits 0-15, of the second in bits 16-31; 0: none. */
 typedef struct TrundleSignal {
     const char* name;
     const char* unit; /* SI: "m/s", "rad" */
     const char* help;
-    uint32_t type, count, direction, reserved;
+    uint32_t type, count, direction, countFields;
 } TrundleSignal;
 
 /* ---- controllers ---- */

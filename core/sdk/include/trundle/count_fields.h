@@ -10,7 +10,7 @@ namespace trundle {
 inline namespace sdk1 {
 namespace border {
 
-/// TrundleSignal::reserved of a signal: 1 + index of each field that its count is multiplied by, 16 bits for each; 0: none.
+/// TrundleSignal::countFields of a signal.
 inline std::uint32_t countFieldBits(const SignalInfo& signal, const std::vector<FieldInfo>& fields) {
     std::uint32_t bits = 0, shift = 0;
     for (const std::string& name : signal.countFields) {
