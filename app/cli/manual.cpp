@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/numbers.h"
+#include "schema/allowed_parents.h"
 
 namespace trundle {
 namespace {
@@ -132,7 +133,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string placeText(const Kind& kind) {
     std::vector<std::string> places;
-    for (const std::string& parent : kind.parents) places.push_back(parent.empty() ? "the top level" : parent);
+    for (const std::string& parent : allowedParents(kind)) places.push_back(parent.empty() ? "the top level" : parent);
     return places.empty() ? "" : "Allowed in " + joined(places, ", ") + ".";
 }
 
@@ -208,7 +209,7 @@ Json manualJson(const Kind& kind) {
     Json json{{"name", kind.name},
               {"role", roleWord(kind.role)},
               {"help", kind.help},
-              {"parents", kind.parents},
+              {"parents", allowedParents(kind)},
               {"module", kind.module}};
     json["properties"] = Json::array();
     for (const Property& property : kind.properties) json["properties"].push_back(propertyJson(property));
