@@ -101,7 +101,7 @@ void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnost
             continue;
         }
         m_controllers.push_back({i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick),
-                                 m_options.calls->add(targetOf(robots[i], i))});
+                                 m_options.calls->add(targetOf(robots[i], i)), spec.number("Budget")});
         const MonitoredCall call(*m_options.calls, m_controllers.back().target, "setup");
         const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outputsFor(robots[i]));
         if (!started) report(started.error(), spec);
@@ -225,25 +225,23 @@ Status ExperimentRunner::update(Controller& controller, std::uint64_t tick, doub
     const double sinceLast = controller.called ? time - controller.lastTime : 0;
     controller.lastTime = time;
     controller.called = true;
+    const MonitoredCall call(*m_options.calls, controller.target, "update");
+    if (!(controller.budget > 0) || controller.slow) return controller.backend->tick(tick, time, sinceLast);
     const Clock::time_point begin = Clock::now();
-    Status done;
-    {
-        const MonitoredCall call(*m_options.calls, controller.target, "update");
-        done = controller.backend->tick(tick, time, sinceLast);
-    }
-    reportSlow(controller,
-               controller.backend->updateS().value_or(std::chrono::duration<double>(Clock::now() - begin).count()));
+    Status done = controller.backend->tick(tick, time, sinceLast);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    reportSlow(controller, controller.backend->updateS().value_or(seconds));
     return done;
 }
 
 /// Once for each controller. The time depends on the machine, so it goes to the console and affects nothing.
 void ExperimentRunner::reportSlow(Controller& controller, double seconds) {
     const RobotSpec& robot = experiment().robots[controller.robot];
-    const double budget = robot.controller->number("Budget");
-    if (!(budget > 0) || seconds <= budget || std::exchange(controller.slow, true)) return;
+    if (seconds <= controller.budget) return;
+    controller.slow = true;
     addMessage(robot.name, TRUNDLE_WARNING,
                "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
-                   " ms; its Budget is " + numberText(1e3 * budget) + " ms");
+                   " ms; its Budget is " + numberText(1e3 * controller.budget) + " ms");
 }
 
 /// After a fault of one controller: its robot, and those whose controllers shared its process, get commands of 0.

@@ -42,6 +42,7 @@ private:
         std::unique_ptr<ControllerBackend> backend;
         Schedule schedule;
         const CallTarget* target; ///< for monitoring its calls
+        double budget;            ///< s, for an update; 0: any
         double lastTime = 0;
         bool called = false, held = false;
         bool due = false, slow = false; ///< in this tick; a slow update was reported

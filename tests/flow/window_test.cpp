@@ -390,7 +390,7 @@ private:
         QDir().mkpath(m_folder.filePath("crashes"));
         bool written = writeFile(home + "/Trundle/Trundle.conf", "[General]\ntrustedFolders=" + modules.toUtf8() + "\n");
         written = written &&
-                  writeFile(file, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule \"" +
+                  writeFile(file, "Duration = 1  Isolation = none\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule \"" +
                                       modules.toUtf8() +
                                       "zoo\"\nStatic floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot Zoo brain { " +
                                       brain + " } }\nPoseLog path { }\n");

@@ -5,7 +5,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kPolls = 2000; // some tens of microseconds
+constexpr int kPolls = 200; // some microseconds; more takes time from the other end where processors are short
 
 } // namespace
 

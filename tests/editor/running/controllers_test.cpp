@@ -24,6 +24,7 @@ constexpr ActionRow kRows[] = {
     {"controllers.load", "", "Load Module…", "module", "", "Load."},
     {"controllers.assign", "", "Assign…", "", "", "Assign."},
     {"controllers.remove", "", "Remove", "", "", "Remove."},
+    {"controllers.restart", "", "Restart", "reset", "", "Restart."},
     {"controllers.reload", "", "Reload", "", "", "Reload."},
 };
 
