@@ -82,6 +82,7 @@ std::vector<LibraryItem> LibraryPanel::ownConfigs() {
     std::vector<LibraryItem> items;
     if (!m_document.isOpen()) return items;
     for (const Part* config : m_document.loaded()->outline->configs.all()) {
+        if (config->kind->name == "PartConfig") continue; // placed in a robot, by Insert
         const QString file = QString::fromStdString(m_document.loaded()->paths.at(config->file));
         if (config->file != 0 && QFileInfo::exists(file)) continue;
         const bool robot = config->kind->name == "RobotConfig", movable = isPassiveConfig(*config);

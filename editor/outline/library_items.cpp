@@ -172,7 +172,7 @@ std::string nameFor(const std::string& config) {
 }
 
 std::string pictureOfConfig(const Tree& tree, const BlockItem& config) {
-    static const std::set<std::string> kNeeded{"Material", "Surface", "RobotConfig", "StaticConfig"};
+    static const std::set<std::string> kNeeded{"Material", "Surface", "PartConfig", "RobotConfig", "StaticConfig"};
     std::string text;
     for (const Item& item : tree.items()) {
         const auto* block = item.as<BlockItem>();

@@ -260,6 +260,11 @@ private Q_SLOTS:
                                       << "E314 PartConfig Wheel has no moter; it has wheel, axle and motor\n"
                                       << "moter"
                                       << "";
+        QTest::newRow("unknown config: what is in it is not reported")
+            << "Part left { Config=Wheal carrier=chassis }\nEncoder e { Joint=left.axle }"
+            << "E208 Config names Wheal, but there is no such PartConfig\n"
+            << "Wheal"
+            << "";
         QTest::newRow("config of another kind") << "Part left { Config=Kit }"
                                                 << "E208 Config names Kit, a RobotConfig; a Part takes a PartConfig\n"
                                                 << "Kit"

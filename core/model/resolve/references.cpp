@@ -112,7 +112,8 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
     if (!part) {
         if (frame.isOpen && given) return false; // it may name something where the part is used
         const Part* first = frame.config->find(firstWord(name));
-        if (first && firstWord(name) != name && !first->kind) return false; // reported at its block
+        const bool unknown = first && (!first->kind || (first->isPartUse() && !first->config));
+        if (unknown && firstWord(name) != name) return false; // reported at its block
         unknownReference(property.name, what, name, range, literal,
                          manyAlready(diagnostics) ? std::vector<std::string>() : FittingNames(property, geoms).in(frame));
         if ((frame.isOpen || frame.use) && !given && diagnostics.all().size() > before)

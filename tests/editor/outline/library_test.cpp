@@ -65,6 +65,7 @@ private Q_SLOTS:
     void aDoubleClickPutsItAtAFreePlace();
     void aDragCarriesKindTextAndImports();
     void findsTheProjectsOwn();
+    void aRobotOfPartsIsDrawnWithThem();
     void aSearchLeavesWhatMatches();
     void drawsPictures();
     void showsWholeNames();
@@ -244,6 +245,17 @@ void LibraryTest::findsTheProjectsOwn() {
     QCOMPARE(s.errors(), QString());
     for (const RobotSpec& robot : s.document.loaded()->experiment->robots) QVERIFY(robot.name != "placed");
     QCOMPARE(s.document.loaded()->experiment->robots.size(), std::size_t(5));
+}
+
+/// A PartConfig is nothing to place in the world.
+void LibraryTest::aRobotOfPartsIsDrawnWithThem() {
+    LibraryFixture s;
+    QVERIFY(s.open("PartConfig Foot { Body b { Box x { Size=1,1,1 Mass=1 } } }\n"
+                   "RobotConfig Kit { Body hull { Box x { Size=1,1,1 Mass=1 } } Part foot { Config=Foot } }\n"));
+    QVERIFY(s.filled());
+    QVERIFY(!s.item("Foot"));
+    QVERIFY(s.item("Kit"));
+    QVERIFY2(s.item("Kit")->picture.find("PartConfig Foot") != std::string::npos, s.item("Kit")->picture.c_str());
 }
 
 void LibraryTest::aSearchLeavesWhatMatches() {
