@@ -5,6 +5,7 @@
 #include "base/spelling.h"
 #include "model/outline.h"
 #include "model/params.h"
+#include "model/part_depth.h"
 
 namespace trundle {
 
@@ -64,32 +65,39 @@ private:
     std::unordered_set<const Part*> m_visited;
 };
 
-/// Takes the config from the Parts that close a circle of PartConfigs.
+/// Takes the config from the Parts that close a circle of PartConfigs, or nest them too deep.
 class CircleSearch {
 public:
     explicit CircleSearch(std::vector<Outline::PartCircle>& found) : m_found(found) {}
 
     void visit(Part& config) {
-        if (!m_done.insert(&config).second) return;
+        if (!m_depths.try_emplace(&config, 1).second) return;
         m_chain.push_back(&config);
-        for (Part& part : config.parts) {
-            if (!part.config) continue;
-            const auto begin = std::ranges::find(m_chain, part.config);
-            if (begin == m_chain.end()) {
-                visit(const_cast<Part&>(*part.config));
-                continue;
-            }
-            std::string chain;
-            for (auto it = begin; it != m_chain.end(); ++it) chain += (*it)->name + " > ";
-            m_found.push_back({&part, chain + part.config->name});
-            part.config = nullptr;
-        }
+        for (Part& part : config.parts)
+            if (part.config) follow(part, config);
         m_chain.pop_back();
     }
 
 private:
+    void follow(Part& part, const Part& config) {
+        const auto begin = std::ranges::find(m_chain, part.config);
+        if (begin != m_chain.end()) {
+            std::string chain;
+            for (auto it = begin; it != m_chain.end(); ++it) chain += (*it)->name + " > ";
+            return cut(part, chain + part.config->name);
+        }
+        if (m_chain.size() < kDeepestParts) visit(const_cast<Part&>(*part.config));
+        const auto depth = m_depths.find(part.config);
+        if (depth == m_depths.end() || depth->second >= kDeepestParts) return cut(part, {});
+        m_depths[&config] = std::max(m_depths[&config], depth->second + 1);
+    }
+    void cut(Part& part, std::string chain) {
+        m_found.push_back({&part, std::move(chain)});
+        part.config = nullptr;
+    }
+
     std::vector<Outline::PartCircle>& m_found;
-    std::unordered_set<const Part*> m_done;
+    std::unordered_map<const Part*, std::size_t> m_depths; ///< of what was visited, with what is in it
     std::vector<const Part*> m_chain;
 };
 

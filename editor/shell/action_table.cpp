@@ -115,8 +115,8 @@ static constexpr ActionRow kTable[] = {
 
     {"controllers.load", "Controllers", "&Load Module…",         "module",      "",               "Use a library of controllers or components in this experiment."},
     {"controllers.assign", "Controllers", "&Assign to Selected Robots…", "",    "",               "Choose the controller of the selected robots."},
-    {"controllers.remove", "Controllers", "&Remove from Selected Robots", "",   "",               "Take the controller out of the selected robots."},
-    {"controllers.restart", "|Controllers", "Re&start Controller", "reset",    "",               "Start the controllers of the selected robots again, from their setup, without a reset of the run."},
+    {"controllers.remove", "Controllers", "&Remove from Selected Robots", "delete", "",              "Take the controller out of the selected robots."},
+    {"controllers.restart", "|Controllers", "Re&start Controller", "restart",  "",               "Start the controllers of the selected robots again, from their setup, without a reset of the run."},
     {"controllers.reload", "Controllers", "Rel&oad Modules",    "",            "Ctrl+Shift+R",   "Reset the run and read the libraries again, as built now."},
 
     {"help.guide",     "Help",        "&Guide",                  "help",        "F1",             "The page of what is selected or at the caret; else how to work with this window."},

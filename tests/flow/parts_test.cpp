@@ -1,5 +1,7 @@
 // A robot made of parts moves to the same bits as its copy by hand, wherever parts can be.
 
+#include <map>
+
 #include "flow/cli.h"
 
 namespace {
@@ -93,6 +95,57 @@ private Q_SLOTS:
         QVERIFY2(b.code == 0, b.err);
         QVERIFY2(!hashOf(a).isEmpty(), a.out + a.err);
         QCOMPARE(hashOf(a), hashOf(b));
+    }
+
+    /// A device on a body from outside is placed by the Part's Pos and HPR, which count in that body.
+    void placesDevicesOnABodyFromOutside() {
+        const QJsonObject now =
+            signalsOf("PartConfig Head { Gps gps { Body=$on Pos=0.1,0.02,0.2 } Compass north { Body=$on HPR=10,0,0 } }\n"
+                      "PartConfig Neck { Part head { Config=Head Pos=0,0,0.5 Mirror=y on=$on } }\n"
+                      "RobotConfig Kit { Body hull { Box b { Size=0.1,0.1,0.1 Material=red Surface=plastic Mass=1 } }\n"
+                      "  Part a { Config=Head on=hull }\n  Part b { Config=Head Pos=0,1,0.3 HPR=90,0,0 on=hull }\n"
+                      "  Part c { Config=Head Pos=1,1,0 Mirror=x on=hull }\n  Part d { Config=Neck Pos=0,1,0 on=hull }\n}\n"
+                      "Robot r { Config=Kit }\n",
+                      "0");
+        const std::map<const char*, std::array<double, 4>> expected{{"a.", {0.1, 0.02, 0.2, 10}},
+                                                                    {"b.", {-0.02, 1.1, 0.5, 100}},
+                                                                    {"c.", {0.9, 1.02, 0.2, 170}},
+                                                                    {"d.head.", {0.1, 0.98, 0.7, -10}}};
+        for (const auto& [part, numbers] : expected) {
+            for (int k = 0; k < 3; ++k)
+                QVERIFY2(std::abs(now[QString(part) + "gps/position"][k].toDouble() - numbers[std::size_t(k)]) < 1e-12, part);
+            const double heading = now[QString(part) + "north/heading"].toDouble();
+            QVERIFY2(std::abs(heading - numbers[3]) < 1e-9, qPrintable(QStringLiteral("%1 %2").arg(part).arg(heading)));
+        }
+    }
+
+    /// The left motor of a base is on its right in its mirror image by y: it turns to the same side under the same command.
+    void mirroredBasesExchangeTheirSides() {
+        for (const char* mirror : {"none", "y"}) {
+            const QJsonObject now = signalsOf(
+                QByteArray("#loadModule controllers/arc_motion\n") + kParts +
+                    "PartConfig Base { Body hull { Box b { Size=0.3,0.2,0.06 Pos=0,0,0.1 Mass=2 Material=orange Surface=plastic "
+                    "}\n"
+                    "    Sphere slider { Radius=0.02 Pos=-0.12,0,0.02 Mass=0.05 Material=grey Surface=slick } }\n"
+                    "  Part l { Config=DrivenWheel Pos=0.06,0.125,0.05 carrier=hull }\n"
+                    "  Part r { Config=DrivenWheel Pos=0.06,-0.125,0.05 carrier=hull Mirror=y }\n"
+                    "  DifferentialDrive drive { LeftMotor=l.motor RightMotor=r.motor WheelRadius=0.05 WheelSeparation=0.25 } }\n"
+                    "RobotConfig Kit { Part base { Config=Base Mirror=" +
+                    mirror +
+                    " } }\nRobot r { Config=Kit ArcMotion brain { Drive=\"base.drive\" Speed=0.1 TurnRate=0.5 Angle=25 } }\n",
+                "2");
+            for (const char* pose : {"base.drive/pose", "base.drive/odometry"})
+                QVERIFY2(std::abs(now[QLatin1String(pose)][2].toDouble() - 25) < 1, mirror + QJsonDocument(now).toJson());
+        }
+    }
+
+private:
+    /// Of robot r, at the end.
+    QJsonObject signalsOf(const QByteArray& blocks, const char* duration) {
+        QTemporaryDir folder;
+        if (!writeFile(folder.filePath("robot.sim"), kHead + blocks)) return {};
+        const Outcome run = cli({"run", folder.filePath("robot.sim"), "--duration", duration, "--json"});
+        return QJsonDocument::fromJson(run.out)["robots"]["r"]["signals"].toObject();
     }
 };
 

@@ -128,6 +128,24 @@ private Q_SLOTS:
     }
 
     /// The friction of a mecanum roller points to the other side; a mirror image of a mirror image is the original.
+    /// Whatever the order in the text.
+    void refusesDeepNesting() {
+        for (const bool innerFirst : {true, false}) {
+            std::vector<std::string> texts{"PartConfig P0 { Body b { Sphere s { Radius=0.1 Material=g Surface=s Mass=1 } } }\n"};
+            for (int i = 1; i < 20'000; ++i)
+                texts.push_back("PartConfig P" + std::to_string(i) + " { Part p { Config=P" + std::to_string(i - 1) + " } }\n");
+            if (!innerFirst) std::ranges::reverse(texts);
+            std::string text = kHead;
+            for (const std::string& part : texts) text += part;
+            const Resolved r = resolved(
+                text +
+                "RobotConfig Kit { Body b { Mass=1 Box x { Size=1,1,1 Material=g Surface=s } } }\nRobot r { Config=Kit }\n");
+            QVERIFY(r.diagnostics.hasErrors());
+            for (const Diagnostic& d : r.diagnostics.all())
+                QVERIFY2(d.severity != Severity::Error || d.message == "PartConfigs are nested more than 100 deep",
+                         d.message.c_str());
+        }
+    }
     void mirrorsDirectedFriction() {
         const Resolved r = resolved(kHead + kWheel +
                                     "PartConfig Both { Part a { Config=Wheel Mirror=y carrier=$base }\n"

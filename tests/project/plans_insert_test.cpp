@@ -145,10 +145,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("why");
         QTest::newRow("geom at the top") << ""
                                          << "Box b { Size=1,1,1 }"
-                                         << "a Box is allowed in a Body or a StaticConfig, not at the top level";
+                                         << "a Box is allowed in a Body, a StaticConfig or a PartConfig, not at the top level";
         QTest::newRow("geom in a robot") << "r"
                                          << "Box b { Size=1,1,1 }"
-                                         << "a Box is allowed in a Body or a StaticConfig, not in Robot r";
+                                         << "a Box is allowed in a Body, a StaticConfig or a PartConfig, not in Robot r";
         QTest::newRow("second controller") << "r"
                                            << "Walker w { }"
                                            << "Robot r has a controller already: Walker brain";
@@ -295,7 +295,8 @@ private Q_SLOTS:
         const std::string robot = fixture == "sample" ? "robot0" : "r";
         std::string parent;
         const bool controller = described->role == Role::Controller;
-        if (described->role == Role::Device || described->role == Role::Joint || described->role == Role::Body) parent = robot;
+        if (described->role == Role::Device || described->role == Role::Joint || described->role == Role::Body || kind == "Part")
+            parent = robot;
         if (controller) parent = robot;
         if (described->role == Role::Geom)
             parent = allowedPlaces("Body") ? robot + (fixture == "sample" ? ".chassis" : ".b")

@@ -232,11 +232,11 @@ private Q_SLOTS:
         QTest::newRow("a body into a body") << "r.wheel"
                                             << "r.chassis"
                                             << ""
-                                            << "a Body is allowed in a RobotConfig, not in Body chassis";
+                                            << "a Body is allowed in a RobotConfig or a PartConfig, not in Body chassis";
         QTest::newRow("a geom to the top") << "r.wheel.tyre"
                                            << ""
                                            << ""
-                                           << "a Sphere is allowed in a Body or a StaticConfig, not at the top level";
+                                           << "a Sphere is allowed in a Body, a StaticConfig or a PartConfig, not at the top level";
         QTest::newRow("beside a stranger") << "r.wheel.tyre"
                                            << "r.chassis"
                                            << "r.wheel.tyre"

@@ -18,6 +18,7 @@ struct Wheel {
     std::size_t pose; ///< index into BodyPoses
     Vec3 axis;        ///< in its body B
     std::string path;
+    double radius = 0; ///< m
 };
 
 /// The child bodies of all hinges of the first robot of each config, if their materials have no texture.
@@ -33,8 +34,10 @@ std::vector<Wheel> wheelsOf(const ExperimentSpec& experiment) {
             const BodySpec& body = bodies[std::size_t(joint.child)];
             const auto isPictured = [&](const GeomSpec& geom) { return !experiment.materials[geom.material].texture.empty(); };
             if (std::any_of(body.geoms.begin(), body.geoms.end(), isPictured)) continue; // textures are not loaded here
-            wheels.push_back(
-                {first + std::size_t(joint.child), body.pose.rotation.conjugate() * joint.axis, robot.name + "/" + body.name});
+            double radius = 0;
+            for (const GeomSpec& geom : body.geoms) radius = std::max(radius, geom.radius);
+            wheels.push_back({first + std::size_t(joint.child), body.pose.rotation.conjugate() * joint.axis,
+                              robot.name + "/" + body.name, radius});
         }
         first += bodies.size();
     }
@@ -109,7 +112,7 @@ private Q_SLOTS:
                 CameraView view;
                 view.target = X_WB.position;
                 view.eye = X_WB.position + side * 0.5 * (X_WB.rotation * wheel.axis) + Vec3(0.1, 0, 0.15);
-                view.fieldOfView = 0.4;
+                view.fieldOfView = 8 * wheel.radius; // a wheel of 5 cm, or any other, fills a quarter of the width
                 request.view = view;
                 request.poses = nullptr;
                 const Image still = m_service->draw(request).get().value();

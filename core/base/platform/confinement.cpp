@@ -63,6 +63,15 @@ void allowForOwn(Filter& filter, long call, unsigned own) {
     add(filter, BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
 }
 
+/// prctl() may not keep the process alive after its parent.
+void refuseParentSignal(Filter& filter) {
+    add(filter, BPF_JMP | BPF_JEQ | BPF_K, SYS_prctl, 0, 4);
+    loadFirstArgument(filter);
+    add(filter, BPF_JMP | BPF_JEQ | BPF_K, PR_SET_PDEATHSIG, 0, 1);
+    add(filter, BPF_RET | BPF_K, failing(EPERM));
+    add(filter, BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+}
+
 } // namespace
 
 bool confineProcess() noexcept {
@@ -82,6 +91,7 @@ bool confineProcess() noexcept {
                             SYS_rt_tgsigqueueinfo, SYS_pidfd_open, SYS_pidfd_send_signal, SYS_setsid, SYS_setpgid})
         refuse(filter, call, EPERM);
     for (const long call : {SYS_kill, SYS_tgkill}) allowForOwn(filter, call, own);
+    refuseParentSignal(filter);
     add(filter, BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
     const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;

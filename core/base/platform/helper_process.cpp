@@ -26,6 +26,7 @@ Result<HelperProcess> HelperProcess::start(const std::string& program, const std
     char* words[] = {const_cast<char*>(program.c_str()), own.data(), nullptr};
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0); // it reads none of the user's input
     std::vector<int> lifted; // out of the way of the numbers that the child uses
     for (const int file : descriptors) lifted.push_back(::fcntl(file, F_DUPFD_CLOEXEC, kAboveAll));
     for (std::size_t i = 0; i < lifted.size(); ++i)

@@ -55,6 +55,7 @@ Status HostConnection::map(std::size_t slots, const Records& records) {
 bool HostConnection::begin(HostRequest request, std::string_view bytes) {
     if (m_end) return false;
     const auto kind = static_cast<std::uint32_t>(request);
+    m_since = Clock::now();
     if (!append({reinterpret_cast<const char*>(&kind), sizeof kind}) || !append(bytes)) return false;
     finishMessage();
     return true;
@@ -109,9 +110,7 @@ HostCall HostConnection::current() const {
 
 bool HostConnection::awaitTurn() {
     if (m_end) return false;
-    if (pollTurn()) return true;
-    Clock::time_point since = Clock::now();
-    HostCall watched = current();
+    if (pollTurn()) return !isOverdue(); // a controller may print without end
     while (!hasTurn()) {
         sleepForTurn(kSliceMs);
         if (hasTurn()) break;
@@ -119,22 +118,22 @@ bool HostConnection::awaitTurn() {
             close(m_process.exit().bySignal ? HostEnd::Cause::Killed : HostEnd::Cause::Exit);
             return false;
         }
-        if (isOverdue(since, watched)) return false;
+        if (isOverdue()) return false;
     }
     return true;
 }
 
-bool HostConnection::isOverdue(Clock::time_point& since, HostCall& watched) {
+bool HostConnection::isOverdue() {
     const HostCall now = current();
-    if (now.controller != watched.controller || now.phase != watched.phase) since = Clock::now();
-    watched = now;
-    const auto waited = Clock::now() - since;
+    if (now.controller != m_watched.controller || now.phase != m_watched.phase) m_since = Clock::now();
+    m_watched = now;
+    const auto waited = Clock::now() - m_since;
     if (waited < kWatchAfter) return false;
     if (m_waiting) m_waiting(now);
     const double seconds = std::chrono::duration<double>(waited).count(), limit = m_limits(now);
     if (limit <= 0 || seconds < limit) return false;
     if (m_process.isTraced()) { // a debugger
-        since = Clock::now();
+        m_since = Clock::now();
         return false;
     }
     close(HostEnd::Cause::NotResponding, seconds);

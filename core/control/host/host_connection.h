@@ -67,7 +67,7 @@ private:
 
     HostConnection(SharedSegment control, ControlPage& page, Limits limits, Waiting waiting);
     [[nodiscard]] bool awaitTurn() override;
-    [[nodiscard]] bool isOverdue(Clock::time_point& since, HostCall& watched);
+    [[nodiscard]] bool isOverdue();
     [[nodiscard]] bool handle(std::string& stream, const Records& records, bool& done);
     [[nodiscard]] HostCall current() const;
     void close(HostEnd::Cause cause, double waitedS = 0);
@@ -79,6 +79,8 @@ private:
     HelperProcess m_process;
     Limits m_limits;
     Waiting m_waiting;
+    HostCall m_watched;                       ///< what the host did when it was last looked at
+    Clock::time_point m_since = Clock::now(); ///< of that call, with all that it has asked for
     std::optional<HostEnd> m_end;
 };
 

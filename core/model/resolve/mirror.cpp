@@ -10,6 +10,15 @@ namespace {
 
 double negated(double value) { return 0.0 - value; } // never -0
 
+/// LeftMotor and RightMotor of a base change their sides.
+void exchangeSides(ComponentSpec& device) {
+    for (auto& [key, left] : device.values) {
+        if (!key.starts_with("Left")) continue;
+        const auto right = device.values.find("Right" + key.substr(4));
+        if (right != device.values.end()) std::swap(left, right->second);
+    }
+}
+
 void negateAt(Vec3& v, int axis) { v[axis] = negated(v[axis]); }
 
 } // namespace
@@ -117,19 +126,31 @@ Vec3 PartPlacement::mirroredHpr(const Vec3& hpr) const {
     return {heading, negated(pitch), std::numbers::pi - roll};
 }
 
-void PartPlacement::place(ComponentSpec& device) const {
-    if (!isMirrored()) return;
+void PartPlacement::place(ComponentSpec& device, bool isOnOwnBody) const {
     const auto triple = [&](const char* key) -> std::vector<double>* {
         const auto it = device.values.find(key);
         return it != device.values.end() && it->second.value.numbers.size() == 3 ? &it->second.value.numbers : nullptr;
     };
-    if (std::vector<double>* pos = triple("Pos")) {
+    std::vector<double>*const pos = triple("Pos"), *const hpr = triple("HPR");
+    if (isMirrored() && pos) {
         double& value = (*pos)[static_cast<std::size_t>(m_axis)];
         value = negated(value);
     }
-    if (std::vector<double>* hpr = triple("HPR")) {
+    if (isMirrored() && hpr) {
         const Vec3 image = mirroredHpr({(*hpr)[0], (*hpr)[1], (*hpr)[2]});
         *hpr = {image[0], image[1], image[2]};
+    }
+    if (m_axis == 1) exchangeSides(device);
+    if (isOnOwnBody) return;
+    const bool isTurned = m_pose.rotation.coeffs() != Quat::Identity().coeffs();
+    if (pos) {
+        const Vec3 described(pos->data());
+        const Vec3 placed = m_pose.position + (isTurned ? Vec3(m_pose.rotation * described) : described);
+        *pos = {placed[0], placed[1], placed[2]};
+    }
+    if (hpr && isTurned) {
+        const Vec3 turned = hprFromRotation(m_pose.rotation * rotationFromHpr(Vec3(hpr->data())));
+        *hpr = {turned[0], turned[1], turned[2]};
     }
 }
 

@@ -23,8 +23,9 @@ public:
     /// its axis is the mirrored line in the direction nearest to the described one, and its stops are where the mirror image has
     /// them.
     void place(JointSpec& joint) const;
-    /// Pos and HPR of a device are those of its mirror image in the body.
-    void place(ComponentSpec& device) const;
+    /// Pos and HPR of a device are those of its mirror image in the body. In a body from outside of the part they count from the
+    /// part's Pos and HPR on, which count in that body. With Mirror = y, values of Left... and Right... are exchanged.
+    void place(ComponentSpec& device, bool isOnOwnBody) const;
 
 private:
     [[nodiscard]] Vec3 mirrored(const Vec3& vector) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/dotted_path.h"
+#include "model/part_depth.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -25,8 +26,12 @@ void lay(const OverrideNode& outside, OverrideNode& own) {
     for (const auto& [name, node] : outside.children) lay(node, own.children[name]);
 }
 
+/// An empty chain: no circle, but too deep.
 void reportCircle(ResolveContext& context, SourceRange place, const std::string& chain) {
-    context.diagnostics.error(Code::WrongPlace, place, "PartConfigs contain each other in a circle: " + chain);
+    if (chain.empty())
+        context.diagnostics.error(Code::TooManyObjects, place,
+                                  "PartConfigs are nested more than " + std::to_string(kDeepestParts) + " deep");
+    else context.diagnostics.error(Code::WrongPlace, place, "PartConfigs contain each other in a circle: " + chain);
 }
 
 } // namespace
@@ -127,8 +132,12 @@ bool PartExpansion::isCircle(const PartFrame& outer, const Part& config, SourceR
     std::vector<const Part*> chain;
     for (const PartFrame* at = &outer; at; at = at->outer) chain.insert(chain.begin(), at->config);
     const auto begin = std::ranges::find(chain, &config);
-    if (begin == chain.end()) return false;
+    if (begin == chain.end() && chain.size() <= kDeepestParts) return false;
     std::string text;
+    if (begin == chain.end()) {
+        if (m_context.outline.partCircles().empty()) reportCircle(m_context, place, text); // by a Param
+        return true;
+    }
     for (auto it = begin; it != chain.end(); ++it) text += (*it)->name + " > ";
     if (m_context.outline.partCircles().empty()) reportCircle(m_context, place, text + config.name); // by a Param
     return true;

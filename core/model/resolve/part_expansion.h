@@ -33,6 +33,12 @@ struct ExpandedPart {
 
     [[nodiscard]] const OverrideNode* overrides() const { return below(frame->overrides, part->name); }
     [[nodiscard]] std::string name() const { return frame->prefix + part->name; }
+    /// The same for a device: on a body of the part or on one from outside.
+    void place(ComponentSpec& device) const {
+        const std::string body = device.text("Body");
+        for (const PartFrame* at = frame; at->use; at = at->outer)
+            at->placement.place(device, body.empty() || body.starts_with(at->prefix));
+    }
     /// Puts something described in the innermost frame into the config that is resolved.
     template <class Spec, class... Context> bool place(Spec& spec, Context&... context) const {
         bool good = true;

@@ -57,6 +57,7 @@ const std::vector<Ball>& ObjectIndex::ballsOf(const std::vector<GeomSpec>& geoms
 std::optional<ObjectRef> ObjectIndex::find(std::string_view path) const {
     const std::string_view instance = instanceOf(path);
     const std::string_view inside = path.substr(std::min(path.size(), instance.size() + 1));
+    if (inside.empty() && instance.size() != path.size()) return std::nullopt; // "robot0."
     if (const auto it = m_statics.find(instance); it != m_statics.end()) {
         if (inside.empty()) return ObjectRef{ObjectKind::Static, it->second};
         const auto& geoms = m_experiment->statics[it->second].geoms;

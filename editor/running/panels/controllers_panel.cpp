@@ -178,9 +178,10 @@ QWidget* ControllersPanel::makeRobots() {
         m_choosing = false;
     });
     connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
-    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")),
-                                actionButton(m_actions.at("controllers.remove"), tr("Remove")),
-                                actionButton(m_actions.at("controllers.restart"), tr("Restart"))});
+    QToolButton* restart = actionButton(m_actions.at("controllers.restart"), tr("Restart"));
+    QToolButton* remove = actionButton(m_actions.at("controllers.remove"), tr("Remove"));
+    for (QToolButton* button : {restart, remove}) button->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows
+    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, remove});
 }
 
 void ControllersPanel::connectActions() {

@@ -120,7 +120,8 @@ const std::map<std::string, std::function<void()>>& actions() {
              (void)setrlimit(RLIMIT_AS, &all);
              (void)setrlimit(RLIMIT_NOFILE, &all);
          }},
-        {"outlive the parent", [] { prctl(PR_SET_PDEATHSIG, 0); }},
+        {"outlive the parent", [] { refused("outliving the program", prctl(PR_SET_PDEATHSIG, 0) == 0); }},
+        {"read the input", [] { refused("reading the user's input", getchar() != EOF); }},
         {"change folder", [] { (void)!chdir("/proc"); }},
         {"make sensors writable", [] { makeWritable("trundle-sensors"); }},
         {"overwrite commands",
@@ -165,7 +166,16 @@ struct Rogue : trundle::Controller {
         drive.move(0.1, 0.2);
         if (++turns != at) return;
         if (action == "write a sensor") OpenEncoder(encoder).write(12345);
+        else if (action == "print without end") printWithoutEnd();
+        else if (action == "open logs without end") openLogsWithoutEnd();
         else actions().at(action)();
+    }
+    // Both hand over to the program again and again, so that no single wait is long.
+    void printWithoutEnd() const {
+        for (;;) print(std::string(1000, 'x'));
+    }
+    void openLogsWithoutEnd() const {
+        for (;;) (void)openLog("../refused.csv");
     }
 };
 

@@ -1,0 +1,33 @@
+// Robots made of parts in the Scene tree.
+
+#include "outline_fixture.h"
+
+using namespace trundle;
+
+class PartsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    /// A Part is one row that opens: what its PartConfig has is below it, with paths through the robot.
+    void partOpens() {
+        OutlineFixture w;
+        QVERIFY(w.open("PartConfig Wheel { Body wheel { Sphere tyre { Radius=0.05 Mass=1 } }\n"
+                       "  Hinge axle { Parent=$carrier Child=wheel } }\n"
+                       "RobotConfig Kit { Body chassis { Box hull { Size=1,1,1 Mass=1 } }\n"
+                       "  Part left { Config=Wheel carrier=chassis } Part right { Config=Wheel Mirror=y carrier=chassis } }\n"
+                       "Robot robot0 { Config=Kit }\n"));
+        QCOMPARE(w.errors(), QString());
+        const QModelIndex tyre = w.at("robot0.left.wheel.tyre");
+        QVERIFY(tyre.isValid());
+        QCOMPARE(w.model().rowAt(tyre.parent().parent())->path, std::string("robot0.left"));
+        QCOMPARE(w.model().rowAt(tyre.parent().parent())->detail, std::string("Wheel"));
+        QVERIFY(w.at("robot0.right.axle").isValid());
+        QCOMPARE(w.model().rowCount(w.at("robot0.right")), 2);
+        QVERIFY(w.at("RobotConfig.Kit.right.axle").isValid());
+        QVERIFY(w.at("PartConfig.Wheel.wheel").isValid());
+        w.filter().setText(QStringLiteral("tyre"));
+        QVERIFY(w.at("robot0.right.wheel.tyre").isValid());
+    }
+};
+
+QTEST_MAIN(PartsTest)
+#include "parts_test.moc"
