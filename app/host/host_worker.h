@@ -14,7 +14,7 @@
 
 namespace trundle {
 
-/// Carries out the requests of a run: loads a module and calls its controllers. Uses the thread that called run().
+/// Handles the requests of a run: loads a module and calls its controllers. Uses the thread that called run().
 class HostWorker final : private MessageLink, public RecordSender {
 public:
     /// `sensors`, `commands`: descriptors of the images, which get their size later.

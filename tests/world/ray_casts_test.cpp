@@ -307,7 +307,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Poses are taken over once in a tick with casts, and never if nobody casts.
+    /// Poses are taken over once in a tick with casts, and never without casts.
     void updatesOnlyWhenSomebodyCasts() {
         RandomWorld world;
         world.addStatic(plane("floor"), {});

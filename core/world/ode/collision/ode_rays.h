@@ -1,5 +1,5 @@
 #pragma once
-// Rays against what is in the engine. The scene for rays takes the poses over at the first cast of a tick, so that a run in which nobody
+// Rays against what is in the engine. The scene for rays takes the poses over at the first cast of a tick, so that a run in which no device
 // casts does not pay for it; trees over meshes are made at the first cast of the run.
 
 #include "world/ode/objects/ode_objects.h"
