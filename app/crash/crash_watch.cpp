@@ -75,6 +75,13 @@ void enter() {
     for (;;) pause();
 }
 
+/// Where a thread reports an exception that ends the program. It does not return while another one ends it.
+int messages() {
+    const long ending = s_endingThread;
+    if (ending != 0 && ending != syscall(SYS_gettid)) enter();
+    return STDERR_FILENO;
+}
+
 void addCause(MessageBuilder& words, const Found& what) {
     if (what.cause.signal == 0 && !what.isOfModule()) words << "ended from within, by code of a module or as the display is gone";
     else if (what.cause.signal == 0) addExit(words, what.run, what.cause);
@@ -131,7 +138,7 @@ void watchCrashes(const char* program, const char* advice) {
     s_advice = advice;
     s_process = getpid();
     provideSignalStack();
-    reportUncaughtExceptions(program, [] { return STDERR_FILENO; });
+    reportUncaughtExceptions(program, &messages);
     // Does not replace existing handlers, such as those of a debugger or a sanitizer.
     for (const int signal : kCrashSignals) {
         struct sigaction now = {};

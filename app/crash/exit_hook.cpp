@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdlib>
 
+#include <dlfcn.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -34,8 +35,14 @@ void endProcess(int code) {
 
 } // namespace trundle
 
-// _exit and _Exit skip all handlers: the dynamic loader resolves calls in modules and libraries to these definitions.
+// The dynamic loader resolves calls in modules and libraries to these definitions. exit() would run the destructors of static
+// objects that other threads still use before the hook; _exit and _Exit skip all handlers.
 extern "C" {
+void exit(int code) noexcept {
+    trundle::callExitHook();
+    if (void* real = dlsym(RTLD_NEXT, "exit")) reinterpret_cast<void (*)(int)>(real)(code);
+    trundle::endProcess(code);
+}
 void _exit(int code) {
     trundle::callExitHook();
     trundle::endProcess(code);
