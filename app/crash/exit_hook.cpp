@@ -3,10 +3,10 @@
 #include <atomic>
 #include <cstdlib>
 
-#include <dlfcn.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "base/platform/next_symbol.h"
 #include "base/platform/output_cleaner.h"
 
 namespace trundle {
@@ -40,7 +40,7 @@ void endProcess(int code) {
 extern "C" {
 void exit(int code) noexcept {
     trundle::callExitHook();
-    if (void* real = dlsym(RTLD_NEXT, "exit")) reinterpret_cast<void (*)(int)>(real)(code);
+    if (void* real = trundle::nextSymbol("exit")) reinterpret_cast<void (*)(int)>(real)(code);
     trundle::endProcess(code);
 }
 void _exit(int code) {

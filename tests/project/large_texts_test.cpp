@@ -55,6 +55,20 @@ private Q_SLOTS:
             QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
         }
     }
+    /// Beyond the first missing files, folders are listed instead of looked into for each name.
+    void manyMissingPicturesHideNoOther() {
+        ProjectFixture fixture;
+        for (const char* name : {"plain.png", "short.png", "\u00fcber.png", "sub/inner.png", "Big.PNG"}) fixture.write(name, "");
+        std::string text;
+        for (int i = 0; i < 300; ++i) text += "Material m" + std::to_string(i) + " { Texture=gone" + std::to_string(i) + " }\n";
+        const std::string present = "Material a { Texture=plain.png }\nMaterial b { Texture=short }\n"
+                                    "Material c { Texture=\"\u00fcber.png\" }\nMaterial d { Texture=\"sub/inner.png\" }\n"
+                                    "Material e { Texture=\"./sub/../plain.png\" }\nMaterial f { Texture=Big.PNG }\n";
+        const auto loaded = fixture.open(text + present + "Material g { Texture=\"sub/gone.png\" }\n");
+        std::size_t missing = 0;
+        for (const Diagnostic& d : loaded->diagnostics.all()) missing += d.code == Code::MeshUnreadable;
+        QCOMPARE(missing, std::size_t(301));
+    }
     /// A name that is defined, a module or a file that is imported far behind its uses, does not keep a large text from being ended.
     void farDefinitionsDoNotCount_data() {
         QTest::addColumn<QByteArray>("line");

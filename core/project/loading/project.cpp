@@ -181,6 +181,9 @@ Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& pa
                 a.loaded->diagnostics = tooManyTokens(*a.loaded->trees[limited], most); // other errors may come from the cut
                 return std::shared_ptr<const LoadedProject>(std::move(a.loaded));
             }
+            a.loaded->experiment.reset(); // of its parts only trees and shapes are reused
+            a.loaded->outline.reset();
+            a.loaded->named.clear();
             previous = std::move(a.loaded); // its other trees can be reused
             continue;
         }

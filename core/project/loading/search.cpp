@@ -78,20 +78,25 @@ bool FileSearch::onlyAsText(const std::string& path, std::string& canonical) con
     return m_texts->contains(canonical);
 }
 
-std::vector<std::string> FileSearch::roots(const std::string& folder) const {
-    std::vector<std::string> all{canonicalPath(folder)};
+const FileSearch::Roots& FileSearch::roots(const std::string& folder) const {
+    const auto [at, isNew] = m_roots.try_emplace(folder);
+    Roots& roots = at->second;
+    if (!isNew) return roots;
+    roots.folders.push_back(canonicalPath(folder));
     for (const std::string& f : m_folders) {
         if (f.empty()) continue;
         std::string path = canonicalPath(f);
-        if (std::find(all.begin(), all.end(), path) == all.end()) all.push_back(std::move(path));
+        if (std::ranges::find(roots.folders, path) == roots.folders.end()) roots.folders.push_back(std::move(path));
     }
-    return all;
+    for (const std::string& root : roots.folders) roots.shown += (roots.shown.empty() ? "" : ", ") + shownPath(root);
+    std::ranges::replace(roots.shown, '\n', ' ');
+    return roots;
 }
 
 Result<std::string> FileSearch::find(std::string written, const std::string& folder, std::span<const std::string> endings) const {
     normalise(written);
     if (written.empty() || written.find('\0') != std::string::npos) return Error{Code::ImportNotFound, "a file name is missing"};
-    const std::vector<std::string> folders = roots(folder);
+    const auto& [folders, shown] = roots(folder);
     std::vector<std::string> names{written};
     for (const std::string& ending : endings) names.push_back(written + "." + ending);
     bool outside = false, unplain = false, loop = false;
@@ -99,7 +104,8 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
         for (const std::string& name : names) {
             std::error_code ec;
             const fs::path path = fs::path(root) / name; // operator/ keeps an absolute `name`
-            const fs::file_status status = fs::status(path, ec);
+            const fs::file_status status = m_names.mayExist(path) ? fs::status(path, ec) : fs::file_status(fs::file_type::not_found);
+            if (!fs::exists(status)) m_names.addMissing(path);
             loop = loop || isLoop(ec);
             std::string real;
             if (fs::is_regular_file(status)) {
@@ -110,7 +116,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
                 continue;
             }
             const bool allowed =
-                std::any_of(folders.begin(), folders.end(), [&](const std::string& f) { return liesUnder(real, f); });
+                std::ranges::any_of(folders, [&real](const std::string& f) { return liesUnder(real, f); });
             if (allowed) return real;
             outside = true;
         }
@@ -118,17 +124,14 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     if (outside) return Error{Code::ImportOutside, written + " lies outside the project and the folders that are searched"};
     if (unplain) return Error{Code::FileUnreadable, written + " is not a plain file"};
     if (loop) return Error{Code::FileUnreadable, written + " is a link that leads back to itself"};
-    std::string places;
-    for (const std::string& root : folders) places += (places.empty() ? "" : ", ") + shownPath(root);
-    std::replace(places.begin(), places.end(), '\n', ' ');
-    return Error{Code::ImportNotFound, written + " is not found; looked in " + places};
+    return Error{Code::ImportNotFound, written + " is not found; looked in " + shown};
 }
 
 std::vector<std::string> FileSearch::nearest(std::string written, const std::string& folder) const {
     normalise(written);
     const fs::path wanted(written);
     std::vector<std::string> names;
-    for (const std::string& root : roots(folder)) {
+    for (const std::string& root : roots(folder).folders) {
         std::error_code ec;
         const fs::path place = (fs::path(root) / wanted).parent_path();
         int looked = 0;

@@ -1,11 +1,13 @@
 #pragma once
 // Finds imported files in the search folders and checks that they may be opened.
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "project/loading/folder_names.h"
 #include "project/loading/text_overlay.h"
 
 namespace trundle {
@@ -24,6 +26,7 @@ namespace trundle {
 /// are absolute.
 [[nodiscard]] bool isInside(const std::string& file, const std::vector<std::string>& folders);
 
+/// Used by one thread, for one load: what links lead to is looked up once for each folder.
 class FileSearch {
 public:
     /// `folders` are searched in order after the importing file's own. Paths in `texts` count as files; `texts` must outlive this
@@ -39,10 +42,16 @@ public:
     [[nodiscard]] std::vector<std::string> nearest(std::string written, const std::string& folder) const;
 
 private:
-    [[nodiscard]] std::vector<std::string> roots(const std::string& folder) const;
+    struct Roots {
+        std::vector<std::string> folders; ///< canonical
+        std::string shown;                ///< "a, b", for messages
+    };
+    [[nodiscard]] const Roots& roots(const std::string& folder) const;
     [[nodiscard]] bool onlyAsText(const std::string& path, std::string& canonical) const;
     std::vector<std::string> m_folders;
     const TextOverlay* m_texts;
+    mutable std::map<std::string, Roots> m_roots; ///< by the importing file's folder
+    mutable FolderNames m_names;
 };
 
 /// The bytes of a regular file. Never blocks: pipes, devices and folders are refused. Messages name the file `shown`, or by its path.
