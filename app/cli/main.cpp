@@ -74,6 +74,7 @@ int run(int argc, char** argv) {
     trundle::addFormat(app, chosen);
     trundle::addEdit(app, applicationOf, chosen);
     trundle::addRender(app, applicationOf, chosen);
+    trundle::addNew(app, applicationOf, chosen);
     trundle::addDescribe(app, applicationOf, chosen);
     if (const auto problem = unknownCommand(app, argc, argv)) return refuse(argc, argv, *problem, false);
     try {

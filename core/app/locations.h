@@ -10,6 +10,8 @@ struct Locations {
     std::string modules;    ///< controllers and components shipped with the program; always trusted
     std::string meshReader; ///< helper program that reads foreign mesh and image formats
     std::string host;       ///< helper program that runs controllers
+    std::string templates;  ///< of modules
+    std::string sdkPackage; ///< where CMake finds the package TrundleSdk
 };
 
 [[nodiscard]] Locations findLocations();

@@ -280,7 +280,7 @@ private Q_SLOTS:
 
     void theTemplateDrives() {
         Stage stage("MyController", {});
-        QVERIFY(stage.store.load(std::string(TRUNDLE_BINARY_DIR) + "/lib/trundle/libtemplate.so").ok());
+        QVERIFY(stage.store.load(std::string(TRUNDLE_BINARY_DIR) + "/lib/trundle/libmy_controller.so").ok());
         const Status started = stage.start();
         QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
         QVERIFY(stage.backend->tick(0, 0, 0).ok());

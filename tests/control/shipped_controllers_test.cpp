@@ -30,7 +30,7 @@ private Q_SLOTS:
         for (const char* module :
              {"controllers/libarc_motion.so", "controllers/libblob_follow.so", "controllers/libbump_and_turn.so",
               "controllers/liblinear_motion.so", "controllers/libmote.so", "controllers/libnetwork_navigator.so",
-              "controllers/librandom_drive.so", "controllers/libwall_follow.so", "libMyRobotController.so", "libtemplate.so"})
+              "controllers/librandom_drive.so", "controllers/libwall_follow.so", "libMyRobotController.so", "libmy_controller.so"})
             QTest::newRow(module) << QString(module);
     }
     void theirFields() {
@@ -181,7 +181,7 @@ private Q_SLOTS:
     }
 
     void theTemplateDrivesACircle() {
-        ScriptedController robot("libtemplate.so", "MyController", {{"Speed", {0.1}}, {"TurnRate", {-0.7}}});
+        ScriptedController robot("libmy_controller.so", "MyController", {{"Speed", {0.1}}, {"TurnRate", {-0.7}}});
         QVERIFY(robot.setup());
         robot.update(0);
         QCOMPARE(robot.command(), QString("0.1 -0.7"));

@@ -9,13 +9,14 @@ private Q_SLOTS:
     void initTestCase() {
         const Outcome installed = callProgram("cmake", {"--install", TRUNDLE_BINARY_DIR, "--prefix", prefix()});
         QVERIFY2(installed.code == 0, shown(installed));
-        QVERIFY(QDir().mkpath(at("mine")));
-        for (const char* name : {"CMakeLists.txt", "my_controller.cpp"})
-            QVERIFY(QFile::copy(prefix("share/trundle/template/") + name, at("mine/") + name));
-        const QByteArray robot = "Robot r { Config=SimpleRobot MyController brain { Speed=0.3 TurnRate=0 } }\n";
+        const QByteArray robots =
+            "Robot r { Config=SimpleRobot WallRun brain { Speed=0.3 TurnRate=0 } }\n"
+            "RobotConfig Scout { Body chassis { Box b { Material=red Size=0.1,0.1,0.1 Pos=0,0,0.1 Mass=1 } } "
+            "FrontSonar eye { Body=chassis Pos=0,0,0.1 } }\n"
+            "Robot s { Config=Scout Pos=0,2,0 }\nSignalLog seen { Signals=s/eye/distance }\n";
         QVERIFY(writeFile(at("circle.sim"), "Duration = 2\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
-                                            "#loadModule template\nStatic floor { Config=OpenFloor }\n" +
-                                                robot));
+                                            "#loadModule wall_run\n#loadModule front_sonar\nStatic floor { Config=OpenFloor }\n" +
+                                                robots));
     }
 
     /// The programs use the files installed beside them, not those of the source tree.
@@ -38,33 +39,73 @@ private Q_SLOTS:
         QVERIFY2(drawn.code == 0 && contentOf(picture).startsWith("\x89PNG"), shown(drawn));
     }
 
-    void buildsTheTemplate_data() {
-        QTest::addColumn<QString>("package");
-        QTest::newRow("from the installed package") << prefix();
-        QTest::newRow("from the build folder") << QStringLiteral(TRUNDLE_BINARY_DIR "/sdk");
+    void startsModules_data() {
+        QTest::addColumn<bool>("installed");
+        QTest::newRow("installed") << true;
+        QTest::newRow("in the build folder") << false;
     }
-    /// Without a warning; the program that describes it is found with the package.
-    void buildsTheTemplate() {
-        QFETCH(QString, package);
-        const QString folder = at(QTest::currentDataTag());
-        const Outcome configured =
-            callProgram("cmake", {"-S", at("mine"), "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                                  "-DCMAKE_PREFIX_PATH=" + package, "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic"});
-        QVERIFY2(configured.code == 0, shown(configured));
-        const Outcome built = callProgram("cmake", {"--build", folder});
-        QVERIFY2(built.code == 0 && !built.out.contains("warning"), shown(built));
-        const Outcome run = installedCli({"run", at("circle.sim"), "--modules", folder, "--json"});
+    /// What `new` writes builds without a warning, by the printed commands, and runs as printed.
+    void startsModules() {
+        QFETCH(bool, installed);
+        const QString folder = at("my 'own' " + QString(QTest::currentDataTag()));
+        QVERIFY(QDir().mkpath(folder));
+        for (const QStringList& what : {QStringList{"controller", "WallRun"}, {"component", "FrontSonar"}}) {
+            const QStringList words = QStringList{"new"} + what + QStringList{"--in", folder};
+            const Outcome made = installed ? installedCli(words) : cli(words);
+            QVERIFY2(made.code == 0 && made.out.startsWith("wrote "), shown(made));
+            QStringList commands;
+            for (const QString& line : QString::fromUtf8(made.out).split('\n'))
+                if (line.startsWith("  cmake ")) commands += line.trimmed();
+            QCOMPARE(commands.size(), 2);
+            commands[0] += " -G Ninja -DCMAKE_CXX_FLAGS='-Wall -Wextra -Wpedantic'";
+            for (const QString& command : commands) {
+                const Outcome built = callProgram("sh", {"-c", command});
+                QVERIFY2(built.code == 0 && !built.out.contains("warning") && !built.err.contains("warning"), shown(built));
+            }
+        }
+        const QString text = QString::fromUtf8(contentOf(at("circle.sim")));
+        QVERIFY(
+            writeFile(folder + "/circle.sim", QString(text)
+                                                  .replace("#loadModule wall_run", "#loadModule wall_run/build/wall_run")
+                                                  .replace("#loadModule front_sonar", "#loadModule front_sonar/build/front_sonar")
+                                                  .toUtf8()));
+        const Outcome run = installedCli({"run", folder + "/circle.sim", "--trust", "--json"});
         QVERIFY2(run.code == 0, shown(run));
         const QJsonValue driven = QJsonDocument::fromJson(run.out)["robots"]["r"]["pos"][0];
         QVERIFY2(std::abs(driven.toDouble() - 0.6) < 0.1, shown(run)); // 2 s at 0.3 m/s
+        const QList<QByteArray> rows = contentOf(folder + "/logs/circle/seen.csv").trimmed().split('\n');
+        QVERIFY2(rows.size() > 2 && rows.last().endsWith(",2"), rows.last().constData()); // nothing is nearer than MaxRange
+    }
+
+    void refusesNewModules_data() {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QByteArray>("why");
+        const QString folder = at("my 'own' installed");
+        QTest::newRow("folder exists") << QStringList{"controller", "WallRun", "--in", folder} << QByteArray("it exists");
+        QTest::newRow("small letter") << QStringList{"controller", "wallRun"} << QByteArray("a capital letter");
+        QTest::newRow("a path") << QStringList{"component", "../Wall"} << QByteArray("a capital letter");
+        QTest::newRow("built-in kind") << QStringList{"component", "Lidar"} << QByteArray("has a kind Lidar");
+        QTest::newRow("kind of a shipped module")
+            << QStringList{"controller", "WallFollow"} << QByteArray("has a kind WallFollow");
+        QTest::newRow("no such word") << QStringList{"robot", "Wall"} << QByteArray("controller");
+        QTest::newRow("no such folder") << QStringList{"controller", "Wall", "--in", at("none")} << QByteArray("none");
+    }
+    void refusesNewModules() {
+        QFETCH(QStringList, words);
+        QFETCH(QByteArray, why);
+        const Outcome refused = installedCli(QStringList{"new"} + words);
+        QVERIFY2(refused.code == 2 && refused.err.contains(why), shown(refused));
     }
 
     /// The library and its description are all that another machine needs.
     void givesTheLibraryAway() {
         QVERIFY(QDir().mkpath(at("given")));
-        for (const char* name : {"libtemplate.so", "libtemplate.so.kinds.json"})
-            QVERIFY(QFile::copy(at("from the installed package/") + name, at("given/") + name));
-        QVERIFY(QDir(at("mine")).removeRecursively() && QDir(at("from the installed package")).removeRecursively());
+        const QString folder = at("my 'own' installed/");
+        for (const QString& name : {"wall_run", "front_sonar"})
+            for (const char* file : {"/build/lib%1.so", "/build/lib%1.so.kinds.json"})
+                QVERIFY(QFile::copy(folder + name + QString(file).arg(name),
+                                    at("given/") + QString(file).arg(name).section('/', -1)));
+        QVERIFY(QDir(folder).removeRecursively());
         const QStringList run{"run", at("circle.sim"), "--modules", at("given")};
         QVERIFY2(installedCli(run).code == 0, shown(installedCli(run)));
         const Outcome faulty = installedCli(run + QStringList{"--set", "r.brain.Speed=9"});

@@ -104,7 +104,8 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
         for (const std::string& name : names) {
             std::error_code ec;
             const fs::path path = fs::path(root) / name; // operator/ keeps an absolute `name`
-            const fs::file_status status = m_names.mayExist(path) ? fs::status(path, ec) : fs::file_status(fs::file_type::not_found);
+            const fs::file_status status =
+                m_names.mayExist(path) ? fs::status(path, ec) : fs::file_status(fs::file_type::not_found);
             if (!fs::exists(status)) m_names.addMissing(path);
             loop = loop || isLoop(ec);
             std::string real;
@@ -115,8 +116,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
                 unplain = unplain || fs::exists(status);
                 continue;
             }
-            const bool allowed =
-                std::ranges::any_of(folders, [&real](const std::string& f) { return liesUnder(real, f); });
+            const bool allowed = std::ranges::any_of(folders, [&real](const std::string& f) { return liesUnder(real, f); });
             if (allowed) return real;
             outside = true;
         }

@@ -1,10 +1,9 @@
-// The smallest controller: drives a circle. Copy this folder, rename MyController, and add
+// A controller that drives a circle: a start for your own. Once it is built, an experiment beside this folder uses it with
 //
-//     #loadModule template
+//     #loadModule my_controller/build/my_controller
 //     Robot robot0 { Config=SimpleRobot  MyController brain { Speed = 0.2 } }
 //
-// to an experiment. Other features of controllers (sensors, cameras, radios, published values for logs, ending the run):
-// core/sdk/README.md.
+// The guide says what a controller can do besides: sensors, cameras, radios, values for logs, ending the run.
 #include <trundle/controller.h>
 
 struct MyController : trundle::Controller {

@@ -1,0 +1,70 @@
+#include <algorithm>
+
+#include "app/module_template.h"
+#include "base/clean_text.h"
+#include "cli/messages.h"
+#include "cli/standard_streams.h"
+#include "cli/subcommands.h"
+
+namespace trundle {
+namespace {
+
+struct NewArguments {
+    std::string what, kind, parent = ".";
+};
+
+bool isTaken(const Application& application, const std::string& kind) {
+    const std::vector<Kind> fromModules = application.moduleKinds({});
+    return application.builtIn()->find(kind) || std::ranges::any_of(fromModules, [&](const Kind& k) { return k.name == kind; });
+}
+
+ExitCode makeNew(const Application& application, const NewArguments& arguments) {
+    if (isTaken(application, arguments.kind)) {
+        printProblem("Trundle has a kind " + arguments.kind + " already: choose another name");
+        return kExitUsage;
+    }
+    const bool isController = arguments.what == "controller";
+    const Result<NewModule> made = makeModule(isController ? ModuleTemplate::Controller : ModuleTemplate::Component,
+                                              arguments.kind, arguments.parent, application.locations());
+    if (!made) {
+        printProblem(made.error().message);
+        return kExitUsage;
+    }
+    const NewModule& module = made.value();
+    std::string text = "wrote";
+    for (const std::string& file : module.files) text += ' ' + cleanLine(module.folder) + '/' + file;
+    const std::string use = isController ? "Robot robot0 { Config=SimpleRobot  " + arguments.kind + " brain { } }"
+                                         : arguments.kind + " eye { Body=chassis }";
+    text += "\n\nTo build it:\n  " + module.configure + "\n  " + module.build + "\n\nIn an experiment of the folder " +
+            cleanLine(arguments.parent) + ":\n  " + module.load + "\n  " + use +
+            "\n\nRun that with --trust: code of a module may do anything, so it is trusted only if you say so.\n";
+    return writeOut(text) ? kExitDone : kExitText;
+}
+
+constexpr const char* kNewExamples = R"(Examples:
+  trundle-cli new controller WallFollow
+  trundle-cli new component Thermometer --in my_project/modules
+
+The new folder holds one C++ file and a CMakeLists.txt. What is printed builds it and uses it.
+Exit codes: 0 done, 1 the output cannot be written, 2 the folder exists or cannot be written, or NAME is no name for a kind.)";
+
+} // namespace
+
+void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
+    CLI::App* command = app.add_subcommand("new", "Start a controller or a component of your own");
+    auto arguments = std::make_shared<NewArguments>();
+    command->add_option("WHAT", arguments->what, "controller, or component: a sensor to start from")
+        ->required()
+        ->type_name("")
+        ->check(CLI::IsMember({"controller", "component"}));
+    command->add_option("NAME", arguments->kind, "Of the new kind, like WallFollow")->required()->type_name("");
+    command->add_option("--in", arguments->parent, "Make its folder in DIR instead of in this one")
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory);
+    command->footer(kNewExamples);
+    command->callback([arguments, &application, &chosen] {
+        chosen = [arguments, &application] { return makeNew(application(), *arguments); };
+    });
+}
+
+} // namespace trundle

@@ -1,0 +1,107 @@
+#include "app/module_template.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "base/clean_text.h"
+#include "base/platform/atomic_file.h"
+#include "base/platform/read_file.h"
+#include "lang/characters.h"
+
+namespace trundle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 60;
+
+struct Template {
+    const char *folder, *kind, *module;
+};
+
+Template templateOf(ModuleTemplate what) {
+    return what == ModuleTemplate::Controller ? Template{"controller", "MyController", "my_controller"}
+                                              : Template{"component", "MySensor", "my_sensor"};
+}
+
+bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
+
+bool isKindName(const std::string& name) {
+    return !name.empty() && name.size() <= kLongestName && isCapital(name[0]) && std::ranges::all_of(name, isIdent);
+}
+
+/// "wall_follow" for "WallFollow", "led_ring" for "LEDRing".
+std::string moduleName(const std::string& kind) {
+    std::string name;
+    for (std::size_t i = 0; i < kind.size(); ++i) {
+        const bool begins = i > 0 && isCapital(kind[i]) && kind[i - 1] != '_' &&
+                            (!isCapital(kind[i - 1]) || (i + 1 < kind.size() && kind[i + 1] >= 'a' && kind[i + 1] <= 'z'));
+        if (begins) name += '_';
+        name += isCapital(kind[i]) ? static_cast<char>(kind[i] - 'A' + 'a') : kind[i];
+    }
+    return name;
+}
+
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+/// For a POSIX shell.
+std::string quoted(const std::string& path) {
+    const auto isPlain = [](char c) { return isIdent(c) || c == '/' || c == '.' || c == '-'; };
+    if (!path.empty() && std::ranges::all_of(path, isPlain)) return path;
+    std::string text = path;
+    replaceAll(text, "'", R"('\'')");
+    return "'" + text + "'";
+}
+
+Error failure(const std::string& path, const std::string& why) {
+    return Error{Code::FileUnreadable, cleanLine(path) + " cannot be made: " + cleanLine(why)};
+}
+
+} // namespace
+
+Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const std::string& parent,
+                             const Locations& locations) {
+    if (!isKindName(kind))
+        return Error{Code::FileUnreadable, "a kind cannot be named " + cleanLine(kind) +
+                                               ": its name is a capital letter and then letters and digits, like WallFollow"};
+    const Template from = templateOf(what);
+    const std::string module = moduleName(kind);
+    const fs::path source = fs::path(locations.templates) / from.folder, folder = fs::path(parent) / module;
+    std::error_code ec;
+    std::vector<std::pair<std::string, std::string>> files; // name, text
+    for (fs::directory_iterator it(source, ec), end; !ec && it != end; it.increment(ec)) {
+        Result<std::string> text = readRegularFile(it->path().string());
+        if (!text) return text.error();
+        std::string name = it->path().filename().string();
+        for (std::string* words : {&name, &text.value()}) {
+            replaceAll(*words, from.kind, kind);
+            replaceAll(*words, from.module, module);
+        }
+        files.emplace_back(std::move(name), std::move(text).value());
+    }
+    if (ec || files.empty()) return Error{Code::FileUnreadable, "the templates are not found in " + source.string()};
+    std::ranges::sort(files);
+
+    if (!fs::create_directory(folder, ec))
+        return failure(folder.string(), ec ? ec.message() : std::string("it exists; choose another name or folder"));
+    NewModule made{folder.string(), {}, {}, {}, "#loadModule " + module + "/build/" + module};
+    for (const auto& [name, text] : files) {
+        if (const Status written = writeFileAtomically((folder / name).string(), text); !written) {
+            fs::remove_all(folder, ec); // made above, so all in it is ours
+            return written.error();
+        }
+        made.files.push_back(name);
+    }
+    const std::string shown = quoted(folder.string());
+    made.configure = "cmake -S " + shown + " -B " + shown +
+                     "/build -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=" + quoted(locations.sdkPackage);
+    made.build = "cmake --build " + shown + "/build";
+    return made;
+}
+
+} // namespace trundle

@@ -1,0 +1,27 @@
+#pragma once
+// New modules from the templates that come with the program.
+
+#include <string>
+#include <vector>
+
+#include "app/locations.h"
+#include "base/result.h"
+
+namespace trundle {
+
+enum class ModuleTemplate { Controller, Component };
+
+/// A module whose files are written, and how it is built and used.
+struct NewModule {
+    std::string folder;             ///< as given, with the module's own folder
+    std::vector<std::string> files; ///< in that folder
+    std::string configure, build;   ///< command lines for a shell
+    std::string load;               ///< the line of an experiment beside the folder
+};
+
+/// Writes the template for a kind of that name into a new folder below `parent`: WallFollow becomes wall_follow/wall_follow.cpp.
+/// Fails, and writes nothing, if the name cannot be a kind's, if that folder exists, or if it cannot be written.
+[[nodiscard]] Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const std::string& parent,
+                                           const Locations& locations);
+
+} // namespace trundle
