@@ -21,7 +21,8 @@ Locations findLocations() {
     const std::filesystem::path bin = programFolder();
     const std::filesystem::path prefix = bin.parent_path();
     return {sharedFolder(prefix, "configs", TRUNDLE_SOURCE_CONFIGS), sharedFolder(prefix, "resources", TRUNDLE_SOURCE_RESOURCES),
-            (prefix / "lib" / "trundle").string(), (prefix / "bin" / "trundle-meshreader").string(), (prefix / "bin" / "trundle-host").string()};
+            (prefix / "lib" / "trundle").string(), (prefix / "bin" / "trundle-meshreader").string(), (prefix / "bin" / "trundle-host").string(),
+            sharedFolder(prefix, "python", TRUNDLE_SOURCE_PYTHON)};
 }
 
 } // namespace trundle

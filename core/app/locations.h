@@ -10,6 +10,7 @@ struct Locations {
     std::string modules;    ///< controllers and components shipped with the program; always trusted
     std::string meshReader; ///< helper program that reads foreign mesh and image formats
     std::string host;       ///< helper program that runs controllers
+    std::string python;     ///< the Python package for controllers
 };
 
 [[nodiscard]] Locations findLocations();
