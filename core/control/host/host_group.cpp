@@ -57,7 +57,7 @@ Result<std::vector<Kind>> HostGroup::load() {
     const bool alive = m_host->call(HostRequest::Load, WireWriter().bytes(m_library).view(),
                                     [&](HostRecord record, std::uint32_t number, WireReader& in) {
                                         std::string reply = handle(record, number, in);
-                                        if (record == HostRecord::Done) json = in.text();
+                                        if (record == HostRecord::Done && *m_done) json = in.text();
                                         return reply;
                                     });
     m_waiting.reset();

@@ -32,7 +32,7 @@ Result<std::vector<Kind>> PythonDescriber::describe(const std::string& file) {
                                           [&](HostRecord record, std::uint32_t, WireReader& in) {
                                               if (record == HostRecord::Done) {
                                                   done = in.status();
-                                                  json = in.text();
+                                                  if (done) json = in.text();
                                               }
                                               return std::string();
                                           });

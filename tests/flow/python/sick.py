@@ -39,7 +39,7 @@ def raise_exit():
 
 
 def eat_memory():
-    return [bytearray(1 << 28) for _ in range(1000)]
+    return [bytes(1 << 30) for _ in range(1000)]
 
 
 def recurse():

@@ -132,13 +132,12 @@ class exactly_one_of:
 
 
 def members(kind, of_type):
-    """The descriptors of a class and its bases, in the order of the text, bases first; a derived class replaces by attribute."""
-    found = {}
-    for base in reversed(kind.__mro__):
+    """The descriptors of a class in the order of its text, then those of its bases that it does not replace."""
+    attributes = {}
+    for base in kind.__mro__:
         for attribute, value in vars(base).items():
-            if isinstance(value, of_type):
-                found[attribute] = value
-    return list(found.values())
+            attributes.setdefault(attribute, value)
+    return [value for value in attributes.values() if isinstance(value, of_type)]
 
 
 def kind_to_json(kind):

@@ -52,6 +52,9 @@ class Module:
                       if isinstance(kind, type) and issubclass(kind, Controller) and kind.__module__ == name
                       and not kind.__name__.startswith("_")}
 
+        if not self.kinds:
+            raise TypeError("it has no class that is derived from trundle.Controller")
+
     def sources(self):
         """The files from its folder that it consists of, with what shows that one has changed."""
         folder = os.path.dirname(self.path) + os.sep
