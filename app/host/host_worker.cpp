@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "control/kinds_json.h"
+#include "control/python_kinds.h"
 #include "crash/exit_hook.h"
 #include "host/crash_recorder.h"
 
@@ -90,6 +91,8 @@ void HostWorker::enter(HostPhase phase, std::uint32_t controller) {
 
 void HostWorker::load(const std::string& library) {
     enter(HostPhase::Load, ~0u);
+    if (isPythonModule(library)) // startPython() has failed
+        return done(Error{Code::PythonModule, library + " needs the program python3, which cannot be run; install Python 3"});
     m_store = std::make_unique<ModuleStore>(m_calls);
     const auto module = m_store->load(library);
     if (!module) return done(module.error());
@@ -147,7 +150,7 @@ void HostWorker::update(WireReader& in) {
         }
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         WireWriter out;
-        out.status(updated).number<std::uint8_t>(controller.instance->gaveUp()).number(seconds);
+        out.status(updated).number<std::uint8_t>(controller.instance->gaveUp()).number(seconds).number<std::uint64_t>(0);
         record(HostRecord::Updated, number, out.view());
     }
     done({});

@@ -12,6 +12,7 @@
 #include "base/platform/shared_segment.h"
 #include "host/crash_recorder.h"
 #include "host/host_worker.h"
+#include "host/python_start.h"
 
 namespace {
 
@@ -23,13 +24,14 @@ constexpr trundle::ResourceLimits kLimits{
 
 int main(int argc, char** argv) {
     auto control = trundle::SharedSegment::map(kControl, true);
-    const bool isControl = argc == 2 && control && control.value().bytes() == sizeof(trundle::ControlPage);
+    const bool isControl = (argc == 2 || argc == 3) && control && control.value().bytes() == sizeof(trundle::ControlPage);
     auto* const page = isControl ? static_cast<trundle::ControlPage*>(control.value().data()) : nullptr;
     if (!page || page->magic != trundle::kHostMagic) {
         std::fputs("trundle-host is started by trundle and trundle-cli, to run controllers\n", stderr);
         return 2;
     }
     if (!trundle::endWithParent(std::atoi(argv[1])) || !trundle::applyLimits(kLimits)) return 1;
+    if (argc == 3) trundle::startPython(argv[2]);
     (void)trundle::confineProcess();
     trundle::HostWorker worker(*page, kSensors, kCommands);
     trundle::recordCrashes(*page, worker.calls());

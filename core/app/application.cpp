@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <stdexcept>
 
 #include <trundle/abi.h>
@@ -11,10 +12,12 @@
 #include "base/platform/read_file.h"
 #include "control/directory_catalog.h"
 #include "control/host/host_pool.h"
+#include "control/host/python_describer.h"
 #include "control/in_process_backend.h"
 #include "control/kinds_json.h"
 #include "control/module_kinds.h"
 #include "control/module_store.h"
+#include "control/python_kinds.h"
 #include "devices/builtin.h"
 #include "model/kinds/model_kinds.h"
 #include "run/logs/log_kinds.h"
@@ -76,8 +79,8 @@ std::shared_ptr<const Registry> builtInKinds() {
 
 /// The code of modules that a run uses, in this process and in host processes.
 struct RunCode {
-    RunCode(const LoadedProject& loaded, const std::string& program, const RunOptions& options, Isolation isolation)
-        : experiment(loaded.experiment), store(options.calls), hosts(program, loaded.experiment, options.calls, isolation,
+    RunCode(const LoadedProject& loaded, const HostPrograms& programs, const RunOptions& options, Isolation isolation)
+        : experiment(loaded.experiment), store(options.calls), hosts(programs, loaded.experiment, options.calls, isolation,
                                       [&loaded](const std::string& kind) {
                                           const Kind* found = loaded.registry->find(kind);
                                           return found ? found->module : std::string();
@@ -104,7 +107,8 @@ struct RunCode {
 class TrundleApplication final : public Application {
 public:
     TrundleApplication(Locations locations, Isolation isolation)
-        : m_locations(std::move(locations)), m_isolation(isolation), m_builtIn(builtInKinds()), m_assets(m_locations.meshReader) {}
+        : m_locations(std::move(locations)), m_isolation(isolation), m_builtIn(builtInKinds()), m_assets(m_locations.meshReader),
+          m_python({m_locations.host, m_locations.python}) {}
 
     std::shared_ptr<const Registry> builtIn() const override { return m_builtIn; }
     const Locations& locations() const override { return m_locations; }
@@ -113,10 +117,13 @@ public:
     std::unique_ptr<Runner> makeRunner(const LoadedProject& loaded, RunOptions options, Diagnostics& diagnostics) override;
 
 private:
+    void addPythonKinds(const std::vector<std::string>& folders, std::vector<Kind>& kinds) const;
+
     Locations m_locations;
     Isolation m_isolation;
     std::shared_ptr<const Registry> m_builtIn;
     AssetReader m_assets;
+    mutable PythonDescriber m_python;
 };
 
 std::vector<Kind> TrundleApplication::moduleKinds(const OpenOptions& options) const {
@@ -138,11 +145,33 @@ std::vector<Kind> TrundleApplication::moduleKinds(const OpenOptions& options) co
         if (!read) continue;
         for (Kind& kind : std::move(read).value()) kinds.push_back(std::move(kind));
     }
+    addPythonKinds(folders, kinds);
     return kinds;
 }
 
+/// Of the files that import the package; others may be programs. A kind that a library has too is that of the library.
+void TrundleApplication::addPythonKinds(const std::vector<std::string>& folders, std::vector<Kind>& kinds) const {
+    static const std::regex import("(^|\\n)[ \\t]*(import|from)[ \\t]+trundle\\b");
+    std::vector<std::string> files;
+    for (const std::string& folder : folders) {
+        std::error_code none;
+        for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
+            if (isPythonModule(at->path().string())) files.push_back(at->path().string());
+    }
+    std::ranges::sort(files);
+    for (const std::string& file : files) {
+        const Result<std::string> text = readRegularFile(file);
+        if (!text || !std::regex_search(text.value(), import)) continue;
+        Result<std::vector<Kind>> read = m_python.kinds(file);
+        if (!read) continue;
+        for (Kind& kind : std::move(read).value())
+            if (std::ranges::find(kinds, kind.name, &Kind::name) == kinds.end()) kinds.push_back(std::move(kind));
+    }
+}
+
 Result<std::shared_ptr<const LoadedProject>> TrundleApplication::open(const std::string& path, const OpenOptions& options) {
-    DirectoryCatalog catalog({options.modules, m_locations.modules, {}, options.trust});
+    DirectoryCatalog catalog({options.modules, m_locations.modules, {}, options.trust},
+                             [this](const std::string& file) { return m_python.kinds(file); });
     AssetMeshes all(m_assets);
     CachedMeshes kept(m_assets);
     MeshSource& meshes = options.meshesLater ? static_cast<MeshSource&>(kept) : all;
@@ -155,7 +184,7 @@ Result<std::shared_ptr<const LoadedProject>> TrundleApplication::open(const std:
 std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& loaded, RunOptions options,
                                                        Diagnostics& diagnostics) {
     if (!options.calls) options.calls = std::make_shared<CallMonitor>();
-    const auto code = std::make_shared<RunCode>(loaded, m_locations.host, options, m_isolation); // per run: the next one loads rebuilt libraries
+    const auto code = std::make_shared<RunCode>(loaded, HostPrograms{m_locations.host, m_locations.python}, options, m_isolation); // per run: the next one loads rebuilt libraries
     options.keeps = code;
     ModuleStore& store = code->store;
     loadModules(*loaded.experiment, *loaded.registry,

@@ -33,7 +33,8 @@ Locations findLocations() {
             (prefix / "bin" / "trundle-meshreader").string(),
             (prefix / "bin" / "trundle-host").string(),
             sharedFolder(prefix, "template", TRUNDLE_SOURCE_TEMPLATES),
-            sdkPackage(prefix)};
+            sdkPackage(prefix),
+            sharedFolder(prefix, "python", TRUNDLE_SOURCE_PYTHON)};
 }
 
 } // namespace trundle

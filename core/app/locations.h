@@ -12,6 +12,7 @@ struct Locations {
     std::string host;       ///< helper program that runs controllers
     std::string templates;  ///< of modules
     std::string sdkPackage; ///< where CMake finds the package TrundleSdk
+    std::string python;     ///< the Python package for controllers
 };
 
 [[nodiscard]] Locations findLocations();

@@ -78,7 +78,7 @@ constexpr CodeEntry kCodes[] = {
     {Code::UnknownPort, "unknown port"},
     {Code::ModuleDescriptionStale, "outdated module description"},
     {Code::KindNotLoaded, "kind of a module that is not loaded"},
-    {Code::PythonModule, "Python module, not supported yet"},
+    {Code::PythonModule, "Python module that cannot be loaded"},
     {Code::BlowUp, "the simulation blew up"},
     {Code::EngineFault, "physics engine failure"},
     {Code::LogUnwritable, "a log that cannot be written"},

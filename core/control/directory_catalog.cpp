@@ -8,6 +8,7 @@
 #include "control/kinds_json.h"
 #include "control/module_file.h"
 #include "control/module_kinds.h"
+#include "control/python_kinds.h"
 
 namespace trundle {
 namespace {
@@ -83,12 +84,14 @@ std::vector<std::string> modulesIn(const std::string& folder) {
          !ignored && at != end && looked < kMaxLookedAt; at.increment(ignored), ++looked) {
         if (at.depth() > 0) at.disable_recursion_pending();
         const fs::path file = at->path();
-        if (file.extension() != ".so" || !at->is_regular_file(ignored)) {
+        const bool isPython = file.extension() == ".py";
+        if ((file.extension() != ".so" && !isPython) || !at->is_regular_file(ignored)) {
             ignored.clear(); // a dangling link does not end the search
             continue;
         }
         std::string name = file.stem().string();
-        if (name.starts_with("lib")) name.erase(0, 3);
+        if (name.starts_with("lib") && !isPython) name.erase(0, 3);
+        if (isPython) name += ".py";
         names.push_back((at.depth() > 0 ? file.parent_path().filename() / name : fs::path(name)).string());
     }
     std::ranges::sort(names);
@@ -114,18 +117,22 @@ std::vector<std::string> moduleFileNames(const std::string& written) {
     const fs::path path = stem(written);
     const std::string folder = path.parent_path().string(), name = path.filename().string();
     const std::string plain = name.starts_with("lib") ? name.substr(3) : name; // for a name written as the file name libn.so
+    const bool isPython = isPythonModule(name);
+    const std::vector<std::string> files = isPython ? std::vector{name}
+                                                    : std::vector{"lib" + name + ".so", name + ".so", "lib" + plain + ".so", name + ".py"};
     std::vector<std::string> names;
     const auto add = [&](const std::string& where, const std::string& file) {
         const std::string full = where.empty() ? file : (fs::path(where) / file).string();
         if (std::find(names.begin(), names.end(), full) == names.end()) names.push_back(full);
     };
     for (const std::string& where : {folder, std::string()})
-        for (const std::string& file : {"lib" + name + ".so", name + ".so", "lib" + plain + ".so"})
+        for (const std::string& file : files)
             if (!fs::path(folder).is_absolute() || where == folder) add(where, file);
     return names;
 }
 
-DirectoryCatalog::DirectoryCatalog(CatalogFolders folders) : m_folders(std::move(folders)) {}
+DirectoryCatalog::DirectoryCatalog(CatalogFolders folders, PythonDescription python)
+    : m_folders(std::move(folders)), m_python(std::move(python)) {}
 
 bool DirectoryCatalog::isTrusted(const std::string& folder) const {
     if (m_folders.trustAll) return true;
@@ -154,10 +161,6 @@ Result<std::string> DirectoryCatalog::locate(const std::string& written, const s
             if (isTrusted(path.parent_path().string()) || (!leadsAway && isTrusted(place))) return absolutePath(path);
             if (untrusted.empty()) untrusted = path;
         }
-        const fs::path python = fs::path(place) / (stem(written).string() + ".py");
-        if (isThere(python))
-            return Error{Code::PythonModule,
-                         "the module " + written + " is the Python file " + python.string() + "; Python modules come later"};
     }
     if (!untrusted.empty()) return notTrusted(written, untrusted);
     std::vector<std::string> shelves = m_folders.modules; // without the experiment's folder, which may be a home folder
@@ -178,13 +181,27 @@ std::string DirectoryCatalog::moduleWith(const std::string& kind) {
     return it == m_offered->end() ? std::string() : it->second;
 }
 
+Result<ModuleListing> DirectoryCatalog::findPython(const std::string& file) const {
+    ModuleListing listing{file, false, {}};
+    if (m_python) {
+        auto kinds = m_python(file);
+        if (!kinds) return kinds.error();
+        listing.described = true;
+        listing.kinds = std::move(kinds).value();
+    } else if (auto cached = cachedPythonKinds(file)) {
+        listing.described = true;
+        listing.kinds = std::move(*cached);
+    }
+    for (Kind& kind : listing.kinds) addControllerFields(kind);
+    return listing;
+}
+
 Result<ModuleListing> DirectoryCatalog::find(const std::string& written, const std::string& folder) {
-    if (endsLike(written, ".py"))
-        return Error{Code::PythonModule, "the module " + written + " is Python; Python modules come later"};
     if (stem(written).filename().empty())
         return Error{Code::ModuleNotFound, "there is no module '" + written + "': the path names no file"};
     const auto library = locate(written, folder);
     if (!library) return library.error();
+    if (isPythonModule(library.value())) return findPython(library.value());
     if (auto status = checkModuleFile(library.value()); !status) return status.error();
 
     ModuleListing listing{library.value(), false, {}};

@@ -10,6 +10,7 @@
 #include "control/kinds_json.h"
 #include "control/module_file.h"
 #include "control/module_kinds.h"
+#include "control/python_kinds.h"
 
 namespace trundle {
 namespace {
@@ -99,6 +100,7 @@ std::vector<Kind> kindsFrom(const std::string& library, const Registry& registry
 
 /// The current content of the description file next to a library; empty if it cannot be read.
 std::optional<std::vector<Kind>> describedKinds(const std::string& library) {
+    if (isPythonModule(library)) return cachedPythonKinds(library);
     const auto text = readRegularFile(kindsJsonPath(library), kMaxDescriptionBytes);
     if (!text) return {};
     auto kinds = kindsFromJson(text.value(), library);
@@ -190,11 +192,12 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, con
         const std::vector<Kind> checked = kindsFrom(spec.library, registry);
         if (!described && checked.empty()) continue; // a missing description has its own warning
         const std::vector<Kind>& now = module.value();
-        const bool isOld = !described || kindsToJson(*described) != kindsToJson(now);
+        const bool isPython = isPythonModule(spec.library);
+        const bool isOld = !isPython && (!described || kindsToJson(*described) != kindsToJson(now));
         const std::string old = kindsJsonPath(spec.library) + " no longer matches the module; build the module again";
         if (contentOf(checked) != contentOf(now))
             diagnostics.error(Code::ModuleDescriptionStale, spec.range,
-                              isOld ? old : spec.library + " was rebuilt: reload it (Ctrl+Shift+R)");
+                              isOld ? old : spec.library + (isPython ? " was changed" : " was rebuilt") + ": reload it (Ctrl+Shift+R)");
         else if (isOld) diagnostics.warning(Code::ModuleDescriptionStale, spec.range, old);
     }
 }

@@ -149,13 +149,36 @@ private Q_SLOTS:
         QCOMPARE(DirectoryCatalog({{path("mine")}, "", {}, false}).moduleWith(kind), ""); // not in the catalog's folders
     }
 
-    void reportsPythonModule() {
+    /// A Python file is described on request only, and only where it is trusted.
+    void findsPythonModule() {
         QDir().mkpath(m_folder->filePath("experiments"));
         QFile file(m_folder->filePath("experiments/brain.py"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        DirectoryCatalog catalog({{}, path("program"), {}, false});
-        QCOMPARE(catalog.find("brain", path("experiments")).error().code, Code::PythonModule);
-        QCOMPARE(catalog.find("other.py", path("experiments")).error().code, Code::PythonModule);
+        std::vector<std::string> described;
+        const PythonDescription describe = [&](const std::string& path) -> Result<std::vector<Kind>> {
+            described.push_back(path);
+            Kind kind;
+            kind.name = "Brain";
+            kind.role = Role::Controller;
+            return std::vector<Kind>{kind};
+        };
+        const CatalogFolders untrusted{{}, path("program"), {}, false}, trusted{{path("experiments")}, path("program"), {}, false};
+        for (const char* written : {"brain", "brain.py"}) {
+            QCOMPARE(DirectoryCatalog(untrusted, describe).find(written, path("experiments")).error().code, Code::ModuleNotTrusted);
+            QVERIFY(described.empty());
+            const auto unknown = DirectoryCatalog(trusted).find(written, path("experiments"));
+            QVERIFY(unknown.ok() && !unknown.value().described);
+            const auto found = DirectoryCatalog(trusted, describe).find(written, path("experiments"));
+            QVERIFY(found.ok() && found.value().described);
+            QCOMPARE(found.value().library, path("experiments/brain.py"));
+            QVERIFY(found.value().kinds.at(0).find("Budget")); // as of every controller
+            QCOMPARE(described, std::vector<std::string>{path("experiments/brain.py")});
+            described.clear();
+        }
+        QCOMPARE(DirectoryCatalog(trusted, describe).find("other.py", path("experiments")).error().code, Code::ModuleNotFound);
+        put("experiments/libbrain.so", true); // comes before the Python file, unless that is named
+        QCOMPARE(DirectoryCatalog(trusted, describe).find("brain", path("experiments")).value().library, path("experiments/libbrain.so"));
+        QCOMPARE(DirectoryCatalog(trusted, describe).find("brain.py", path("experiments")).value().library, path("experiments/brain.py"));
     }
 
     void inspectsFileWithoutRunningIt() {

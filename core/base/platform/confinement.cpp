@@ -74,8 +74,8 @@ void refuseParentSignal(Filter& filter) {
 
 } // namespace
 
-bool confineProcess() noexcept {
-    if (kMachine == 0) return false;
+std::string confinementFilter() {
+    if (kMachine == 0) return {};
     const auto own = static_cast<unsigned>(::getpid());
     Filter filter;
     load(filter, offsetof(seccomp_data, arch));
@@ -93,7 +93,14 @@ bool confineProcess() noexcept {
     for (const long call : {SYS_kill, SYS_tgkill}) allowForOwn(filter, call, own);
     refuseParentSignal(filter);
     add(filter, BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-    const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+    return {reinterpret_cast<const char*>(filter.data()), filter.size() * sizeof(sock_filter)};
+}
+
+bool confineProcess() noexcept {
+    std::string filter = confinementFilter();
+    if (filter.empty()) return false;
+    const sock_fprog program{static_cast<unsigned short>(filter.size() / sizeof(sock_filter)),
+                             reinterpret_cast<sock_filter*>(filter.data())};
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 

@@ -21,9 +21,12 @@ constexpr int kFirstDescriptor = 3, kAboveAll = 64;
 
 } // namespace
 
-Result<HelperProcess> HelperProcess::start(const std::string& program, const std::vector<int>& descriptors) {
+Result<HelperProcess> HelperProcess::start(const std::string& program, const std::vector<int>& descriptors,
+                                           const std::vector<std::string>& more) {
     std::string own = std::to_string(::getpid());
-    char* words[] = {const_cast<char*>(program.c_str()), own.data(), nullptr};
+    std::vector<char*> words{const_cast<char*>(program.c_str()), own.data()};
+    for (const std::string& word : more) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0); // it reads none of the user's input
@@ -40,7 +43,7 @@ Result<HelperProcess> HelperProcess::start(const std::string& program, const std
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &all);
     HelperProcess made;
-    const int failed = ::posix_spawn(&made.m_process, program.c_str(), &files, &attributes, words, environ);
+    const int failed = ::posix_spawn(&made.m_process, program.c_str(), &files, &attributes, words.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     for (const int file : lifted)
@@ -81,6 +84,10 @@ void HelperProcess::kill() {
         if (got < 0) return record(SIGKILL);
         if (WIFEXITED(status) || WIFSIGNALED(status)) return record(status);
     }
+}
+
+void HelperProcess::send(int signal) const {
+    if (m_process > 0) ::kill(m_process, signal);
 }
 
 bool HelperProcess::isTraced() const {

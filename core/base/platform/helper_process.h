@@ -16,8 +16,10 @@ struct ProcessExit {
 /// does not reach it, and should end itself when its parent does (endWithParent()). Used by one thread.
 class HelperProcess {
 public:
-    /// `program`: a path. Its argument is the id of this process; the child gets `descriptors` as its descriptors 3, 4 ...
-    [[nodiscard]] static Result<HelperProcess> start(const std::string& program, const std::vector<int>& descriptors);
+    /// `program`: a path. Its arguments are the id of this process and `more`; the child gets `descriptors` as its descriptors 3,
+    /// 4 ...
+    [[nodiscard]] static Result<HelperProcess> start(const std::string& program, const std::vector<int>& descriptors,
+                                                     const std::vector<std::string>& more = {});
     HelperProcess() = default;
     HelperProcess(HelperProcess&& other) noexcept { *this = std::move(other); }
     HelperProcess& operator=(HelperProcess&& other) noexcept;
@@ -29,6 +31,8 @@ public:
     [[nodiscard]] ProcessExit exit() const { return m_exit; } ///< valid once it has ended
     /// Kills it with its process group, and waits.
     void kill();
+    /// Sends it a signal.
+    void send(int signal) const;
     /// Whether a debugger or another program traces it.
     [[nodiscard]] bool isTraced() const;
 

@@ -51,6 +51,8 @@ struct ControlPage {
     std::atomic<std::uint32_t> controller{0};
     CrashRecord crash;
     Mailbox toHost, toRun;
+    /// Calls of Python, written by its fault handler: at the end, so that it cannot write beyond.
+    alignas(64) std::array<char, 16384> report{};
 };
 
 /// Messages to a host. Each is answered by records, the last of which is Done.

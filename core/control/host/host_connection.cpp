@@ -3,7 +3,11 @@
 #include "control/host/host_connection.h"
 
 #include <algorithm>
+#include <csignal>
 #include <new>
+#include <thread>
+
+#include "control/python_kinds.h"
 
 namespace trundle {
 namespace {
@@ -11,14 +15,21 @@ namespace {
 constexpr int kSliceMs = 1;
 constexpr std::chrono::milliseconds kWatchAfter(50);
 constexpr std::size_t kLongestRecord = 16u << 20;
+constexpr int kMostReportMs = 100;
+
+/// A copy of what a fault handler has written.
+std::string textOf(const std::array<char, sizeof(ControlPage::report)>& bytes) {
+    const auto copy = bytes;
+    return {copy.begin(), std::find(copy.begin(), copy.end(), '\0')};
+}
 
 } // namespace
 
 HostConnection::HostConnection(SharedSegment control, ControlPage& page, Limits limits, Waiting waiting)
     : MessageLink(page, Turn::Run), m_control(std::move(control)), m_limits(std::move(limits)), m_waiting(std::move(waiting)) {}
 
-Result<std::unique_ptr<HostConnection>> HostConnection::start(const std::string& program, std::uint64_t generation,
-                                                              Limits limits, Waiting waiting) {
+Result<std::unique_ptr<HostConnection>> HostConnection::start(const HostPrograms& programs, const std::string& library,
+                                                              std::uint64_t generation, Limits limits, Waiting waiting) {
     Result<SharedSegment> control = SharedSegment::create("trundle-control", sizeof(ControlPage));
     if (!control) return control.error();
     auto* page = new (control.value().data()) ControlPage;
@@ -31,8 +42,10 @@ Result<std::unique_ptr<HostConnection>> HostConnection::start(const std::string&
     if (!commands) return commands.error();
     made->m_sensors = std::move(sensors).value();
     made->m_commands = std::move(commands).value();
+    made->m_isPython = isPythonModule(library);
     Result<HelperProcess> process = HelperProcess::start(
-        program, {made->m_control.descriptor(), made->m_sensors.readOnlyDescriptor(), made->m_commands.descriptor()});
+        programs.host, {made->m_control.descriptor(), made->m_sensors.readOnlyDescriptor(), made->m_commands.descriptor()},
+        made->m_isPython ? std::vector<std::string>{programs.python} : std::vector<std::string>{});
     if (!process) return process.error();
     made->m_process = std::move(process).value();
     return made;
@@ -140,7 +153,18 @@ bool HostConnection::isOverdue() {
     return true;
 }
 
+/// Python writes the calls in progress on this signal, also in an endless loop.
+void HostConnection::requestReport() {
+    m_process.send(SIGUSR1);
+    std::string before, now;
+    for (int i = 0; i < kMostReportMs && (now.empty() || now != before) && !m_process.hasEnded(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        before = std::exchange(now, textOf(m_page.report));
+    }
+}
+
 void HostConnection::close(HostEnd::Cause cause, double waitedS) {
+    if (m_isPython && cause == HostEnd::Cause::NotResponding) requestReport();
     HostEnd end;
     end.cause = cause;
     end.during = current();
@@ -154,6 +178,8 @@ void HostConnection::close(HostEnd::Cause cause, double waitedS) {
         end.ofThread = crash.ofThread != 0;
         end.ofSensorImage = crash.ofSensorImage != 0;
     }
+    end.report = textOf(m_page.report);
+    if (m_isPython && cause == HostEnd::Cause::Killed && end.report.starts_with("Fatal Python error")) end.cause = HostEnd::Cause::Crash;
     for (std::uint32_t i = 0, count = std::min<std::uint32_t>(crash.frameCount, CrashRecord::kMostFrames); i < count; ++i)
         end.frames.emplace_back(crash.frames[i].library, crash.frames[i].offset);
     const auto text = crash.exception;

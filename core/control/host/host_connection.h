@@ -30,6 +30,13 @@ struct HostEnd {
     double waitedS = 0; ///< NotResponding
     std::string exception;
     std::vector<std::pair<std::uint32_t, std::uint64_t>> frames; ///< index of the library, offset in it
+    std::string report; ///< by the fault handler of Python
+};
+
+/// What runs controllers.
+struct HostPrograms {
+    std::string host;   ///< path of trundle-host
+    std::string python; ///< folder of the Python package, for controllers in Python
 };
 
 /// A host process of one run and the memory shared with it. Used by the run's thread.
@@ -42,9 +49,9 @@ public:
     /// Called now and then while a call takes long.
     using Waiting = std::function<void(const HostCall& call)>;
 
-    /// `program`: trundle-host. `generation` numbers the hosts of a run, each of which has segments of its own.
-    [[nodiscard]] static Result<std::unique_ptr<HostConnection>> start(const std::string& program, std::uint64_t generation,
-                                                                       Limits limits, Waiting waiting);
+    /// A host for a module. `generation` numbers the hosts of a run, each of which has segments of its own.
+    [[nodiscard]] static Result<std::unique_ptr<HostConnection>> start(const HostPrograms& programs, const std::string& library,
+                                                                       std::uint64_t generation, Limits limits, Waiting waiting);
 
     /// Gives the images their size. Call once.
     [[nodiscard]] Status map(std::size_t slots, const Records& records);
@@ -71,6 +78,7 @@ private:
     [[nodiscard]] bool handle(std::string& stream, const Records& records, bool& done);
     [[nodiscard]] HostCall current() const;
     void close(HostEnd::Cause cause, double waitedS = 0);
+    void requestReport();
     static std::span<double> slotsOf(SharedSegment& segment) {
         return {static_cast<double*>(segment.data()), segment.bytes() / sizeof(double)};
     }
@@ -79,6 +87,7 @@ private:
     HelperProcess m_process;
     Limits m_limits;
     Waiting m_waiting;
+    bool m_isPython = false;
     HostCall m_watched;                       ///< what the host did when it was last looked at
     Clock::time_point m_since = Clock::now(); ///< of that call, with all that it has asked for
     std::optional<HostEnd> m_end;

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "control/host/python_report.h"
 #include "control/host/symbolizer.h"
 
 namespace trundle {
@@ -72,7 +73,7 @@ ControllerFault faultOf(const HostEnd& end, const RobotSpec* robot, const std::s
     else fault.reason = end.ofThread ? "a thread of " + module : module;
     fault.reason += ending(end);
     if (!end.exception.empty()) fault.reason += ", uncaught exception: " + end.exception;
-    const std::vector<SourceFrame> frames = symbolize(library, end.frames);
+    const std::vector<SourceFrame> frames = end.report.empty() ? symbolize(library, end.frames) : framesOfPython(end.report);
     if (const SourceFrame* own = ownFrame(frames))
         fault.reason += ", in " + own->function + " at " + fileName(own->file) + ":" + std::to_string(own->line);
     for (const SourceFrame& frame : frames) fault.backtrace.push_back(frameText(frame));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/clean_text.h"
 #include "control/host/controller_record.h"
 #include "control/host/host_fault.h"
 #include "control/host/host_reply.h"
@@ -41,7 +42,7 @@ Status HostGroup::connect() {
     m_kinds.reset();
     for (Member& member : m_members) member.started = false;
     auto host = HostConnection::start(
-        m_context.program, m_generation = ++m_context.generations, [this](const HostCall& call) { return limitOf(call); },
+        m_context.programs, m_library, m_generation = ++m_context.generations, [this](const HostCall& call) { return limitOf(call); },
         [this](const HostCall& call) { showWaiting(call); });
     if (!host) return host.error();
     m_host = std::move(host).value();
@@ -56,7 +57,7 @@ Result<std::vector<Kind>> HostGroup::load() {
     const bool alive = m_host->call(HostRequest::Load, WireWriter().bytes(m_library).view(),
                                     [&](HostRecord record, std::uint32_t number, WireReader& in) {
                                         std::string reply = handle(record, number, in);
-                                        if (record == HostRecord::Done) json = in.text();
+                                        if (record == HostRecord::Done && *m_done) json = in.text();
                                         return reply;
                                     });
     m_waiting.reset();
@@ -199,7 +200,7 @@ Status HostGroup::update(std::size_t number, std::uint64_t tick, double time, do
     member.seconds = result->seconds;
     if (const auto reason = std::exchange(member.finish, {}); reason && member.outputs.finish) member.outputs.finish(*reason);
     if (!result->status && !result->gaveUp) // an exception: the host and its other controllers are sound
-        member.fault = ControllerFault{result->status.error().message, {}, {}, true};
+        setFault(member, {result->status.error().message, result->backtrace, {}, true});
     return result->status;
 }
 
@@ -233,10 +234,14 @@ void HostGroup::setFaults() {
         Member& member = m_members[i];
         const bool isFaulty = known && i == faulty;
         if (!std::exchange(member.started, false) && !isFaulty) continue;
-        member.fault = known && !isFaulty ? sharedFault(own, *member.robot, *robot) : own;
-        if ((isFaulty || !known) && member.outputs.print)
-            for (const std::string& line : own.backtrace) member.outputs.print(TRUNDLE_ERROR, "  " + line);
+        setFault(member, known && !isFaulty ? sharedFault(own, *member.robot, *robot) : own);
     }
+}
+
+void HostGroup::setFault(Member& member, ControllerFault fault) {
+    if (member.outputs.print)
+        for (const std::string& line : fault.backtrace) member.outputs.print(TRUNDLE_ERROR, "  " + line);
+    member.fault = std::move(fault);
 }
 
 // ---- records of the host ----
@@ -258,6 +263,7 @@ std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReade
         result.status = in.status();
         result.gaveUp = in.number<std::uint8_t>() != 0;
         result.seconds = in.number<double>();
+        for (std::uint64_t left = in.count(); left > 0; --left) result.backtrace.push_back(cleanText(in.text()));
         member->result = std::move(result);
         return {};
     }

@@ -17,7 +17,7 @@ namespace trundle {
 
 /// What the groups of a run share.
 struct HostContext {
-    std::string program; ///< trundle-host
+    HostPrograms programs;
     std::shared_ptr<const ExperimentSpec> experiment;
     std::shared_ptr<CallMonitor> calls;
     std::uint64_t generations = 0;         ///< hosts started so far
@@ -57,6 +57,7 @@ private:
     struct UpdateResult {
         Status status;
         bool gaveUp = false;
+        std::vector<std::string> backtrace; ///< of an exception
         double seconds = 0;
     };
     struct Member {
@@ -87,6 +88,7 @@ private:
     void showWaiting(const HostCall& call);
     /// After the end of the host: a fault of every member that it ran.
     void setFaults();
+    static void setFault(Member& member, ControllerFault fault);
 
     HostContext& m_context;
     std::string m_library;

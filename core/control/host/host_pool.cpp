@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "control/python_kinds.h"
+
 namespace trundle {
 namespace {
 
@@ -40,10 +42,10 @@ private:
 
 } // namespace
 
-HostPool::HostPool(std::string program, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
+HostPool::HostPool(HostPrograms programs, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
                    Isolation otherwise, const std::function<std::string(const std::string& kind)>& moduleOf) {
     m_hostsByDefault = isolationOf(RobotSpec(), experiment->settings, otherwise) != Isolation::None;
-    m_context.program = std::move(program);
+    m_context.programs = std::move(programs);
     m_context.experiment = std::move(experiment);
     m_context.calls = std::move(calls);
     m_context.beginUpdates = [this] {
@@ -53,8 +55,9 @@ HostPool::HostPool(std::string program, std::shared_ptr<const ExperimentSpec> ex
     for (std::size_t i = 0; i < robots.size(); ++i) {
         const RobotSpec& robot = robots[i];
         if (!robot.controller) continue;
-        const Isolation isolation = isolationOf(robot, m_context.experiment->settings, otherwise);
         const std::string library = moduleOf(robot.controller->kind);
+        Isolation isolation = isolationOf(robot, m_context.experiment->settings, otherwise);
+        if (isolation == Isolation::None && isPythonModule(library)) isolation = Isolation::Module;
         m_inside[library] = m_inside[library] || isolation == Isolation::None;
         if (library.empty() || isolation == Isolation::None) continue;
         std::unique_ptr<HostGroup>& group = m_groups[isolation == Isolation::Module ? library : library + "\n" + robot.name];
@@ -64,6 +67,7 @@ HostPool::HostPool(std::string program, std::shared_ptr<const ExperimentSpec> ex
 }
 
 bool HostPool::hasOnly(const std::string& library) const {
+    if (isPythonModule(library)) return true;
     const auto inside = m_inside.find(library);
     return inside == m_inside.end() ? m_hostsByDefault : !inside->second;
 }

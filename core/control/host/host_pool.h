@@ -14,8 +14,8 @@ namespace trundle {
 
 class HostPool {
 public:
-    /// `program`: trundle-host. `moduleOf` gives the path of the library with a kind of controller; empty: none.
-    HostPool(std::string program, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
+    /// `moduleOf` gives the path of the library with a kind of controller; empty: none.
+    HostPool(HostPrograms programs, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
              Isolation otherwise, const std::function<std::string(const std::string& kind)>& moduleOf);
     HostPool(const HostPool&) = delete;
     HostPool& operator=(const HostPool&) = delete;

@@ -78,7 +78,8 @@ std::vector<SourceFrame> symbolize(const std::string& library,
 const SourceFrame* ownFrame(const std::vector<SourceFrame>& frames) {
     const auto isOwn = [](const SourceFrame& frame) {
         return frame.line > 0 && !frame.file.starts_with("/usr/") && frame.file.find("/include/trundle/") == std::string::npos &&
-               frame.file.find("/include/c++/") == std::string::npos;
+               frame.file.find("/include/c++/") == std::string::npos &&
+               frame.file.find("/lib/python3") == std::string::npos;
     };
     const auto found = std::ranges::find_if(frames, isOwn);
     return found == frames.end() ? nullptr : &*found;

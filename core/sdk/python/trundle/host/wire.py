@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Values as bytes in the messages between a run and its host processes, as in core/control/host/wire.h."""
+
+import struct
+
+
+class Writer:
+    def __init__(self):
+        self._parts = []
+
+    def number(self, format, value):
+        self._parts.append(struct.pack("=" + format, value))
+        return self
+
+    def bytes(self, data):
+        data = data.encode("utf-8", "replace") if isinstance(data, str) else data
+        self._parts += [struct.pack("=Q", len(data)), data]
+        return self
+
+    def status(self, fault=None):
+        """`fault`: None, or (code, message)."""
+        self.number("B", fault is None)
+        if fault is not None:
+            self.number("i", fault[0]).bytes(fault[1])
+        return self
+
+    def data(self):
+        return b"".join(self._parts)
+
+
+class Reader:
+    def __init__(self, data):
+        self._data, self._at = data, 0
+
+    def number(self, format):
+        (value,) = struct.unpack_from("=" + format, self._data, self._at)
+        self._at += struct.calcsize("=" + format)
+        return value
+
+    def bytes(self):
+        count = self.number("Q")
+        data = self._data[self._at:self._at + count]
+        self._at += count
+        return bytes(data)
+
+    def text(self):
+        return self.bytes().decode("utf-8", "replace")
+
+    def numbers(self, format):
+        return [v for (v,) in struct.iter_unpack("=" + format, self.bytes())]
+
+    def value(self):
+        """A property's value as (numbers, texts)."""
+        self.number("I")
+        numbers = self.numbers("d")
+        return numbers, [self.text() for _ in range(self.number("Q"))]
+
+    def status(self):
+        """None, or (code, message)."""
+        if self.number("B"):
+            return None
+        code = self.number("i")
+        return code, self.text()

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Handles the requests of a run: loads a module and calls its controllers, as app/host/host_worker.cpp does for C++."""
+
+import atexit
+import gc
+import io
+import mmap
+import sys
+import time
+
+from .. import description
+from ..controller import INFO, WARNING
+from ..ports import RobotPorts
+from ..signals import Entry, Image, UnknownPort
+from .module import Fault, Module
+from .outside import DONE, SETUP_TICK, UPDATED, Outside
+from .wire import Reader, Writer
+
+LOAD, MAP, START, UPDATE, SET, STOP, UNLOAD = range(7)  # requests
+_PHASES = {LOAD: 1, START: 2, UPDATE: 3, SET: 4, STOP: 5, UNLOAD: 6}
+CONTROLLER_FAILED, UNKNOWN_PORT, PYTHON_MODULE, INTERNAL = 410, 411, 414, 599
+_NO_CONTROLLER = 0xffffffff
+# What code may raise to leave: also SystemExit and KeyboardInterrupt.
+_ANY = BaseException
+
+
+class _Console(io.TextIOBase):
+    """print() of Python: whole lines go to the console of the run, with the name of the controller that is called."""
+
+    def __init__(self, worker, severity, otherwise):
+        super().__init__()
+        self._worker, self._severity, self._otherwise, self._line = worker, severity, otherwise, ""
+
+    def writable(self):
+        return True
+
+    def write(self, text):
+        *lines, self._line = (self._line + text).split("\n")
+        for line in lines:
+            called = self._worker.called
+            if not (called and called.print(self._severity, line)) and self._otherwise:
+                self._otherwise.write(line + "\n")  # of a thread, or outside of a call
+        return len(text)
+
+    def flush(self):
+        if self._otherwise:
+            self._otherwise.flush()
+
+
+class _Running:
+    """A controller of one robot."""
+
+    def __init__(self, reader, link, number, sensors, commands):
+        offset, seed, self.tick = reader.number("Q"), reader.number("Q"), reader.number("d")
+        robot = reader.text()
+        self.kind, name = reader.text(), reader.text()
+        self.values = {}
+        for _ in range(reader.number("Q")):
+            key = reader.text()
+            self.values[key] = reader.value()
+        devices = [(reader.text(), reader.text(), reader.number("d")) for _ in range(reader.number("Q"))]
+        for _ in range(reader.number("Q")):
+            reader.text()
+        entries = []
+        for _ in range(reader.number("Q")):
+            path, type, direction, count = reader.text(), reader.number("I"), reader.number("I"), reader.number("I")
+            entries.append(Entry(path, type, direction, count, offset))
+            offset += count
+        self.robot = robot
+        self.image = Image(robot, name, self.kind, devices, entries, sensors, commands)
+        self.outside = Outside(link, number, robot, self.kind, seed)
+        self.instance = None
+
+    def failed(self, how, why):
+        return f"the controller {self.kind} of {self.robot} {how}: {why}"
+
+    def set(self, field, value):
+        setattr(self.instance, field.attribute, field.to_python(*value))
+
+    def start(self, kind):
+        self.instance = kind.__new__(kind)
+        self.instance._outside = self.outside
+        self.instance.__init__()
+        for field in description.members(kind, description.field):
+            if field.name in self.values:
+                self.set(field, self.values[field.name])
+        for signal in description.members(kind, description.output):
+            self.instance._outputs[signal.name] = self.image.published(signal.name)
+        self.instance.setup(RobotPorts(self.image, self.tick, self.outside))
+
+
+class Worker:
+    def __init__(self, page, link, sensors, commands):
+        """`sensors`, `commands`: descriptors of the images, which get their size later."""
+        self._page, self._link = page, link
+        self._files = sensors, commands
+        self._sensors = self._commands = memoryview(b"").cast("d")
+        self._controllers = {}
+        self._module = None
+        self.called = None  # the outside of the controller that is called
+        sys.stdout = _Console(self, INFO, sys.stderr)
+        sys.stderr = _Console(self, WARNING, sys.stderr)
+
+    def run(self):
+        handlers = {LOAD: self._load, MAP: self._map, START: self._start, UPDATE: self._update, SET: self._set, STOP: self._stop,
+                    UNLOAD: self._unload}
+        while True:
+            reader = Reader(self._link.receive())
+            handlers[reader.number("I")](reader)
+
+    def _enter(self, request, controller):
+        self._page.set_word("controller", controller)
+        self._page.set_word("phase", _PHASES[request])
+
+    def _done(self, fault=None, more=""):
+        writer = Writer().status(fault)
+        if fault is None:
+            writer.bytes(more)
+        self._page.set_word("phase", 0)
+        self._link.record(DONE, 0, writer.data())
+        self._link.finish_message()
+
+    def _load(self, reader):
+        path = reader.text()
+        self._enter(LOAD, _NO_CONTROLLER)
+        try:
+            self._module = Module(path)
+            text = self._module.description(self._module.sources())
+        except _ANY as error:
+            return self._done((PYTHON_MODULE, f"{path} cannot be loaded: {Fault(error).text}"))
+        self._done(more=text)
+
+    def _map(self, reader):
+        sensors = mmap.mmap(self._files[0], 0, prot=mmap.PROT_READ)
+        commands = mmap.mmap(self._files[1], 0)
+        self._sensors, self._commands = memoryview(sensors).cast("d"), memoryview(commands).cast("d")
+        self._done()
+
+    def _start(self, reader):
+        number = reader.number("I")
+        self._enter(START, number)
+        running = _Running(reader, self._link, number, self._sensors, self._commands)
+        self._controllers[number] = running
+        kind = self._module.kinds.get(running.kind) if self._module else None
+        if kind is None:
+            return self._done((413, f"the controller {running.kind} is not in the module"))
+        self.called = running.outside
+        try:
+            running.start(kind)
+            fault = (CONTROLLER_FAILED, running.outside.gave_up) if running.outside.gave_up else None
+        except UnknownPort as error:
+            fault = (UNKNOWN_PORT, str(error))
+        except _ANY as error:
+            found = Fault(error)
+            for frame in found.frames:
+                running.outside.print(3, "  " + frame)
+            fault = (CONTROLLER_FAILED, running.failed("failed in setup", found.text))
+        self.called = None
+        self._done(fault)
+
+    def _update(self, reader):
+        tick, now = reader.number("Q"), reader.number("d")
+        for _ in range(reader.number("Q")):
+            number, since_last = reader.number("I"), reader.number("d")
+            radios, pending = reader.numbers("I"), reader.numbers("Q")
+            running = self._controllers.get(number)
+            if running is None or running.instance is None:
+                continue
+            for radio, count in zip(radios, pending):
+                running.outside.radios[radio].pending = count
+            self._enter(UPDATE, number)
+            self._link.record(UPDATED, number, self._updated(running, tick, now, since_last))
+        self._done()
+
+    def _updated(self, running, tick, now, since_last):
+        """One call of update(), as a record."""
+        running.outside.begin_tick(tick, now)
+        self.called = running.outside
+        begin, fault, gave_up, frames = time.perf_counter(), None, False, []
+        try:
+            running.instance.update(since_last)
+            if running.outside.gave_up:
+                fault, gave_up = (CONTROLLER_FAILED, running.outside.gave_up), True
+        except _ANY as error:
+            found = Fault(error)
+            fault, frames = (CONTROLLER_FAILED, running.failed("failed", found.text)), found.frames
+        self.called = None
+        record = Writer().status(fault).number("B", gave_up).number("d", time.perf_counter() - begin).number("Q", len(frames))
+        for frame in frames:
+            record.bytes(frame)
+        return record.data()
+
+    def _set(self, reader):
+        number, name = reader.number("I"), reader.text()
+        running = self._controllers.get(number)
+        if running is None or running.instance is None:
+            return self._done((INTERNAL, "no such controller"))
+        self._enter(SET, number)
+        fault = None
+        try:
+            fields = {f.name: f for f in description.members(type(running.instance), description.field)}
+            if name not in fields or not fields[name].quantity.is_live:
+                raise ValueError(f"{name} is no live field")
+            running.set(fields[name], reader.value())
+        except _ANY as error:
+            fault = (CONTROLLER_FAILED, running.failed(f"refuses the value of {name}", Fault(error).text))
+        self._done(fault)
+
+    def _stop(self, reader):
+        number = reader.number("I")
+        self._enter(STOP, number)
+        running = self._controllers.pop(number, None)
+        if running:
+            self.called = running.outside
+            running.instance = None
+            gc.collect()
+            self.called = None
+        self._done()
+
+    def _unload(self, reader):
+        self._enter(UNLOAD, _NO_CONTROLLER)
+        self._controllers.clear()
+        try:
+            atexit._run_exitfuncs()
+        except _ANY:
+            pass  # Python has printed it
+        gc.collect()
+        self._done()

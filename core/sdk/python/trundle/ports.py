@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Ports: a controller's access to the devices of its robot. Bind them in setup, by name. A port reads what the devices published at the
+end of the last tick; what it writes takes effect in this one. SI units and radians throughout."""
+
+import math
+from typing import NamedTuple
+
+from .camera import CameraPort
+from .radio import RadioPort
+
+
+class Pose2(NamedTuple):
+    """A pose on the floor: m, rad, positive to the left."""
+    x: float
+    y: float
+    heading: float
+
+
+class Pose(NamedTuple):
+    """A pose in the world: x, y, z [m] and the quaternion w, x, y, z."""
+    position: tuple
+    rotation: tuple
+
+
+class Port:
+    """Any device: its outputs are read, its commands read and written, by name."""
+
+    def __init__(self, slots):
+        self._slots = slots
+
+    def names(self):
+        return list(self._slots)
+
+    def size(self, signal):
+        return self._slots[signal].count
+
+    def get(self, signal, element=0):
+        return self._slots[signal].get(element)
+
+    def values(self, signal):
+        return self._slots[signal].values()
+
+    def set(self, signal, value, element=0):
+        self._slots[signal].set(value, element)
+
+
+class DifferentialDrivePort(Port):
+    """A two-wheeled base."""
+
+    _number = 0.0
+
+    def move(self, linear, angular):
+        """Drives at `linear` m/s and turns left at `angular` rad/s until the next command. Cancels a running drive()."""
+        self._command(linear, angular, 0.0, 0.0)
+
+    def stop(self):
+        self.move(0.0, 0.0)
+
+    def drive(self, linear, angular, linear_amount, angular_amount):
+        """Drives `linear_amount` m and turns `angular_amount` rad, at most at the given speeds. An amount of 0 means no limit. Each
+        amount must have the sign of its speed."""
+        self._command(linear, angular, linear_amount, angular_amount)
+        self._number = self.get("sequence") + 1
+        self.set("sequence", self._number)
+
+    def turn(self, speed, angle):
+        """Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle."""
+        self.drive(0.0, math.copysign(speed, angle), 0.0, angle)
+
+    def done(self):
+        """True once the last drive() or turn() of this port has finished or was refused."""
+        return self.get("finished") >= self._number
+
+    def odometry(self):
+        """Pose of the axle's centre from wheel odometry, relative to the start."""
+        now = self._slots["odometry"]
+        return Pose2(now.get(0), now.get(1), now.get(2))
+
+    def _command(self, linear, angular, linear_amount, angular_amount):
+        self.set("linearVelocity", linear)
+        self.set("angularVelocity", angular)
+        self.set("linearAmount", linear_amount)
+        self.set("angularAmount", angular_amount)
+
+
+class MotorPort(Port):
+    def set_voltage(self, volts):
+        self.set("servo", 0.0)
+        self.set("voltage", volts)
+
+    def current(self):
+        """A."""
+        return self.get("current")
+
+    def torque(self):
+        """N m at the joint."""
+        return self.get("torque")
+
+    def rate(self):
+        """rad/s of the joint."""
+        return self.get("rate")
+
+
+class EncoderPort(Port):
+    def count(self):
+        """Counts since the start, negative backwards."""
+        return int(self.get("count"))
+
+    def angle(self):
+        """rad, from the counts."""
+        return self.get("angle")
+
+    def rate(self):
+        """rad/s, from the counts of the last tick."""
+        return self.get("rate")
+
+    def index(self):
+        return self.get("index") != 0
+
+
+class TouchPort(Port):
+    def pressed(self):
+        return self.get("pressed") != 0
+
+    def force(self):
+        """N."""
+        return self.get("force")
+
+    def contacts(self):
+        return int(self.get("count"))
+
+
+class SensorPort(Port):
+    """A sensor whose readings have a time."""
+
+    _seen = -1.0
+
+    def time(self):
+        """When the reading was measured, s; -1 before the first."""
+        return self.get("time")
+
+    def fresh(self):
+        """True if there is a reading newer than at the last call."""
+        now = self.time()
+        is_new, self._seen = now != self._seen, now
+        return is_new
+
+
+class RangePort(SensorPort):
+    def range(self):
+        """m."""
+        return self.get("range")
+
+    def voltage(self):
+        """V; of infrared sensors."""
+        return self.get("voltage")
+
+
+class LidarPort(SensorPort):
+    def ranges(self):
+        """m, layer by layer from below, each from -FieldOfView/2 counter-clockwise: a read-only memoryview of doubles, in place;
+        numpy.asarray() makes an array of it without a copy. It shows the next scan when there is one."""
+        return self.values("ranges")
+
+    def range(self, beam):
+        """m."""
+        return self.get("ranges", beam)
+
+
+class ImuPort(SensorPort):
+    def angular_velocity(self):
+        """rad/s in its own frame."""
+        return tuple(self.values("angularVelocity"))
+
+    def acceleration(self):
+        """m/s^2 in its own frame."""
+        return tuple(self.values("acceleration"))
+
+    def orientation(self):
+        """In the world, quaternion w, x, y, z; identity unless Orientation is set."""
+        turned = tuple(self.values("orientation"))
+        return turned if any(turned) else (1.0, 0.0, 0.0, 0.0)
+
+
+class CompassPort(SensorPort):
+    def heading(self):
+        """rad, from -pi to pi."""
+        return self.get("heading")
+
+
+class GpsPort(SensorPort):
+    def position(self):
+        """m in the world."""
+        return tuple(self.values("position"))
+
+    def velocity(self):
+        """m/s in the world."""
+        return tuple(self.values("velocity"))
+
+
+class GroundTruthPort:
+    """Exact state that a real robot cannot measure; to evaluate a controller, not for control."""
+
+    def __init__(self, image):
+        self._pose, self._velocity = image.truth("pose"), image.truth("velocity")
+
+    def pose(self):
+        """Of the robot's config frame in the world."""
+        now = tuple(self._pose.values())
+        return Pose(now[:3], now[3:])
+
+    def linear_velocity(self):
+        """m/s."""
+        return tuple(self._velocity.values()[:3])
+
+    def angular_velocity(self):
+        """rad/s."""
+        return tuple(self._velocity.values()[3:])
+
+
+def _binder(name, port, kind):
+    def bind(self, device):
+        return port(self._image.bind_all(kind, device))
+
+    bind.__name__ = name
+    bind.__doc__ = f"The port of a {kind}."
+    return bind
+
+
+class RobotPorts:
+    """Passed to Controller.setup to bind ports. An unknown name raises UnknownPort, whose message lists the available names."""
+
+    def __init__(self, image, tick, outside):
+        self._image, self._tick, self._outside = image, tick, outside
+
+    @property
+    def name(self):
+        return self._image.robot
+
+    @property
+    def tick(self):
+        """s."""
+        return self._tick
+
+    def has(self, device, signal=""):
+        """Whether the robot has a device with this name and, if given, the device a signal with that name."""
+        return self._image.has(device, signal)
+
+    differential_drive = _binder("differential_drive", DifferentialDrivePort, "DifferentialDrive")
+    motor = _binder("motor", MotorPort, "RotaryMotor")
+    encoder = _binder("encoder", EncoderPort, "Encoder")
+    touch = _binder("touch", TouchPort, "TouchSensor")
+    range_sensor = _binder("range_sensor", RangePort, "RangeSensor")
+    lidar = _binder("lidar", LidarPort, "Lidar")
+    imu = _binder("imu", ImuPort, "Imu")
+    compass = _binder("compass", CompassPort, "Compass")
+    gps = _binder("gps", GpsPort, "Gps")
+
+    def camera(self, device):
+        """The port of a Camera."""
+        streams = self._image.device("Camera", device)[2] > 0
+        return CameraPort(self._outside, device, self._image.bind("Camera", device, "frame") if streams else None)
+
+    def radio(self, device):
+        """The port of a Transceiver."""
+        self._image.bind("Transceiver", device, "rssi")
+        return RadioPort(self._outside, self._outside.find_radio(f"{self.name}/{device}"))
+
+    def port(self, device, kind=""):
+        """The port of a device of any kind, for example of a module."""
+        return Port(self._image.bind_all(kind, device))
+
+    def signal(self, device, signal):
+        """Any signal of any device. Only commands can be set."""
+        return self._image.bind("", device, signal)
+
+    def ground_truth(self, path=None):
+        """The robot's own ground truth; with a path, such as "base/pose", that signal of a device."""
+        return GroundTruthPort(self._image) if path is None else self._image.truth(path)

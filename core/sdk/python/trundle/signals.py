@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Slots of the signal image, and the names that lead to them."""
+
+import difflib
+
+OUTPUT, COMMAND, TRUTH = 1, 2, 3
+_MOST_LISTED = 30
+
+
+class UnknownPort(LookupError):
+    """The robot has no such port or signal; the message lists those that it has."""
+
+
+class Slot:
+    """One signal: `count` doubles in the robot's image. Published outputs and commands can be set."""
+
+    __slots__ = ("_view", "_first", "count", "writable")
+
+    def __init__(self, view, first, count, writable=False):
+        self._view, self._first, self.count, self.writable = view, first, count, writable
+
+    def get(self, element=0):
+        return self._view[self._first + element] if 0 <= element < self.count else 0.0
+
+    def set(self, value, element=0):
+        if self.writable and 0 <= element < self.count:
+            self._view[self._first + element] = value
+
+    def values(self):
+        """All of them, as a read-only memoryview of doubles in the image: they change with the next tick."""
+        return self._view[self._first:self._first + self.count].toreadonly()
+
+    def __len__(self):
+        return self.count
+
+    def __getitem__(self, element):
+        if not 0 <= element < self.count:
+            raise IndexError(element)
+        return self.get(element)
+
+    def __setitem__(self, element, value):
+        if not 0 <= element < self.count:
+            raise IndexError(element)
+        self.set(value, element)
+
+
+class Entry:
+    """A signal of the robot's layout. Type: 1 real, 2 integer, 3 boolean."""
+
+    __slots__ = ("path", "type", "direction", "count", "offset")
+
+    def __init__(self, path, type, direction, count, offset):
+        self.path, self.type, self.direction, self.count, self.offset = path, type, direction, count, offset
+
+
+def _meant(word, candidates):
+    near = difflib.get_close_matches(word, candidates, 1)
+    return f"; did you mean '{near[0]}'?" if near else ""
+
+
+def _listed(words):
+    words = list(words)
+    return ", ".join(words[:_MOST_LISTED]) + (" ..." if len(words) > _MOST_LISTED else "") if words else "none"
+
+
+class Image:
+    """The signals of one robot. `devices`: (kind, name, update period) of each; `sensors`, `commands`: memoryviews of doubles."""
+
+    def __init__(self, robot, controller, kind, devices, entries, sensors, commands):
+        self.robot, self.controller, self.kind, self.devices = robot, controller, kind, devices
+        self.entries = {}
+        for entry in entries:
+            self.entries.setdefault(entry.path, entry)
+        self._sensors, self._commands = sensors, commands
+
+    def _slot(self, entry, writable):
+        return Slot(self._commands if writable else self._sensors, entry.offset, entry.count, writable)
+
+    def _below(self, prefix, truth):
+        return _listed(p[len(prefix):] for p, e in self.entries.items() if p.startswith(prefix) and (e.direction == TRUTH) == truth)
+
+    def _ports(self, kind):
+        fitting = [name for k, name, _ in self.devices if k == kind]
+        if fitting:
+            return f"its {kind} ports: {_listed(fitting)}"
+        return "its ports: " + _listed(f"{name} ({k})" for k, name, _ in self.devices)
+
+    def device(self, kind, name):
+        """The kind, name and update period of a device; `kind` "": any."""
+        found = next((d for d in self.devices if d[1] == name), None)
+        wanted = f"{kind} port" if kind else "port"
+        if found is None:
+            near = _meant(name, [n for k, n, _ in self.devices if not kind or k == kind])
+            raise UnknownPort(f"{self.robot} has no {wanted} '{name}'{near} ({self._ports(kind)})")
+        if kind and found[0] != kind:
+            raise UnknownPort(f"{self.robot} has no {wanted} '{name}': that is of kind {found[0]} ({self._ports(kind)})")
+        return found
+
+    def bind(self, kind, device, signal):
+        self.device(kind, device)
+        prefix = f"{self.robot}/{device}/"
+        entry = self.entries.get(prefix + signal)
+        if entry is None:
+            raise UnknownPort(f"{self.robot} has no signal '{device}/{signal}'; the signals of {device}: "
+                              f"{self._below(prefix, False)}")
+        if entry.direction == TRUTH:
+            raise UnknownPort(f"{self.robot} gives '{device}/{signal}' through the port groundTruth alone: a real robot cannot "
+                              "measure it")
+        return self._slot(entry, entry.direction == COMMAND)
+
+    def bind_all(self, kind, device):
+        """The slots of all signals of a device but its ground truth, by name."""
+        self.device(kind, device)
+        prefix = f"{self.robot}/{device}/"
+        return {p[len(prefix):]: self._slot(e, e.direction == COMMAND) for p, e in self.entries.items()
+                if p.startswith(prefix) and e.direction != TRUTH}
+
+    def truth(self, signal):
+        entry = self.entries.get(f"{self.robot}/{signal}")
+        if entry is None or entry.direction != TRUTH:
+            raise UnknownPort(f"{self.robot} has no ground truth '{signal}'; there is: {self._below(self.robot + '/', True)}")
+        return self._slot(entry, False)
+
+    def published(self, signal):
+        prefix = f"{self.robot}/{self.controller}/"
+        entry = self.entries.get(prefix + signal)
+        if entry is None:
+            raise UnknownPort(f"{self.robot} cannot publish '{signal}' (the outputs of {self.kind}: {self._below(prefix, False)})")
+        return self._slot(entry, True)
+
+    def has(self, device, signal=""):
+        if device and not any(name == device for _, name, _ in self.devices):
+            return False
+        path = f"{self.robot}/{device}/{signal}" if device else f"{self.robot}/{signal}"
+        return path in self.entries if signal else any(p.startswith(path) for p in self.entries)

@@ -1,0 +1,254 @@
+// Controllers in Python: the same numbers as in C++, their faults, their descriptions, trust.
+#include "flow/cli.h"
+
+namespace {
+
+const QString kSick = QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/flow/python");
+
+/// The number of the line of sick.py with this text, from 1.
+int lineOf(const QByteArray& text) {
+    const QList<QByteArray> lines = contentOf(kSick + "/sick.py").split('\n');
+    for (int i = 0; i < lines.size(); ++i)
+        if (lines[i].contains(text)) return i + 1;
+    return 0;
+}
+
+QJsonObject jsonOf(const Outcome& outcome) { return QJsonDocument::fromJson(outcome.out).object(); }
+
+} // namespace
+
+class PythonTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QByteArray m_trace; ///< of the sound robots beside one that does nothing bad
+
+    QString at(const QString& name) const { return m_folder.filePath(name); }
+    QString experiment(const QByteArray& settings) {
+        const QString path = at("sick.sim");
+        const bool written = writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                             "#loadModule controllers/linear_motion\n#loadModule sick.py\n"
+                                             "Static floor { Config=OpenFloor }\n"
+                                             "Robot good { Config=SimpleRobot LinearMotion brain { } }\n"
+                                             "Robot bad { Config=SimpleRobot Pos=0,2,0 Sick brain { Isolation=robot " +
+                                                 settings +
+                                                 " } }\n"
+                                                 "Robot second { Config=SimpleRobot Pos=0,-2,0 Sound brain { Isolation=none } }\n"
+                                                 "PoseLog path { Robot=good }\nPoseLog other { Robot=second }\n");
+        return written ? path : QString();
+    }
+    Outcome run(const QString& path, const QStringList& more = {}) {
+        QDir(at("logs")).removeRecursively();
+        return cli(QStringList{"run", path, "--json", "--quiet", "--modules", kSick, "--log-dir", at("logs")} + more);
+    }
+    QByteArray trace() const { return contentOf(at("logs/path.csv")) + contentOf(at("logs/other.csv")); }
+    /// An experiment with a module of this text beside it.
+    QString withModule(const QByteArray& python, const QByteArray& block = "Mine brain { }") {
+        const bool written = writeFile(at("mine.py"), python) &&
+                             writeFile(at("mine.sim"), "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                                       "#loadModule mine.py\nStatic floor { Config=OpenFloor }\n"
+                                                       "Robot r { Config=SimpleRobot " +
+                                                           block + " }\n");
+        return written ? at("mine.sim") : QString();
+    }
+
+private Q_SLOTS:
+    void initTestCase() {
+        const Outcome outcome = run(experiment({}));
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        m_trace = trace();
+        QCOMPARE(m_trace.count('\n'), 2 * 102);
+    }
+
+    void givesTheSameStateAsInCpp_data() {
+        QTest::addColumn<QString>("duration");
+        QTest::newRow("turn_angle") << "15";
+        QTest::newRow("network_navigation") << "300"; // it ends when it has arrived
+        QTest::newRow("blob_follow") << "14";
+    }
+    void givesTheSameStateAsInCpp() {
+        QFETCH(QString, duration);
+        const QString name = QStringLiteral("%1.sim").arg(QTest::currentDataTag());
+        const QStringList more{"--duration", duration};
+        const QJsonObject cpp = jsonOf(run(configPath("experiments/" + name), more));
+        const Outcome outcome = run(configPath("experiments/python/" + name), more);
+        const QJsonObject python = jsonOf(outcome);
+        QVERIFY2(outcome.code == 0, shown(outcome).right(4000));
+        QVERIFY(python["ticks"].toInt() >= 1000);
+        for (const char* key : {"ticks", "state_hash", "finished", "robots"}) QCOMPARE(python[key], cpp[key]);
+    }
+
+    /// The kinds of a module in Python and of one in C++ are described alike.
+    void isDescribedAsInCpp_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("mote") << "Mote";
+        QTest::newRow("network_navigator") << "NetworkNavigator";
+        QTest::newRow("network_navigator, sweep") << "BearingSweep";
+        QTest::newRow("blob_follow") << "BlobFollow";
+    }
+    void isDescribedAsInCpp() {
+        QFETCH(QString, kind);
+        const QString file = QStringLiteral(TRUNDLE_SOURCE_DIR "/plugins/python/%1.py").arg(QString(QTest::currentDataTag()).section(',', 0, 0));
+        QVERIFY(QFile::exists(file));
+        const auto described = [&](const QStringList& more) {
+            QJsonObject page = QJsonDocument::fromJson(cli(QStringList{"describe", kind, "--json"} + more).out).object();
+            page.remove("module");
+            return page;
+        };
+        const QJsonObject cpp = described({});
+        QVERIFY(cpp["properties"].toArray().size() > 3);
+        // Under another name, as the kind of the library comes first.
+        QTemporaryDir folder;
+        for (const char* name : {"beacon", "sweep", "mote", "network_navigator", "blob_follow"}) {
+            QByteArray text = contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/plugins/python/%1.py").arg(name));
+            text.replace("class " + kind.toUtf8() + "(", "class Copied" + kind.toUtf8() + "(");
+            QVERIFY(writeFile(folder.filePath(QStringLiteral("%1.py").arg(name)), text));
+        }
+        QJsonObject python = QJsonDocument::fromJson(
+                                 cli({"describe", "Copied" + kind, "--json", "--modules", folder.path()}).out).object();
+        python.remove("module");
+        python["name"] = kind;
+        QCOMPARE(python, cpp);
+    }
+
+    void everyFaultStaysInItsProcess_data();
+    void everyFaultStaysInItsProcess();
+
+    void aFaultInSetupIsAnErrorOfTheText() {
+        const Outcome outcome = run(experiment("Phase=setup Action=divide"));
+        QVERIFY2(outcome.code == 4, shown(outcome));
+        QVERIFY2(outcome.err.contains("sick.sim:8:"), shown(outcome)); // the line of its block
+        QVERIFY2(outcome.err.contains("the controller Sick of bad failed in setup: ZeroDivisionError: division by zero, in divide at "
+                                      "sick.py:" +
+                                      QByteArray::number(lineOf("return 1 / 0"))),
+                 shown(outcome));
+    }
+
+    void anUnknownPortNamesThoseThatAreThere() {
+        const Outcome outcome = run(withModule("import trundle\n\n\nclass Mine(trundle.Controller):\n    def setup(self, robot):\n"
+                                               "        robot.motor('leftMoter')\n    def update(self, t):\n        pass\n"),
+                                    {"--modules", m_folder.path()});
+        QVERIFY2(outcome.code == 4 && outcome.err.contains("error E411: r has no RotaryMotor port 'leftMoter'; did you mean "
+                                                           "'leftMotor'? (its RotaryMotor ports: leftMotor, rightMotor)"),
+                 shown(outcome));
+    }
+
+    void aFileThatDoesNotLoadIsAnErrorOfItsLine_data() {
+        QTest::addColumn<QByteArray>("python");
+        QTest::addColumn<QByteArray>("said");
+        QTest::newRow("syntax") << QByteArray("import trundle\nclass Mine(:\n    pass\n") << QByteArray("cannot be loaded: SyntaxError: invalid syntax, at mine.py:2");
+        QTest::newRow("import") << QByteArray("import trundle\nimport no_such_package\n")
+                                << QByteArray("ModuleNotFoundError: No module named 'no_such_package', in <module> at mine.py:2");
+        QTest::newRow("none") << QByteArray("import trundle\n") << QByteArray("it has no class that is derived from trundle.Controller");
+        QTest::newRow("field") << QByteArray("import trundle\nclass Mine(trundle.Controller):\n    a = trundle.field('A', 1.0, 'm', 'x')\n")
+                               << QByteArray("TypeError: the field A needs a quantity, such as metres(), in Mine at mine.py:3");
+        QTest::newRow("exits") << QByteArray("import os\nos._exit(3)\n") << QByteArray("ended its process in load with exit code 3, in <module> at mine.py:2");
+        QTest::newRow("crashes") << QByteArray("import ctypes\nctypes.string_at(1)\n")
+                                 << QByteArray("crashed in load: Segmentation fault, in <module> at mine.py:2");
+    }
+    void aFileThatDoesNotLoadIsAnErrorOfItsLine() {
+        QFETCH(QByteArray, python);
+        QFETCH(QByteArray, said);
+        const Outcome check = cli({"check", withModule(python), "--modules", m_folder.path()});
+        QVERIFY2(check.code == 1 && check.err.contains("mine.sim:4:13: error E414: ") && check.err.contains(said), shown(check));
+    }
+
+    void aMissingPythonIsAnErrorOfItsLine() {
+        const Outcome check = callProgram("/usr/bin/env", {"PATH=/nowhere", "XDG_CACHE_HOME=" + at("empty"), programPath(), "check",
+                                                           experiment({}), "--modules", kSick});
+        QVERIFY2(check.code == 1 && check.err.contains("sick.sim:5:13: error E414: ") &&
+                     check.err.contains("needs the program python3, which cannot be run; install Python 3"),
+                 shown(check));
+    }
+
+    /// Neither a check nor a run executes a file of a folder that is not trusted.
+    void runsNoCodeOfAnUntrustedFolder() {
+        const QString mark = at("mark");
+        const QString path = withModule("import trundle\nopen('" + mark.toUtf8() +
+                                        "', 'a').write('x')\nclass Mine(trundle.Controller):\n    def update(self, t):\n        pass\n");
+        for (const char* command : {"check", "run"}) {
+            const Outcome outcome = cli({command, path});
+            QVERIFY2(outcome.err.contains("mine.sim:4:13: ") && outcome.err.contains("E402"), shown(outcome));
+            QVERIFY(!QFile::exists(mark));
+        }
+        QCOMPARE(cli({"check", path, "--trust"}).code, 0);
+        QCOMPARE(contentOf(mark), QByteArray("xx")); // for the description, and as modules are loaded by a check
+        QCOMPARE(cli({"check", path, "--trust"}).code, 0);
+        QCOMPARE(contentOf(mark), QByteArray("xxx")); // the description was kept
+    }
+
+    /// A changed file, or one that it imports, is described again.
+    void seesChanges() {
+        const QByteArray mine = "import trundle\nimport more\n\n\nclass Mine(trundle.Controller):\n"
+                                "    speed = trundle.field('Speed', 1.0, more.quantity(), 'x')\n    def update(self, t):\n        pass\n";
+        QVERIFY(writeFile(at("more.py"), "from trundle import metres as quantity\n"));
+        const QString path = withModule(mine, "Mine brain { Speed = 2 m }");
+        const QStringList check{"check", path, "--modules", m_folder.path()};
+        QVERIFY2(cli(check).code == 0, shown(cli(check)));
+        QVERIFY(writeFile(at("more.py"), "from trundle import degrees as quantity\n"));
+        QVERIFY2(cli(check).code == 1 && cli(check).err.contains("E206"), shown(cli(check)));
+    }
+
+    void aLiveFieldAndPublishedValues() {
+        const Outcome outcome = run(withModule("import trundle\nclass Mine(trundle.Controller):\n"
+                                               "    turns = trundle.output('turns', '', 'x', type=int)\n"
+                                               "    goal = trundle.output('goal', 'm', 'x', count=2)\n"
+                                               "    def update(self, t):\n        self.turns += 1\n        self.goal = (self.time, -1)\n"
+                                               "        if self.turns == 50: self.finish('enough')\n"),
+                                    {"--modules", m_folder.path()});
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        const QJsonObject json = jsonOf(outcome), signal = json["robots"]["r"]["signals"].toObject();
+        QCOMPARE(json["finished"]["reason"].toString(), QStringLiteral("enough"));
+        QCOMPARE(signal["brain/turns"].toInt(), 50);
+        QCOMPARE(signal["brain/goal"].toArray(), (QJsonArray{0.49, -1.0}));
+    }
+};
+
+void PythonTest::everyFaultStaysInItsProcess_data() {
+    QTest::addColumn<QByteArray>("settings");
+    QTest::addColumn<QByteArray>("said"); ///< part of the reason; empty: it is not stopped
+    QTest::addColumn<QByteArray>("line"); ///< of sick.py, which the reason names
+    const auto row = [](const char* action, const QByteArray& said, const QByteArray& line = {}, const QByteArray& more = {}) {
+        QTest::newRow(action) << "Action=" + QByteArray(action) + " " + more << said << line;
+    };
+    const QByteArray failed = "the controller Sick of bad failed: ", crashed = "crashed in update: ";
+    row("divide", failed + "ZeroDivisionError: division by zero, in divide at sick.py:", "return 1 / 0");
+    row("raise_exit", failed + "SystemExit: 5, in raise_exit at sick.py:", "sys.exit(5)");
+    row("recurse", failed + "RecursionError: maximum recursion depth exceeded", "return recurse()");
+    row("fork", failed + "BlockingIOError: ", "os.fork()");
+    row("execute", failed + "PermissionError: ", "os.execv(");
+    row("kill_parent", failed + "PermissionError: ", "os.getppid()");
+    row("segv", crashed + "Segmentation fault, in segv at sick.py:", "ctypes.string_at(1)");
+    row("abort", crashed + "Aborted, in abort at sick.py:", "CDLL(None).abort()");
+    row("leave", "ended its process in update with exit code 3, in leave at sick.py:", "os._exit(3)");
+    row("kill", "ended its process in update: SIGKILL");
+    for (const char* action : {"loop", "sleep", "print_without_end"})
+        row(action, "did not return from update within 1.0 s and was stopped, in " + QByteArray(action) + " at sick.py:", {}, "Budget=20");
+    for (const char* action : {"thread", "thread_fails", "close_all", "change_folder", "nothing"}) row(action, {});
+    QTest::newRow("eat memory") << QByteArray("Action=eat_memory") << failed + "MemoryError, in " << QByteArray("range(1000)");
+    QTest::newRow("write sensor") << QByteArray("Phase=\"write sensor\"") << failed + "TypeError: cannot modify read-only memory"
+                                  << QByteArray("_sensors[0] = ");
+    QTest::newRow("overwrite commands") << QByteArray("Phase=\"overwrite commands\"") << QByteArray() << QByteArray();
+}
+
+void PythonTest::everyFaultStaysInItsProcess() {
+    QFETCH(QByteArray, settings);
+    QFETCH(QByteArray, said);
+    QFETCH(QByteArray, line);
+    const Outcome outcome = run(experiment(settings));
+    QCOMPARE(trace(), m_trace);
+    QVERIFY2(outcome.code == (said.isEmpty() ? 0 : 4), shown(outcome).left(4000));
+    QCOMPARE(jsonOf(outcome)["ticks"].toInt(), 100);
+    const QJsonArray stopped = jsonOf(outcome)["stopped"].toArray();
+    QCOMPARE(stopped.size(), said.isEmpty() ? 0 : 1);
+    if (said.isEmpty()) return;
+    const QByteArray reason = stopped[0]["reason"].toString().toUtf8();
+    QCOMPARE(stopped[0]["robot"].toString(), QStringLiteral("bad"));
+    QVERIFY2(reason.contains(said), reason);
+    if (!line.isEmpty()) QVERIFY2(reason.contains("sick.py:" + QByteArray::number(lineOf(line.trimmed()))), reason);
+    if (!reason.contains("SIGKILL")) QVERIFY2(stopped[0]["backtrace"][0].toString().contains(" at "), shown(outcome).left(4000));
+    QCOMPARE(controlCharacters(outcome.err), QByteArray());
+}
+
+QTEST_GUILESS_MAIN(PythonTest)
+#include "python_test.moc"
