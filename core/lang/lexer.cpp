@@ -1,5 +1,6 @@
 #include "lang/lexer.h"
 
+#include "base/units.h"
 #include "base/utf8.h"
 
 namespace trundle {
@@ -79,7 +80,7 @@ void Lexer::expressionLineEnd() {
 
 void Lexer::number(std::size_t end) {
     emit(TokenKind::Number, end);
-    if (m_parens > 0) return;
+    if (m_parens > 0) return unitInExpression();
     m_state = LexerState::AfterElement;
     m_sameLine = m_numbers = true;
     if (const std::size_t wide = m_scan.invisibleAt(m_at); wide > 0 && m_scan.unitEnd(m_at + wide) > m_at + wide)
@@ -89,6 +90,15 @@ void Lexer::number(std::size_t end) {
     if (unitStop == unit) return;
     if (unit > m_at) emit(TokenKind::Space, unit);
     emit(TokenKind::Unit, unitStop);
+}
+
+/// Only a unit that there is: `2 x` may be a forgotten operator.
+void Lexer::unitInExpression() {
+    const std::size_t unit = m_scan.skipBlanks(m_at);
+    const std::size_t stop = m_scan.unitEnd(unit);
+    if (stop == unit || !findUnit(m_text.substr(unit, stop - unit))) return;
+    if (unit > m_at) emit(TokenKind::Space, unit);
+    emit(TokenKind::Unit, stop);
 }
 
 /// `1,2,` or `X =` followed by `Box b {` on the next line: an element is missing, and Box is not that element.

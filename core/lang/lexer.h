@@ -30,6 +30,7 @@ private:
     bool trivia();
     void word();
     void number(std::size_t end);
+    void unitInExpression();
     void string();
     void dollar();
     void hash();

@@ -62,6 +62,8 @@ struct ModuleItem {
 struct ParamItem {
     Name name;
     Value value;
+    TextRange open, close;   ///< braces around what is said about it; empty: there are none
+    std::vector<Item> items; ///< between them: Min=2 cm Help="..."
 };
 struct AssignmentItem {
     std::vector<Name> path;

@@ -59,7 +59,7 @@ private:
             d.notes.push_back({"first defined here", first.nameRange()});
             return;
         }
-        m_view.params.push_back({&item.name, &item.value, file, file});
+        m_view.params.push_back({&item.name, &item.value, file, file, &item});
     }
 
     void addImport(AssignmentList& imported, const ImportItem& item) {

@@ -43,6 +43,7 @@ struct SourceParam {
     const Value* value = nullptr;
     FileId file = kNoFile;      ///< of the declaration
     FileId valueFile = kNoFile; ///< differs when --set gives the value
+    const ParamItem* item = nullptr; ///< the declaration; nullptr: implied
     bool required = false;      ///< implied, see ImpliedParam: every use must give it
 
     [[nodiscard]] SourceRange nameRange() const { return {file, name->range}; }

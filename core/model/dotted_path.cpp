@@ -1,6 +1,7 @@
 #include "model/dotted_path.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace trundle {
 
@@ -40,6 +41,17 @@ bool startsWithPath(std::string_view path, std::string_view start) {
 
 std::string pathInside(std::string_view path, std::string_view word) {
     return path.empty() ? std::string(word) : std::string(path) + "." + std::string(word);
+}
+
+std::optional<MemberName> memberName(std::string_view name) {
+    const std::size_t bar = name.rfind('_');
+    if (bar == std::string_view::npos || bar == 0 || bar + 1 == name.size()) return std::nullopt;
+    const std::string_view digits = name.substr(bar + 1);
+    if (digits.size() > 1 && digits[0] == '0') return std::nullopt;
+    MemberName member{name.substr(0, bar), 0};
+    const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), member.index);
+    if (failure != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return member;
 }
 
 } // namespace trundle

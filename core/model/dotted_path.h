@@ -3,6 +3,7 @@
 // path apart does it here.
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,5 +44,13 @@ private:
 [[nodiscard]] bool startsWithPath(std::string_view path, std::string_view start);
 /// The path of something inside `path`; `word` itself at the top level.
 [[nodiscard]] std::string pathInside(std::string_view path, std::string_view word);
+
+/// The name of one of several members: "swarm_12" of a Grid, "roller_3" of a Repeat.
+struct MemberName {
+    std::string_view stem; ///< "swarm"
+    std::size_t index = 0;
+};
+/// Nothing if a name does not have that form.
+[[nodiscard]] std::optional<MemberName> memberName(std::string_view name);
 
 } // namespace trundle

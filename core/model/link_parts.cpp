@@ -25,16 +25,22 @@ public:
     explicit ImpliedParams(const Outline& outline) : m_outline(outline) {}
 
     void add(Part& config) {
-        if (!m_visited.insert(&config).second) return;
-        for (const Part& part : config.parts) {
-            if (part.isPartUse() && part.config) add(const_cast<Part&>(*part.config));
+        if (m_visited.insert(&config).second) searchIn(config, config);
+    }
+
+private:
+    void searchIn(const Part& holder, Part& config) {
+        m_holders.push_back(&holder);
+        for (const Part& part : holder.parts) {
+            if (part.isPartUse() && part.config) ImpliedParams::add(const_cast<Part&>(*part.config));
+            if (part.isRepeat()) searchIn(part, config);
             if (!part.kind) continue;
             for (const SourceAssignment& a : part.assignments.all())
                 if (a.path.size() == 1 && takesReference(part, a.key)) names(config, part, a);
         }
+        m_holders.pop_back();
     }
 
-private:
     bool takesReference(const Part& part, const std::string& key) const {
         if (const Property* property = part.kind->find(key)) return namesInsideConfig(m_outline.registry(), m_outline, *property);
         const SourceParam* param = part.isPartUse() && part.config ? part.config->param(key) : nullptr;
@@ -43,8 +49,15 @@ private:
 
     void names(Part& config, const Part& part, const SourceAssignment& a) const {
         for (const Element& e : a.value->elements) {
-            if (e.kind != Element::Kind::ParamRef || config.param(e.text) || part.param(e.text) || isGlobal(e.text)) continue;
-            if (std::ranges::find(config.parts, e.text, &Part::name) != config.parts.end()) continue; // `$wheel` for `wheel`
+            if (e.kind != Element::Kind::ParamRef || config.param(e.text) || part.param(e.text)) continue;
+            const auto isInside = [&](const Part* holder) {
+                return holder->param(e.text) || std::ranges::find(holder->parts, e.text, &Part::name) != holder->parts.end();
+            };
+            if (std::ranges::any_of(m_holders, isInside)) continue; // `$wheel` for `wheel`
+            if (const SourceParam* global = globalName(e.text)) {   // a default, which uses can change
+                config.params.push_back(*global);
+                continue;
+            }
             std::vector<std::string> declared;
             for (const SourceParam& param : config.params) declared.push_back(param.name->text);
             if (!nearestWords(e.text, declared).empty()) continue; // most likely one of these, misspelt
@@ -52,17 +65,23 @@ private:
             auto implied = std::make_shared<ImpliedParam>();
             implied->name = {e.text, range};
             implied->value.range = {range.end, range.end};
-            config.params.push_back({&implied->name, &implied->value, a.file, a.file, true});
+            config.params.push_back({&implied->name, &implied->value, a.file, a.file, nullptr, true});
             config.implied.push_back(std::move(implied));
         }
     }
 
-    bool isGlobal(const std::string& name) const {
-        return std::ranges::any_of(m_outline.params, [&](const SourceParam& p) { return p.name->text == name; });
+    /// A Param of the top level that names something; one that is a number is not meant.
+    const SourceParam* globalName(const std::string& name) const {
+        const auto it = std::ranges::find_if(m_outline.params, [&](const SourceParam& p) { return p.name->text == name; });
+        const bool isName =
+            it != m_outline.params.end() && it->value->elements.size() == 1 &&
+            (it->value->elements[0].kind == Element::Kind::Word || it->value->elements[0].kind == Element::Kind::String);
+        return isName ? &*it : nullptr;
     }
 
     const Outline& m_outline;
     std::unordered_set<const Part*> m_visited;
+    std::vector<const Part*> m_holders; ///< the config that is searched and the Repeats around the place
 };
 
 /// Takes the config from the Parts that close a circle of PartConfigs, or nest them too deep.
@@ -73,8 +92,9 @@ public:
     void visit(Part& config) {
         if (!m_depths.try_emplace(&config, 1).second) return;
         m_chain.push_back(&config);
-        for (Part& part : config.parts)
-            if (part.config) follow(part, config);
+        eachPartUse(config, [&](const Part& part) {
+            if (part.config) follow(const_cast<Part&>(part), config);
+        });
         m_chain.pop_back();
     }
 
@@ -121,8 +141,8 @@ void Outline::linkPart(Part& part, const Part* owner) {
         const Part* config = configs.find(name);
         if (config && config->kind->name == "PartConfig") part.config = config;
     }
-    if (part.is(Role::Config))
-        for (Part& inner : part.parts) linkPart(inner, &part);
+    if (part.is(Role::Config) || part.isRepeat())
+        for (Part& inner : part.parts) linkPart(inner, part.isRepeat() ? owner : &part);
 }
 
 void Outline::linkParts() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/dotted_path.h"
 #include "model/part_builder.h"
 
 namespace trundle {
@@ -118,11 +119,8 @@ std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, st
 }
 
 const Part* layoutOfMember(const Outline& outline, std::string_view name) {
-    const std::size_t bar = name.rfind('_');
-    if (bar == std::string_view::npos || bar + 1 == name.size()) return nullptr;
-    const std::string_view digits = name.substr(bar + 1);
-    if (!std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) return nullptr;
-    const Part* part = outline.world.find(name.substr(0, bar));
+    const std::optional<MemberName> member = memberName(name);
+    const Part* part = member ? outline.world.find(member->stem) : nullptr;
     return part && part->is(Role::Layout) ? part : nullptr;
 }
 

@@ -20,6 +20,8 @@ constexpr std::size_t kMaxElements = 100000; ///< nested lists could grow expone
 /// The unit of plain numbers of a dimension in the language: m, deg ...
 std::string baseUnit(std::string_view dimension) {
     if (dimension == "angle") return "deg";
+    if (dimension == "rate") return "deg/s"; // so that its product with a time is in degrees
+    if (dimension == "angular acceleration") return "deg/s^2";
     for (const std::string& name : allUnitNames()) {
         const UnitInfo* unit = findUnit(name);
         if (unit->dimension == dimension && unit->factor == 1) return name;
@@ -37,6 +39,22 @@ double sine(double degrees) {
 }
 
 const std::set<std::string_view> kPairs{"mod", "atan2", "<", ">", "<=", ">=", "==", "!="};
+
+const std::set<std::string_view> kWithoutUnit{"floor", "ceil", "round", "asin", "acos"};
+
+std::string hasUnit(const std::string& function, const std::string& unit) {
+    std::string message = function + " takes a number without unit, this is in " + unit;
+    if (function.starts_with('a')) return message;
+    return message + "; divide by the step: " + function + "(x / 1 " + unit + ") * 1 " + unit;
+}
+
+/// The angle of a sine or cosine in degrees; nothing for other functions and where there is no such angle.
+std::optional<double> arc(const std::string& function, double value) {
+    constexpr double kRounding = 1e-12; // a quotient of computed lengths may be just above 1
+    if ((function != "asin" && function != "acos") || std::abs(value) > 1 + kRounding) return std::nullopt;
+    const double exact = std::clamp(value, -1.0, 1.0);
+    return (function == "asin" ? std::asin(exact) : std::acos(exact)) * 180 / std::numbers::pi;
+}
 
 std::optional<double> wholeNumber(const std::string& function, double value) {
     if (function == "floor") return std::floor(value);
@@ -77,7 +95,7 @@ GivenElement literalOf(const Element& element, FileId file) {
 } // namespace
 
 void ParamScope::declare(const std::vector<SourceParam>& params) {
-    for (const SourceParam& p : params) m_entries.try_emplace(p.name->text, Entry{p, this, State::Fresh, {}});
+    for (const SourceParam& p : params) m_entries.try_emplace(p.name->text, Entry{p, this, State::Fresh, {}, false});
 }
 
 void ParamScope::preset(const std::string& name, const GivenValue& value) {
@@ -85,6 +103,20 @@ void ParamScope::preset(const std::string& name, const GivenValue& value) {
     if (it == m_entries.end()) return;
     it->second.state = State::Done;
     it->second.value = value;
+}
+
+void ParamScope::set(const std::string& name, double number) {
+    GivenElement element;
+    element.kind = GivenElement::Kind::Number;
+    element.number = number;
+    Entry entry{{}, this, State::Done, {}, false};
+    entry.value.elements.push_back(element);
+    m_entries.insert_or_assign(name, std::move(entry));
+}
+
+bool ParamScope::isUsed(const std::string& name) const {
+    const auto it = m_entries.find(name);
+    return it != m_entries.end() && it->second.isUsed;
 }
 
 ParamScope::Entry* ParamScope::find(std::string_view name) {
@@ -129,7 +161,8 @@ std::optional<GivenValue> Evaluator::evaluate(const Value& value, FileId file, P
 }
 
 void Evaluator::checkAll(ParamScope& scope) {
-    for (auto& [name, entry] : scope.m_entries) (void)paramValue(name, {entry.param.file, entry.param.name->range}, scope);
+    for (auto& [name, entry] : scope.m_entries)
+        if (entry.param.name) (void)paramValue(name, {entry.param.file, entry.param.name->range}, scope);
 }
 
 bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scope, GivenValue& out) {
@@ -175,6 +208,7 @@ const GivenValue* Evaluator::paramValue(std::string_view name, SourceRange place
         return nullptr;
     }
     using State = ParamScope::State;
+    entry->isUsed = true;
     if (entry->state == State::Busy) {
         circle(*entry);
         return nullptr;
@@ -309,11 +343,21 @@ std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId f
     }
 }
 
+/// Whether there are all Params that an expression names.
+bool Evaluator::hasNames(const Expression& e, FileId file, ParamScope& scope) {
+    if (e.op == Expression::Op::Name && e.name != "pi" && !scope.find(e.name)) {
+        unknown(e.name, {file, e.range}, scope);
+        return false;
+    }
+    return std::ranges::all_of(e.arguments, [&](const Expression& argument) { return hasNames(argument, file, scope); });
+}
+
 /// Of a condition only the branch that holds is evaluated: the other one may divide by zero.
 std::optional<Evaluator::Amount> Evaluator::choice(const Expression& e, FileId file, ParamScope& scope) {
     const std::optional<Amount> condition = amount(e.arguments[0], file, scope);
-    if (!condition) return std::nullopt;
-    return amount(e.arguments[condition->value != 0 ? 1 : 2], file, scope);
+    const bool holds = condition && condition->value != 0;
+    if (!condition || !hasNames(e.arguments[holds ? 2 : 1], file, scope)) return std::nullopt;
+    return amount(e.arguments[holds ? 1 : 2], file, scope);
 }
 
 std::optional<Evaluator::Amount> Evaluator::withTwo(const Expression& e, FileId file, const Amount& a, const Amount& b) {
@@ -367,13 +411,10 @@ std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId fil
     if (!takes(1)) return fault(e, file, e.name + " takes one number");
     const Amount a = args[0];
     if (e.name == "abs") return Amount{std::abs(a.value), a.unit};
-    if (const auto whole = wholeNumber(e.name, a.value)) return Amount{*whole, a.unit};
-    if (e.name == "asin" || e.name == "acos") {
-        if (!a.unit.empty()) return fault(e, file, e.name + " takes a number without unit, this is in " + a.unit);
-        if (std::abs(a.value) > 1) return fault(e, file, e.name + " of " + numberText(a.value) + " is not a number");
-        const double radians = e.name == "asin" ? std::asin(a.value) : std::acos(a.value);
-        return Amount{radians * 180 / std::numbers::pi, "deg"};
-    }
+    if (kWithoutUnit.contains(e.name) && !a.unit.empty()) return fault(e, file, hasUnit(e.name, a.unit));
+    if (const auto whole = wholeNumber(e.name, a.value)) return Amount{*whole, {}};
+    if (const auto degrees = arc(e.name, a.value)) return Amount{*degrees, "deg"};
+    if (e.name == "asin" || e.name == "acos") return fault(e, file, e.name + " of " + numberText(a.value) + " is not a number");
     if (e.name == "sqrt") {
         if (a.value < 0) return fault(e, file, "the square root of " + numberText(a.value) + " is not a number");
         return Amount{std::sqrt(a.value), {}};

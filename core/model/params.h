@@ -24,6 +24,10 @@ public:
     void declare(const std::vector<SourceParam>& params);
     /// Overrides a Param of this block with a value from outside.
     void preset(const std::string& name, const GivenValue& value);
+    /// Adds a number that no text declares.
+    void set(const std::string& name, double number);
+    /// Whether the number of set() was needed for a value.
+    [[nodiscard]] bool isUsed(const std::string& name) const;
 
 private:
     friend class Evaluator;
@@ -33,6 +37,7 @@ private:
         ParamScope* scope = nullptr;
         State state = State::Fresh;
         GivenValue value;
+        bool isUsed = false;
     };
     [[nodiscard]] Entry* find(std::string_view name);
     [[nodiscard]] std::vector<std::string> names() const;
@@ -69,6 +74,7 @@ private:
     [[nodiscard]] std::optional<Amount> amount(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> paramAmount(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] static Amount inBaseUnit(double number, const std::string& written);
+    [[nodiscard]] bool hasNames(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> choice(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> withTwo(const Expression& e, FileId file, const Amount& a, const Amount& b);
     [[nodiscard]] std::optional<Amount> call(const Expression& e, FileId file, ParamScope& scope);

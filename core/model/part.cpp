@@ -1,6 +1,7 @@
 #include "model/part.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "model/dotted_path.h"
 
@@ -12,13 +13,20 @@ void Part::makeIndex() {
 }
 
 const Part* Part::find(std::string_view part) const {
+    if (const Part* own = findOwn(part)) return own;
+    const std::optional<MemberName> member = memberName(part);
+    const Part* repeat = member ? findOwn(member->stem) : nullptr;
+    if (repeat && repeat->isRepeat()) return repeat;
+    return config ? config->find(part) : nullptr;
+}
+
+const Part* Part::findOwn(std::string_view part) const {
     if (!index.empty()) {
         const auto it = index.find(std::string(part));
         return it == index.end() ? nullptr : &parts[it->second];
     }
     const auto it = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == part; });
-    if (it != parts.end()) return &*it;
-    return config ? config->find(part) : nullptr;
+    return it == parts.end() ? nullptr : &*it;
 }
 
 const Part* Part::findPath(std::string_view path) const {
@@ -70,6 +78,7 @@ const char* roleName(Role role) {
     case Role::Config: return "Config";
     case Role::Instance: return "Instance";
     case Role::Layout: return "Layout";
+    case Role::Repeat: return "Repeat";
     case Role::Body: return "Body";
     case Role::Geom: return "Geom";
     case Role::Joint: return "Joint";

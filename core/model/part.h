@@ -37,7 +37,7 @@ struct Part {
     [[nodiscard]] SourceRange typeRange() const { return {file, block->type.range}; }
     /// For messages: "Cylinder tyre".
     [[nodiscard]] std::string title() const { return block->name ? block->type.text + " " + name : block->type.text; }
-    /// What has that name inside; of a Part also what its PartConfig has.
+    /// What has that name inside; of a Part also what its PartConfig has. The name of a member, roller_3, leads to its Repeat.
     [[nodiscard]] const Part* find(std::string_view part) const;
     /// The same for a path, "left.wheel.tyre".
     [[nodiscard]] const Part* findPath(std::string_view path) const;
@@ -45,8 +45,21 @@ struct Part {
     [[nodiscard]] const SourceParam* param(std::string_view key) const;
     /// Whether it is a Part: an instance inside a config, with parts of its own.
     [[nodiscard]] bool isPartUse() const { return kind && kind->name == "Part"; }
+    /// Whether it is a Repeat or Ring: its parts are there once for each of its members, roller_0, roller_1 ...
+    [[nodiscard]] bool isRepeat() const { return is(Role::Repeat); }
     void makeIndex();
+
+private:
+    [[nodiscard]] const Part* findOwn(std::string_view part) const;
 };
+
+/// Calls `visit` for every Part that a config holds, also in its Repeats.
+template <class Visit> void eachPartUse(const Part& config, const Visit& visit) {
+    for (const Part& part : config.parts) {
+        if (part.isRepeat()) eachPartUse(part, visit);
+        else if (part.isPartUse()) visit(part);
+    }
+}
 
 /// Parts with unique names, in order.
 class NameSpace {

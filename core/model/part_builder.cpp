@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/spelling.h"
+#include "model/dotted_path.h"
 #include "schema/allowed_parents.h"
 #include "schema/value_words.h"
 
@@ -36,6 +37,7 @@ Part PartBuilder::build(const SourceBlock& placed, const Part* parent, std::uint
     part.kind = m_registry.find(placed.block->type.text);
     part.order = order;
     if (placed.block->name) part.name = placed.block->name->text;
+    if (!parent) m_config = part.is(Role::Config) ? part.kind : nullptr;
     part.usable = fits(part, parent);
     if (part.kind) fill(part, placed.file);
     return part;
@@ -57,9 +59,21 @@ void PartBuilder::fill(Part& part, FileId file) {
         }
         part.parts.push_back(build(inner, &part, part.order));
     }
+    if (part.is(Role::Config)) checkParams(part);
     if (part.block->type.text == "RobotConfig") looseGeoms(part);
     if (part.is(Role::Instance) || part.is(Role::Layout)) countControllers(part);
     nameParts(part);
+}
+
+/// An instance has Config, Pos ... itself: it could not set a Param of that name.
+void PartBuilder::checkParams(const Part& config) {
+    const std::string& type = config.block->type.text;
+    const std::string user = type == "RobotConfig" ? "Robot" : type == "StaticConfig" ? "Static" : "Part";
+    const Kind* instance = m_registry.find(user);
+    for (const SourceParam& param : config.params)
+        if (instance && instance->find(param.name->text))
+            m_diagnostics.error(Code::DuplicateName, param.nameRange(),
+                                "a Param cannot be named " + param.name->text + ": every " + user + " has that property itself");
 }
 
 void PartBuilder::nameParts(Part& part) {
@@ -74,6 +88,27 @@ void PartBuilder::nameParts(Part& part) {
         if (!names.name(inner)) inner.usable = false;
     }
     part.makeIndex();
+    for (Part& inner : part.parts) {
+        const std::optional<MemberName> member = memberName(inner.name);
+        const Part* repeat = member ? part.find(member->stem) : nullptr;
+        if (!repeat || !repeat->isRepeat() || !repeat->usable) continue;
+        Diagnostic& d = m_diagnostics.error(Code::DuplicateName, inner.nameRange(),
+                                            "the name " + inner.name + " belongs to a member of " + repeat->title());
+        d.notes.push_back({"defined here", repeat->nameRange()});
+        inner.usable = false;
+    }
+}
+
+/// What is in a Repeat is in the config that holds it, too.
+bool PartBuilder::allows(const Part* parent, const Kind& kind) const {
+    const bool isInRepeat = parent && parent->isRepeat();
+    return isAllowedInside(kind, kindIn(parent)) && (!isInRepeat || !m_config || isAllowedInside(kind, m_config->name));
+}
+
+std::string PartBuilder::placeOf(const Part* parent) const {
+    if (!parent) return "at the top level";
+    const bool isInRepeat = parent->isRepeat() && m_config;
+    return "in " + withArticle(kindIn(parent)) + (isInRepeat ? " of " + withArticle(m_config->name) : std::string());
 }
 
 bool PartBuilder::fits(Part& part, const Part* parent) {
@@ -81,7 +116,7 @@ bool PartBuilder::fits(Part& part, const Part* parent) {
         unknownKind(part, parent);
         return false;
     }
-    if (isAllowedInside(*part.kind, kindIn(parent))) return true;
+    if (allows(parent, *part.kind)) return true;
     const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && isAllowedInside(*part.kind, "Body");
     if (!loose) misplaced(part, parent); // loose geoms get a message of their own, with a fix
     return false;
@@ -91,12 +126,12 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     const std::string& word = part.block->type.text;
     std::vector<std::string> candidates;
     for (const Kind* kind : m_registry.all()) {
-        if (isAllowedInside(*kind, kindIn(parent))) candidates.push_back(kind->name);
+        if (allows(parent, *kind)) candidates.push_back(kind->name);
     }
     const bool isWorldInstance = parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && !parent->isPartUse();
-    const bool holdsModuleKinds = isWorldInstance || kindIn(parent) == "RobotConfig" || kindIn(parent) == "PartConfig";
+    const bool holdsModuleKinds = isWorldInstance || (parent && m_config && m_config->name != "StaticConfig");
     std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : nearestWords(word, candidates);
-    if (m_texts.openModules && holdsModuleKinds && (near.empty() || !parent->is(Role::Config))) return;
+    if (m_texts.openModules && holdsModuleKinds && (near.empty() || isWorldInstance)) return;
     if (near.empty() && !manyAlready(m_diagnostics)) {
         std::vector<std::string> others;
         for (const Kind* kind : m_registry.all()) {
@@ -117,7 +152,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
 }
 
 void PartBuilder::misplaced(const Part& part, const Part* parent) {
-    const std::string here = parent ? "in " + withArticle(kindIn(parent)) : std::string("at the top level");
+    const std::string here = placeOf(parent);
     const std::vector<std::string> legal = allowedParents(*part.kind);
     if (part.is(Role::Settings)) {
         m_diagnostics.error(Code::WrongPlace, part.typeRange(),
@@ -127,7 +162,8 @@ void PartBuilder::misplaced(const Part& part, const Part* parent) {
     const bool top = legal.size() == 1 && legal[0].empty();
     std::string text =
         part.block->type.text + " is allowed " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
-    if (kindIn(parent) == "StaticConfig" && part.is(Role::Body)) text = "a StaticConfig holds its geoms directly, without a Body";
+    if (m_config && m_config->name == "StaticConfig" && part.is(Role::Body))
+        text = "a StaticConfig holds its geoms directly, without a Body";
     m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);
 }
 

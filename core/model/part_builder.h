@@ -18,7 +18,10 @@ public:
 
 private:
     void fill(Part& part, FileId file);
+    void checkParams(const Part& config);
     void nameParts(Part& part);
+    [[nodiscard]] bool allows(const Part* parent, const Kind& kind) const;
+    [[nodiscard]] std::string placeOf(const Part* parent) const;
     [[nodiscard]] bool fits(Part& part, const Part* parent);
     void unknownKind(const Part& part, const Part* parent);
     void misplaced(const Part& part, const Part* parent);
@@ -28,6 +31,7 @@ private:
     const TextSet& m_texts;
     const Registry& m_registry;
     Diagnostics& m_diagnostics;
+    const Kind* m_config = nullptr; ///< of the top-level block, if it is a config
 };
 
 /// Names unnamed parts in order: box, box2 ...; reports E304 for a missing name and E303 for a duplicate.

@@ -4,6 +4,16 @@
 
 namespace trundle {
 
+namespace {
+
+/// Blocks of modules that are not loaded count as active.
+bool isBody(const Part& part) {
+    if (part.isRepeat()) return std::ranges::all_of(part.parts, isBody);
+    return part.is(Role::Body) || part.is(Role::Geom);
+}
+
+} // namespace
+
 bool isPassive(const RobotSpec& robot) {
     return robot.config && robot.config->joints.empty() && robot.config->devices.empty() && !robot.controller;
 }
@@ -15,9 +25,8 @@ bool isPassive(const Part& instance, const Part* config) {
 }
 
 bool isPassiveConfig(const Part& config) {
-    // Blocks of modules that are not loaded count as active.
-    const auto isBody = [](const Part& part) { return part.is(Role::Body) || part.is(Role::Geom); };
-    return config.kind && config.kind->name == "RobotConfig" && std::all_of(config.parts.begin(), config.parts.end(), isBody);
+    if (config.config && !isPassiveConfig(*config.config)) return false; // what it is a variant of
+    return config.kind && config.kind->name == "RobotConfig" && std::ranges::all_of(config.parts, isBody);
 }
 
 RobotCounts countRobots(const ExperimentSpec& experiment) {

@@ -16,6 +16,17 @@ std::string joined(std::span<const std::string> words) {
     return text;
 }
 
+/// The same with the names of Repeats instead of those of their members: an override of all members.
+std::string joinedForAll(const Part& config, std::span<const std::string> words) {
+    std::string text;
+    const Part* at = &config;
+    for (const std::string& word : words) {
+        at = at ? at->find(word) : nullptr;
+        text = pathInside(text, at && at->isRepeat() ? at->name : word);
+    }
+    return text;
+}
+
 Provenance found(const Outline& outline, const SourceAssignment& a, Origin origin, const Property* property, SourceRange block) {
     const bool param = std::any_of(a.value->elements.begin(), a.value->elements.end(), [](const Element& e) {
         return e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
@@ -54,6 +65,7 @@ std::optional<Provenance> fromInstance(const Outline& outline, const Part& insta
     const Part* config = configOf(outline, instance);
     std::optional<Provenance> inConfig = config ? fromPart(outline, *config, words, Origin::Config) : std::nullopt;
     const SourceAssignment* a = instance.assignments.find(joined(words));
+    if (!a && config) a = instance.assignments.find(joinedForAll(*config, words));
     if (!inConfig || !a) return inConfig;
     return found(outline, *a, origin, inConfig->property, instance.nameRange());
 }

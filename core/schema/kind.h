@@ -53,6 +53,7 @@ enum class Role {
     Config,
     Instance,
     Layout,
+    Repeat, ///< blocks of a config that are there several times
     Body,
     Geom,
     Joint,

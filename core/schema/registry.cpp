@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "schema/allowed_parents.h"
+
 namespace trundle {
 
 namespace {
@@ -36,7 +38,7 @@ std::vector<const Kind*> Registry::all() const {
 std::vector<const Kind*> Registry::inside(std::string_view parent) const {
     std::vector<const Kind*> kinds;
     for (const auto& [name, kind] : m_kinds) {
-        if (std::find(kind.parents.begin(), kind.parents.end(), parent) != kind.parents.end()) kinds.push_back(&kind);
+        if (isAllowedInside(kind, parent)) kinds.push_back(&kind);
     }
     return kinds;
 }

@@ -28,6 +28,7 @@ QString roleTitle(Role role) {
     case Role::Log: return InsertMenu::tr("Logs");
     case Role::Instance: return InsertMenu::tr("Robots and Scenery");
     case Role::Layout: return InsertMenu::tr("Many Robots");
+    case Role::Repeat: return InsertMenu::tr("Repetition");
     case Role::Config: return InsertMenu::tr("Configs");
     case Role::Material: return InsertMenu::tr("Materials");
     case Role::Surface: return InsertMenu::tr("Surfaces");
@@ -40,9 +41,9 @@ QString roleTitle(Role role) {
 }
 
 /// In the order in which a robot is usually built.
-constexpr Role kRoles[] = {Role::Body,     Role::Geom,    Role::Joint,  Role::Device,   Role::Controller,
-                           Role::Instance, Role::Layout,  Role::Config, Role::Material, Role::Surface,
-                           Role::Look,     Role::Pattern, Role::Medium, Role::Log};
+constexpr Role kRoles[] = {Role::Body,     Role::Geom,   Role::Joint,   Role::Device, Role::Controller,
+                           Role::Instance, Role::Repeat, Role::Layout,  Role::Config, Role::Material,
+                           Role::Surface,  Role::Look,   Role::Pattern, Role::Medium, Role::Log};
 
 } // namespace
 

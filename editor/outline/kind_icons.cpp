@@ -28,7 +28,8 @@ QString roleIcon(Role role) {
     case Role::Medium: return QStringLiteral("kind-radio");
     case Role::Config: return QStringLiteral("kind-robotconfig");
     case Role::Instance: return QStringLiteral("kind-robot");
-    case Role::Layout: return QStringLiteral("kind-grid");
+    case Role::Layout:
+    case Role::Repeat: return QStringLiteral("kind-grid");
     case Role::Body: return QStringLiteral("kind-body");
     case Role::Geom: return QStringLiteral("kind-convex");
     case Role::Joint: return QStringLiteral("kind-hinge");

@@ -104,10 +104,24 @@ std::string OutlineModel::keyOf(const QModelIndex& index) const {
     return key;
 }
 
+/// The path with the names of Repeats instead of those of their members, which have one row.
+static std::string withoutMembers(const ObjectLocation& place, const std::string& path) {
+    std::string all;
+    const DottedPath dotted(path);
+    for (const std::string& word : dotted.words()) {
+        const auto isMember = [&](const auto& m) {
+            return m.first->isRepeat() && word == m.first->name + "_" + std::to_string(m.second);
+        };
+        const auto it = std::ranges::find_if(place.members, isMember);
+        all = pathInside(all, it == place.members.end() ? word : it->first->name);
+    }
+    return all;
+}
+
 QModelIndex OutlineModel::indexOf(const std::string& path) {
-    if (!m_rows) return {};
-    if (const OutlineNode* node = m_index.find(path)) return indexOf(*node);
-    if (!placeOf(*m_rows->loaded(), path)) return {};
+    if (const OutlineNode* node = m_rows ? m_index.find(path) : nullptr) return indexOf(*node);
+    if (!m_rows || !placeOf(*m_rows->loaded(), path)) return {};
+    if (const std::string all = withoutMembers(*placeOf(*m_rows->loaded(), path), path); all != path) return indexOf(all);
     const std::string first(firstWord(path)), inside(withoutFirstWord(path));
     if (!inside.empty()) {
         const QModelIndex above = indexOf(std::string(withoutLastWord(path)));

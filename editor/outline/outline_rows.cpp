@@ -375,7 +375,8 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
         row.hasRows |= m_members.contains(&part);
         row.passive = isPassive(part, config);
         if (row.passive) row.tip = part.kind->name + " of a movable object: it has no joints, no devices and no controller.";
-    } else if (part.is(Role::Material))
+    } else if (part.isRepeat()) row.detail = countOf(*m_loaded, part);
+    else if (part.is(Role::Material))
         if (const auto it = m_materials.find(part.name); it != m_materials.end()) row.colour = it->second->colour;
     return row;
 }

@@ -25,6 +25,10 @@ void addInside(const Part& config, const std::string& before, const std::vector<
                std::vector<std::string>& names) {
     for (const Part& part : config.parts) {
         if (names.size() > kMostNames) return;
+        if (part.isRepeat()) {
+            addInside(part, before + part.name + "_0.", choices, geoms, names);
+            continue;
+        }
         if (fits(part, choices)) names.push_back(before + part.name);
         if (part.config) addInside(*part.config, before + part.name + ".", choices, geoms, names);
         if (!geoms || !part.is(Role::Body)) continue;

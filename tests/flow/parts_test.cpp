@@ -97,6 +97,82 @@ private Q_SLOTS:
         QCOMPARE(hashOf(a), hashOf(b));
     }
 
+    /// A conveyor of 50 driven rollers, written once, with values that depend on the number.
+    void repeatedRollersMoveLikeTheirCopies() {
+        const QString roller =
+            "Body @b { Pos=$(0.12*@i),0,0.1 HPR=0,0,90 Cylinder tyre { Radius=$(0.05+0.0001*@i) Length=0.4 Mass=$(0.2+0.01*@i) "
+            "Material=black Surface=rubber } }\n"
+            "Hinge @h { Parent=frame Child=@b Axis=0,1,0 Damping=$(0.001*@i) }\n"
+            "RotaryMotor @m { Joint=@h TorqueConstant=0.02 SpeedConstant=50 Resistance=$(2+@i) GearRatio=30 MaxVoltage=12 }\n";
+        const auto numbered = [&](const QString& b, const QString& h, const QString& m, const QString& i) {
+            QString text = roller;
+            return text.replace("@b", b).replace("@h", h).replace("@m", m).replace("@i", i);
+        };
+        QString copies;
+        for (int i = 0; i < 50; ++i) {
+            const QString n = QString::number(i);
+            copies += numbered("r" + n, "h" + n, "m" + n, n);
+        }
+        const QString frame =
+            kHead + QStringLiteral("RobotConfig Belt {\nBody frame { Pos=3,0,0 Box bed { Size=6,0.5,0.08 Pos=0,0,0.04 Mass=50 "
+                                   "Material=grey Surface=plastic } }\n");
+        const QString box = "}\nRobot belt { Config=Belt }\nRobotConfig Crate { Body b { Box c { Size=0.5,0.3,0.2 Mass=3 "
+                            "Material=red Surface=rubber } } }\nRobot crate { Config=Crate Pos=1,0,0.5 HPR=10,5,0 }\n";
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("once.sim"),
+                          (frame + "Repeat roller { Count=50\n" + numbered("b", "h", "m", "index") + "}\n" + box).toUtf8()));
+        QVERIFY(writeFile(folder.filePath("hand.sim"), (frame + copies + box).toUtf8()));
+        const Outcome a = cli({"run", folder.filePath("once.sim"), "--hash"}),
+                      b = cli({"run", folder.filePath("hand.sim"), "--hash"});
+        QVERIFY2(a.code == 0, a.err);
+        QVERIFY2(b.code == 0, b.err);
+        QVERIFY2(!hashOf(a).isEmpty(), a.out + a.err);
+        QCOMPARE(hashOf(a), hashOf(b));
+    }
+
+    /// Wheels of a Repeat in a mirrored Part, in a Grid in which every robot has another number of them.
+    void repeatedWheelsInPartsMoveLikeTheirCopies() {
+        const QString part = "PartConfig Side { Param n = 2\n Repeat axle { Count=$n Pos=$(0.2*index),0,0.05\n"
+                             "  Part wheel { Config=DrivenWheel carrier=$base r=$(0.05+0.001*index) } } }\n";
+        const auto robot = [](const QString& name, int n, bool once) {
+            QString text =
+                "RobotConfig " + name + " { Param n = " + QString::number(n) +
+                " Body chassis { Box hull { Size=0.9,0.2,0.06 Pos=0.2,0,0.15 Mass=2 Material=orange Surface=plastic } }\n";
+            for (const char* side : {"left", "right"}) {
+                const bool isLeft = side[0] == 'l';
+                const QString y = isLeft ? "0.125" : "-0.125", mirror = isLeft ? "" : " Mirror=y";
+                if (once) {
+                    text += "Part " + QString(side) + " { Config=Side base=chassis n=$n Pos=0," + y + ",0" + mirror + " }\n";
+                    continue;
+                }
+                for (int i = 0; i < n; ++i)
+                    text += QStringLiteral(
+                                "Part %1%2 { Config=DrivenWheel carrier=chassis Pos=$(0.2*%2),%3,0.05 %4 r=$(0.05+0.001*%2) }\n")
+                                .arg(side)
+                                .arg(i)
+                                .arg(y, mirror);
+            }
+            return text + "}\n";
+        };
+        const QString head = kHead + QString(kParts);
+        QTemporaryDir folder;
+        const QString wheels = QString(head).replace("PartConfig Side {", "PartConfig Other {");
+        QVERIFY(writeFile(
+            folder.filePath("once.sim"),
+            (wheels + part + robot("Kit", 2, true) + "Grid g { Config=Kit Count=1,3 Spacing=1 n=$(1+index2) }\n").toUtf8()));
+        QVERIFY(writeFile(folder.filePath("hand.sim"),
+                          (wheels + robot("A", 1, false) + robot("B", 2, false) + robot("C", 3, false) +
+                           "Robot ra { Config=A Pos=0,-1,0 }\nRobot rb { Config=B }\nRobot rc { Config=C "
+                           "Pos=0,1,0 }\n")
+                              .toUtf8()));
+        const Outcome a = cli({"run", folder.filePath("once.sim"), "--hash"}),
+                      b = cli({"run", folder.filePath("hand.sim"), "--hash"});
+        QVERIFY2(a.code == 0, a.err);
+        QVERIFY2(b.code == 0, b.err);
+        QVERIFY2(!hashOf(a).isEmpty(), a.out + a.err);
+        QCOMPARE(hashOf(a), hashOf(b));
+    }
+
     /// A device on a body from outside is placed by the Part's Pos and HPR, which count in that body.
     void placesDevicesOnABodyFromOutside() {
         const QJsonObject now =

@@ -94,6 +94,21 @@ private Q_SLOTS:
         row("min(h, w)", 0.05, "m");
         row("max(h, w)", 2, "m");
         row("min(1, h)", 1, "m");
+        // Units are those of plain values.
+        row("50 % * n", 1.5);
+        row("36 km/h", 10, "m/s");
+        row("36 km/h * 2", 20, "m/s");
+        row("90deg/s * 2 s", 180);
+        row("1 rad/s", 180 / std::numbers::pi, "deg/s");
+        row("3 kgm^2 + 1", 4, "kgm^2");
+        row("2 cm^2", 2e-4, "m^2");
+        row("(2 cm)^2", 4e-4);
+        row("(6 m) / h", 3);
+        row("6 m / h", 3);
+        row("1 m/s^2", 1, "m/s^2");
+        row("round(w / 2 cm) * 2 cm", 0.06, "m");
+        row("asin(1 + 1e-15)", 90, "deg");
+        row("acos(-1 - 1e-15)", 180, "deg");
         row("min(h, 1)", 1, "m");
         row("max(1, h, 0.5)", 2, "m");
         row("max(n, 7, 5)", 7);
@@ -150,6 +165,14 @@ private Q_SLOTS:
         row("x = $(asin(2))", "E213 asin of 2 is not a number\n");
         row("x = $(acos(w))", "E213 acos takes a number without unit, this is in m\n");
         row("x = $(if(1, 1 / 0, 2))", "E213 division by zero\n");
+        row("x = $(if(1, 2, missing))", "E211 there is no Param missing; there are a, h, n, p, r and w\n");
+        row("x = $(if(0, sin(missing) + 1, 2))", "E211 there is no Param missing; there are a, h, n, p, r and w\n");
+        row("x = $(round(w))",
+            "E213 round takes a number without unit, this is in m; divide by the step: round(x / 1 m) * 1 m\n");
+        row("x = $(floor(a + 1))",
+            "E213 floor takes a number without unit, this is in deg; divide by the step: floor(x / 1 deg) * 1 deg\n");
+        row("x = $(1 m/s + 1 m)", "E213 m/s and m cannot be added\n");
+        row("x = $(2furlong)", "E113 there is no unit furlong\n");
         row("x = $(mod(1))", "E113 `mod` takes two arguments\n");
         row("x = $(abs(1, 2))", "E113 `abs` takes one argument\n");
         row("x = $(sine(30))",

@@ -374,16 +374,65 @@ private Q_SLOTS:
                 text += "  Part p" + std::to_string(i) + " { Config=Wheel Pos=0," + std::to_string(i) + ",0 carrier=chassis }\n";
             Resolved r = resolved(text + "}\nRobot r { Config=Kit }\n");
             ExperimentSpec out;
-            Diagnostics said;
-            ResolveContext context(*r.outline, sample::assets(), said, out);
+            Diagnostics reported;
+            ResolveContext context(*r.outline, sample::assets(), reported, out);
             resolveMaterials(context);
             resolveSurfaces(context);
             resolveInstances(context);
-            return said.hasErrors() || out.robots.at(0).config->bodies.size() != std::size_t(count) + 1 ? 0 : context.reads;
+            return reported.hasErrors() || out.robots.at(0).config->bodies.size() != std::size_t(count) + 1 ? 0 : context.reads;
         };
         const std::size_t one = readsOf(1), many = readsOf(1001);
         QVERIFY(one > 0);
         QCOMPARE(many - one, std::size_t(5 * 1000)); // the Part, its Body, geom, Hinge and motor
+    }
+
+    /// A name in an override is that of what is there where it is written, or of what is in the Part.
+    void overridesNameWhatIsAroundThem() {
+        const std::string second = "  Body second { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n";
+        const auto ends = [&](const std::string& values, const std::string& robot = {}) {
+            const Resolved r = resolved(
+                kHead + kWheel + "RobotConfig Kit {\n  Body chassis { Box hull { Size=1,1,1 Material=g Surface=s } Mass=1 }\n" +
+                second + "  Part left { Config=Wheel carrier=chassis " + values + " }\n}\nRobot r { Config=Kit " + robot +
+                " }\n");
+            if (r.diagnostics.hasErrors() || r.experiment->robots.empty()) return r.messages();
+            const RobotConfigSpec& c = r.config();
+            return c.bodies[std::size_t(c.joints[0].parent)].name + " " + c.bodies[std::size_t(c.joints[0].child)].name + " " +
+                   c.devices[0].text("Joint");
+        };
+        QCOMPARE(ends("axle.Parent=second"), std::string("second left.wheel left.axle"));
+        QCOMPARE(ends("", "left.axle.Parent=second"), std::string("second left.wheel left.axle"));
+        QCOMPARE(ends("motor.Joint=axle"), std::string("chassis left.wheel left.axle"));
+        QCOMPARE(ends("", "left.motor.Joint=left.axle"), std::string("chassis left.wheel left.axle"));
+        const std::string wrong = ends("axle.Parent=secnd");
+        QVERIFY2(wrong.find("Parent names secnd") != std::string::npos && wrong.find("Param") == std::string::npos,
+                 wrong.c_str());
+    }
+
+    /// What a Part gives does not depend on which Params there happen to be at the top level.
+    void globalParamsCaptureNothing() {
+        for (const char* global : {"Param carrier = 5\n", "Param carrier = chassis\n", "Param carrier = elsewhere\n", ""}) {
+            const Resolved r = resolved(global + kit("  Part left { Config=Wheel carrier=chassis }\n"));
+            QCOMPARE(messagesOf(r), QString());
+            QCOMPARE(r.config().joints[0].parent, 0);
+        }
+        const Resolved given = resolved("Param carrier = chassis\n" + kit("  Part left { Config=Wheel }\n"));
+        QCOMPARE(messagesOf(given), QString());
+        QCOMPARE(given.config().joints[0].parent, 0);
+        const Resolved number = resolved("Param carrier = 5\n" + kit("  Part left { Config=Wheel }\n"));
+        QVERIFY2(messagesOf(number).contains("Part left needs carrier"), number.messages().c_str());
+    }
+
+    void refusesParamsWithNamesOfInstances() {
+        const auto reported = [&](const char* config, const char* name) {
+            return messagesOf(resolved(kHead + config + " X { Param " + name +
+                                       " = 1\n Body b { Box x { Size=1,1,1 Mass=1 Material=g Surface=s } } }\n"));
+        };
+        for (const char* name : {"Config", "Pos", "HPR", "Mirror"})
+            QVERIFY2(reported("PartConfig", name)
+                         .contains(QStringLiteral("a Param cannot be named %1: every Part has that property itself").arg(name)),
+                     name);
+        QVERIFY(reported("RobotConfig", "Pos").contains("every Robot has that property itself"));
+        QCOMPARE(reported("RobotConfig", "Mirror"), QString());
     }
 };
 

@@ -179,7 +179,7 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
         if (failure != std::errc() || end != digits.data() + digits.size())
             return fault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
         advance();
-        if (kind() == TokenKind::Word && !newLine() && findUnit(text())) {
+        if (kind() == TokenKind::Unit) {
             s.expression.name = text(); // its unit
             s.expression.range.end = range().end;
             advance();

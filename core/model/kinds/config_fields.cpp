@@ -10,7 +10,6 @@ constexpr double kLargest = 1e4; ///< m
 
 /// A dimension of a shape.
 constexpr Quantity extent() { return metres().above(0).atMost(kLargest).required(); }
-constexpr Quantity direction() { return number().within(-1e6, 1e6); }
 
 template <class T> void describeGeom(Describe<T>& d) {
     d.field("Pos", &GeomFields::pos, position(), "Position of its centre in the body or config.");

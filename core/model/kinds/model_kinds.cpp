@@ -33,7 +33,10 @@ void addModelKinds(Registry& registry) {
     kinds.add<RobotConfigFields>("RobotConfig", Role::Config, {""});
     kinds.add<StaticConfigFields>("StaticConfig", Role::Config, {""});
     kinds.add<PartConfigFields>("PartConfig", Role::Config, {""});
-    kinds.add<PartFields>("Part", Role::Instance, {"RobotConfig", "StaticConfig", "PartConfig"});
+    const std::vector<std::string> anyConfig{"RobotConfig", "StaticConfig", "PartConfig", "Repeat", "Ring"};
+    kinds.add<PartFields>("Part", Role::Instance, anyConfig);
+    kinds.add<RepeatFields>("Repeat", Role::Repeat, anyConfig);
+    kinds.add<RingFields>("Ring", Role::Repeat, anyConfig);
     kinds.add<RobotFields>("Robot", Role::Instance, {""});
     kinds.add<StaticFields>("Static", Role::Instance, {""});
     kinds.add<GridFields>("Grid", Role::Layout, {""});
@@ -41,8 +44,11 @@ void addModelKinds(Registry& registry) {
     kinds.add<LightFields>("Light", Role::Look, {""}, true);
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
     kinds.add<ViewFields>("View", Role::Look, {""}, true);
-    kinds.add<BodyFields>("Body", Role::Body, {"RobotConfig", "PartConfig"});
-    const std::vector<std::string> solid{"Body", "StaticConfig", "PartConfig"}, ground{"StaticConfig", "PartConfig"};
+    const std::vector<std::string> config{"RobotConfig", "PartConfig", "Repeat", "Ring"};
+    kinds.add<BodyFields>("Body", Role::Body, config);
+    const std::vector<std::string> ground{"StaticConfig", "PartConfig", "Repeat", "Ring"};
+    std::vector<std::string> solid{"Body"};
+    solid.insert(solid.end(), ground.begin(), ground.end());
     kinds.add<BoxFields>("Box", Role::Geom, solid, true);
     kinds.add<SphereFields>("Sphere", Role::Geom, solid, true);
     kinds.add<CylinderFields>("Cylinder", Role::Geom, solid, true);
@@ -51,7 +57,6 @@ void addModelKinds(Registry& registry) {
     kinds.add<MeshFields>("Mesh", Role::Geom, solid, true);
     kinds.add<PlaneFields>("Plane", Role::Geom, ground, true);
     kinds.add<HeightfieldFields>("Heightfield", Role::Geom, ground, true);
-    const std::vector<std::string> config{"RobotConfig", "PartConfig"};
     kinds.add<HingeFields>("Hinge", Role::Joint, config);
     kinds.add<SliderFields>("Slider", Role::Joint, config);
     kinds.add<BallFields>("Ball", Role::Joint, config);

@@ -94,6 +94,30 @@ void PartFields::describe(Describe<PartFields>& d) {
             "under the same command.");
 }
 
+void RepeatFields::describe(Describe<RepeatFields>& d) {
+    d.help(
+        "Blocks of a config that are there several times: rollers, spokes, the links of a chain. Its members are name_0, name_1 "
+        "... "
+        "In $( ) in it, index is the number of the member, from 0; with Count=8,4 the first one counts fastest and index2 is the "
+        "other.");
+    d.field("Count", &RepeatFields::count, whole(1, 200000).required().counted(1, 2), "How many; or how many by how many.");
+    d.field("Pos", &RepeatFields::pos, position(), "Position of the member's frame in the config that it is in.");
+    d.field("HPR", &RepeatFields::hpr, angles(), "Heading, pitch and roll of the member's frame.");
+}
+
+void RingFields::describe(Describe<RingFields>& d) {
+    d.help("Blocks of a config that are there several times in a circle: the rollers of a wheel, the sensors of a turret. Its "
+           "members "
+           "are name_0, name_1 ..., each turned about Axis by its share of 360 degrees; in $( ) in it, index is its number.");
+    d.field("Count", &RingFields::count, whole(1, 200000).required(), "How many.");
+    d.field(
+        "Radius", &RingFields::radius, metres().within(0, kFarthestCoordinate).required(),
+        "Distance of the members' frames from the axis. The first one is along x from the centre, along y if that is the axis.");
+    d.field("Axis", &RingFields::axis, direction(), "Direction of the axis of the circle; need not have length 1.");
+    d.field("Pos", &RingFields::pos, position(), "Centre of the circle in the config that it is in.");
+    d.field("HPR", &RingFields::hpr, angles(), "Heading, pitch and roll of the circle with its members.");
+}
+
 void RobotFields::describe(Describe<RobotFields>& d) {
     d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without "
            "joints, "

@@ -68,6 +68,18 @@ struct PartFields : PoseFields {
     std::string mirror = "none";
     static void describe(Describe<PartFields>& d);
 };
+/// Poses are those of one member.
+struct RepeatFields {
+    std::vector<double> count;
+    Triple pos{0, 0, 0}, hpr{0, 0, 0}; ///< m; rad
+    static void describe(Describe<RepeatFields>& d);
+};
+/// The pose is that of the ring's centre.
+struct RingFields {
+    double count = 1, radius = 0;
+    Triple axis{0, 0, 1}, pos{0, 0, 0}, hpr{0, 0, 0}; ///< m; rad
+    static void describe(Describe<RingFields>& d);
+};
 struct GridFields : PoseFields {
     std::vector<double> count, spacing;
     static void describe(Describe<GridFields>& d);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "model/repeat.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -22,7 +23,7 @@ public:
     InstanceReader(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given)
         : m_context(context), m_part(part), m_scope(scope), m_given(given) {}
 
-    Record read(const Part*& config, std::string_view kind, const OverrideNode* outer) {
+    Record read(const Part*& config, std::string_view kind, const OverrideNode* outer, std::size_t member) {
         const Part* likely = likelyConfig();
         ResolveContext::ExtraKeys extra;
         if (likely) {
@@ -41,6 +42,8 @@ public:
         };
         Record record = m_context.read(m_part, m_scope, outer, Origin::Instance, extra);
         config = m_context.configOf(record, m_part, kind);
+        const ResolvedValue* count = m_part.is(Role::Layout) ? record.find("Count") : nullptr;
+        if (count) setIndex(m_scope, member, count->value.numbers);
         if (!config) return record;
         for (const SourceAssignment* a : taken) takeValue(*config, *a);
         return record;
@@ -155,8 +158,8 @@ void InstanceValues::addParam(const std::string& name, GivenValue value) {
 }
 
 Record readInstance(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given, const Part*& config,
-                    std::string_view kind, const OverrideNode* outer) {
-    return InstanceReader(context, part, scope, given).read(config, kind, outer);
+                    std::string_view kind, const OverrideNode* outer, std::size_t member) {
+    return InstanceReader(context, part, scope, given).read(config, kind, outer, member);
 }
 
 void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part& instance,

@@ -11,6 +11,7 @@ class PartPlacement {
 public:
     PartPlacement() = default; ///< as described
     explicit PartPlacement(const PartFields& fields);
+    explicit PartPlacement(const Pose& pose) : m_pose(pose) {}
 
     [[nodiscard]] bool isMirrored() const { return m_axis >= 0; }
 

@@ -4,26 +4,40 @@
 
 #include "model/dotted_path.h"
 #include "model/part_depth.h"
+#include "model/repeat.h"
 #include "schema/value_words.h"
 
 namespace trundle {
 
 namespace {
 
-/// A value that goes one Part further in: what was given through a Param keeps naming what it named.
-std::shared_ptr<const GivenValue> passedIn(const GivenValue& value, bool alsoLiteral) {
+/// A value that goes one Part further in: a name in it keeps naming what it named where it was written.
+std::shared_ptr<const GivenValue> passedIn(const GivenValue& value) {
     auto passed = std::make_shared<GivenValue>(value);
-    for (GivenElement& e : passed->elements) e.level += alsoLiteral || !e.literal;
+    for (GivenElement& e : passed->elements) ++e.level;
     return passed;
 }
 
 /// Lays overrides from outside over those of a Part.
 void lay(const OverrideNode& outside, OverrideNode& own) {
     if (outside.value) {
-        own.value = passedIn(*outside.value, false);
+        own.value = passedIn(*outside.value);
         own.origin = outside.origin;
     }
     for (const auto& [name, node] : outside.children) lay(node, own.children[name]);
+}
+
+/// Lays the overrides of one member of a Repeat over those of all.
+void layMember(const OverrideNode& member, OverrideNode& all) {
+    if (member.value) all.value = member.value, all.origin = member.origin;
+    for (const auto& [name, node] : member.children) layMember(node, all.children[name]);
+}
+
+const GivenValue* firstValue(const OverrideNode& node) {
+    if (node.value) return node.value.get();
+    for (const auto& [name, inner] : node.children)
+        if (const GivenValue* value = firstValue(inner)) return value;
+    return nullptr;
 }
 
 /// An empty chain: no circle, but too deep.
@@ -40,7 +54,20 @@ const Part* PartFrame::find(std::string_view name) const {
     const std::string_view first = firstWord(name);
     if (first != name)
         if (const auto it = inner.find(first); it != inner.end()) return it->second->find(withoutFirstWord(name));
-    return config->findPath(name);
+    const Part* part = config->find(first);
+    return part && part->isRepeat() ? nullptr : config->findPath(name); // what is in a Repeat has the name of a member in front
+}
+
+const PartFrame& PartFrame::holder() const {
+    const PartFrame* at = this;
+    while (at->member) at = at->outer;
+    return *at;
+}
+
+const PartFrame& PartFrame::frameOf(std::string_view name) const {
+    const PartFrame* at = this;
+    while (at->member && !at->find(name)) at = at->outer;
+    return at->find(name) ? *at : *this;
 }
 
 PartExpansion::PartExpansion(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides)
@@ -55,18 +82,92 @@ PartExpansion::PartExpansion(ResolveContext& context, const Part& config, ParamS
 
 void PartExpansion::expand(PartFrame& frame) {
     for (const Part& part : frame.config->parts) {
-        if (part.isPartUse()) {
-            if (part.usable) expandUse(part, frame);
+        if (isFull()) return;
+        if (part.isPartUse() || part.isRepeat()) {
+            if (part.usable) part.isRepeat() ? expandRepeat(part, frame) : expandUse(part, frame);
             continue;
         }
-        if (m_parts.size() >= kMaxObjects && !m_isFull) {
-            m_isFull = true;
-            m_context.diagnostics.error(Code::TooManyObjects, m_frames.front().config->nameRange(),
-                                        m_frames.front().config->title() + " would hold more than 200000 objects");
-        }
-        if (m_isFull) return;
-        if (frame.use) checkContent(part, frame);
+        if (frame.holder().use) checkContent(part, frame.holder());
         m_parts.push_back({&part, &frame});
+    }
+}
+
+bool PartExpansion::isFull() {
+    if (m_isFull || m_parts.size() + m_frames.size() <= kMaxObjects) return m_isFull;
+    m_context.diagnostics.error(Code::TooManyObjects, m_frames.front().config->nameRange(),
+                                m_frames.front().config->title() + " would hold more than 200000 objects");
+    return m_isFull = true;
+}
+
+void PartExpansion::expandRepeat(const Part& repeat, PartFrame& outer) {
+    const OverrideNode* outside = below(outer.overrides, repeat.name);
+    const OverrideNode* set = below(outside, "Count");
+    ParamScope own(outer.scope);
+    own.declare(repeat.params);
+    const std::size_t first = m_context.diagnostics.all().size();
+    const std::vector<double> counts =
+        countsOf(repeat, m_context.evaluator, own, set ? set->value.get() : nullptr, m_context.diagnostics);
+    nameUses(first, outer);
+    const std::size_t count = memberCount(counts);
+    checkMembers(repeat, outer, count);
+    if (count == 0) (void)expandMember(repeat, outer, 0, {}); // for its diagnostics
+    for (std::size_t member = 0; member < count && !isFull(); ++member)
+        if (!expandMember(repeat, outer, member, counts)) return;
+}
+
+/// False, with diagnostics, if the values of the Repeat are not complete.
+bool PartExpansion::expandMember(const Part& repeat, PartFrame& outer, std::size_t member, const std::vector<double>& counts) {
+    const std::size_t first = m_context.diagnostics.all().size();
+    PartFrame& frame = m_frames.emplace_back();
+    frame.config = frame.use = &repeat;
+    frame.outer = &outer;
+    frame.member = member;
+    frame.isOpen = outer.isOpen;
+    const std::string name = repeat.name + "_" + std::to_string(member);
+    frame.prefix = outer.prefix + name + ".";
+    ParamScope& numbers = m_scopes.emplace_back(outer.scope);
+    setIndex(numbers, member, counts);
+    frame.scope = &m_scopes.emplace_back(&numbers);
+    frame.scope->declare(repeat.params);
+    frame.overrides = below(outer.overrides, repeat.name);
+    if (const OverrideNode* one = below(outer.overrides, name)) {
+        OverrideNode& both = m_overrides.emplace_back();
+        if (frame.overrides) both = *frame.overrides;
+        layMember(*one, both);
+        frame.overrides = &both;
+    }
+    m_context.evaluator.checkAll(*frame.scope);
+    const Record record = m_context.read(repeat, *frame.scope, frame.overrides, Origin::Config);
+    const bool isRing = repeat.kind->name == "Ring";
+    const RingFields ring = isRing && record.complete ? fieldsFrom<RingFields>(record) : RingFields{};
+    const bool hasAxis = Vec3(ring.axis.data()).norm() > 1e-9;
+    if (!hasAxis)
+        m_context.diagnostics.error(Code::BadJoint, record.rangeOf("Axis", repeat.nameRange()),
+                                    "the Axis of " + repeat.title() + " is zero, it has no direction");
+    nameUses(first, frame);
+    if (!record.complete || counts.empty() || !hasAxis) return false;
+    if (isRing) frame.placement = PartPlacement(memberPose(ring, member));
+    else {
+        const RepeatFields f = fieldsFrom<RepeatFields>(record);
+        frame.placement = PartPlacement(poseOf(f.pos, f.hpr));
+    }
+    outer.inner.emplace(name, &frame);
+    expand(frame);
+    return true;
+}
+
+/// Reports overrides of members that there are not.
+void PartExpansion::checkMembers(const Part& repeat, const PartFrame& outer, std::size_t count) {
+    if (!outer.overrides || count == 0) return;
+    for (auto it = outer.overrides->children.lower_bound(repeat.name + "_"); it != outer.overrides->children.end(); ++it) {
+        const std::optional<MemberName> member = memberName(it->first);
+        if (!it->first.starts_with(repeat.name + "_")) break;
+        const GivenValue* value =
+            member && member->stem == repeat.name && member->index >= count ? firstValue(it->second) : nullptr;
+        if (!value) continue;
+        m_context.diagnostics.error(Code::NoSuchPath, value->range,
+                                    repeat.title() + " has no member " + it->first + "; the last one is " + repeat.name + "_" +
+                                        std::to_string(count - 1));
     }
 }
 
@@ -108,11 +209,11 @@ bool PartExpansion::takeParams(PartFrame& frame, const OverrideNode* outside, Pa
         const OverrideNode* node = below(outside, name);
         const auto own = std::ranges::find_if(frame.given.params, [&](const auto& given) { return given.first == name; });
         if (node && node->value) {
-            std::shared_ptr<GivenValue> value = std::make_shared<GivenValue>(*passedIn(*node->value, true));
+            std::shared_ptr<GivenValue> value = std::make_shared<GivenValue>(*passedIn(*node->value));
             value->fromParam = true;
             scope.preset(name, *value);
         } else if (own != frame.given.params.end()) {
-            scope.preset(name, *passedIn(own->second, true));
+            scope.preset(name, *passedIn(own->second));
         } else if (frame.use->assignments.find(name)) {
             good = false; // it is reported, or comes from outside of a PartConfig by itself
         } else if (param.required && param.value->elements.empty() && !m_context.brokenText(frame.use->range)) {
@@ -130,7 +231,8 @@ bool PartExpansion::takeParams(PartFrame& frame, const OverrideNode* outside, Pa
 
 bool PartExpansion::isCircle(const PartFrame& outer, const Part& config, SourceRange place) {
     std::vector<const Part*> chain;
-    for (const PartFrame* at = &outer; at; at = at->outer) chain.insert(chain.begin(), at->config);
+    for (const PartFrame* at = &outer; at; at = at->outer)
+        if (!at->member) chain.insert(chain.begin(), at->config);
     const auto begin = std::ranges::find(chain, &config);
     if (begin == chain.end() && chain.size() <= kDeepestParts) return false;
     std::string text;
@@ -161,20 +263,39 @@ void PartExpansion::checkContent(const Part& part, const PartFrame& frame) {
 
 void PartExpansion::nameUses(std::size_t first, const PartFrame& frame) {
     if (m_context.diagnostics.all().size() == first) return;
-    for (const PartFrame* at = &frame; at->use; at = at->outer)
-        nameInstance(m_context, first, at->given, *at->use, "used here by " + at->use->title());
+    for (const PartFrame* at = &frame; at->use; at = at->outer) {
+        if (!at->member) {
+            nameInstance(m_context, first, at->given, *at->use, "used here by " + at->use->title());
+            continue;
+        }
+        for (std::size_t i = first; *at->member > 0 && i < m_context.diagnostics.all().size(); ++i)
+            m_context.diagnostics.at(i).notes.emplace_back("in its member " + at->use->name + "_" + std::to_string(*at->member),
+                                                           at->use->nameRange());
+    }
 }
 
 double ConfigSizes::of(const Part& config) {
     const auto [it, isNew] = m_known.try_emplace(&config, 1); // of a circle, what is known so far
     if (!isNew) return it->second;
-    const double size = count(config);
+    ParamScope scope(&m_context.globals);
+    scope.declare(config.params);
+    const double size = count(config, scope);
     return m_known[&config] = size;
 }
 
-double ConfigSizes::count(const Part& part) {
+double ConfigSizes::count(const Part& part, ParamScope& scope) {
     double size = 1;
-    for (const Part& inner : part.parts) size += inner.config ? 1 + of(*inner.config) : count(inner);
+    for (const Part& inner : part.parts) {
+        if (!inner.isRepeat()) {
+            size += inner.config ? 1 + of(*inner.config) : count(inner, scope);
+            continue;
+        }
+        ParamScope own(&scope);
+        own.declare(inner.params);
+        const std::vector<double> counts = countsOf(inner, m_evaluator, own, nullptr, m_silent);
+        setIndex(own, 0, counts);
+        size += static_cast<double>(memberCount(counts)) * count(inner, own);
+    }
     return size;
 }
 

@@ -3,27 +3,35 @@
 // with the name of the Part in front. Private to core/model.
 
 #include <deque>
+#include <set>
 
 #include "model/resolve/instance_values.h"
 #include "model/resolve/mirror.h"
 
 namespace trundle {
 
-/// The blocks of one config: the config that is resolved, or what one Part in it uses. Names are looked up in it.
+/// The blocks of one config: the config that is resolved, what one Part in it uses, or one member of a Repeat. Names are looked up in
+/// it, and those that a member of a Repeat does not have around it.
 struct PartFrame {
-    const Part* config = nullptr;
-    const Part* use = nullptr;        ///< the Part; nullptr: it is the config that is resolved
+    const Part* config = nullptr;     ///< of a member of a Repeat the Repeat itself
+    const Part* use = nullptr;        ///< the Part or Repeat; nullptr: it is the config that is resolved
     const PartFrame* outer = nullptr; ///< of the config that holds the Part
     std::string prefix;               ///< of its names: "left."
     ParamScope* scope = nullptr;      ///< the Params of the config
     const OverrideNode* overrides = nullptr;
     bool isOpen = false; ///< a PartConfig by itself: what is outside is not known
     PartPlacement placement;
-    InstanceValues given; ///< by the Part
+    InstanceValues given;              ///< by the Part
+    std::optional<std::size_t> member; ///< of a Repeat
     std::map<std::string, const PartFrame*, std::less<>> inner;
 
     /// What has that name: "wheel", "left.wheel", "chassis.bumper"; nullptr if there is nothing.
     [[nodiscard]] const Part* find(std::string_view name) const;
+    /// The frame of the Part, or of the config that is resolved, that a member of a Repeat is in; else itself.
+    [[nodiscard]] const PartFrame& holder() const;
+    /// The frame in which a name written in it is found: itself, or one around a member of a Repeat.
+    [[nodiscard]] const PartFrame& frameOf(std::string_view name) const;
+    [[nodiscard]] bool isRepeated() const { return member || (outer && outer->isRepeated()); }
 };
 
 /// A block that is resolved, and the frame that it is described in.
@@ -59,16 +67,22 @@ public:
     /// Calls `resolve` for every usable block of a role; what is reported meanwhile names the Parts that it is used by.
     template <class Resolve> void each(Role role, const Resolve& resolve) {
         for (const ExpandedPart& part : m_parts) {
-            if (!part.part->usable || !part.part->is(role)) continue;
-            const std::size_t first = m_context.diagnostics.all().size();
+            const bool isRepeated = part.frame->isRepeated();
+            if (!part.part->usable || !part.part->is(role) || (isRepeated && m_faulty.contains(part.part))) continue;
+            const std::size_t first = m_context.diagnostics.all().size(), errors = m_context.diagnostics.errorCount();
             resolve(part);
             nameUses(first, *part.frame);
+            if (isRepeated && m_context.diagnostics.errorCount() > errors) m_faulty.insert(part.part);
         }
     }
 
 private:
     void expand(PartFrame& frame);
     void expandUse(const Part& use, PartFrame& outer);
+    void expandRepeat(const Part& repeat, PartFrame& outer);
+    [[nodiscard]] bool expandMember(const Part& repeat, PartFrame& outer, std::size_t member, const std::vector<double>& counts);
+    void checkMembers(const Part& repeat, const PartFrame& outer, std::size_t count);
+    [[nodiscard]] bool isFull();
     [[nodiscard]] bool takeParams(PartFrame& frame, const OverrideNode* outside, ParamScope& scope);
     [[nodiscard]] bool isCircle(const PartFrame& outer, const Part& config, SourceRange place);
     void checkContent(const Part& part, const PartFrame& frame);
@@ -80,15 +94,23 @@ private:
     std::deque<ParamScope> m_scopes;
     std::deque<OverrideNode> m_overrides;
     std::vector<ExpandedPart> m_parts;
+    std::set<const Part*> m_faulty; ///< blocks of Repeats with errors: the other members would repeat them
 };
 
 /// Counts the objects of configs with those of their Parts, without expanding them.
 class ConfigSizes {
 public:
+    explicit ConfigSizes(ResolveContext& context) : m_context(context), m_evaluator(context.texts, m_silent) {}
+
+    /// With the config's own values of its Params.
     [[nodiscard]] double of(const Part& config);
 
 private:
-    [[nodiscard]] double count(const Part& part);
+    [[nodiscard]] double count(const Part& part, ParamScope& scope);
+
+    ResolveContext& m_context;
+    Diagnostics m_silent;
+    Evaluator m_evaluator;
     std::map<const Part*, double> m_known;
 };
 

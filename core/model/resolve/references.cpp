@@ -32,7 +32,7 @@ public:
     FittingNames(const Property& property, bool geoms) : m_property(property), m_geoms(geoms) {}
 
     std::vector<std::string> in(const PartFrame& frame) {
-        add(*frame.config, "", 0);
+        for (const PartFrame* at = &frame; at; at = at->member ? at->outer : nullptr) add(*at->config, "", 0);
         if (std::count(m_property.choices.begin(), m_property.choices.end(), "world")) m_names.push_back("world");
         return std::move(m_names);
     }
@@ -43,6 +43,10 @@ private:
         constexpr int kDeepest = 8;
         for (const Part& part : config.parts) {
             if (m_names.size() > kMost || depth > kDeepest) return;
+            if (part.isRepeat()) {
+                add(part, prefix + part.name + "_0.", depth + 1);
+                continue;
+            }
             if (part.kind && !part.name.empty() && kindFits(part, m_property.choices)) m_names.push_back(prefix + part.name);
             if (part.config) add(*part.config, prefix + part.name + ".", depth + 1);
             if (!m_geoms || !part.is(Role::Body)) continue;
@@ -60,11 +64,16 @@ private:
 /// name something of the part or of what uses it.
 const PartFrame& frameOf(const PartFrame& frame, const std::string& name, const GivenElement* given) {
     const PartFrame* at = &frame;
-    for (std::uint32_t level = given ? given->level : 0; level > 0 && at->outer; --level) at = at->outer;
-    if (!given || given->level > 0 || given->literal) return *at;
+    for (std::uint32_t level = given ? given->level : 0; level > 0 && at->holder().outer; --level) at = at->holder().outer;
+    if (given && given->literal) { // of an override: it may also name what is further in, in the Part that it sets a value of
+        if (at->frameOf(name).find(name)) return at->frameOf(name);
+        for (const PartFrame* inner = &frame; inner && inner != at; inner = inner->outer)
+            if (inner->find(name)) return *inner;
+    }
+    if (!given || given->level > 0 || given->literal) return at->frameOf(name);
     for (const PartFrame* outer = at; outer; outer = outer->outer)
         if (outer->find(name)) return *outer;
-    return *at;
+    return at->holder();
 }
 
 } // namespace
@@ -111,7 +120,7 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
     const std::size_t before = diagnostics.all().size();
     if (!part) {
         if (frame.isOpen && given) return false; // it may name something where the part is used
-        const Part* first = frame.config->find(firstWord(name));
+        const Part* first = frame.frameOf(firstWord(name)).config->find(firstWord(name));
         const bool unknown = first && (!first->kind || (first->isPartUse() && !first->config));
         if (unknown && firstWord(name) != name) return false; // reported at its block
         unknownReference(property.name, what, name, range, literal,

@@ -87,7 +87,8 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
     const bool bodies = std::ranges::any_of(expansion.parts(), [](const ExpandedPart& part) {
         return part.part->is(Role::Body) || part.part->is(Role::Geom) || !part.part->kind;
     });
-    const bool hasUses = std::ranges::any_of(config.parts, [](const Part& part) { return part.isPartUse() && !part.config; });
+    const bool hasUses =
+        std::ranges::any_of(config.parts, [](const Part& part) { return part.isRepeat() || (part.isPartUse() && !part.config); });
     if (!bodies && !hasUses && !context.brokenText(config.range)) {
         context.diagnostics.error(Code::MissingRequired, config.nameRange(),
                                   config.title() + " needs a Body: the first one carries the robot's pose");

@@ -91,7 +91,7 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
             validated[i] = true;
             record.values[i] = readGiven(p, *node->value, node->origin);
             if (!record.values[i]) record.complete = false;
-            if (node->value->fromParam && p.type == PropertyType::Reference) record.names.emplace(i, *node->value);
+            if (p.type == PropertyType::Reference) record.names.emplace(i, *node->value);
         }
         if (record.values[i]) continue;
         if (p.defaultValue)

@@ -4,6 +4,8 @@
 
 #include "base/spelling.h"
 #include "model/kinds/world_fields.h"
+#include "model/repeat.h"
+#include "model/resolve/footprint.h"
 #include "model/resolve/instance_variants.h"
 #include "model/resolve/resolve_steps.h"
 #include "schema/value_reader.h"
@@ -12,6 +14,12 @@
 namespace trundle {
 
 namespace {
+
+double objectsOf(const RobotConfigSpec& config) {
+    std::size_t objects = config.bodies.size() + config.joints.size() + config.devices.size();
+    for (const BodySpec& body : config.bodies) objects += body.geoms.size();
+    return static_cast<double>(objects);
+}
 
 class Instances {
 public:
@@ -77,8 +85,9 @@ private:
             if (part->kind->name == "PartConfig") checkPartConfig(m_context, *part);
     }
 
-    Record read(const Part& part, ParamScope& scope, InstanceValues& given, const Part*& config, std::string_view kind) {
-        Record record = readInstance(m_context, part, scope, given, config, kind);
+    Record read(const Part& part, ParamScope& scope, InstanceValues& given, const Part*& config, std::string_view kind,
+                std::size_t member = 0) {
+        Record record = readInstance(m_context, part, scope, given, config, kind, nullptr, member);
         for (const auto& [name, value] : config&& m_params ? *m_params : InstanceVariants::Params{}) given.addParam(name, value);
         return record;
     }
@@ -109,8 +118,8 @@ private:
     }
 
     /// Checks the object count before anything is built; false, with a diagnostic, if there would be too many.
-    bool roomFor(const Part& part, const Part& config, double members, SourceRange place) {
-        m_objects += members * m_sizes.of(config);
+    bool roomFor(const Part& part, double objects, SourceRange place) {
+        m_objects += objects;
         if (m_objects <= static_cast<double>(kMaxObjects) && !m_tooMany) return true;
         if (!m_tooMany) {
             m_context.diagnostics.error(Code::TooManyObjects, place,
@@ -127,10 +136,12 @@ private:
         InstanceValues given;
         const Part* config = nullptr;
         const Record record = read(part, scope, given, config, "StaticConfig");
-        if (!config || !record.complete || !roomFor(part, *config, 1, part.nameRange())) return;
+        if (!config || !record.complete || !roomFor(part, m_sizes.of(*config), part.nameRange())) return;
         const StaticFields f = fieldsFrom<StaticFields>(record);
-        m_context.out.statics.push_back(
-            {part.name, config->name, poseOf(f.pos, f.hpr), staticConfig(*config, given), part.range, part.nameRange()});
+        const std::shared_ptr<const std::vector<GeomSpec>> geoms = staticConfig(*config, given);
+        const double more = static_cast<double>(geoms->size()) - m_sizes.of(*config);
+        if (more > 0 && !roomFor(part, more, part.nameRange())) return;
+        m_context.out.statics.push_back({part.name, config->name, poseOf(f.pos, f.hpr), geoms, part.range, part.nameRange()});
     }
 
     std::optional<ComponentSpec> controller(const Part& part, ParamScope& scope, const Part* config) {
@@ -145,54 +156,78 @@ private:
         return std::nullopt;
     }
 
-    double memberCount(const Part& part, const Record& record) {
-        if (!part.is(Role::Layout)) return 1;
-        double count = 1;
-        if (const ResolvedValue* value = record.find("Count"))
-            for (double n : value->value.numbers) count *= n;
-        return count;
+    /// What a Robot, or one member of a Grid or Scatter, is made of.
+    struct Described {
+        Record record;
+        InstanceValues given;
+        const Part* config = nullptr;
+        std::optional<ComponentSpec> brain;
+        bool isNumbered = false; ///< other members differ: their number is used
+        std::shared_ptr<const RobotConfigSpec> spec;
+    };
+
+    Described describe(const Part& part, std::size_t member) {
+        Described d;
+        ParamScope scope(&m_context.globals);
+        scope.declare(part.params);
+        m_context.evaluator.checkAll(scope);
+        d.record = read(part, scope, d.given, d.config, "RobotConfig", member);
+        d.brain = controller(part, scope, d.config);
+        d.isNumbered = isIndexUsed(scope);
+        return d;
+    }
+
+    /// False if there would be too many objects, or the robot has no body.
+    bool resolveMember(const Part& part, Described& d) {
+        d.spec = robotConfig(*d.config, d.given);
+        const double more = objectsOf(*d.spec) - m_sizes.of(*d.config); // Repeats may have more members than by default
+        return !d.spec->bodies.empty() && (more <= 0 || roomFor(part, more, part.nameRange()));
     }
 
     void addRobots(const Part& part) {
         m_instance = &part;
-        ParamScope scope(&m_context.globals);
-        scope.declare(part.params);
-        m_context.evaluator.checkAll(scope);
-        InstanceValues given;
-        const Part* config = nullptr;
-        const Record record = read(part, scope, given, config, "RobotConfig");
-        const std::optional<ComponentSpec> brain = controller(part, scope, config);
-        const Kind* kind = brain ? m_context.registry.find(brain->kind) : nullptr;
-        const std::vector<SignalDescription> published = kind ? kind->signals : std::vector<SignalDescription>();
-        if (!config || !record.complete) return;
-        const double members = memberCount(part, record);
-        if (!roomFor(part, *config, members, record.rangeOf("Count", part.nameRange()))) return;
-        const std::shared_ptr<const RobotConfigSpec> spec = robotConfig(*config, given);
-        if (spec->bodies.empty()) return; // reported
-        if (!part.is(Role::Layout)) {
-            const RobotFields f = fieldsFrom<RobotFields>(record);
-            m_context.out.robots.push_back(
-                {part.name, poseOf(f.pos, f.hpr), spec, brain, part.range, part.nameRange(), published});
-            return;
+        std::vector<Described> all;
+        all.push_back(describe(part, 0));
+        if (!all[0].config || !all[0].record.complete) return;
+        const std::size_t members = part.is(Role::Layout) ? memberCount(all[0].record.find("Count")->value.numbers) : 1;
+        const SourceRange place = all[0].record.rangeOf("Count", part.nameRange());
+        if (!roomFor(part, static_cast<double>(members) * m_sizes.of(*all[0].config), place)) return;
+        if (!resolveMember(part, all[0])) return; // reported
+        for (std::size_t i = 1; all[0].isNumbered && i < members; ++i) {
+            all.push_back(describe(part, i));
+            if (!all[i].config || !resolveMember(part, all[i])) return;
         }
-        const std::vector<Pose> poses =
-            part.kind->name == "Grid" ? gridPoses(m_context, part, record) : scatterPoses(m_context, part, record, *spec);
+        const std::vector<Pose> poses = posesOf(part, all);
         for (std::size_t i = 0; i < poses.size(); ++i) {
-            std::string name = part.name + "_" + std::to_string(i);
-            if (const Part* other = m_context.outline.world.find(name)) {
-                Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, other->nameRange(),
+            const Described& d = all.size() > 1 ? all[i] : all[0];
+            const std::string name = part.is(Role::Layout) ? part.name + "_" + std::to_string(i) : part.name;
+            if (const Part* other = m_context.outline.world.find(name); other && other != &part) {
+                Diagnostic& e = m_context.diagnostics.error(Code::DuplicateName, other->nameRange(),
                                                             "the name " + name + " belongs to a member of " + part.title());
-                d.notes.push_back({"defined here", part.nameRange()});
+                e.notes.push_back({"defined here", part.nameRange()});
                 continue;
             }
-            m_context.out.robots.push_back({std::move(name), poses[i], spec, brain, part.range, part.nameRange(), published});
+            const Kind* kind = d.brain ? m_context.registry.find(d.brain->kind) : nullptr;
+            m_context.out.robots.push_back({name, poses[i], d.spec, d.brain, part.range, part.nameRange(),
+                                            kind ? kind->signals : std::vector<SignalDescription>()});
         }
+    }
+
+    std::vector<Pose> posesOf(const Part& part, const std::vector<Described>& all) {
+        const Record& record = all[0].record;
+        if (part.kind->name == "Grid") return gridPoses(m_context, part, record);
+        if (!part.is(Role::Layout)) {
+            const RobotFields f = fieldsFrom<RobotFields>(record);
+            return {poseOf(f.pos, f.hpr)};
+        }
+        const auto largest = std::ranges::max_element(all, {}, [](const Described& d) { return discOf(*d.spec).radius; });
+        return scatterPoses(m_context, part, record, *largest->spec);
     }
 
     ResolveContext& m_context;
     std::map<std::string, std::shared_ptr<const RobotConfigSpec>> m_robots;
     std::map<std::string, std::shared_ptr<const std::vector<GeomSpec>>> m_statics;
-    ConfigSizes m_sizes;
+    ConfigSizes m_sizes{m_context};
     const Part* m_instance = nullptr;                   ///< whose config is being resolved
     const InstanceVariants::Params* m_params = nullptr; ///< values from outside; null: none
     double m_objects = 0;

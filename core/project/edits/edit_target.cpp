@@ -65,8 +65,10 @@ std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& co
     std::vector<const Part*> instances;
     for (const auto& part : loaded.outline->parts) {
         if (isPlaced(*part) && configOf(loaded, *part) == &config) instances.push_back(part.get());
-        for (const Part& inner : part->parts)
-            if (inner.config == &config) instances.push_back(&inner);
+        if (part->is(Role::Config))
+            eachPartUse(*part, [&](const Part& use) {
+                if (use.config == &config) instances.push_back(&use);
+            });
     }
     return instances;
 }

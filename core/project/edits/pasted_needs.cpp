@@ -12,8 +12,10 @@ namespace trundle {
 /// Names visible inside a block.
 struct PastedBlocks::PasteContext {
     std::set<std::string> params;
-    const BlockItem* pastedConfig = nullptr; ///< set inside a config that is pasted as a whole
-    const Part* config = nullptr;            ///< set if the target is this config
+    const BlockItem* pastedConfig = nullptr;     ///< set inside a config that is pasted as a whole
+    const Part* config = nullptr;                ///< set if the target is this config
+    std::vector<const BlockItem*> pastedRepeats; ///< around the value
+    std::vector<const Part*> repeats;            ///< the same, of the target
 };
 
 namespace {
@@ -35,6 +37,11 @@ const BlockItem* blockNamed(const BlockItem& holder, const std::string& name) {
     return nullptr;
 }
 
+bool isIn(const BlockItem& repeat, const std::string& name) { return blockNamed(repeat, name); }
+bool isIn(const Part& repeat, const std::string& name) { return repeat.find(name); }
+
+void addIndex(std::set<std::string>& params) { params.insert({"index", "index2"}); }
+
 } // namespace
 
 bool PastedBlocks::leadsSomewhere(const LoadedProject& loaded, const Entry& entry, const Kind& kind, const Property& property,
@@ -50,6 +57,11 @@ bool PastedBlocks::leadsSomewhere(const LoadedProject& loaded, const Entry& entr
     }
     if (!local) return false;
     const std::string first(firstWord(word));
+    const auto hasFirst = [&](const auto* repeat) { return isIn(*repeat, first); };
+    if (std::ranges::any_of(seen.pastedRepeats, hasFirst) || std::ranges::any_of(seen.repeats, hasFirst)) return true;
+    if (const auto member = memberName(first);
+        member && seen.pastedConfig && blockNamed(*seen.pastedConfig, std::string(member->stem)))
+        return true;
     if (seen.pastedConfig) return blockNamed(*seen.pastedConfig, first);
     if (!seen.config || named(loaded, entry, property, first)) return true;
     const Part* part = seen.config->find(first);
@@ -63,6 +75,8 @@ std::string PastedBlocks::missingIn(const LoadedProject& loaded, const Entry& en
         if (const auto* param = item.as<ParamItem>()) seen.params.insert(param->name.text);
         else if (item.as<ImportItem>()) return {}; // the imported file may define anything
     if (kind && kind->role == Role::Config) seen.pastedConfig = &block;
+    if (kind && kind->role == Role::Repeat) seen.pastedRepeats.push_back(&block);
+    if (kind && (kind->role == Role::Repeat || kind->role == Role::Layout)) addIndex(seen.params);
     for (const Item& item : block.items) {
         std::string found;
         if (const auto* inner = item.as<BlockItem>()) found = missingIn(loaded, entry, *inner, seen);
@@ -91,6 +105,8 @@ std::string PastedBlocks::missing(const LoadedProject& loaded, const Entry& entr
     for (const Part* part : round) {
         for (const SourceParam& p : part->params) seen.params.insert(p.name->text);
         if (part->is(Role::Config)) seen.config = part;
+        if (part->isRepeat()) seen.repeats.push_back(part);
+        if (part->isRepeat() || part->is(Role::Layout)) addIndex(seen.params);
         if (isPlaced(*part)) seen.config = configOf(loaded, *part);
     }
     return missingIn(loaded, entry, *entry.block, seen);

@@ -46,10 +46,11 @@ Result<std::vector<Chosen>> chosen(const LoadedProject& loaded, const std::vecto
 
 namespace {
 
-/// Geoms directly in a PartConfig are scenery; it then has no bodies, joints and devices.
+/// Geoms directly in a PartConfig or Repeat are scenery; it then has no bodies, joints and devices.
 bool mixesScenery(const Kind& kind, const Part& config) {
     const auto isOfRobot = [](Role role) { return role == Role::Body || role == Role::Joint || role == Role::Device; };
     return std::ranges::any_of(config.parts, [&](const Part& part) {
+        if (part.isRepeat()) return mixesScenery(kind, part);
         return part.kind &&
                (kind.role == Role::Geom ? isOfRobot(part.kind->role) : isOfRobot(kind.role) && part.kind->role == Role::Geom);
     });
@@ -58,7 +59,8 @@ bool mixesScenery(const Kind& kind, const Part& config) {
 } // namespace
 
 bool isAllowedIn(const Kind& kind, const Part* parent) {
-    if (parent && parent->block->type.text == "PartConfig" && mixesScenery(kind, *parent)) return false;
+    const bool canBeScenery = parent && (parent->block->type.text == "PartConfig" || parent->isRepeat());
+    if (canBeScenery && mixesScenery(kind, *parent)) return false;
     return isAllowedInside(kind, parent ? std::string_view(parent->block->type.text) : std::string_view());
 }
 

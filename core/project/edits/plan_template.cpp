@@ -96,11 +96,12 @@ private:
         if (kind.role == Role::Body)
             text += position(*m_loaded.registry->find("Box"), target) + " Box box { Size=0.1,0.1,0.1" +
                     looks(*m_loaded.registry->find("Box"), nullptr) + " Mass=0.1 }";
+        if (kind.name == "Repeat") text += " Pos=$(0.2*index),0,0";
         if (kind.name == "RobotConfig")
             text += "\n  Body chassis { Box hull { Size=0.2,0.2,0.1 Pos=0,0,0.05" + looks(kind, nullptr) + " Mass=1 } }\n";
-        else if (kind.name == "PartConfig" && !isScenery())
+        else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery(target)))
             text += "\n  Body body { Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
-        else if (kind.name == "StaticConfig" || kind.name == "PartConfig")
+        else if (kind.name == "StaticConfig" || kind.name == "PartConfig" || kind.role == Role::Repeat)
             text += "\n  Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1" + looks(kind, nullptr) + " }\n";
         else text += " ";
         m_texts.push_back(text + "}");
@@ -126,7 +127,7 @@ private:
 
     std::string value(const Kind& kind, const Property& p, const std::string& name, int depth) {
         if (kind.name == "Scatter" && p.name == "Area") return "-1,-1,1,1";
-        if (kind.role == Role::Layout && p.name == "Count") return "3";
+        if ((kind.role == Role::Layout || kind.role == Role::Repeat) && p.name == "Count") return "3";
         if (kind.role == Role::Layout && p.name == "Spacing") return "1";
         switch (p.type) {
         case PropertyType::Reference: return reference(kind, p, depth);
@@ -183,6 +184,12 @@ private:
         return names;
     }
 
+    /// Whether a Repeat in it is for geoms without a body.
+    bool holdsScenery(const Part* target) const {
+        const auto isGeom = [](const Part& part) { return part.is(Role::Geom); };
+        return isScenery() || (target && !target->parts.empty() && std::ranges::any_of(target->parts, isGeom));
+    }
+
     bool isScenery() const { return m_config && m_config->kind->name == "StaticConfig"; }
 
     /// Values for the Params by which a PartConfig is joined to what is outside of it: the first body of the config.
@@ -202,11 +209,16 @@ private:
     /// Whether a Part in the config can use a PartConfig: not itself in it, and of geoms alone in scenery.
     bool fitsPart(const Part& part) const {
         const auto contains = [&](const auto& self, const Part& config) -> bool {
-            return &config == m_config ||
-                   std::ranges::any_of(config.parts, [&](const Part& p) { return p.config && self(self, *p.config); });
+            bool isFound = &config == m_config;
+            eachPartUse(config, [&](const Part& use) { isFound = isFound || (use.config && self(self, *use.config)); });
+            return isFound;
         };
-        const auto fits = [&](const Part& p) { return p.usable && (isScenery() ? p.is(Role::Geom) : !p.is(Role::Geom)); };
-        return !contains(contains, part) && !part.parts.empty() && std::ranges::all_of(part.parts, fits);
+        const auto fits = [&](const auto& self, const Part& p) -> bool {
+            if (p.isRepeat()) return std::ranges::all_of(p.parts, [&](const Part& inner) { return self(self, inner); });
+            return p.usable && (isScenery() ? p.is(Role::Geom) : !p.is(Role::Geom));
+        };
+        return !contains(contains, part) && !part.parts.empty() &&
+               std::ranges::all_of(part.parts, [&](const Part& p) { return fits(fits, p); });
     }
 
     /// A RobotConfig needs a body to be usable.

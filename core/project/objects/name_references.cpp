@@ -34,9 +34,8 @@ public:
     std::vector<NameReference> run() {
         for (const auto& part : m_outline.parts) {
             if (isPlaced(*part))
-                if (const Part* config = configOf(m_loaded, *part)) m_instances[config].push_back({part.get(), nullptr});
-            for (const Part& inner : part->parts)
-                if (inner.config) m_instances[inner.config].push_back({&inner, part.get()});
+                if (const Part* config = configOf(m_loaded, *part)) m_instances[config].push_back({part.get(), nullptr, {}});
+            collectUses(*part, *part, {});
         }
         m_globals = NameScope(m_texts, m_texts.trees[0]->items(), 0, nullptr);
         values(m_texts.trees[0]->items(), 0, {nullptr, m_outline.registry().find("settings"), nullptr, nullptr}, m_globals);
@@ -45,23 +44,42 @@ public:
     }
 
 private:
+    using Repeats = std::vector<const Part*>; ///< around a place, outermost first
     /// The block whose values are searched.
     struct ValueContext {
         const Part* user = nullptr;
         const Kind* kind = nullptr;
         const Part* config = nullptr;   ///< the config that its references are resolved in
         const Part* instance = nullptr; ///< set if the block is an instance
+        Repeats repeats = {};           ///< in the config, in which its references are resolved first
     };
+    struct Use {
+        const Part* instance = nullptr;
+        const Part* owner = nullptr; ///< the config that a Part is in
+        Repeats repeats = {};
+    };
+
+    void collectUses(const Part& holder, const Part& config, const Repeats& repeats) {
+        for (const Part& inner : holder.parts) {
+            if (inner.config) m_instances[inner.config].push_back({&inner, &config, repeats});
+            if (!inner.isRepeat()) continue;
+            Repeats around = repeats;
+            around.push_back(&inner);
+            collectUses(inner, config, around);
+        }
+    }
 
     void visit(const Part& part, const Part* config, const NameScope& outer) {
         const NameScope scope(m_texts, part.block->items, part.file, &outer, part.is(Role::Config) ? &part : nullptr);
         const bool placed = isPlaced(part);
         if (part.is(Role::Config)) config = &part;
         if (placed) config = configOf(m_loaded, part);
-        values(part.block->items, part.file, {&part, part.kind, config, placed ? &part : nullptr}, scope);
+        if (part.isRepeat()) m_repeats.push_back(&part);
+        values(part.block->items, part.file, {&part, part.kind, config, placed ? &part : nullptr, m_repeats}, scope);
         if (part.is(Role::Controller) && config) defaults(part, *config);
         for (const Part& inner : part.parts) visit(inner, config, scope);
         if (part.parts.empty()) raw(part.block->items, part.file, part, config, scope); // invalid blocks have no parts
+        if (part.isRepeat()) m_repeats.pop_back();
     }
 
     /// Searches blocks that are not in the outline; their references count too.
@@ -70,7 +88,7 @@ private:
             const auto* block = item.as<BlockItem>();
             if (!block) continue;
             const NameScope scope(m_texts, block->items, file, &outer);
-            values(block->items, file, {&user, m_outline.registry().find(block->type.text), config, nullptr}, scope);
+            values(block->items, file, {&user, m_outline.registry().find(block->type.text), config, nullptr, m_repeats}, scope);
             raw(block->items, file, user, config, scope);
         }
     }
@@ -103,7 +121,8 @@ private:
         for (std::size_t i = 0; i + 1 < a.path.size(); ++i) {
             at = at->find(a.path[i].text);
             if (!at) return nullptr;
-            m_found.push_back({at->block, nullptr, {file, a.path[i].range}, before, place.user, key, false});
+            const SourceRange word = nameRange(*at, {a.path[i].text, {file, a.path[i].range}});
+            m_found.push_back({at->block, nullptr, word, before, place.user, key, false});
             before = {file, a.path[i].range};
         }
         if (const SourceParam* param = at->config ? at->config->param(a.path.back().text) : nullptr)
@@ -174,14 +193,14 @@ private:
                      const std::string& key, std::set<const Value*>& seen) {
         const auto users = m_instances.find(config);
         if (users == m_instances.end()) return;
-        for (const auto& [instance, owner] : users->second) {
+        for (const auto& [instance, owner, repeats] : users->second) {
             const SourceAssignment* preset = instance->assignments.find(param);
             if (!preset || (instance->kind && instance->kind->find(param))) continue;
             ValueContext there = place;
             NameScope around;
             if (owner) {
                 around = NameScope(m_texts, owner->block->items, owner->file, &m_globals, owner);
-                there = {instance, place.kind, owner, nullptr};
+                there = {instance, place.kind, owner, nullptr, repeats};
             }
             const NameScope own(m_texts, instance->block->items, instance->file, owner ? &around : &m_globals);
             follow(property, *preset->value, preset->file, there, owner ? param : key, own, seen);
@@ -209,16 +228,23 @@ private:
         path(*place.config, said, place, key);
     }
 
+    /// Of "roller_3", a member of a Repeat, the name of the Repeat.
+    static SourceRange nameRange(const Part& part, const ValueWord& word) {
+        return part.isRepeat() && word.text != part.name ? word.piece(0, part.name.size()).range : word.range;
+    }
+
     /// Every word of "left.wheel.tyre" names something.
     void path(const Part& config, const ValueWord& said, const ValueContext& place, const std::string& key,
               bool pattern = false) {
         const Part* at = &config;
+        for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && at == &config && &config == place.config; ++it)
+            if ((*it)->find(firstWord(said.text))) at = *it;
         SourceRange before;
         for (std::size_t begin = 0; begin <= said.text.size();) {
             const ValueWord word = said.piece(begin, firstWord(said.text.substr(begin)).size());
             at = at->find(word.text);
             if (!at) return;
-            add(*at, word.range, before, place, key, pattern);
+            add(*at, nameRange(*at, word), before, place, key, pattern);
             before = word.range;
             begin += word.text.size() + 1;
         }
@@ -283,8 +309,8 @@ private:
     const Outline& m_outline;
     const TextSet& m_texts;
     NameScope m_globals;
-    /// By config: the instances, and the config that a Part is in.
-    std::unordered_map<const Part*, std::vector<std::pair<const Part*, const Part*>>> m_instances;
+    Repeats m_repeats; ///< around the block that is visited
+    std::unordered_map<const Part*, std::vector<Use>> m_instances;
     std::unordered_map<const Name*, const ParamItem*> m_declarations;
     std::vector<NameReference> m_found;
 };

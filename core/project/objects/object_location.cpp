@@ -15,10 +15,15 @@ bool isMember(const LoadedProject& loaded, std::string_view name) {
 /// Descends by name; false if a name is not found.
 bool descend(ObjectLocation& place, const Part& from, std::span<const std::string> words) {
     const Part* at = &from;
+    const std::size_t membersBefore = place.members.size();
     std::vector<const Part*> above;
     for (const std::string& word : words) {
         const Part* next = at->find(word);
-        if (!next) return false;
+        if (!next) {
+            place.members.resize(membersBefore);
+            return false;
+        }
+        if (next->isRepeat() && next->name != word) place.members.emplace_back(next, memberName(word)->index);
         above.push_back(at);
         if (at->config) above.push_back(at->config);
         at = next;
@@ -54,6 +59,7 @@ std::size_t findTop(const LoadedProject& loaded, const std::vector<std::string>&
     }
     place.part = layoutOfMember(outline, words[0]);
     place.member = place.part && isMember(loaded, words[0]);
+    if (place.member) place.members.emplace_back(place.part, memberName(words[0])->index);
     if (!place.member) place.part = nullptr;
     return 1;
 }
@@ -71,6 +77,11 @@ void deepest(const Part& part, FileId file, std::uint32_t offset, std::vector<co
 }
 
 } // namespace
+
+std::optional<std::size_t> ObjectLocation::memberOf(const Part& repeat) const {
+    const auto it = std::ranges::find(members, &repeat, &std::pair<const Part*, std::size_t>::first);
+    return it == members.end() ? std::nullopt : std::optional(it->second);
+}
 
 const Part* configOf(const LoadedProject& loaded, const Part& instance) { return configOf(*loaded.outline, instance); }
 

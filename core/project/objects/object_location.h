@@ -19,6 +19,9 @@ struct ObjectLocation {
     bool member = false; ///< a member of a Grid or Scatter ("swarm_3"), which has no text of its own
     /// The enclosing blocks of `part`, outermost first; empty: it is at the top level. A Part is followed by its PartConfig.
     std::vector<const Part*> above;
+    /// The Repeats, Grids and Scatters of which the path names a member ("roller_3"), and its number.
+    std::vector<std::pair<const Part*, std::size_t>> members;
+    [[nodiscard]] std::optional<std::size_t> memberOf(const Part& part) const;
 };
 
 /// Whether a block is a Robot, Static, Grid, Scatter or Part.

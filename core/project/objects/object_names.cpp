@@ -87,6 +87,9 @@ std::string UsedNames::holder(const std::string& name) const {
         return world && kind && m_loaded.outline->spaceOf(*kind) ? "a kind of block" : "";
     }
     if (const Part* part = m_parent->find(name)) return part->title();
+    for (const Part& part : m_parent->parts)
+        if (m_kind && m_kind->role == Role::Repeat && isMemberOf(part.name, name))
+            return part.title() + ", as a member would be called";
     if (const Part* part = beside(name)) return part->title();
     if (m_parent->is(Role::Config) && m_parent->param(name)) return "Param " + name;
     return {};

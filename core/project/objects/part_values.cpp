@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "lang/characters.h"
+#include "model/repeat.h"
 #include "project/objects/path_scopes.h"
 #include "schema/value_words.h"
 
@@ -68,6 +69,30 @@ Pose poseAt(const LoadedProject& loaded, const ObjectLocation& place) {
     return {triple(valueAt(loaded, place, "Pos")), rotationFromHpr(triple(valueAt(loaded, place, "HPR")))};
 }
 
+namespace {
+
+/// Where a member of a Ring is in the frame that holds the Ring.
+Pose memberPoseAt(const LoadedProject& loaded, const ObjectLocation& place) {
+    const auto number = [&](const char* key, double otherwise) {
+        const std::optional<PropertyValue> value = valueAt(loaded, place, key);
+        return value && !value->numbers.empty() ? value->numbers[0] : otherwise;
+    };
+    const auto numbers = [&](const char* key, Vec3 otherwise) {
+        const std::optional<PropertyValue> value = valueAt(loaded, place, key);
+        if (value && value->numbers.size() == 3) otherwise = triple(value);
+        return Triple{otherwise.x(), otherwise.y(), otherwise.z()};
+    };
+    RingFields ring;
+    ring.count = number("Count", 1);
+    ring.radius = number("Radius", 0);
+    ring.axis = numbers("Axis", Vec3::UnitZ());
+    ring.pos = numbers("Pos", Vec3::Zero());
+    ring.hpr = numbers("HPR", Vec3::Zero());
+    return memberPose(ring, place.memberOf(*place.part).value_or(0));
+}
+
+} // namespace
+
 Pose DescribedFrame::mirrored(const Pose& described) const {
     const Vec3 turned = signs.prod() * signs.cwiseProduct(described.rotation.vec()); // M R M
     const Quat& q = described.rotation;
@@ -77,12 +102,14 @@ Pose DescribedFrame::mirrored(const Pose& described) const {
 DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation& place) {
     DescribedFrame frame;
     for (std::size_t i = 0; i < place.above.size(); ++i) {
-        if (!place.above[i]->isPartUse()) continue;
+        if (!place.above[i]->isPartUse() && !place.above[i]->isRepeat()) continue;
         ObjectLocation use;
         use.part = place.above[i];
         use.instance = place.instance;
+        use.members = place.members;
         use.above.assign(place.above.begin(), place.above.begin() + static_cast<std::ptrdiff_t>(i));
-        frame.pose = frame.pose * frame.mirrored(poseAt(loaded, use));
+        const bool isRing = use.part->kind->name == "Ring";
+        frame.pose = frame.pose * frame.mirrored(isRing ? memberPoseAt(loaded, use) : poseAt(loaded, use));
         const std::optional<PropertyValue> mirror = valueAt(loaded, use, "Mirror");
         const std::string axis = mirror && !mirror->texts.empty() ? mirror->texts[0] : std::string();
         if (axis == "x" || axis == "y" || axis == "z") frame.signs[axis[0] - 'x'] *= -1;

@@ -1,6 +1,7 @@
 #include "project/objects/path_scopes.h"
 
 #include "model/dotted_path.h"
+#include "model/repeat.h"
 
 namespace trundle {
 
@@ -12,17 +13,41 @@ PathScopes::PathScopes(const LoadedProject& loaded, const ObjectLocation& place)
     const bool isReached = place.instance && isPlaced(*place.instance) && !place.instance->isPartUse() && !chain.empty() &&
                            chain.front() != place.instance;
     if (isReached)
-        m_layers.push_back({place.instance, configOf(loaded, *place.instance), inside(m_globals, place.instance->params), {}});
+        m_layers.push_back({place.instance,
+                            configOf(loaded, *place.instance),
+                            enterMember(*place.instance, place.memberOf(*place.instance).value_or(0)),
+                            {},
+                            {}});
     for (const Part* part : chain) {
         if (part->is(Role::Config)) {
             m_scope = enter(*part);
             continue;
         }
-        if (part != chain.front())
-            for (Layer& layer : m_layers) layer.inside = pathInside(layer.inside, part->name);
-        m_scope = inside(m_scope, part->params);
-        if (isPlaced(*part)) m_layers.push_back({part, configOf(loaded, *part), m_scope, {}});
+        if (part != chain.front()) descend(*part, place);
+        m_scope = enterMember(*part, place.memberOf(*part).value_or(0));
+        if (isPlaced(*part)) m_layers.push_back({part, configOf(loaded, *part), m_scope, {}, {}});
     }
+}
+
+void PathScopes::descend(const Part& part, const ObjectLocation& place) {
+    const std::optional<std::size_t> member = place.memberOf(part);
+    for (Layer& layer : m_layers) {
+        layer.inside = pathInside(layer.inside, member ? part.name + "_" + std::to_string(*member) : part.name);
+        layer.insideAll = pathInside(layer.insideAll, part.name);
+    }
+}
+
+/// The Params of a block, and of a Repeat, Grid or Scatter the number of a member.
+ParamScope* PathScopes::enterMember(const Part& part, std::size_t member) {
+    ParamScope* outer = m_scope;
+    if (part.isRepeat() || part.is(Role::Layout)) {
+        ParamScope own(outer);
+        own.declare(part.params);
+        const std::vector<double> counts = countsOf(part, m_evaluator, own, nullptr, m_silent);
+        outer = inside(m_scope, {});
+        setIndex(*outer, member, counts);
+    }
+    return inside(outer, part.params);
 }
 
 ParamScope* PathScopes::inside(ParamScope* outer, const std::vector<SourceParam>& params) {
@@ -56,6 +81,9 @@ std::optional<PathScopes::Override> PathScopes::overrideOf(std::string_view key,
     for (const Layer& layer : m_layers) {
         if (layer.inside.empty() && !isParam) continue;
         if (const SourceAssignment* a = layer.instance->assignments.find(pathInside(layer.inside, key)))
+            return Override{a, &layer};
+        if (layer.insideAll == layer.inside) continue;
+        if (const SourceAssignment* a = layer.instance->assignments.find(pathInside(layer.insideAll, key)))
             return Override{a, &layer};
     }
     return std::nullopt;

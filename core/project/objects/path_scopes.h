@@ -21,6 +21,7 @@ public:
         const Part* config = nullptr; ///< of the instance
         ParamScope* scope = nullptr;  ///< for the values in its block
         std::string inside;           ///< path from it to the object: "left.wheel"; empty: it is the object
+        std::string insideAll;        ///< the same with the names of Repeats instead of those of their members
     };
     [[nodiscard]] const std::vector<Layer>& layers() const { return m_layers; }
     /// The Params at the values in the object's own block.
@@ -41,6 +42,8 @@ public:
 private:
     ParamScope* inside(ParamScope* outer, const std::vector<SourceParam>& params);
     ParamScope* enter(const Part& config);
+    ParamScope* enterMember(const Part& repeat, std::size_t member);
+    void descend(const Part& part, const ObjectLocation& place);
 
     const Part* m_object = nullptr;
     Diagnostics m_silent;

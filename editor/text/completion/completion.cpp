@@ -13,6 +13,7 @@
 #include "editor/text/symbols/text_location.h"
 #include "lang/characters.h"
 #include "lang/edit_style.h"
+#include "schema/allowed_parents.h"
 
 namespace trundle {
 namespace {
@@ -206,8 +207,12 @@ private:
             const bool here = item.range.begin <= m_context.word.begin && m_context.word.begin <= item.range.end;
             controlled = controlled || (kind && kind->role == Role::Controller && !here);
         }
-        for (const Kind* kind : m_loaded.registry->inside(parent))
+        const Part* own = m_place.parts.empty() ? nullptr : m_place.parts.back();
+        const bool isInRepeat = own && own->isRepeat() && m_place.config;
+        for (const Kind* kind : m_loaded.registry->inside(parent)) {
+            if (isInRepeat && !isAllowedInside(*kind, m_place.config->kind->name)) continue;
             if (kind->role != Role::Controller || !controlled) block(*kind);
+        }
     }
 
     void block(const Kind& kind) {
@@ -227,8 +232,8 @@ private:
         c.insert = kind.name + " " + name;
         c.select = kind.name.size() + 1;
         c.caret = c.insert.size();
-        const bool large =
-            kind.role == Role::Config || kind.role == Role::Instance || kind.role == Role::Layout || kind.role == Role::Body;
+        const bool large = kind.role == Role::Config || kind.role == Role::Instance || kind.role == Role::Layout ||
+                           kind.role == Role::Repeat || kind.role == Role::Body;
         if (!large) {
             c.insert += " { " + key + (key.empty() ? "}" : " }");
             return;
@@ -309,6 +314,11 @@ private:
             add(CompletionSort::Param, sign + p->name->text, sign + p->name->text, value,
                 "Param " + p->name->text + " = " + value);
         }
+        const auto hasMembers = [](const Part* part) { return part->isRepeat() || part->is(Role::Layout); };
+        if (std::ranges::none_of(m_place.parts, hasMembers)) return;
+        add(CompletionSort::Param, sign + "index", sign + "index", "", "The number of the member, from 0.");
+        add(CompletionSort::Param, sign + "index2", sign + "index2", "",
+            "Of two counts: the number along the second one, from 0.");
     }
 
     void expression() {

@@ -75,12 +75,16 @@ private:
     [[nodiscard]] static bool fits(const Part& part, const std::string& choice) {
         return part.kind && (part.kind->name == choice || roleName(part.kind->role) == choice);
     }
-    void local(const Part& config, const std::string& choice) {
+    /// Names in a config; those in a Repeat without the member in front only from inside it.
+    void local(const Part& config, const std::string& choice, const std::string& prefix = {}) {
         for (const Part& part : config.parts) {
             if (&part == own()) continue;
-            if (fits(part, choice)) named(part);
+            if (fits(part, choice)) named(part, prefix);
             for (const Part& geom : part.parts)
-                if (part.is(Role::Body) && fits(geom, choice)) named(geom, part.name + ".");
+                if (part.is(Role::Body) && fits(geom, choice)) named(geom, prefix + part.name + ".");
+            if (!part.isRepeat()) continue;
+            const bool isAround = std::ranges::find(m_place.parts, &part) != m_place.parts.end();
+            local(part, choice, isAround ? prefix : prefix + part.name + "_0.");
         }
     }
     [[nodiscard]] const Part* own() const { return m_place.parts.empty() ? nullptr : m_place.parts.back(); }
@@ -89,8 +93,7 @@ private:
         if (!m_place.kind) return;
         if (namesWorld(*m_place.kind, m_property)) return world();
         if (m_place.kind->role != Role::Controller || !m_place.config) return;
-        for (const Part& part : m_place.config->parts) // a controller refers to the devices that it uses
-            if (part.is(Role::Device)) named(part);
+        local(*m_place.config, roleName(Role::Device)); // a controller refers to the devices that it uses
     }
 
     /// Robots and, for a log of signals, their signals.
@@ -102,16 +105,17 @@ private:
             const Part* config = robots ? nullptr : configOf(m_loaded, *part);
             if (!config) continue;
             const std::string name = part->is(Role::Layout) ? part->name + "_0" : part->name;
-            signalsOf(*config, Role::Device, name);
-            signalsOf(*part, Role::Controller, name);
+            signalsOf(*config, Role::Device, name + "/");
+            signalsOf(*part, Role::Controller, name + "/");
         }
     }
     /// Signals of a config's devices or a robot's controller.
-    void signalsOf(const Part& owner, Role role, const std::string& robot) {
+    void signalsOf(const Part& owner, Role role, const std::string& before) {
         for (const Part& part : owner.parts) {
+            if (part.isRepeat()) signalsOf(part, role, before + part.name + "_0.");
             if (!part.is(role)) continue;
             for (const SignalDescription& signal : part.kind->signals)
-                add(CompletionSort::Reference, robot + "/" + part.name + "/" + signal.name, signal.unit, signal.help);
+                add(CompletionSort::Reference, before + part.name + "/" + signal.name, signal.unit, signal.help);
         }
     }
 

@@ -127,16 +127,30 @@ std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
     return objects;
 }
 
-/// What a Part of an instance holds: the bodies or geoms whose names begin with its name.
+namespace {
+
+/// Whether what has a name is in a Part, a Repeat or one of its members: "roller_3.rim" is in "roller" and in "roller_3".
+bool isInside(std::string_view name, std::string_view part) {
+    for (; !part.empty(); part = withoutFirstWord(part), name = withoutFirstWord(name)) {
+        const std::string_view word = firstWord(name), wanted = firstWord(part);
+        const std::optional<MemberName> member = memberName(word);
+        if (word != wanted && (!member || member->stem != wanted)) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+/// What a Part or Repeat of an instance holds: the bodies or geoms whose names begin with its name.
 void ViewportScene::addInside(const std::string& instance, std::string_view part, std::vector<ObjectRef>& objects) const {
     const auto object = find(instance);
     const RobotSpec* robot = object ? m_objects->robotOf(*object) : nullptr;
     const StaticSpec* fixed = object && !robot ? m_objects->staticOf(*object) : nullptr;
     if (part.empty()) return;
     for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i)
-        if (startsWithPath(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, object->instance, i});
+        if (isInside(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, object->instance, i});
     for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
-        if (startsWithPath((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
+        if (isInside((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
 }
 
 const CameraModel* ViewportScene::camera(const std::string& path) const {

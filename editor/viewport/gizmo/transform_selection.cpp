@@ -75,6 +75,15 @@ std::string textInPlace(const LoadedProject& loaded, const std::string& property
     return inPlace ? std::string(loaded.sources.slice(from->value)) : std::string();
 }
 
+/// Whether what is inside is described in a frame of its own.
+bool holdsFrame(const Part* part) { return part->isPartUse() || part->isRepeat(); }
+
+bool usesIndex(const std::string& text) { return text.find("index") != std::string::npos; }
+
+QString placedByIndex(const std::string& path) {
+    return tr("The members of %1 are each in a place of their own, computed from index.").arg(QString::fromStdString(path));
+}
+
 } // namespace
 
 TransformSelection::TransformSelection(const ViewContext& context, Operation purpose)
@@ -115,7 +124,7 @@ void TransformSelection::take(const std::string& path) {
             tr("%1 is a member of %2, which sets its pose.").arg(QString::fromStdString(path), QString::fromStdString(m_layout));
         return;
     }
-    if (place->part && place->part->isPartUse()) return takePart(path, *place, object);
+    if (place->part && holdsFrame(place->part)) return takePart(path, *place, object);
     if (place->instance && place->within.empty() && !world.find(path)) return takeLayout(path);
     if (world.isLocked(object)) {
         m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
@@ -123,7 +132,7 @@ void TransformSelection::take(const std::string& path) {
     }
     Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}, {}};
     item.local = localPose(*m_objects, object);
-    if (std::ranges::any_of(place->above, &Part::isPartUse)) {
+    if (std::ranges::any_of(place->above, holdsFrame)) {
         item.described = describedFrame(*m_context.document.loaded(), *place);
         if (object.kind == ObjectKind::Body || object.kind == ObjectKind::StaticGeom) { // its Pos is in the frame of its Part
             item.frame = item.frame * item.described.pose;
@@ -138,7 +147,7 @@ void TransformSelection::take(const std::string& path) {
 
 void TransformSelection::addSizes(const std::string& path) {
     Item& item = m_items.back();
-    if (const auto place = placeOf(*m_context.document.loaded(), path); place && place->part && place->part->isPartUse()) return;
+    if (const auto place = placeOf(*m_context.document.loaded(), path); place && place->part && holdsFrame(place->part)) return;
     const std::vector<ObjectRef> members = item.object ? std::vector<ObjectRef>() : m_context.world.objectsOf(path);
     m_layoutExtent.reset();
     if (!members.empty()) {
@@ -183,6 +192,7 @@ void TransformSelection::takePart(const std::string& path, const ObjectLocation&
               describedFrame(loaded, place),
               textOf(path + ".Pos"),
               textOf(path + ".HPR")};
+    if (place.part->isRepeat() && usesIndex(item.posText + item.hprText)) return void(m_refusal = placedByIndex(path));
     item.frame = m_context.world.poseOf(whole) * item.described.pose;
     item.world = item.frame * item.described.mirrored(item.local);
     m_items.push_back(std::move(item));

@@ -28,6 +28,7 @@ RobotConfig Rover {
   Part right { Config=Wheel Pos=0,-0.1,0.05 Mirror=y carrier=chassis }
   Body mast { Box pole { Size=0.02,0.02,0.2 Pos=0,0,0.3 Mass=0.1 } }
   Fixed leftAxle { Parent=chassis Child=mast }
+  Repeat roller { Count=2 Pos=$(0.1*index),0,0.4 Body rim { Sphere ball { Radius=0.02 Mass=0.1 } } Hinge pin { Parent=chassis Child=rim } }
 }
 )";
 
@@ -99,6 +100,9 @@ private:
                                            {"RobotConfig.Rover.left.wheel.tyre.Mass", number + " kg"},
                                            {"RobotConfig.Rover.right.Pos", "0,-0." + number + ",0.05"},
                                            {"RobotConfig.Rover.left.Mirror", number.size() % 2 ? "x" : "none"},
+                                           {"RobotConfig.Rover.roller.Count", std::to_string(below(4) + 1)},
+                                           {"robot0.roller_1.rim.ball.Mass", number},
+                                           {"robot1.roller.rim.ball.Mass", number},
                                            {"PartConfig.Wheel.r", "0." + number}});
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
@@ -112,7 +116,7 @@ private:
         for (const Part* config : before.outline->configs.all())
             if (config->kind) objects.push_back(config->kind->name + "." + config->name);
         const std::string object = objects[below(objects.size())], body = object + ".chassis";
-        const std::size_t configs = before.outline->configs.all().size(), which = below(m_parts ? 8 : 4);
+        const std::size_t configs = before.outline->configs.all().size(), which = below(m_parts ? 11 : 4);
         const std::string name = "part" + std::to_string(below(100));
         const Status done = m_document.structure().apply(
             u"Structure"_qs, {object}, [&](const LoadedProject& loaded, const auto& renamed) -> Result<EditPlan> {
@@ -126,6 +130,9 @@ private:
                 case 6:
                     return planInsert(loaded, renamed(object),
                                       "Part " + name + " { Config=Wheel carrier=chassis Pos=0.2,0,0.1 }");
+                case 7: return planRename(loaded, renamed(object + ".roller_1.rim"), name);
+                case 8: return planRename(loaded, renamed(object + ".roller"), name);
+                case 9: return planDuplicate(loaded, {renamed(object + ".roller")}, Vec3(0, 0.1, 0));
                 default: return planRename(loaded, renamed(object + ".left.wheel"), name);
                 }
             });

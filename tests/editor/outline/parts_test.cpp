@@ -27,6 +27,23 @@ private Q_SLOTS:
         w.filter().setText(QStringLiteral("tyre"));
         QVERIFY(w.at("robot0.right.wheel.tyre").isValid());
     }
+
+    /// A Repeat is one row with its count; the path of a member leads to the row of the block.
+    void repeatIsOneRow() {
+        OutlineFixture w;
+        QVERIFY(w.open("RobotConfig Kit { Body hub { Box hull { Size=1,1,1 Mass=1 } }\n"
+                       "  Repeat roller { Count=3,2 Pos=$index,$index2,1 Body rim { Sphere t { Radius=0.05 Mass=1 } } } }\n"
+                       "Robot robot0 { Config=Kit }\n"));
+        QCOMPARE(w.errors(), QString());
+        const QModelIndex rim = w.at("robot0.roller.rim");
+        QVERIFY(rim.isValid());
+        QCOMPARE(w.model().rowAt(rim.parent())->detail, std::string("3×2 "));
+        QCOMPARE(w.at("robot0.roller_4.rim"), rim);
+        QCOMPARE(w.at("robot0.roller_4"), rim.parent());
+        QVERIFY(w.at("RobotConfig.Kit.roller.rim.t").isValid());
+        w.filter().setText(QStringLiteral("rim"));
+        QVERIFY(w.at("robot0.roller.rim").isValid());
+    }
 };
 
 QTEST_MAIN(PartsTest)

@@ -145,6 +145,17 @@ void CompletionTest::lists_data() {
     row("Params", "#import parts.sim\nParam speed = 2\nTick = $|", "$speed", "$wheelRadius");
     row("a Param in its own value", "Param a = 2\nParam b = $|", "$a", "$b");
     row("Params of the config", "RobotConfig A { Param r = 1\n Body b { Sphere s { Radius=$| } } }", "$r", "");
+    row("in a Repeat of a robot", "RobotConfig A { Repeat r { Count=3 | } }", "Body Hinge Encoder Part Repeat Ring Pos",
+        "Box Count Robot");
+    row("in a Repeat of scenery", "StaticConfig A { Repeat r { Count=3 | } }", "Box Plane Part Repeat", "Body Hinge");
+    row("the number of a member", "RobotConfig A { Repeat r { Count=3 Pos=$(|) } }", "index index2 sin", "");
+    row("no number outside", "RobotConfig A { Repeat r { Count=3 } Body b { Pos=$(|) } }", "sin", "index");
+    row("members of a Grid have numbers", "#import parts.sim\nGrid g { Config=Rover Count=2 Spacing=1 wheelRadius=$(|) }",
+        "index", "");
+    row("bodies in a Repeat, from inside", "RobotConfig A { Body a { } Repeat r { Count=2 Body b { }\n Hinge h { Parent=| } } }",
+        "a b world", "r_0.b");
+    row("bodies in a Repeat, from outside", "RobotConfig A { Body a { } Repeat r { Count=2 Body b { } }\n Hinge h { Parent=| } }",
+        "a r_0.b", "b");
     row("in an expression", "Param a = 2\nTick = $(a*|)", "a sqrt sin pi", "$a Tick");
     row("a Param among values", "Param a = 2\nDuration = |", "$a", "");
     row("files to import", "#import |", "parts.sim walls/maze.sim", "main.sim floor.png");

@@ -197,6 +197,27 @@ private Q_SLOTS:
                  m_window->text().constData());
     }
 
+    /// What is in a member of a Repeat or Ring moves in the frame of the member; the Ring itself in that of its config.
+    void repeatsMove() {
+        const QByteArray text = "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                "  Ring arm { Count=4 Radius=0.5 Body tip { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                "  Repeat row { Count=2 Pos=$(0.3*index),0.8,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
+                                "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n";
+        open(text);
+        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
+        take("RobotConfig.Kit.arm", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Mass=1 } } Pos=0,0,0.1 }"), m_window->text().constData());
+        open(text);
+        take("robot0.arm_3.tip", "tool.move"); // its x points to -y
+        dragBy({Handle::Kind::Axis, 1}, {0, -0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("arm_3.tip.Pos=0.1,0,0 }"), m_window->text().constData());
+        open(text);
+        take("robot0.row_1.c", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.3, 0.8, 0.2});
+        QVERIFY2(m_window->text().contains("row_1.c.Pos=0,0,0.1 }"), m_window->text().constData());
+    }
+
     void aShapeIsSizedBySides() {
         open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n");
         take("StaticConfig.Yard.crate", "tool.scale");

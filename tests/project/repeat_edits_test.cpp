@@ -1,0 +1,200 @@
+// Repeat and Ring in the editor's view of a text: what a path leads to, values of a member, where an edit goes, renaming, templates.
+#include <QTest>
+
+#include "model/provenance.h"
+#include "plan_fixture.h"
+#include "project/edits/edit_target.h"
+#include "project/edits/path_after_edit.h"
+#include "project/edits/value_edits.h"
+#include "project/objects/object_values.h"
+#include "project/objects/part_values.h"
+
+using namespace trundle;
+using sample::PlanFixture;
+
+namespace {
+
+const std::string kKit = R"(Material red { ColorRGB=1,0,0 }
+Surface floor { Friction=1 }
+RobotConfig Kit {
+  Body hub { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=floor } }
+  Repeat roller { Count=3,2 Pos=$(0.1*index),$(0.2*index2),0
+    Body rim { Pos=0.01,0,0 Sphere t { Radius=$(0.01*(1+index)) Mass=0.1 Material=red Surface=floor } }
+    Hinge axle { Parent=hub Child=rim }
+    RotaryMotor motor { Joint=axle TorqueConstant=1 SpeedConstant=1 Resistance=$(2+index) MaxVoltage=12 }
+  }
+  Ring spoke { Count=4 Radius=0.5 Pos=0,0,1 Axis=0,1,0 Body bar { Box b { Size=0.1,0.1,0.1 Mass=0.1 Material=red Surface=floor } } }
+  Encoder e { Joint=roller_1.axle CountsPerRevolution=100 }
+}
+)";
+const std::string kRobots =
+    "Robot a { Config=Kit }\nRobot b { Config=Kit roller.motor.Resistance=7 roller_4.motor.Resistance=9 }\n"
+    "SignalLog log { Signals=\"a/roller_2.motor/voltage\" }\n";
+
+std::string messages(const LoadedProject& loaded) {
+    std::string all;
+    for (const Diagnostic& d : loaded.diagnostics.all())
+        if (d.severity == Severity::Error) all += d.message + "\n";
+    return all;
+}
+
+} // namespace
+
+class RepeatEditsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init() {
+        m_loaded = m_fixture.open(kKit + kRobots);
+        QVERIFY(m_loaded);
+        QCOMPARE(messages(*m_loaded), std::string());
+    }
+
+    void pathsLeadToMembers() {
+        for (const char* path : {"a.roller_4.rim.t", "a.roller.rim.t", "RobotConfig.Kit.roller_4.rim.t"}) {
+            const auto place = placeOf(*m_loaded, path);
+            QVERIFY2(place && place->part, path);
+            QCOMPARE(place->part->name, std::string("t"));
+            QCOMPARE(place->members.size(), std::size_t(std::string(path).find('_') != std::string::npos));
+        }
+        QVERIFY(!placeOf(*m_loaded, "a.roller_x.rim"));
+        QVERIFY(!placeOf(*m_loaded, "a.rolle_1.rim"));
+        QCOMPARE(pathOf(*m_loaded, {m_loaded->outline->configs.find("Kit"), placeOf(*m_loaded, "a.roller_1")->part}),
+                 std::string("RobotConfig.Kit.roller"));
+    }
+
+    void values_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<int>("origin");
+        const auto row = [](const char* path, double value, ValueOrigin origin) {
+            QTest::newRow(path) << path << value << int(origin);
+        };
+        row("a.roller_4.motor", 3, ValueOrigin::Config);
+        row("a.roller.motor", 2, ValueOrigin::Config);
+        row("b.roller_3.motor", 7, ValueOrigin::Override);
+        row("b.roller_4.motor", 9, ValueOrigin::Override);
+        row("b.roller.motor", 7, ValueOrigin::Override);
+        row("RobotConfig.Kit.roller_2.motor", 4, ValueOrigin::Own);
+    }
+    void values() {
+        QFETCH(QString, path);
+        QFETCH(double, value);
+        QFETCH(int, origin);
+        ObjectValues values(m_loaded, path.toStdString());
+        const auto resistance = values.property("Resistance");
+        QVERIFY(resistance && resistance->value);
+        QCOMPARE(resistance->value->numbers.at(0), value);
+        QCOMPARE(int(resistance->origin), origin);
+        if (path.startsWith("b.")) {
+            const auto from = provenanceOf(*m_loaded->outline, path.toStdString() + ".Resistance");
+            QVERIFY(from);
+            QCOMPARE(QString::fromStdString(std::string(m_loaded->sources.slice(from->value))), QString::number(value));
+        }
+    }
+
+    /// The frame that a member describes its blocks in is where the world has it.
+    void frames() {
+        const RobotConfigSpec& config = *m_loaded->experiment->robots[0].config;
+        for (const BodySpec& body : config.bodies) {
+            const auto place = placeOf(*m_loaded, "a." + body.name);
+            const DescribedFrame frame = describedFrame(*m_loaded, *place);
+            const Pose inConfig = frame.pose * poseAt(*m_loaded, *place);
+            QVERIFY2((inConfig.position - body.pose.position).norm() < 1e-12, body.name.c_str());
+            QVERIFY2(inConfig.rotation.angularDistance(body.pose.rotation) < 1e-7, body.name.c_str());
+        }
+        QCOMPARE(config.bodies.size(), std::size_t(11));
+    }
+
+    /// Of two robots one gets an override, for the member that the path names or for all.
+    void editTargets_data() {
+        QTest::addColumn<QString>("asked");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("one") << "a.roller_4.rim.t.Mass"
+                             << "a { Config=Kit roller_4.rim.t.Mass=9 }";
+        QTest::newRow("all") << "a.roller.rim.t.Mass"
+                             << "a { Config=Kit roller.rim.t.Mass=9 }";
+        QTest::newRow("count") << "a.roller.Count"
+                               << "a { Config=Kit roller.Count=9 }";
+        QTest::newRow("in the config") << "RobotConfig.Kit.roller_4.rim.t.Mass"
+                                       << "Radius=$(0.01*(1+index)) Mass=9";
+        QTest::newRow("of the ring") << "RobotConfig.Kit.spoke.Radius"
+                                     << "Count=4 Radius=9";
+    }
+    void editTargets() {
+        QFETCH(QString, asked);
+        QFETCH(QString, text);
+        ConfigUsers users;
+        const EditTarget found = targetOfValue(*m_loaded, asked.toStdString(), users);
+        const Result<FileEdits> edits = editsForValues(*m_loaded, {{found.path, std::string("9")}});
+        QVERIFY2(edits.ok(), edits.ok() ? "" : edits.error().message.c_str());
+        EditPlan plan;
+        plan.edits = edits.value();
+        const std::string after = m_fixture.text(m_loaded, plan);
+        QVERIFY2(after.find(text.toStdString()) != std::string::npos, after.c_str());
+    }
+
+    void renames_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QStringList>("texts");
+        QTest::newRow("the Repeat") << "RobotConfig.Kit.roller"
+                                    << "wheel"
+                                    << QStringList{"Repeat wheel {", "Joint=wheel_1.axle",
+                                                   "wheel.motor.Resistance=7 wheel_4.motor", "a/wheel_2.motor/voltage"};
+        QTest::newRow("a block in it") << "RobotConfig.Kit.roller.axle"
+                                       << "pin" << QStringList{"Hinge pin {", "Joint=pin", "Joint=roller_1.pin"};
+        QTest::newRow("what it names around it") << "RobotConfig.Kit.hub"
+                                                 << "core" << QStringList{"Body core {", "Parent=core"};
+        QTest::newRow("what it names in it") << "a.roller_1.rim"
+                                             << "tread" << QStringList{"Body tread {", "Child=tread"};
+    }
+    void renames() {
+        QFETCH(QString, path);
+        QFETCH(QString, name);
+        QFETCH(QStringList, texts);
+        const auto plan = planRename(*m_loaded, path.toStdString(), name.toStdString());
+        const auto after = m_fixture.apply(m_loaded, plan);
+        QVERIFY2(after, plan.ok() ? "" : plan.error().message.c_str());
+        QCOMPARE(messages(*after), std::string());
+        const QString bytes = QString::fromStdString(std::string(after->trees[0]->source().bytes()));
+        for (const QString& text : texts) QVERIFY2(bytes.contains(text), qPrintable(bytes));
+    }
+    void refusesNamesOfMembers() {
+        QVERIFY(!planRename(*m_loaded, "RobotConfig.Kit.hub", "roller_2").ok());
+        QVERIFY(!planRename(*m_loaded, "RobotConfig.Kit.hub", "spoke_77").ok());
+    }
+
+    /// What a template inserts is valid, at every place that may hold one.
+    void templatesAreValid_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("parent");
+        for (const char* kind : {"Repeat", "Ring", "Body", "Hinge", "RotaryMotor"})
+            for (const char* parent : {"RobotConfig.Kit", "RobotConfig.Kit.roller", "RobotConfig.Kit.spoke"})
+                QTest::addRow("%s in %s", kind, parent) << kind << parent;
+        for (const char* kind : {"Repeat", "Ring", "Box"})
+            for (const char* parent : {"StaticConfig.Fence", "StaticConfig.Fence.post", "PartConfig.Rail"})
+                QTest::addRow("%s in %s", kind, parent) << kind << parent;
+    }
+    void templatesAreValid() {
+        QFETCH(QString, kind);
+        QFETCH(QString, parent);
+        m_loaded = m_fixture.open(
+            kKit + kRobots +
+            "StaticConfig Fence { Repeat post { Count=2 Pos=$index,0,0 Box b { Size=1,1,1 Material=red Surface=floor } } }\n"
+            "PartConfig Rail { Repeat bar { Count=2 Box b { Size=1,1,1 Material=red Surface=floor } } }\n");
+        QCOMPARE(messages(*m_loaded), std::string());
+        const std::string text = templateOf(*m_loaded, *m_loaded->registry->find(kind.toStdString()), parent.toStdString());
+        const auto plan = planInsert(*m_loaded, parent.toStdString(), text);
+        const auto after = m_fixture.apply(m_loaded, plan);
+        QVERIFY2(after, plan.ok() ? "" : plan.error().message.c_str());
+        QVERIFY2(messages(*after).empty(), (text + "\n" + messages(*after)).c_str());
+        QVERIFY(placeOf(*after, plan.value().selects.at(plan.value().selects.size() - 1)));
+    }
+
+private:
+    PlanFixture m_fixture;
+    std::shared_ptr<const LoadedProject> m_loaded;
+};
+
+QTEST_APPLESS_MAIN(RepeatEditsTest)
+#include "repeat_edits_test.moc"
