@@ -11,6 +11,7 @@ namespace {
 
 struct NewArguments {
     std::string what, kind, parent = ".";
+    bool python = false;
 };
 
 bool isTaken(const Application& application, const std::string& kind) {
@@ -24,8 +25,10 @@ ExitCode makeNew(const Application& application, const NewArguments& arguments) 
         return kExitUsage;
     }
     const bool isController = arguments.what == "controller";
-    const Result<NewModule> made = makeModule(isController ? ModuleTemplate::Controller : ModuleTemplate::Component,
-                                              arguments.kind, arguments.parent, application.locations());
+    const ModuleTemplate from = !isController      ? ModuleTemplate::Component
+                                : arguments.python ? ModuleTemplate::PythonController
+                                                   : ModuleTemplate::Controller;
+    const Result<NewModule> made = makeModule(from, arguments.kind, arguments.parent, application.locations());
     if (!made) {
         printProblem(made.error().message);
         return kExitUsage;
@@ -35,17 +38,18 @@ ExitCode makeNew(const Application& application, const NewArguments& arguments) 
     for (const std::string& file : module.files) text += ' ' + cleanLine(module.folder) + '/' + file;
     const std::string use = isController ? "Robot robot0 { Config=SimpleRobot  " + arguments.kind + " brain { } }"
                                          : arguments.kind + " eye { Body=chassis }";
-    text += "\n\nTo build it:\n  " + module.configure + "\n  " + module.build + "\n\nIn an experiment of the folder " +
-            cleanLine(arguments.parent) + ":\n  " + module.load + "\n  " + use +
+    if (!module.build.empty()) text += "\n\nTo build it:\n  " + module.configure + "\n  " + module.build;
+    text += "\n\nIn an experiment of the folder " + cleanLine(arguments.parent) + ":\n  " + module.load + "\n  " + use +
             "\n\nRun that with --trust: code of a module may do anything, so it is trusted only if you say so.\n";
     return writeOut(text) ? kExitDone : kExitText;
 }
 
 constexpr const char* kNewExamples = R"(Examples:
   trundle-cli new controller WallFollow
+  trundle-cli new controller WallFollow --python
   trundle-cli new component Thermometer --in my_project/modules
 
-The new folder holds one C++ file and a CMakeLists.txt. What is printed builds it and uses it.
+The new folder holds one C++ file and a CMakeLists.txt, or one Python file. What is printed builds it and uses it.
 Exit codes: 0 done, 1 the output cannot be written, 2 the folder exists or cannot be written, or NAME is no name for a kind.)";
 
 } // namespace
@@ -61,8 +65,11 @@ void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand&
     command->add_option("--in", arguments->parent, "Make its folder in DIR instead of in this one")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
+    command->add_flag("--python", arguments->python, "A controller in Python, not in C++");
     command->footer(kNewExamples);
     command->callback([arguments, &application, &chosen] {
+        if (arguments->python && arguments->what != "controller")
+            throw CLI::ValidationError("--python", "only controllers can be in Python");
         chosen = [arguments, &application] { return makeNew(application(), *arguments); };
     });
 }

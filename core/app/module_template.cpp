@@ -22,8 +22,12 @@ struct Template {
 };
 
 Template templateOf(ModuleTemplate what) {
-    return what == ModuleTemplate::Controller ? Template{"controller", "MyController", "my_controller"}
-                                              : Template{"component", "MySensor", "my_sensor"};
+    switch (what) {
+    case ModuleTemplate::Controller: return {"controller", "MyController", "my_controller"};
+    case ModuleTemplate::PythonController: return {"python", "MyController", "my_controller"};
+    case ModuleTemplate::Component: break;
+    }
+    return {"component", "MySensor", "my_sensor"};
 }
 
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
@@ -96,6 +100,10 @@ Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const
             return written.error();
         }
         made.files.push_back(name);
+    }
+    if (what == ModuleTemplate::PythonController) {
+        made.load = "#loadModule " + module + '/' + module + ".py";
+        return made;
     }
     const std::string shown = quoted(folder.string());
     made.configure = "cmake -S " + shown + " -B " + shown +

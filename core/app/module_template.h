@@ -9,13 +9,13 @@
 
 namespace trundle {
 
-enum class ModuleTemplate { Controller, Component };
+enum class ModuleTemplate { Controller, PythonController, Component };
 
 /// A module whose files are written, and how it is built and used.
 struct NewModule {
     std::string folder;             ///< as given, with the module's own folder
     std::vector<std::string> files; ///< in that folder
-    std::string configure, build;   ///< command lines for a shell
+    std::string configure, build;   ///< command lines for a shell; empty in Python
     std::string load;               ///< the line of an experiment beside the folder
 };
 

@@ -77,12 +77,28 @@ private Q_SLOTS:
         QVERIFY2(rows.size() > 2 && rows.last().endsWith(",2"), rows.last().constData()); // nothing is nearer than MaxRange
     }
 
+    void startsPythonController() {
+        const QString folder = at("snakes");
+        QVERIFY(QDir().mkpath(folder));
+        const Outcome made = installedCli({"new", "controller", "WallRun", "--python", "--in", folder});
+        QVERIFY2(made.code == 0 && !made.out.contains("cmake"), shown(made));
+        QByteArray text = contentOf(at("circle.sim"));
+        text = text.left(text.indexOf("RobotConfig Scout")).replace("#loadModule wall_run", "#loadModule wall_run/wall_run.py");
+        QVERIFY(made.out.contains("#loadModule wall_run/wall_run.py\n"));
+        QVERIFY(writeFile(folder + "/circle.sim", text.replace("#loadModule front_sonar\n", "")));
+        const Outcome run = installedCli({"run", folder + "/circle.sim", "--trust", "--json"});
+        QVERIFY2(run.code == 0, shown(run));
+        const QJsonValue driven = QJsonDocument::fromJson(run.out)["robots"]["r"]["pos"][0];
+        QVERIFY2(std::abs(driven.toDouble() - 0.6) < 0.1, shown(run));
+    }
+
     void refusesNewModules_data() {
         QTest::addColumn<QStringList>("words");
         QTest::addColumn<QByteArray>("why");
         const QString folder = at("my 'own' installed");
         QTest::newRow("folder exists") << QStringList{"controller", "WallRun", "--in", folder} << QByteArray("it exists");
         QTest::newRow("small letter") << QStringList{"controller", "wallRun"} << QByteArray("a capital letter");
+        QTest::newRow("a component in Python") << QStringList{"component", "Wall", "--python"} << QByteArray("only controllers");
         QTest::newRow("a path") << QStringList{"component", "../Wall"} << QByteArray("a capital letter");
         QTest::newRow("built-in kind") << QStringList{"component", "Lidar"} << QByteArray("has a kind Lidar");
         QTest::newRow("kind of a shipped module")
