@@ -117,9 +117,9 @@ std::vector<std::string> moduleFileNames(const std::string& written) {
     const fs::path path = stem(written);
     const std::string folder = path.parent_path().string(), name = path.filename().string();
     const std::string plain = name.starts_with("lib") ? name.substr(3) : name; // for a name written as the file name libn.so
-    const bool isPython = isPythonModule(name);
-    const std::vector<std::string> files = isPython ? std::vector{name}
-                                                    : std::vector{"lib" + name + ".so", name + ".so", "lib" + plain + ".so", name + ".py"};
+    std::vector<std::string> files{"lib" + name + ".so", name + ".so", "lib" + plain + ".so"};
+    if (isPythonModule(name)) files = {name};
+    else if (path == slashed(written)) files.push_back(name + ".py");
     std::vector<std::string> names;
     const auto add = [&](const std::string& where, const std::string& file) {
         const std::string full = where.empty() ? file : (fs::path(where) / file).string();

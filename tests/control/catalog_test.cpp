@@ -22,11 +22,12 @@ private Q_SLOTS:
     void fileNamesInTheOrderTheyAreTried_data() {
         QTest::addColumn<QString>("written");
         const QString all = "controllers/libdrive.so controllers/drive.so libdrive.so drive.so";
-        QTest::newRow("controllers/drive") << all;
+        QTest::newRow("controllers/drive") << "controllers/libdrive.so controllers/drive.so controllers/drive.py libdrive.so drive.so drive.py";
+        QTest::newRow("controllers/drive.py") << "controllers/drive.py drive.py";
         QTest::newRow("controllers/drive.dll") << all;
         QTest::newRow("controllers\\drive.DLL") << all;
         QTest::newRow("controllers/drive.so") << all;
-        QTest::newRow("drive") << "libdrive.so drive.so";
+        QTest::newRow("drive") << "libdrive.so drive.so drive.py";
     }
     void fileNamesInTheOrderTheyAreTried() {
         QFETCH(QString, written);

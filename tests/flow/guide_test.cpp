@@ -48,6 +48,14 @@ QList<Fence> textsOf(const QString& page) {
     return texts;
 }
 
+/// Writes the Python files of a page, each a block "python NAME". False: it has none.
+bool writePython(const QString& page, const QTemporaryDir& folder) {
+    bool any = false;
+    for (const Fence& fence : fencesOf(page))
+        if (fence.language() == "python") any = writeFile(folder.filePath(fence.words.value(1)), fence.text.toUtf8()) || any;
+    return any;
+}
+
 /// The names in all comments `<!-- kinds: ... -->`.
 QStringList placedKinds() {
     QStringList kinds;
@@ -65,7 +73,7 @@ class GuideTest : public QObject {
 
 private Q_SLOTS:
     void everyCodeBlockHasALanguage() {
-        const QStringList known{"sim", "sh", "cpp"};
+        const QStringList known{"sim", "sh", "cpp", "python"};
         int count = 0;
         for (const QString& page : pages())
             for (const Fence& fence : fencesOf(page)) {
@@ -76,18 +84,21 @@ private Q_SLOTS:
     }
 
     void documentedTextsRun_data() {
+        QTest::addColumn<QString>("page");
         QTest::addColumn<QString>("text");
         QTest::addColumn<QStringList>("codes");
         for (const QString& page : pages())
             for (const Fence& fence : textsOf(page))
-                QTest::newRow(qPrintable(fence.where())) << fence.text << fence.words.filter(QRegularExpression("^E\\d+$"));
+                QTest::newRow(qPrintable(fence.where())) << page << fence.text << fence.words.filter(QRegularExpression("^E\\d+$"));
     }
     void documentedTextsRun() {
+        QFETCH(QString, page);
         QFETCH(QString, text);
         QFETCH(QStringList, codes);
         QTemporaryDir folder;
+        const QStringList trust = writePython(page, folder) ? QStringList{"--modules", "."} : QStringList();
         QVERIFY(writeFile(folder.filePath("text.sim"), text.toUtf8()));
-        const Outcome check = cli({"check", "text.sim", "--json"}, folder.path());
+        const Outcome check = cli(QStringList{"check", "text.sim", "--json"} + trust, folder.path());
         QStringList said;
         for (const QJsonValue& message : QJsonDocument::fromJson(check.out).array())
             if (message["severity"] == "error" || codes.isEmpty()) said << message["code"].toString();
@@ -95,7 +106,7 @@ private Q_SLOTS:
         QVERIFY2(said == codes, shown(check));
         QCOMPARE(check.code, codes.isEmpty() ? 0 : 1);
         if (!codes.isEmpty()) return;
-        const Outcome run = cli({"run", "text.sim", "--duration", "0.1", "--quiet"}, folder.path());
+        const Outcome run = cli(QStringList{"run", "text.sim", "--duration", "0.1", "--quiet"} + trust, folder.path());
         QVERIFY2(run.code == 0, shown(run));
     }
 
@@ -111,6 +122,7 @@ private Q_SLOTS:
         const QList<Fence> texts = textsOf(page);
         QVERIFY2(!texts.isEmpty(), "there is no my.sim");
         QVERIFY(writeFile(folder.filePath("my.sim"), texts[0].text.toUtf8()));
+        (void)writePython(page, folder);
         static const QRegularExpression expected(QStringLiteral("# exit code (\\d+)$"));
         for (const Fence& fence : fencesOf(page)) {
             if (fence.language() != "sh") continue;
