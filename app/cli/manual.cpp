@@ -22,6 +22,7 @@ constexpr RoleText kRoles[] = {
     {Role::Settings, "settings", "Settings of an experiment"},
     {Role::Instance, "instance", "Things in the world"},
     {Role::Layout, "layout", "Many robots at once"},
+    {Role::Repeat, "repeat", "Blocks of a config several times"},
     {Role::Config, "config", "Descriptions of robots and arenas"},
     {Role::Material, "material", "How things look"},
     {Role::Surface, "surface", "How things slide and bounce"},

@@ -1,4 +1,4 @@
-// Leads every Part to the PartConfig that it names, and finds the Params that references to something outside of a PartConfig
+// Leads every Part to the PartConfig that it names and every variant to the config that it is a variant of, and finds the Params that references to something outside of a PartConfig
 // imply: `Parent=$carrier`, where no text declares carrier.
 #include <algorithm>
 
@@ -20,12 +20,35 @@ bool namesInsideConfig(const Registry& registry, const Outline& outline, const P
     });
 }
 
+/// A variant has the Params of what it is a variant of, with the values that it sets for them.
+void inheritParams(const Outline& outline, Part& variant) {
+    for (const SourceParam& param : variant.config->params) {
+        const SourceAssignment* set = variant.assignments.find(param.name->text);
+        const auto own =
+            std::ranges::find_if(variant.params, [&](const SourceParam& p) { return p.name->text == param.name->text; });
+        const bool isSet = own != variant.params.end() && outline.texts().commandLine(own->valueFile);
+        if (own != variant.params.end() && (own->name != param.name || isSet)) continue; // a clash, or set on the command line
+        SourceParam& inherited = own != variant.params.end() ? *own : variant.params.emplace_back();
+        inherited = param;
+        if (!set) continue;
+        inherited.value = set->value;
+        inherited.valueFile = set->file;
+        inherited.required = false;
+    }
+}
+
 class ImpliedParams {
 public:
     explicit ImpliedParams(const Outline& outline) : m_outline(outline) {}
 
+    /// Adds them to a PartConfig, and to any variant those of what it is a variant of.
     void add(Part& config) {
-        if (m_visited.insert(&config).second) searchIn(config, config);
+        if (!m_visited.insert(&config).second) return;
+        if (config.config) {
+            add(const_cast<Part&>(*config.config));
+            inheritParams(m_outline, config);
+        }
+        if (config.kind->name == "PartConfig") searchIn(config, config);
     }
 
 private:
@@ -92,6 +115,7 @@ public:
     void visit(Part& config) {
         if (!m_depths.try_emplace(&config, 1).second) return;
         m_chain.push_back(&config);
+        if (config.config) follow(config, config);
         eachPartUse(config, [&](const Part& part) {
             if (part.config) follow(const_cast<Part&>(part), config);
         });
@@ -124,8 +148,9 @@ private:
 } // namespace
 
 void Outline::linkPart(Part& part, const Part* owner) {
-    if (part.isPartUse()) part.config = nullptr;
-    const SourceAssignment* a = part.isPartUse() ? part.assignments.find("Config") : nullptr;
+    const bool hasConfig = part.isPartUse() || part.is(Role::Config);
+    if (hasConfig) part.config = nullptr;
+    const SourceAssignment* a = hasConfig ? part.assignments.find("Config") : nullptr;
     if (a && a->value->elements.size() == 1) {
         const Element& e = a->value->elements[0];
         std::string name = e.text;
@@ -139,7 +164,7 @@ void Outline::linkPart(Part& part, const Part* owner) {
             name = value && value->elements.size() == 1 ? value->elements[0].text : std::string();
         }
         const Part* config = configs.find(name);
-        if (config && config->kind->name == "PartConfig") part.config = config;
+        if (config && config->kind->name == (part.isPartUse() ? "PartConfig" : part.kind->name)) part.config = config;
     }
     if (part.is(Role::Config) || part.isRepeat())
         for (Part& inner : part.parts) linkPart(inner, part.isRepeat() ? owner : &part);
@@ -150,10 +175,10 @@ void Outline::linkParts() {
     m_circles.clear();
     CircleSearch circles(m_circles);
     for (const auto& part : parts)
-        if (part->kind && part->kind->name == "PartConfig") circles.visit(*part);
+        if (part->is(Role::Config)) circles.visit(*part);
     ImpliedParams implied(*this);
     for (const auto& part : parts)
-        if (part->kind && part->kind->name == "PartConfig") implied.add(*part);
+        if (part->is(Role::Config)) implied.add(*part);
 }
 
 } // namespace trundle

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/params.h"
 #include "model/set_targets.h"
@@ -49,6 +50,7 @@ std::optional<Provenance> fromInstance(const Outline& outline, const Part& insta
 
 std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std::span<const std::string> words, Origin origin) {
     if (words.size() == 1) return inPart(outline, part, words[0], origin);
+    if (isVariant(part) && part.config->find(words[0])) return fromInstance(outline, part, words, origin);
     const Part* inner = part.find(words[0]);
     if (!inner) return std::nullopt;
     const std::span<const std::string> rest = words.subspan(1);
@@ -58,9 +60,10 @@ std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std
 /// `origin`: of what the instance's own block sets.
 std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words,
                                        Origin origin) {
-    std::optional<Provenance> own = words.size() == 1      ? inPart(outline, instance, words[0], origin)
-                                    : instance.isPartUse() ? std::nullopt
-                                                           : fromPart(outline, instance, words, origin);
+    const bool hasNoBlocks = instance.isPartUse() || isVariant(instance); // none with that name
+    std::optional<Provenance> own = words.size() == 1 ? inPart(outline, instance, words[0], origin)
+                                    : hasNoBlocks     ? std::nullopt
+                                                      : fromPart(outline, instance, words, origin);
     if (own) return own;
     const Part* config = configOf(outline, instance);
     std::optional<Provenance> inConfig = config ? fromPart(outline, *config, words, Origin::Config) : std::nullopt;

@@ -1,6 +1,7 @@
 #include "model/set_targets.h"
 
 #include "base/spelling.h"
+#include "model/config_blocks.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -48,6 +49,7 @@ private:
         const Part* at = &part;
         for (; i + 1 < path.size(); ++i) {
             const Part* next = at->isPartUse() ? nullptr : at->find(path[i].text);
+            if (next && isVariant(*at) && at->config->find(path[i].text) == next) break; // it is described in the other config
             if (next) {
                 at = next;
                 continue;
@@ -56,7 +58,8 @@ private:
             return noSuch({m_set->file, path[i].range}, at->title() + " has no " + path[i].text, namesIn(*at), path[i].text);
         }
         const std::string& key = path.back().text;
-        if (at->is(Role::Config) && i + 1 == path.size() && !at->kind->find(key)) {
+        const bool isInherited = isVariant(*at) && at->config->param(key);
+        if (at->is(Role::Config) && i + 1 == path.size() && !at->kind->find(key) && !isInherited) {
             for (const SourceParam& p : at->params) {
                 if (p.name->text == key) return setParam(p, at, key);
             }

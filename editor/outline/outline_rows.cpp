@@ -4,6 +4,8 @@
 #include <cctype>
 #include <unordered_set>
 
+#include "editor/outline/row_blocks.h"
+#include "model/config_blocks.h"
 #include "model/passive_objects.h"
 #include "project/loading/search.h"
 #include "project/objects/object_location.h"
@@ -166,8 +168,7 @@ std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
     case OutlineRow::Type::Object:
         if (const auto members = m_members.find(row.part); members != m_members.end() && !row.member && !row.reached)
             keep(rows, membersRow(row, members->second.first, members->second.second, true), row);
-        if (row.config) addParts(rows, *row.config, row, true);
-        addParts(rows, *row.part, row, row.reached);
+        addParts(rows, row);
     }
     std::unordered_set<std::string> keys; // duplicate names in an invalid text still get separate rows
     for (OutlineRow& r : rows)
@@ -207,10 +208,8 @@ bool OutlineRows::relink(OutlineRow& row, const OutlineRow& above, std::size_t i
     case OutlineRow::Type::Object:
         if (row.type != OutlineRow::Type::Members) {
             if (m_members.contains(above.part) && !above.member && !above.reached) --index; // the row of its members
-            const std::size_t reached = above.config ? above.config->parts.size() : 0;
-            const std::vector<Part>& parts = index < reached ? above.config->parts : above.part->parts;
-            if (index >= reached) index -= reached;
-            return linkTo(index < parts.size() ? &parts[index] : nullptr);
+            const auto blocks = blocksBelow(*above.part, above.config, above.reached);
+            return linkTo(index < blocks.size() ? blocks[index].first : nullptr);
         }
         [[fallthrough]];
     case OutlineRow::Type::Members: row.part = above.part, row.config = above.config, row.range = above.range; return true;
@@ -225,11 +224,11 @@ OutlineRow OutlineRows::renewed(const OutlineRow& row, const OutlineRow& above) 
     return now;
 }
 
-void OutlineRows::addParts(Rows& rows, const Part& part, const OutlineRow& above, bool reached) const {
-    for (const Part& inner : part.parts) {
-        OutlineRow row = partRow(inner, above);
-        row.reached = reached;
-        row.markable = above.markable && row.selectable && (inner.is(Role::Body) || inner.is(Role::Geom));
+void OutlineRows::addParts(Rows& rows, const OutlineRow& above) const {
+    for (const auto& [inner, isReached] : blocksBelow(*above.part, above.config, above.reached)) {
+        OutlineRow row = partRow(*inner, above);
+        row.reached = isReached;
+        row.markable = above.markable && row.selectable && (inner->is(Role::Body) || inner->is(Role::Geom));
         keep(rows, std::move(row), above);
     }
 }
@@ -272,7 +271,7 @@ OutlineRow OutlineRows::memberRow(const OutlineRow& above, std::size_t robot) co
     row.config = above.config;
     row.range = above.range;
     row.detail = row.config ? row.config->name : "";
-    row.hasRows = row.config && !row.config->parts.empty();
+    row.hasRows = row.config && (isVariant(*row.config) || !row.config->parts.empty());
     row.tip = row.name + ", a member of " + above.part->title();
     return row;
 }
@@ -360,7 +359,7 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
     row.problems = m_problems.of(part);
     nameRow(row, part, above, *m_loaded->outline);
     const bool instance = isPlaced(part);
-    row.hasRows = !part.parts.empty();
+    row.hasRows = !part.parts.empty() || isVariant(part);
     row.markable = instance && part.usable;
     if (!part.kind) return row;
     row.tip = part.kind->name + ": " + part.kind->help;
@@ -371,7 +370,7 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
         // A config that contains an instance of itself (an error) would recurse without end.
         const bool isEndless = above.type == OutlineRow::Type::Object && !part.isPartUse();
         if (m_mode == OutlineMode::ByOwner && !isEndless) row.config = config;
-        row.hasRows |= row.config && !row.config->parts.empty();
+        row.hasRows |= row.config && (isVariant(*row.config) || !row.config->parts.empty());
         row.hasRows |= m_members.contains(&part);
         row.passive = isPassive(part, config);
         if (row.passive) row.tip = part.kind->name + " of a movable object: it has no joints, no devices and no controller.";
@@ -433,11 +432,12 @@ bool OutlineRows::leads(const OutlineRow& row) const {
 bool OutlineRows::leads(const Part& part) const {
     const auto [it, fresh] = m_leads.try_emplace(&part, false);
     if (!fresh) return it->second;
-    const bool any = std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
-        const std::string& type = inner.block->type.text;
-        if (inner.config && leads(*inner.config)) return true;
-        return says(inner.name.empty() ? type : inner.name, "", type) || leads(inner);
-    });
+    const bool isInBase = isVariant(part) && leads(*part.config);
+    const bool any = isInBase || std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
+                         const std::string& type = inner.block->type.text;
+                         if (inner.config && leads(*inner.config)) return true;
+                         return says(inner.name.empty() ? type : inner.name, "", type) || leads(inner);
+                     });
     return m_leads[&part] = any; // leads(inner) may have rehashed the map, so `it` may be invalid
 }
 

@@ -83,7 +83,7 @@ private:
     [[nodiscard]] OutlineRow fileRow(FileId file) const;
     [[nodiscard]] OutlineRow partRow(const Part& part, const OutlineRow& above) const;
     void addModules(Rows& rows, const OutlineRow& above) const;
-    void addParts(Rows& rows, const Part& part, const OutlineRow& above, bool reached) const;
+    void addParts(Rows& rows, const OutlineRow& above) const;
     void addMembers(Rows& rows, const OutlineRow& above, std::size_t first, std::size_t last) const;
     [[nodiscard]] OutlineRow membersRow(const OutlineRow& above, std::size_t first, std::size_t last, bool all) const;
     [[nodiscard]] OutlineRow memberRow(const OutlineRow& above, std::size_t robot) const;

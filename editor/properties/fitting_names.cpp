@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/config_blocks.h"
+
 namespace trundle {
 namespace {
 
@@ -23,6 +25,7 @@ constexpr std::size_t kMostNames = 2000; // Parts may hold very many
 
 void addInside(const Part& config, const std::string& before, const std::vector<std::string>& choices, bool geoms,
                std::vector<std::string>& names) {
+    if (isVariant(config)) addInside(*config.config, before, choices, geoms, names);
     for (const Part& part : config.parts) {
         if (names.size() > kMostNames) return;
         if (part.isRepeat()) {

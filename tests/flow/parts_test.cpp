@@ -173,6 +173,36 @@ private Q_SLOTS:
         QCOMPARE(hashOf(a), hashOf(b));
     }
 
+    /// A variant is the config with its values in place, and its blocks at the end.
+    void variantsMoveLikeTheirCopies() {
+        const auto cart = [](const QString& name, const char* r, const char* mass, const char* damping, const char* more) {
+            return "RobotConfig " + name + " { Param r = " + r +
+                   "\n Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,$(r+0.05) Mass=" + mass +
+                   " Material=orange Surface=plastic } }\n Repeat wheel { Count=4 Body rim { "
+                   "Pos=$(0.2*mod(index,2)-0.1),$(0.26*floor(index/2)-0.13),$r HPR=0,0,90 Cylinder tyre { Radius=$r Length=0.03 "
+                   "Mass=0.15 "
+                   "Material=black Surface=rubber } }\n  Hinge axle { Parent=chassis Child=rim Axis=0,1,0 Damping=" +
+                   damping + " } }\n" + more + "}\n";
+        };
+        const char* const mast =
+            "Body mast { Box pole { Size=0.02,0.02,0.4 Pos=0.1,0,0.38 Mass=0.5 Material=grey Surface=plastic } }\n"
+            "Fixed foot { Parent=chassis Child=mast }\n";
+        const QString robot = "Robot r { Config=Tall HPR=20,3,5 Pos=0,0,0.1 wheel_2.axle.Damping=0.01 }\n";
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("variant.sim"),
+                          (kHead + cart("Cart", "0.05", "2", "0", "") +
+                           "RobotConfig Tall { Config=Cart r=0.08 chassis.hull.Mass=3 wheel.axle.Damping=0.001\n" + mast + "}\n" +
+                           robot)
+                              .toUtf8()));
+        QVERIFY(writeFile(folder.filePath("hand.sim"), (kHead + cart("Tall", "0.08", "3", "0.001", mast) + robot).toUtf8()));
+        const Outcome a = cli({"run", folder.filePath("variant.sim"), "--hash"}),
+                      b = cli({"run", folder.filePath("hand.sim"), "--hash"});
+        QVERIFY2(a.code == 0, a.err);
+        QVERIFY2(b.code == 0, b.err);
+        QVERIFY2(!hashOf(a).isEmpty(), a.out + a.err);
+        QCOMPARE(hashOf(a), hashOf(b));
+    }
+
     /// A device on a body from outside is placed by the Part's Pos and HPR, which count in that body.
     void placesDevicesOnABodyFromOutside() {
         const QJsonObject now =

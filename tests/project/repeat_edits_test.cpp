@@ -17,6 +17,7 @@ namespace {
 const std::string kKit = R"(Material red { ColorRGB=1,0,0 }
 Surface floor { Friction=1 }
 RobotConfig Kit {
+  Param n = 1
   Body hub { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=floor } }
   Repeat roller { Count=3,2 Pos=$(0.1*index),$(0.2*index2),0
     Body rim { Pos=0.01,0,0 Sphere t { Radius=$(0.01*(1+index)) Mass=0.1 Material=red Surface=floor } }
@@ -189,6 +190,53 @@ private Q_SLOTS:
         QVERIFY2(after, plan.ok() ? "" : plan.error().message.c_str());
         QVERIFY2(messages(*after).empty(), (text + "\n" + messages(*after)).c_str());
         QVERIFY(placeOf(*after, plan.value().selects.at(plan.value().selects.size() - 1)));
+    }
+
+    /// A value changed in a variant is written there; what is added, too; names are renamed in it.
+    void variantsGetOverrides() {
+        const std::string variant =
+            kKit + "RobotConfig Big { Config=Kit hub.hull.Mass=4 }\nRobot a { Config=Kit }\nRobot b { Config=Big }\n"
+                   "Robot c { Config=Big }\n";
+        m_loaded = m_fixture.open(variant);
+        QVERIFY(m_loaded);
+        QCOMPARE(messages(*m_loaded), std::string());
+        const auto place = placeOf(*m_loaded, "RobotConfig.Big.hub.hull");
+        QVERIFY(place && place->part && place->instance);
+        QCOMPARE(place->instance->name, std::string("Big"));
+        QCOMPARE(place->within, std::string("hub.hull"));
+        const auto mass = [&](const char* path) { return ObjectValues(m_loaded, path).property("Mass")->value->numbers.at(0); };
+        QCOMPARE(mass("a.hub.hull"), 2.0);
+        QCOMPARE(mass("b.hub.hull"), 4.0);
+        QCOMPARE(mass("RobotConfig.Big.hub.hull"), 4.0);
+        const auto edited = [&](const char* path) {
+            ConfigUsers users;
+            const EditTarget found = targetOfValue(*m_loaded, path, users);
+            const Result<FileEdits> edits = editsForValues(*m_loaded, {{found.path, std::string("9")}});
+            EditPlan plan;
+            if (edits.ok()) plan.edits = edits.value();
+            return QString::fromStdString(m_fixture.text(m_loaded, plan));
+        };
+        QVERIFY2(edited("RobotConfig.Big.roller.rim.t.Mass").contains("hub.hull.Mass=4 roller.rim.t.Mass=9 }"),
+                 qPrintable(edited("RobotConfig.Big.roller.rim.t.Mass")));
+        QVERIFY2(edited("RobotConfig.Big.n").contains("hub.hull.Mass=4 n=9 }"), qPrintable(edited("RobotConfig.Big.n")));
+        QVERIFY(edited("RobotConfig.Big.hub.hull.Mass").contains("Config=Kit hub.hull.Mass=9 }"));
+        QVERIFY(edited("b.hub.hull.Mass").contains("Robot b { Config=Big hub.hull.Mass=9 }"));
+        const auto added =
+            m_fixture.apply(m_loaded, planInsert(*m_loaded, "RobotConfig.Big.hub",
+                                                 "Body mast { Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }"));
+        QVERIFY(added);
+        QCOMPARE(messages(*added), std::string());
+        QVERIFY(std::string(added->trees[0]->source().bytes()).find("Big { Config=Kit hub.hull.Mass=4 Body mast") !=
+                std::string::npos);
+        m_loaded = m_fixture.open(variant);
+        const auto renamed = m_fixture.apply(m_loaded, planRename(*m_loaded, "RobotConfig.Kit.hub", "core"));
+        QVERIFY(renamed);
+        QCOMPARE(messages(*renamed), std::string());
+        QVERIFY(std::string(renamed->trees[0]->source().bytes()).find("Config=Kit core.hull.Mass=4") != std::string::npos);
+        m_loaded = m_fixture.open(variant);
+        const auto config = m_fixture.apply(m_loaded, planRename(*m_loaded, "RobotConfig.Kit", "Base"));
+        QVERIFY(config);
+        QCOMPARE(messages(*config), std::string());
     }
 
 private:

@@ -21,6 +21,13 @@ template <class T> void describePose(Describe<T>& d, const char* config, const c
     d.field("HPR", &PoseFields::hpr, angles(), "Heading, pitch and roll.");
 }
 
+template <class T> void describeVariant(Describe<T>& d, const char* config) {
+    d.field("Config", &VariantFields::config, reference(config),
+            std::string("Another ") + config +
+                " that this one is a variant of: it has all of that, with the values given here for its "
+                "Params and, by path, for what is in it, and the blocks added here.");
+}
+
 } // namespace
 
 void SettingsFields::describe(Describe<SettingsFields>& d) {
@@ -74,15 +81,18 @@ void SurfaceFields::describe(Describe<SurfaceFields>& d) {
 void RobotConfigFields::describe(Describe<RobotConfigFields>& d) {
     d.help("A robot as a whole: bodies, joints and devices, to be placed by Robot, Grid or Scatter.");
     d.field("SelfCollision", &RobotConfigFields::selfCollision, flag(), "Its bodies collide with each other, save joined ones.");
+    describeVariant(d, "RobotConfig");
 }
 
 void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
     d.help("Scenery: geoms fixed to the world, to be placed by Static.");
+    describeVariant(d, "StaticConfig");
 }
 
 void PartConfigFields::describe(Describe<PartConfigFields>& d) {
     d.help("Something that robots, scenery or other parts have several times: a wheel with its motor, an axle, a fence. Used by "
            "Part. `$name` as a reference to something outside of it is a Param that every use gives.");
+    describeVariant(d, "PartConfig");
 }
 
 void PartFields::describe(Describe<PartFields>& d) {

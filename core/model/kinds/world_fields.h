@@ -40,15 +40,19 @@ struct SurfaceFields {
     static void describe(Describe<SurfaceFields>& d);
 };
 
-struct RobotConfigFields {
+/// What every config may name: the config that it is a variant of.
+struct VariantFields {
+    std::optional<std::string> config;
+};
+struct RobotConfigFields : VariantFields {
     bool selfCollision = false;
     static void describe(Describe<RobotConfigFields>& d);
 };
 
-struct PartConfigFields {
+struct PartConfigFields : VariantFields {
     static void describe(Describe<PartConfigFields>& d);
 };
-struct StaticConfigFields {
+struct StaticConfigFields : VariantFields {
     static void describe(Describe<StaticConfigFields>& d);
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "model/config_blocks.h"
 #include "model/repeat.h"
 #include "schema/value_words.h"
 
@@ -64,7 +65,8 @@ private:
 
     void takeValue(const Part& config, const SourceAssignment& a) {
         const bool param = a.path.size() == 1 && config.param(a.key);
-        const Part* own = m_part.isPartUse() ? nullptr : m_part.find(a.path[0].text);
+        const bool hasBlocks = !m_part.isPartUse() && !m_part.is(Role::Config);
+        const Part* own = hasBlocks ? m_part.find(a.path[0].text) : nullptr;
         if (!param && a.path.size() > 1 && own) {
             m_context.diagnostics.error(Code::NoSuchPath, a.keyRange(),
                                         "set " + a.key.substr(a.path[0].text.size() + 1) + " inside the block of " +
@@ -102,7 +104,7 @@ private:
     bool noSuchPath(const Part& part, const SourceAssignment& a, std::size_t i) {
         if (part.isPartUse() && !part.config) return false; // its config is reported as unknown
         std::vector<std::string> words;
-        for (const Part& inner : part.config ? part.config->parts : part.parts) words.push_back(inner.name);
+        eachBlock(part, [&](const Part& inner) { words.push_back(inner.name); });
         if (i + 1 == a.path.size()) {
             words = propertyNames(*part.kind);
             if (part.config)
@@ -121,8 +123,9 @@ private:
     /// Paths with one more level for a missing word: `chassis.hull.Size` for `hull.Size`.
     static std::vector<std::string> oneDeeper(const Part& part, const std::string& name) {
         std::vector<std::string> paths;
-        for (const Part& inner : part.config ? part.config->parts : part.parts)
+        eachBlock(part, [&](const Part& inner) {
             if (inner.find(name)) paths.push_back(inner.name + "." + name);
+        });
         return paths;
     }
 

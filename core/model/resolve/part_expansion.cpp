@@ -40,12 +40,15 @@ const GivenValue* firstValue(const OverrideNode& node) {
     return nullptr;
 }
 
-/// An empty chain: no circle, but too deep.
-void reportCircle(ResolveContext& context, SourceRange place, const std::string& chain) {
+/// An empty chain: no circle, but too deep. `use`: the Part or variant that closes it.
+void reportCircle(ResolveContext& context, const Part& use, SourceRange place, const std::string& chain) {
+    const std::string configs = (use.isPartUse() ? "PartConfig" : use.kind->name) + "s";
     if (chain.empty())
         context.diagnostics.error(Code::TooManyObjects, place,
-                                  "PartConfigs are nested more than " + std::to_string(kDeepestParts) + " deep");
-    else context.diagnostics.error(Code::WrongPlace, place, "PartConfigs contain each other in a circle: " + chain);
+                                  configs + " are nested more than " + std::to_string(kDeepestParts) + " deep");
+    else if (use.isPartUse())
+        context.diagnostics.error(Code::WrongPlace, place, configs + " contain each other in a circle: " + chain);
+    else context.diagnostics.error(Code::WrongPlace, place, configs + " are variants of each other in a circle: " + chain);
 }
 
 } // namespace
@@ -75,14 +78,17 @@ PartExpansion::PartExpansion(ResolveContext& context, const Part& config, ParamS
     PartFrame& root = m_frames.emplace_back();
     root.config = &config;
     root.scope = &scope;
-    root.overrides = overrides;
+    root.overrides = withVariants(config, scope, overrides);
     root.isOpen = config.kind->name == "PartConfig";
     expand(root);
 }
 
-void PartExpansion::expand(PartFrame& frame) {
-    for (const Part& part : frame.config->parts) {
+/// The blocks of a config; of a variant first those of what it is a variant of, as if they were written in it.
+void PartExpansion::expand(PartFrame& frame, const Part& holder) {
+    if (holder.config && holder.is(Role::Config)) expand(frame, *holder.config);
+    for (const Part& part : holder.parts) {
         if (isFull()) return;
+        if (clashes(part, holder)) continue;
         if (part.isPartUse() || part.isRepeat()) {
             if (part.usable) part.isRepeat() ? expandRepeat(part, frame) : expandUse(part, frame);
             continue;
@@ -90,6 +96,55 @@ void PartExpansion::expand(PartFrame& frame) {
         if (frame.holder().use) checkContent(part, frame.holder());
         m_parts.push_back({&part, &frame});
     }
+}
+
+/// Whether a variant has a block with a name that is taken in what it is a variant of; reports it.
+bool PartExpansion::clashes(const Part& part, const Part& holder) {
+    const Part* taken = holder.config && !part.name.empty() ? holder.config->find(part.name) : nullptr;
+    if (!taken) return false;
+    Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, part.nameRange(),
+                                                holder.config->title() + " has " + taken->title() +
+                                                    " already; set its values by path, " + part.name + ". ...");
+    d.notes.emplace_back("first defined here", taken->nameRange());
+    return true;
+}
+
+/// The overrides of a frame: those that variants make in what they are variants of, and over them those from outside.
+const OverrideNode* PartExpansion::withVariants(const Part& config, ParamScope& scope, const OverrideNode* outside) {
+    if (!config.config) return outside;
+    OverrideNode& all = m_overrides.emplace_back();
+    addVariant(config, scope, all);
+    if (outside) layMember(*outside, all);
+    return &all;
+}
+
+void PartExpansion::addVariant(const Part& config, ParamScope& scope, OverrideNode& overrides) {
+    if (!config.config) return;
+    addVariant(*config.config, scope, overrides);
+    InstanceValues given;
+    const Part* base = nullptr;
+    (void)readInstance(m_context, config, scope, given, base, config.kind->name);
+    for (const auto& [name, node] : given.overrides.children) layMember(node, overrides.children[name]);
+    for (const SourceParam& param : config.params) { // those of the base are among them, unless they have been declared again
+        const SourceParam* taken = config.config->param(param.name->text);
+        if (!taken || taken->name == param.name) continue;
+        Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, param.nameRange(),
+                                                    config.config->title() + " has a Param " + param.name->text +
+                                                        " already; set its value: " + param.name->text + "=...");
+        d.notes.emplace_back("first defined here", taken->nameRange());
+    }
+}
+
+Record readConfig(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides) {
+    if (!config.assignments.find("Config")) return context.read(config, scope, overrides, Origin::Config);
+    InstanceValues given;
+    const Part* base = nullptr;
+    Record record = readInstance(context, config, scope, given, base, config.kind->name, overrides);
+    if (!config.config) return record;
+    const Record inherited = readConfig(context, *config.config, scope, overrides);
+    for (std::size_t i = 0; i < record.values.size(); ++i)
+        if (!record.values[i] || record.values[i]->origin == Origin::Default) record.values[i] = inherited.values[i];
+    return record;
 }
 
 bool PartExpansion::isFull() {
@@ -184,14 +239,14 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
     if (outer.use) nameUses(first, outer);
     if (!frame.config) return;
     frame.prefix = outer.prefix + use.name + ".";
-    if (isCircle(outer, *frame.config, record.rangeOf("Config", use.nameRange()))) return;
+    if (isCircle(frame, record.rangeOf("Config", use.nameRange()))) return;
     OverrideNode& overrides = m_overrides.emplace_back();
     for (auto& [name, node] : frame.given.overrides.children) lay(node, overrides.children[name]);
     if (outside) lay(*outside, overrides);
-    frame.overrides = &overrides;
     frame.scope = &m_scopes.emplace_back(&m_context.globals);
     frame.scope->declare(frame.config->params);
     if (!takeParams(frame, outside, *frame.scope) || !record.complete || outer.isOpen) return;
+    frame.overrides = withVariants(*frame.config, *frame.scope, &overrides);
     frame.placement = PartPlacement(fieldsFrom<PartFields>(record));
     outer.inner.emplace(use.name, &frame);
     const std::size_t values = m_context.diagnostics.all().size();
@@ -229,19 +284,20 @@ bool PartExpansion::takeParams(PartFrame& frame, const OverrideNode* outside, Pa
     return good;
 }
 
-bool PartExpansion::isCircle(const PartFrame& outer, const Part& config, SourceRange place) {
+bool PartExpansion::isCircle(const PartFrame& frame, SourceRange place) {
     std::vector<const Part*> chain;
-    for (const PartFrame* at = &outer; at; at = at->outer)
+    for (const PartFrame* at = frame.outer; at; at = at->outer)
         if (!at->member) chain.insert(chain.begin(), at->config);
-    const auto begin = std::ranges::find(chain, &config);
+    const auto begin = std::ranges::find(chain, frame.config);
     if (begin == chain.end() && chain.size() <= kDeepestParts) return false;
     std::string text;
     if (begin == chain.end()) {
-        if (m_context.outline.partCircles().empty()) reportCircle(m_context, place, text); // by a Param
+        if (m_context.outline.partCircles().empty()) reportCircle(m_context, *frame.use, place, text); // by a Param
         return true;
     }
     for (auto it = begin; it != chain.end(); ++it) text += (*it)->name + " > ";
-    if (m_context.outline.partCircles().empty()) reportCircle(m_context, place, text + config.name); // by a Param
+    if (m_context.outline.partCircles().empty())
+        reportCircle(m_context, *frame.use, place, text + frame.config->name); // by a Param
     return true;
 }
 
@@ -284,7 +340,7 @@ double ConfigSizes::of(const Part& config) {
 }
 
 double ConfigSizes::count(const Part& part, ParamScope& scope) {
-    double size = 1;
+    double size = part.config && part.is(Role::Config) ? count(*part.config, scope) : 1;
     for (const Part& inner : part.parts) {
         if (!inner.isRepeat()) {
             size += inner.config ? 1 + of(*inner.config) : count(inner, scope);
@@ -301,7 +357,7 @@ double ConfigSizes::count(const Part& part, ParamScope& scope) {
 
 void reportPartCircles(ResolveContext& context) {
     for (const Outline::PartCircle& circle : context.outline.partCircles())
-        reportCircle(context, circle.use->assignments.find("Config")->valueRange(), circle.chain);
+        reportCircle(context, *circle.use, circle.use->assignments.find("Config")->valueRange(), circle.chain);
 }
 
 } // namespace trundle

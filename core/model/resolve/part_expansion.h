@@ -77,14 +77,18 @@ public:
     }
 
 private:
-    void expand(PartFrame& frame);
+    void expand(PartFrame& frame) { expand(frame, *frame.config); }
+    void expand(PartFrame& frame, const Part& holder);
+    [[nodiscard]] const OverrideNode* withVariants(const Part& config, ParamScope& scope, const OverrideNode* outside);
+    void addVariant(const Part& config, ParamScope& scope, OverrideNode& overrides);
+    [[nodiscard]] bool clashes(const Part& part, const Part& holder);
     void expandUse(const Part& use, PartFrame& outer);
     void expandRepeat(const Part& repeat, PartFrame& outer);
     [[nodiscard]] bool expandMember(const Part& repeat, PartFrame& outer, std::size_t member, const std::vector<double>& counts);
     void checkMembers(const Part& repeat, const PartFrame& outer, std::size_t count);
     [[nodiscard]] bool isFull();
     [[nodiscard]] bool takeParams(PartFrame& frame, const OverrideNode* outside, ParamScope& scope);
-    [[nodiscard]] bool isCircle(const PartFrame& outer, const Part& config, SourceRange place);
+    [[nodiscard]] bool isCircle(const PartFrame& frame, SourceRange place);
     void checkContent(const Part& part, const PartFrame& frame);
     void nameUses(std::size_t first, const PartFrame& frame);
 
@@ -96,6 +100,9 @@ private:
     std::vector<ExpandedPart> m_parts;
     std::set<const Part*> m_faulty; ///< blocks of Repeats with errors: the other members would repeat them
 };
+
+/// The properties of a config itself, those that it does not set from the config that it is a variant of.
+[[nodiscard]] Record readConfig(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides);
 
 /// Counts the objects of configs with those of their Parts, without expanding them.
 class ConfigSizes {

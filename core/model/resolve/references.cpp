@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/resolve/part_expansion.h"
 #include "schema/value_words.h"
@@ -41,6 +42,7 @@ private:
     void add(const Part& config, const std::string& prefix, int depth) {
         constexpr std::size_t kMost = 500;
         constexpr int kDeepest = 8;
+        if (isVariant(config)) add(*config.config, prefix, depth + 1);
         for (const Part& part : config.parts) {
             if (m_names.size() > kMost || depth > kDeepest) return;
             if (part.isRepeat()) {

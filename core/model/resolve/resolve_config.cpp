@@ -82,7 +82,7 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
     auto spec = std::make_shared<RobotConfigSpec>();
     spec->name = config.name;
     spec->range = config.range;
-    spec->selfCollision = fieldsFrom<RobotConfigFields>(context.read(config, scope, overrides, Origin::Config)).selfCollision;
+    spec->selfCollision = fieldsFrom<RobotConfigFields>(readConfig(context, config, scope, overrides)).selfCollision;
     PartExpansion expansion(context, config, scope, overrides);
     const bool bodies = std::ranges::any_of(expansion.parts(), [](const ExpandedPart& part) {
         return part.part->is(Role::Body) || part.part->is(Role::Geom) || !part.part->kind;
@@ -101,7 +101,7 @@ void checkPartConfig(ResolveContext& context, const Part& config) {
     ParamScope scope(&context.globals);
     scope.declare(config.params);
     context.evaluator.checkAll(scope);
-    (void)context.read(config, scope, nullptr, Origin::Config);
+    (void)readConfig(context, config, scope, nullptr);
     RobotConfigSpec discarded;
     PartExpansion expansion(context, config, scope, nullptr);
     resolveParts(context, expansion, discarded);

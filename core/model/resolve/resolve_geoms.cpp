@@ -206,7 +206,7 @@ std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, P
 std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config, ParamScope& scope,
                                                                  const OverrideNode* overrides) {
     auto geoms = std::make_shared<std::vector<GeomSpec>>();
-    (void)context.read(config, scope, overrides, Origin::Config);
+    (void)readConfig(context, config, scope, overrides);
     PartExpansion expansion(context, config, scope, overrides);
     expansion.each(Role::Geom, [&](const ExpandedPart& part) {
         std::optional<GeomSpec> geom = resolveGeom(context, *part.part, *part.frame->scope, part.overrides(), false);

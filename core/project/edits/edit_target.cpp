@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "project/edits/plan_targets.h"
 #include "project/loading/search.h"
@@ -64,7 +65,8 @@ FileEdits editsOf(const Fix& fix) {
 std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config) {
     std::vector<const Part*> instances;
     for (const auto& part : loaded.outline->parts) {
-        if (isPlaced(*part) && configOf(loaded, *part) == &config) instances.push_back(part.get());
+        const bool isInstance = isPlaced(*part) || isVariant(*part);
+        if (isInstance && configOf(loaded, *part) == &config) instances.push_back(part.get());
         if (part->is(Role::Config))
             eachPartUse(*part, [&](const Part& use) {
                 if (use.config == &config) instances.push_back(&use);

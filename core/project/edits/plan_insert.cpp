@@ -4,6 +4,7 @@
 #include <set>
 
 #include "lang/characters.h"
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/pasted_blocks.h"
@@ -28,9 +29,10 @@ std::vector<Target> nearTo(const LoadedProject& loaded, const ObjectLocation& pl
         const bool isHolderOfConfig =
             (*it)->config && all.back().part == (*it)->config; // a Part and its PartConfig have one path
         if (!isHolderOfConfig) path = withoutLastWord(path);
+        if (isHolderOfConfig && isVariant(**it)) all.pop_back(); // what is added to a variant is written in it
         all.push_back({*it, path});
     }
-    if (!place.instance || place.instance->isPartUse()) return all;
+    if (!place.instance || place.instance->isPartUse() || isVariant(*place.instance)) return all;
     if (all.back().part != place.instance) all.push_back({place.instance, path}); // same path: its config is reached through it
     else if (const Part* config = configOf(loaded, *place.instance)) all.push_back({config, path});
     return all;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <set>
 
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/object_location.h"
@@ -35,6 +36,7 @@ public:
         for (const auto& part : m_outline.parts) {
             if (isPlaced(*part))
                 if (const Part* config = configOf(m_loaded, *part)) m_instances[config].push_back({part.get(), nullptr, {}});
+            if (isVariant(*part)) m_instances[part->config].push_back({part.get(), nullptr, {}});
             collectUses(*part, *part, {});
         }
         m_globals = NameScope(m_texts, m_texts.trees[0]->items(), 0, nullptr);
@@ -75,7 +77,8 @@ private:
         if (part.is(Role::Config)) config = &part;
         if (placed) config = configOf(m_loaded, part);
         if (part.isRepeat()) m_repeats.push_back(&part);
-        values(part.block->items, part.file, {&part, part.kind, config, placed ? &part : nullptr, m_repeats}, scope);
+        const bool setsValues = placed || isVariant(part);
+        values(part.block->items, part.file, {&part, part.kind, config, setsValues ? &part : nullptr, m_repeats}, scope);
         if (part.is(Role::Controller) && config) defaults(part, *config);
         for (const Part& inner : part.parts) visit(inner, config, scope);
         if (part.parts.empty()) raw(part.block->items, part.file, part, config, scope); // invalid blocks have no parts

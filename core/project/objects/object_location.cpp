@@ -1,5 +1,6 @@
 #include "project/objects/object_location.h"
 
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/provenance.h"
 
@@ -10,6 +11,10 @@ namespace {
 bool isMember(const LoadedProject& loaded, std::string_view name) {
     const std::vector<RobotSpec>& robots = loaded.experiment->robots;
     return std::any_of(robots.begin(), robots.end(), [&](const RobotSpec& robot) { return robot.name == name; });
+}
+
+bool hasOwn(const Part& holder, const Part& block) {
+    return !holder.parts.empty() && &holder.parts.front() <= &block && &block <= &holder.parts.back();
 }
 
 /// Descends by name; false if a name is not found.
@@ -25,7 +30,8 @@ bool descend(ObjectLocation& place, const Part& from, std::span<const std::strin
         }
         if (next->isRepeat() && next->name != word) place.members.emplace_back(next, memberName(word)->index);
         above.push_back(at);
-        if (at->config) above.push_back(at->config);
+        // through a Part into its config, and of a variant into what it is a variant of
+        for (const Part* holder = at; holder->config && !hasOwn(*holder, *next); above.push_back(holder)) holder = holder->config;
         at = next;
     }
     place.part = at;
@@ -33,11 +39,13 @@ bool descend(ObjectLocation& place, const Part& from, std::span<const std::strin
     return true;
 }
 
-/// The first Part on a path into a config is the instance that the rest is reached through.
+/// The first Part on a path into a config is the instance that the rest is reached through; or a variant that has it from another
+/// config.
 void findPart(ObjectLocation& place, std::span<const std::string> words) {
     std::vector<const Part*> chain = place.above;
     chain.push_back(place.part);
     std::size_t used = 0;
+    if (chain.size() > 1 && isVariant(*chain[0]) && chain[1] == chain[0]->config) place.instance = chain[0];
     for (const Part* part : chain) {
         if (place.instance || part->is(Role::Config)) continue;
         ++used;

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "lang/characters.h"
+#include "model/config_blocks.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -68,6 +69,10 @@ const Part* UsedNames::beside(const std::string& name) const {
         return config ? config->find(name) : nullptr;
     }
     if (!m_parent->is(Role::Config)) return nullptr;
+    for (const Part* variant : m_loaded.outline->configs.all()) {
+        const Part* part = isVariant(*variant) && variant->config == m_parent ? variant->find(name) : nullptr;
+        if (part) return part;
+    }
     for (const Part* instance : m_loaded.outline->world.all()) {
         const Part* part = isPlaced(*instance) ? instance->find(name) : nullptr;
         if (part && configOf(m_loaded, *instance) == m_parent) return part;

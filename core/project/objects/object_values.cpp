@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 #include "project/objects/value_text.h"
@@ -47,7 +48,7 @@ ObjectValues::ObjectValues(std::shared_ptr<const LoadedProject> loaded, std::str
     if (!m_part) return;
     m_kind = m_part->kind;
     const Part& top = m_place.above.empty() ? *m_part : *m_place.above.front();
-    m_inConfig = m_place.instance && m_part != m_place.instance && &top != m_place.instance;
+    m_inConfig = m_place.instance && m_part != m_place.instance && (&top != m_place.instance || isVariant(*m_place.instance));
     if (isInstance()) m_config = configOf(*m_loaded, *m_part);
     else if (m_place.instance) m_config = configOf(*m_loaded, *m_place.instance);
     else if (top.is(Role::Config)) m_config = &top;

@@ -1,5 +1,6 @@
 #include "project/objects/path_scopes.h"
 
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/repeat.h"
 
@@ -18,9 +19,13 @@ PathScopes::PathScopes(const LoadedProject& loaded, const ObjectLocation& place)
                             enterMember(*place.instance, place.memberOf(*place.instance).value_or(0)),
                             {},
                             {}});
+    const Part* before = nullptr;
     for (const Part* part : chain) {
+        const bool isBase = before && isVariant(*before) && before->config == part; // its blocks are in the scope of the variant
+        before = part;
         if (part->is(Role::Config)) {
-            m_scope = enter(*part);
+            if (!isBase) m_scope = enter(*part);
+            if (isVariant(*part)) m_layers.push_back({part, part->config, m_scope, {}, {}});
             continue;
         }
         if (part != chain.front()) descend(*part, place);

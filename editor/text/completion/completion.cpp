@@ -13,6 +13,7 @@
 #include "editor/text/symbols/text_location.h"
 #include "lang/characters.h"
 #include "lang/edit_style.h"
+#include "model/config_blocks.h"
 #include "schema/allowed_parents.h"
 
 namespace trundle {
@@ -175,12 +176,12 @@ private:
     }
 
     void parts(const Part& owner) {
-        for (const Part& part : owner.parts) {
-            if (!part.kind || part.name.empty()) continue;
+        eachBlock(owner, [&](const Part& part) {
+            if (!part.kind || part.name.empty()) return;
             add(CompletionSort::Reference, part.name, part.name + ".", part.kind->name,
                 "Set a property of " + part.title() + " for this one only.")
                 .hasMore = true;
-        }
+        });
     }
 
     void override() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/text/symbols/property_text.h"
+#include "model/config_blocks.h"
 #include "project/objects/name_references.h"
 #include "project/objects/object_location.h"
 
@@ -77,6 +78,7 @@ private:
     }
     /// Names in a config; those in a Repeat without the member in front only from inside it.
     void local(const Part& config, const std::string& choice, const std::string& prefix = {}) {
+        if (isVariant(config)) local(*config.config, choice, prefix);
         for (const Part& part : config.parts) {
             if (&part == own()) continue;
             if (fits(part, choice)) named(part, prefix);
@@ -111,6 +113,7 @@ private:
     }
     /// Signals of a config's devices or a robot's controller.
     void signalsOf(const Part& owner, Role role, const std::string& before) {
+        if (isVariant(owner)) signalsOf(*owner.config, role, before);
         for (const Part& part : owner.parts) {
             if (part.isRepeat()) signalsOf(part, role, before + part.name + "_0.");
             if (!part.is(role)) continue;

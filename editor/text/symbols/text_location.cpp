@@ -61,6 +61,10 @@ TextLocation placeAt(const LoadedProject& loaded, FileId file, std::uint32_t off
         else if (isPlaced(*outer)) place.config = configUnder(loaded, *outer);
     }
     if (part && isPlaced(*part)) place.instance = part;
+    if (part && part->is(Role::Config) && part->assignments.find("Config")) { // a variant
+        place.instance = part;
+        place.config = configUnder(loaded, *part);
+    }
     return place;
 }
 

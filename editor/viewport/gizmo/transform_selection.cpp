@@ -182,8 +182,7 @@ void TransformSelection::takeLayout(const std::string& path) {
 
 void TransformSelection::takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside) {
     const LoadedProject& loaded = *m_context.document.loaded();
-    const RobotSpec* robot = m_objects->robotOf(inside);
-    const ObjectRef whole{robot ? ObjectKind::Robot : ObjectKind::Static, inside.instance};
+    const ObjectRef whole{m_objects->robotOf(inside) ? ObjectKind::Robot : ObjectKind::Static, inside.instance};
     Item item{path,
               std::nullopt,
               {},

@@ -44,6 +44,20 @@ private Q_SLOTS:
         w.filter().setText(QStringLiteral("rim"));
         QVERIFY(w.at("robot0.roller.rim").isValid());
     }
+
+    /// What a variant has from another config is below it, too, and below its robots.
+    void variantHasAll() {
+        OutlineFixture w;
+        QVERIFY(w.open("RobotConfig Kit { Body hub { Box hull { Size=1,1,1 Mass=1 } } }\n"
+                       "RobotConfig Big { Config=Kit hub.hull.Mass=2 Body mast { Box b { Size=1,1,1 Mass=1 } } }\n"
+                       "Robot robot0 { Config=Big }\n"));
+        QCOMPARE(w.errors(), QString());
+        for (const char* path :
+             {"robot0.hub.hull", "robot0.mast.b", "RobotConfig.Big.hub", "RobotConfig.Big.mast", "RobotConfig.Kit.hub"})
+            QVERIFY2(w.at(path).isValid(), path);
+        w.filter().setText(QStringLiteral("hull"));
+        QVERIFY(w.at("RobotConfig.Big.hub.hull").isValid());
+    }
 };
 
 QTEST_MAIN(PartsTest)

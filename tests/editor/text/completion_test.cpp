@@ -145,6 +145,12 @@ void CompletionTest::lists_data() {
     row("Params", "#import parts.sim\nParam speed = 2\nTick = $|", "$speed", "$wheelRadius");
     row("a Param in its own value", "Param a = 2\nParam b = $|", "$a", "$b");
     row("Params of the config", "RobotConfig A { Param r = 1\n Body b { Sphere s { Radius=$| } } }", "$r", "");
+    row("what a variant sets", "#import parts.sim\nRobotConfig Big { Config=Rover | }",
+        "leftMotor wheelRadius SelfCollision Body", "Config");
+    row("behind the dot in a variant", "#import parts.sim\nRobotConfig Big { Config=Rover leftMotor.| }", "Resistance", "Pos");
+    row("configs of variants", "#import parts.sim\nRobotConfig Big { Config=| }", "Rover", "Arena");
+    row("names from what it is a variant of",
+        "RobotConfig A { Body a { } }\nRobotConfig B { Config=A Body b { } Hinge h { Parent=| } }", "a b world", "");
     row("in a Repeat of a robot", "RobotConfig A { Repeat r { Count=3 | } }", "Body Hinge Encoder Part Repeat Ring Pos",
         "Box Count Robot");
     row("in a Repeat of scenery", "StaticConfig A { Repeat r { Count=3 | } }", "Box Plane Part Repeat", "Body Hinge");
