@@ -9,10 +9,13 @@
 #include "devices/differential_drive.h"
 #include "devices/encoder.h"
 #include "devices/gps.h"
+#include "devices/ground_sensor.h"
 #include "devices/imu.h"
 #include "devices/lidar.h"
+#include "devices/light_sensor.h"
 #include "devices/range_sensor.h"
 #include "devices/rotary_motor.h"
+#include "devices/servo.h"
 #include "devices/touch_sensor.h"
 #include "devices/transceiver.h"
 
@@ -33,6 +36,10 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<Imu>(), "Imu");
     visit(std::type_identity<Compass>(), "Compass");
     visit(std::type_identity<Gps>(), "Gps");
+    visit(std::type_identity<GroundSensor>(), "GroundSensor");
+    visit(std::type_identity<LightSensor>(), "LightSensor");
+    visit(std::type_identity<Servo>(), "Servo");
+    visit(std::type_identity<LinearMotor>(), "LinearMotor");
 }
 
 } // namespace

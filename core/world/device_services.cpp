@@ -4,6 +4,7 @@
 
 #include "base/platform/module_text.h"
 #include "base/rng.h"
+#include "world/device_light.h"
 #include "world/device_radio.h"
 #include "world/device_rays.h"
 #include "world/device_texts.h"
@@ -163,7 +164,8 @@ void fillServices(TrundleServices& services, ServiceContext& context, double tic
                 ServiceCalls::print,
                 servicesRadio(),
                 ServiceCalls::servoRow,
-                servicesRays()};
+                servicesRays(),
+                servicesLight()};
 }
 
 } // namespace trundle

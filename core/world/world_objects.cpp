@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "model/passive_objects.h"
 #include "world/reflectance.h"
@@ -30,7 +31,11 @@ JointLocation placeOf(const JointSpec& joint, const BuiltRobot& robot) {
 
 void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
     const std::size_t before = diagnostics.errorCount();
-    for (const MaterialSpec& material : experiment.materials) m_reflectances.push_back(reflectanceOf(material));
+    for (const MaterialSpec& material : experiment.materials) {
+        m_reflectances.push_back(reflectanceOf(material));
+        m_hasPicture.push_back(material.picture != nullptr);
+    }
+    m_lights = lightsOf(experiment);
     buildScenery(experiment, engine, diagnostics);
     buildRobots(experiment, engine, diagnostics);
     if (diagnostics.errorCount() > before) return;
@@ -57,7 +62,7 @@ void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine
                 diagnostics.error(id.error().code, g.nameRange, s.name + "/" + id.error().message);
                 continue;
             }
-            addGeom(id.value().index, s.name + "/" + g.name, g);
+            addGeom(id.value().index, {s.name + "/" + g.name, &g, BuiltGeom::kNoBody, s.pose * g.pose});
         }
     }
 }
@@ -83,12 +88,11 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
     }
 }
 
-void WorldObjects::addGeom(std::uint32_t geom, std::string path, const GeomSpec& spec) {
-    const std::size_t count = std::max<std::size_t>(m_geomPaths.size(), geom + 1);
-    m_geomPaths.resize(count);
-    m_geomMaterials.resize(count);
-    m_geomPaths[geom] = std::move(path);
-    m_geomMaterials[geom] = spec.material;
+void WorldObjects::addGeom(std::uint32_t index, BuiltGeom geom) {
+    m_geoms.resize(std::max<std::size_t>(m_geoms.size(), index + 1));
+    const std::uint32_t material = geom.spec->material;
+    if (material < m_hasPicture.size() && m_hasPicture[material]) std::tie(geom.low, geom.size) = pictureBox(*geom.spec);
+    m_geoms[index] = std::move(geom);
 }
 
 void WorldObjects::nameBodies(const BuiltRobot& robot) {
@@ -102,7 +106,8 @@ void WorldObjects::nameBodies(const BuiltRobot& robot) {
         m_bodyByPath.emplace(m_bodyPaths[id], id);
         for (std::size_t g = 0; g < bodies[b].geoms.size(); ++g) {
             const GeomHandle geom = robot.handles.geoms[b][g];
-            if (geom.valid()) addGeom(geom.index, m_bodyPaths[id] + "/" + bodies[b].geoms[g].name, bodies[b].geoms[g]);
+            const GeomSpec& spec = bodies[b].geoms[g];
+            if (geom.valid()) addGeom(geom.index, {m_bodyPaths[id] + "/" + spec.name, &spec, id, spec.pose});
         }
     }
 }

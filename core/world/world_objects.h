@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include <trundle/abi_light.h>
+
 #include "base/diagnostic.h"
 #include "world/engine.h"
 
@@ -18,6 +20,16 @@ struct BuiltRobot {
     Pose frameInFirst;          ///< pose of the config frame in the first body's frame
     bool frameIsFirst = false;  ///< frameInFirst is the identity
     std::optional<Vec3> centre; ///< of a passive object: centre of mass of its first body in the config frame
+};
+
+/// A geom that collides.
+struct BuiltGeom {
+    std::string path;
+    const GeomSpec* spec = nullptr; ///< of the experiment, which outlives it; nullptr: none
+    std::uint32_t body = kNoBody;
+    Pose pose;                                    ///< in its body, of scenery in the world
+    Vec3 low = Vec3::Zero(), size = Vec3::Zero(); ///< of its bounding box, if its material has a picture
+    static constexpr std::uint32_t kNoBody = 0xffffffffu;
 };
 
 /// Anchor and axis of a joint in its parent's frame.
@@ -42,15 +54,19 @@ public:
 
     // By index in the engine.
     [[nodiscard]] bool isBody(std::uint32_t body) const { return body < m_bodyPaths.size(); }
-    [[nodiscard]] bool isGeom(std::uint32_t geom) const { return geom < m_geomPaths.size(); }
+    [[nodiscard]] bool isGeom(std::uint32_t geom) const { return geom < m_geoms.size(); }
     /// False also for a joint without a position.
     [[nodiscard]] bool jointHasPosition(std::uint32_t joint) const { return joint < m_jointTurns.size() && m_jointTurns[joint]; }
-    [[nodiscard]] const std::string& geomPath(std::uint32_t geom) const { return m_geomPaths[geom]; }
-    [[nodiscard]] std::uint32_t geomMaterial(std::uint32_t geom) const { return m_geomMaterials[geom]; }
+    [[nodiscard]] const BuiltGeom& geom(std::uint32_t index) const { return m_geoms[index]; }
+    [[nodiscard]] const std::string& geomPath(std::uint32_t geom) const { return m_geoms[geom].path; }
+    [[nodiscard]] std::uint32_t geomMaterial(std::uint32_t geom) const {
+        return m_geoms[geom].spec ? m_geoms[geom].spec->material : 0;
+    }
     /// Of a material by its index in the experiment, 0..1; 0 if there is none.
     [[nodiscard]] double reflectance(std::uint32_t material) const {
         return material < m_reflectances.size() ? m_reflectances[material] : 0;
     }
+    [[nodiscard]] const std::vector<TrundleLight>& lights() const { return m_lights; }
     [[nodiscard]] const std::vector<std::string>& bodyPaths() const { return m_bodyPaths; }
     [[nodiscard]] SourceRange bodyRange(std::uint32_t body) const { return m_bodyRanges[body]; }
     /// nullptr: no such joint.
@@ -65,14 +81,16 @@ public:
 private:
     void buildScenery(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
     void buildRobots(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
-    void addGeom(std::uint32_t geom, std::string path, const GeomSpec& spec);
+    void addGeom(std::uint32_t index, BuiltGeom geom);
     void nameBodies(const BuiltRobot& robot);
     void locateJoints(const BuiltRobot& robot);
 
     std::vector<BuiltRobot> m_robots;
-    std::vector<std::string> m_geomPaths, m_bodyPaths;
-    std::vector<std::uint32_t> m_geomMaterials; ///< indices in the experiment
-    std::vector<double> m_reflectances;         ///< by material
+    std::vector<BuiltGeom> m_geoms;
+    std::vector<std::string> m_bodyPaths;
+    std::vector<double> m_reflectances; ///< by material
+    std::vector<TrundleLight> m_lights;
+    std::vector<std::uint8_t> m_hasPicture; ///< by material
     std::vector<SourceRange> m_bodyRanges;
     std::vector<std::uint32_t> m_hashOrder;
     std::vector<std::uint8_t> m_jointTurns;

@@ -8,15 +8,15 @@ namespace trundle {
 
 // Kinds that have an icon. Must be sorted, for the binary search.
 static constexpr auto kDrawn =
-    std::to_array<std::string_view>({"Ball",        "Body",       "Box",         "Camera",      "Capsule",
-                                     "Compass",     "ContactLog", "Convex",      "Cylinder",    "DifferentialDrive",
-                                     "Encoder",     "EnergyLog",  "Fixed",       "Gps",         "Grid",
-                                     "Heightfield", "Hinge",      "Imu",         "Lidar",       "Material",
-                                     "Mesh",        "Part",       "PartConfig",  "Plane",       "PoseLog",
-                                     "RangeSensor", "Robot",      "RobotConfig", "RotaryMotor", "Scatter",
-                                     "SignalLog",   "Slider",     "Sphere",      "Static",      "StaticConfig",
-                                     "Surface",     "Suspension", "TouchSensor", "Transceiver", "Universal",
-                                     "View"});
+    std::to_array<std::string_view>({"Ball",         "Body",        "Box",         "Camera",       "Capsule",
+                                     "Compass",      "ContactLog",  "Convex",      "Cylinder",     "DifferentialDrive",
+                                     "Encoder",      "EnergyLog",   "Fixed",       "Gps",          "Grid",
+                                     "GroundSensor", "Heightfield", "Hinge",       "Imu",          "Lidar",
+                                     "LightSensor",  "LinearMotor", "Material",    "Mesh",         "Part",
+                                     "PartConfig",   "Plane",       "PoseLog",     "RangeSensor",  "Robot",
+                                     "RobotConfig",  "RotaryMotor", "Scatter",     "Servo",        "SignalLog",
+                                     "Slider",       "Sphere",      "Static",      "StaticConfig", "Surface",
+                                     "Suspension",   "TouchSensor", "Transceiver", "Universal",    "View"});
 
 QString roleIcon(Role role) {
     switch (role) {

@@ -29,6 +29,8 @@ QList<Sample> sampleExperiments(const QString& configs) {
         {"arc_motion", "Arc motion", "A full circle at a commanded speed and turn rate."},
         {"obstacle_detection", "Obstacle detection", "Bump, back off, turn, continue: a walled arena."},
         {"wall_follow", "Wall follow", "Once around a room along its walls, with a lidar."},
+        {"line_follow", "Line follow", "Finds a line on the floor and goes once around on it."},
+        {"braitenberg", "Braitenberg", "Two light sensors, two wheels: it comes to rest before the lamp."},
         {"swarm", "Swarm", "A hundred robots, each on a random walk of its own."},
         {"camera_swarm", "Camera swarm", "Twenty robots with a camera each, all after one red ball."},
         {"blob_follow", "Blob follow", "Looks around with a camera, drives to the red ball."},
@@ -56,10 +58,12 @@ QList<Sample> sampleParts(const QString& configs) {
         {"robots/amr", "AMR", "A heavy carrier for halls and corridors."},
         {"robots/camera_robot", "Camera robot", "Two driven wheels and a camera on a mast."},
         {"robots/lidar_robot", "Lidar robot", "Small, for classrooms: a lidar on three decks, an IMU."},
+        {"robots/round_robot", "Round robot", "Palm-sized: infrared all around, sensors for lines on the floor."},
         {"robots/radio_robot", "Radio robot", "Carries a patch antenna that looks ahead."},
         {"robots/tmote_sky", "Tmote Sky", "A radio mote, lying on its batteries."},
         {"arenas/medium_arena", "Medium arena", "A square room, 4 m x 4 m, with low walls."},
         {"arenas/furnished_room", "Furnished room", "5 m x 4 m, with a partition, a cupboard and a column."},
+        {"arenas/line_course", "Line course", "A floor with a closed black line to follow."},
         {"arenas/colour_yard", "Colour yard", "A red ball to find among things of other colours."},
     };
     QList<Sample> found;

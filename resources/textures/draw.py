@@ -213,9 +213,45 @@ def rings(x, y):
     return (0.12, 0.12, 0.13) if band < 0.18 else shade((0.66, 0.68, 0.71), 0.86 + 0.28 * abs(x - 0.5))
 
 
+COURSE = (2.4, 1.6)  # m, of the floor with the line
+LINE_WIDTH = 0.018  # m
+
+
+def line_at(t):
+    """A point of the line, m from the middle of the floor, x to the right, y up; t from 0 to 2 pi goes around once."""
+    return (0.88 * math.cos(t) + 0.10 * math.cos(2 * t) - 0.06 * math.sin(3 * t),
+            0.50 * math.sin(t) + 0.10 * math.sin(3 * t) + 0.06 * math.cos(2 * t))
+
+
+def line_cells(cell, steps=6000):
+    """Points of the line by the cells of a grid that are within a cell of them."""
+    cells = {}
+    for k in range(steps):
+        x, y = line_at(2 * math.pi * k / steps)
+        for i in (-1, 0, 1):
+            for j in (-1, 0, 1):
+                cells.setdefault((math.floor(x / cell) + i, math.floor(y / cell) + j), []).append((x, y))
+    return cells
+
+
+LINE_CELL = 0.02
+LINE_CELLS = line_cells(LINE_CELL)
+
+
+def line_course(x, y):
+    """A floor for line followers: a closed black line on light grey, a dark border."""
+    px, py = (x - 0.5) * COURSE[0], (0.5 - y) * COURSE[1]
+    if COURSE[0] / 2 - abs(px) < 0.02 or COURSE[1] / 2 - abs(py) < 0.02:
+        return (0.45, 0.47, 0.50)
+    near = LINE_CELLS.get((math.floor(px / LINE_CELL), math.floor(py / LINE_CELL)), ())
+    dark = any(math.hypot(px - qx, py - qy) <= LINE_WIDTH / 2 for qx, qy in near)
+    return (0.08, 0.08, 0.09) if dark else (0.80, 0.80, 0.78)
+
+
 PICTURES = {"tyre": (tyre, 512, 64), "wheel": (wheel, 256, 256), "hazard": (hazard, 256, 64), "deck": (deck, 256, 192),
             "amr_left": (amr_left, 512, 160), "amr_right": (amr_right, 512, 160), "amr_front": (front, 320, 128), "circuit": (circuit, 256, 256),
-            "evbot_side": (evbot_side, 320, 128), "carbon": (carbon, 256, 256), "mast": (rings, 64, 128)}
+            "evbot_side": (evbot_side, 320, 128), "carbon": (carbon, 256, 256), "mast": (rings, 64, 128),
+            "line_course": (line_course, 960, 640)}
 
 
 def png(width, height, rows):

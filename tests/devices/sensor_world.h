@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <span>
 
 #include <QTemporaryDir>
@@ -13,10 +14,12 @@
 
 namespace trundle::test {
 
-/// An experiment from a text, and its world.
+/// An experiment from a text, and its world. `prepare` writes files beside the text.
 class SensorWorld {
 public:
-    explicit SensorWorld(const std::string& text, const std::vector<std::string>& sets = {}) {
+    explicit SensorWorld(const std::string& text, const std::vector<std::string>& sets = {},
+                         const std::function<void(const QTemporaryDir&)>& prepare = {}) {
+        if (prepare) prepare(m_folder);
         const std::string path = (std::filesystem::path(m_folder.path().toStdString()) / "main.sim").string();
         std::ofstream(path, std::ios::binary) << text;
         OpenOptions options;

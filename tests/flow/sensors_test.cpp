@@ -1,4 +1,6 @@
-// Sensors end to end: a lidar robot goes around its room, a sensor of a module is like one that comes with the program.
+// Sensors end to end: a lidar robot goes around its room, a round one around its line, a sensor of a module is like one that comes with the program.
+
+#include <numbers>
 
 #include "flow/cli.h"
 
@@ -53,6 +55,75 @@ private Q_SLOTS:
         QVERIFY2(north > 1.5 && north < 1.95 && south < -1.5 && south > -1.95, qPrintable(reached));
         QVERIFY2(east > 2 && east < 2.45 && west < -2 && west > -2.45, qPrintable(reached));
         QVERIFY2(tip > 0.12 && tip < 0.5, qPrintable(reached));
+    }
+
+    void aLineFollowerReadsNothingButItsGroundSensorsAndItsWheels() {
+        const QByteArray text = contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/plugins/controllers/line_follow/line_follow.cpp"));
+        QVERIFY(text.contains("robot.groundSensor("));
+        for (const char* word : {"groundTruth", "signal(", "camera(", "motor(", "gps(", "compass(", "lidar("})
+            QVERIFY2(!text.contains(word), word);
+    }
+
+    void aLineFollowerGoesAroundItsLine_data() {
+        QTest::addColumn<int>("seed");
+        const int seeds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 20 : 4;
+        for (int i = 0; i < seeds; ++i) QTest::addRow("seed %d", 6011 + 53 * i) << 6011 + 53 * i;
+    }
+    void aLineFollowerGoesAroundItsLine() {
+        QFETCH(int, seed);
+        QTemporaryDir logs;
+        const Outcome run = cli({"run", configPath("experiments/line_follow.sim"), "--seed", QString::number(seed), "--json",
+                                 "--log-dir", logs.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        const QJsonObject finished = QJsonDocument::fromJson(run.out).object()["finished"].toObject();
+        QVERIFY2(finished["reason"].toString() == "went around", shown(run));
+        // Where it was on the line, by the formula of the floor: all around, and never far from it once it had found it.
+        std::array<bool, 100> passed{};
+        bool found = false;
+        for (const QByteArrayList& line : linesOf(logs.filePath("line_follow.csv"))) {
+            const double heading = line[5].toDouble() * std::numbers::pi / 180,
+                         x = line[2].toDouble() + 0.033 * std::cos(heading), y = line[3].toDouble() + 0.033 * std::sin(heading);
+            double near = 9;
+            int at = 0;
+            for (int k = 0; k < 2000; ++k) {
+                const double t = 2 * std::numbers::pi * k / 2000;
+                const double off = std::hypot(x - (0.88 * std::cos(t) + 0.10 * std::cos(2 * t) - 0.06 * std::sin(3 * t)),
+                                              y - (0.50 * std::sin(t) + 0.10 * std::sin(3 * t) + 0.06 * std::cos(2 * t)));
+                if (off < near) near = off, at = k / 20;
+            }
+            found = found || near < 0.012;
+            if (!found) continue;
+            QVERIFY2(near < 0.06, qPrintable(QString("%1 m off at %2,%3").arg(near).arg(x).arg(y)));
+            passed[std::size_t(at)] = true;
+        }
+        QVERIFY(std::count(passed.begin(), passed.end(), true) >= 95); // it ends within 0.1 m of its beginning
+    }
+
+    void vehiclesGoToTheLampOrAwayFromIt_data() {
+        QTest::addColumn<int>("seed");
+        QTest::addColumn<QString>("vehicle");
+        const int seeds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 20 : 3;
+        for (int i = 0; i < seeds; ++i) QTest::addRow("love, seed %d", 7003 + 61 * i) << 7003 + 61 * i << "love";
+        for (const char* vehicle : {"fear", "explorer"}) QTest::newRow(vehicle) << 11 << vehicle;
+    }
+    void vehiclesGoToTheLampOrAwayFromIt() {
+        QFETCH(int, seed);
+        QFETCH(QString, vehicle);
+        QTemporaryDir logs;
+        const Outcome run = cli({"run", configPath("experiments/braitenberg.sim"), "--seed", QString::number(seed), "--set",
+                                 "seeker.brain.Vehicle=" + vehicle, "--set",
+                                 vehicle == "fear" ? "seeker.brain.Reference=100" : "seeker.brain.Reference=1000", "--json",
+                                 "--log-dir", logs.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        const QJsonObject finished = QJsonDocument::fromJson(run.out).object()["finished"].toObject();
+        QCOMPARE(finished["reason"].toString(), vehicle == "love" ? "reached the light" : "");
+        double nearest = 9, last = 9;
+        for (const QByteArrayList& line : linesOf(logs.filePath("braitenberg.csv"))) {
+            last = std::hypot(line[2].toDouble() - 1, line[3].toDouble() - 0.4);
+            nearest = std::min(nearest, last);
+        }
+        if (vehicle == "love") QVERIFY2(last < 0.5, qPrintable(QString::number(last)));
+        else QVERIFY2(last > nearest + 0.1, qPrintable(QString("%1 m, then %2").arg(nearest).arg(last)));
     }
 
     void aScanIsLoggedBeamByBeam() {

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "scene/shapes/picture_map.h"
+#include "world/reflectance.h"
 
 using namespace trundle;
 using Eigen::Vector2f;
@@ -69,6 +70,56 @@ private Q_SLOTS:
         QCOMPARE(pictureMapOf("auto", GeomShape::Sphere), PictureMap::Sphere);
         QCOMPARE(pictureMapOf("auto", GeomShape::Heightfield), PictureMap::Planar);
         QCOMPARE(pictureMapOf("sphere", GeomShape::Box), PictureMap::Sphere);
+    }
+
+    /// What a sensor sees at a point is what is drawn there.
+    void aPointHasItsPlaceInThePicture_data() {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<int>("map");
+        for (const GeomShape shape : {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder, GeomShape::Capsule})
+            for (const PictureMap map : {PictureMap::Planar, PictureMap::Box, PictureMap::Cylinder, PictureMap::Sphere})
+                if (map != PictureMap::Sphere || shape == GeomShape::Sphere ||
+                    shape == GeomShape::Capsule) // else not linear on a triangle
+                    QTest::addRow("shape %d, map %d", int(shape), int(map)) << int(shape) << int(map);
+    }
+    void aPointHasItsPlaceInThePicture() {
+        QFETCH(int, shape);
+        QFETCH(int, map);
+        GeomSpec geom;
+        geom.shape = static_cast<GeomShape>(shape);
+        geom.size = {0.6, 0.3, 0.2};
+        geom.radius = 0.25;
+        geom.length = 0.7;
+        const char* words[] = {"planar", "box", "cylinder", "sphere"};
+        MaterialSpec material;
+        material.textureMap = words[map];
+        auto picture = std::make_shared<Raster>();
+        picture->width = 64, picture->height = 64;
+        for (int y = 0; y < 64; ++y) // brighter to the right and down, and so unlike everywhere
+            for (int x = 0; x < 64; ++x)
+                for (int k = 0; k < 3; ++k)
+                    picture->pixels.push_back(static_cast<std::uint8_t>(k == 0 ? 4 * x : k == 1 ? 4 * y : 0));
+        material.picture = picture;
+        const auto [low, size] = pictureBox(geom);
+        const ShapeMesh mesh = shapeOf(geom, {200, false, 0});
+        const std::vector<Vector2f> at = pictureCoordinates(mesh, static_cast<PictureMap>(map), 1);
+        int compared = 0;
+        for (std::size_t i = 0; i + 2 < at.size(); i += 3) {
+            const Vector3f a = mesh.points[mesh.indices[i]], b = mesh.points[mesh.indices[i + 1]],
+                           c = mesh.points[mesh.indices[i + 2]];
+            const Vector3f middle = (a + b + c) / 3, normal = (b - a).cross(c - a).normalized();
+            const Vector2f drawn = (at[i] + at[i + 1] + at[i + 2]) / 3;
+            const bool isSeam = drawn.x() < 0.03f || drawn.x() > 0.97f || drawn.y() < 0.03f || drawn.y() > 0.97f;
+            if (isSeam || middle.head<2>().norm() < 0.03f) continue;         // repeated; a pole
+            const double u = drawn.x() - 0.5 / 64, v = drawn.y() - 0.5 / 64; // pixels stand for their middles
+            const double red = 4 * 64 * u / 255, green = 4 * 64 * v / 255;
+            const double expected = 0.2126 * red * red + 0.7152 * green * green;
+            const double seen = reflectanceAt(material, geom.shape, middle.cast<double>(), normal.cast<double>(), low, size);
+            QVERIFY2(std::abs(seen - expected) < 0.01,
+                     qPrintable(QString("%1,%2: %3, not %4").arg(drawn.x()).arg(drawn.y()).arg(seen).arg(expected)));
+            ++compared;
+        }
+        QVERIFY2(compared >= 4, qPrintable(QString::number(compared)));
     }
 };
 

@@ -1,4 +1,4 @@
-// Casts of a device through the SDK, with programs that have the ray table and with older ones.
+// Casts and light of a device through the SDK, with programs that have the tables and with older ones.
 #include <QtTest>
 
 #include <numbers>
@@ -85,6 +85,33 @@ private Q_SLOTS:
                 !world.castFan(fan, pose, {distances, std::span(geoms).first(7)}));
         fan.count = 0;
         QVERIFY(!world.castFan(fan, pose, {distances}));
+    }
+
+    /// A program from before 1.7 has no lights, and nothing returns any.
+    void lightWithOldAndNewPrograms() {
+        static const TrundleServicesLight light{
+            sizeof(TrundleServicesLight), 0,
+            [](void*, std::uint32_t geom, const double point[3], const double normal[3], double* share) -> std::int32_t {
+                *share = point[0] + normal[2];
+                return geom == 4 ? 0 : -1;
+            },
+            [](void*, TrundleLight* out, std::uint32_t capacity) -> std::uint32_t {
+                for (std::uint32_t i = 0; out && i < capacity; ++i) out[i] = {{0, 0, 1. * i}, 0.5, TRUNDLE_LAMP, 1};
+                return 3;
+            }};
+        TrundleServices services{};
+        services.size = offsetof(TrundleServices, light);
+        services.light = &light;
+        Sensing world(services);
+        std::vector<TrundleLight> lights(7);
+        world.lights(lights);
+        QVERIFY(lights.empty());
+        QCOMPARE(world.reflectance(GeomId{4}, {0.25, 0, 0}, {0, 0, 0.5}), 0.);
+        services.size = sizeof services;
+        world.lights(lights);
+        QVERIFY(lights.size() == 3 && lights[2].way[2] == 2 && lights[2].light == 0.5);
+        QCOMPARE(world.reflectance(GeomId{4}, {0.25, 0, 0}, {0, 0, 0.5}), 0.75);
+        QCOMPARE(world.reflectance(GeomId{5}, {0.25, 0, 0}, {0, 0, 0.5}), 0.);
     }
 };
 

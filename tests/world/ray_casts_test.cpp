@@ -307,6 +307,38 @@ private Q_SLOTS:
         }
     }
 
+    /// The faces of a hull belong to it too: a level beam at the height of its bottom.
+    void grazingBeamsOnAHull() {
+        auto mesh = std::make_shared<TriangleMesh>();
+        for (const double x : {-0.25, 0.25})
+            for (const double y : {-0.25, 0.25})
+                for (const double z : {-0.25, 0.25}) mesh->points.push_back({x, y, z});
+        mesh->triangles = {{0, 1, 3}, {0, 3, 2}, {4, 7, 5}, {4, 6, 7}, {0, 5, 1}, {0, 4, 5},
+                           {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+        GeomSpec geom;
+        geom.name = "hull";
+        geom.shape = GeomShape::Convex;
+        geom.mesh = geom.hull = mesh;
+        geom.collideAsHull = true;
+        RandomWorld world;
+        world.addRobot(at(2, 0, 0), {geom});
+        const double flat[1] = {0};
+        for (const auto& [y, z, expected] : {std::tuple{0., 0., 1.75},
+                                             {0., -0.25, 1.75},
+                                             {0., 0.25, 1.75},
+                                             {0.25, 0.1, 1.75},
+                                             {-0.25, -0.25, 1.75},
+                                             {0., -0.2500001, 9.},
+                                             {0.2500001, 0., 9.}}) {
+            const RayFan fan{{0, y, z}, Mat3::Identity(), 9, 0, 0, 3, flat};
+            RayBuffers found(3);
+            world.engine->rays().castFan(fan, kNoGeom, found.hits());
+            for (std::size_t i = 0; i < 3; ++i)
+                QVERIFY2(std::abs(found.distances[i] - expected) < 1e-12,
+                         qPrintable(QString("%1,%2: %3").arg(y).arg(z).arg(found.distances[i])));
+        }
+    }
+
     /// Poses are taken over once in a tick with casts, and never without casts.
     void updatesOnlyWhenSomebodyCasts() {
         RandomWorld world;

@@ -1,23 +1,13 @@
 #include "scene/nodes/lighting.h"
 
-#include "model/kinds/world_fields.h"
+#include "model/lighting_spec.h"
 #include "scene/shaders/scene_shading.h"
 
 namespace trundle {
 namespace {
 
-osg::Vec3 tripleFrom(const ComponentSpec& spec, std::string_view key, const osg::Vec3& otherwise) {
-    const ResolvedValue* value = spec.find(key);
-    if (!value || value->value.numbers.size() != 3) return otherwise;
-    const auto& n = value->value.numbers;
-    return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])};
-}
-
-/// Converts a display colour to linear light (gamma 2).
-osg::Vec3 squared(const osg::Vec3& c) { return {c.x() * c.x(), c.y() * c.y(), c.z() * c.z()}; }
-
-osg::Vec3 lightFrom(const ComponentSpec& spec) {
-    return squared(tripleFrom(spec, "ColorRGB", {1, 1, 1})) * static_cast<float>(spec.number("Intensity", 1));
+osg::Vec3 vectorOf(const std::array<double, 3>& t) {
+    return {static_cast<float>(t[0]), static_cast<float>(t[1]), static_cast<float>(t[2])};
 }
 
 } // namespace
@@ -71,26 +61,20 @@ void Lighting::applyTo(osg::StateSet& root) const {
 }
 
 Lighting lightingOf(const ExperimentSpec& experiment) {
+    const LightingSpec spec = lightingSpecOf(experiment);
     Lighting lighting;
-    bool hasSun = false;
-    for (const ComponentSpec& spec : experiment.looks) {
-        if (spec.kind == "Sky") {
-            lighting.zenith = tripleFrom(spec, "Zenith", lighting.zenith);
-            lighting.horizon = tripleFrom(spec, "Horizon", lighting.horizon);
-            const auto ambient = static_cast<float>(spec.number("Ambient", 1));
-            lighting.skyLight *= ambient;
-            lighting.groundLight *= ambient;
-        } else if (spec.kind == "Light" && spec.text("Mode") == "lamp") {
-            if (lighting.lamps.size() < kMaxLamps)
-                lighting.lamps.push_back({tripleFrom(spec, "Pos", {0, 0, 2}), lightFrom(spec), spec.number("Shadows", 1) != 0});
-        } else if (spec.kind == "Light" && !hasSun) {
-            hasSun = true;
-            osg::Vec3 away = tripleFrom(spec, "Direction", -lighting.sun);
-            if (away.normalize() > 0) lighting.sun = -away;
-            lighting.sunLight = lightFrom(spec);
-            lighting.shadows = spec.number("Shadows", 1) != 0;
-        }
-    }
+    lighting.sun =
+        osg::Vec3(static_cast<float>(spec.toSun.x()), static_cast<float>(spec.toSun.y()), static_cast<float>(spec.toSun.z()));
+    lighting.sunLight = vectorOf(spec.sun);
+    lighting.skyLight = vectorOf(spec.sky);
+    lighting.groundLight = vectorOf(spec.ground);
+    lighting.horizon = vectorOf(spec.horizon);
+    lighting.zenith = vectorOf(spec.zenith);
+    lighting.shadows = spec.sunShadows;
+    for (const LampSpec& lamp : spec.lamps)
+        lighting.lamps.push_back({osg::Vec3(static_cast<float>(lamp.position.x()), static_cast<float>(lamp.position.y()),
+                                            static_cast<float>(lamp.position.z())),
+                                  vectorOf(lamp.light), lamp.shadows});
     return lighting;
 }
 

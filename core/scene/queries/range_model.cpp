@@ -30,12 +30,16 @@ void addBeams(const ComponentSpec& spec, RangeModel& model) {
     }
 }
 
-/// Reads the properties by the names that the kinds Lidar and RangeSensor declare; a module's sensor may use them too.
+/// Reads the properties by the names that the kinds Lidar, RangeSensor and GroundSensor declare; a module's sensor may use them too.
 RangeModel modelFrom(const ComponentSpec& spec) {
     RangeModel model;
     model.mounting = {vectorValue(spec, "Pos"), rotationFromHpr(vectorValue(spec, "HPR"))};
     model.maxRange = spec.number("MaxRange", 1);
-    if (spec.find("Beams")) {
+    model.ground = !spec.find("MaxRange");
+    if (model.ground) {
+        model.maxRange = spec.number("MaxHeight", 1);
+        model.directions = {-Vec3::UnitZ()};
+    } else if (spec.find("Beams")) {
         addBeams(spec, model);
     } else {
         model.coneAngle = spec.number("ConeAngle", spec.text("Type") == "ultrasonic" ? kFullCircle / 12 : 0);
@@ -52,7 +56,7 @@ std::vector<RangeModel> rangeModelsOf(const ExperimentSpec& experiment) {
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
         for (const ComponentSpec& device : robot.config->devices) {
-            if (!device.find("MaxRange") || !device.find("Body")) continue;
+            if ((!device.find("MaxRange") && !device.find("MaxHeight")) || !device.find("Body")) continue;
             RangeModel model = modelFrom(device);
             if (model.directions.empty()) continue;
             model.path = robot.name + "/" + device.name;

@@ -1,20 +1,12 @@
 #pragma once
-// Texture mapping of geoms.
-
-#include <array>
-#include <string_view>
+// Texture coordinates of the triangles of a geom.
 
 #include <Eigen/Core>
 
-#include "model/body_spec.h"
+#include "model/picture_place.h"
 #include "scene/shapes/shape_mesh.h"
 
 namespace trundle {
-
-enum class PictureMap : std::uint8_t { Planar, Box, Cylinder, Sphere };
-
-/// The mapping for a material's TextureMap value; `auto` depends on the shape.
-[[nodiscard]] PictureMap pictureMapOf(std::string_view word, GeomShape shape);
 
 /// Texture coordinates of the three corners of each triangle in order: (0, 0) is the top left corner of the texture, (1, 1) the
 /// lower right one; `scale` repetitions. A box has the texture on each side, upright and not mirrored when seen from outside; a

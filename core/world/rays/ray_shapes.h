@@ -30,9 +30,10 @@ inline void keep(const BeamRow& row, int i, const Interval& in, double geom) {
     keep(row, i, select((in.from > in.to) | (in.to < 0.0), all(kFar), t), geom);
 }
 
+constexpr double kTouch = 1e-20; // m; far beyond the range when divided by kTiny
+
 /// Between two faces at -half and half, which belong to the shape: a beam in the plane of a face is inside.
 inline void slab(Interval& in, Lanes d, double o, double half) {
-    constexpr double kTouch = 1e-20; // m; far beyond the range when divided by kTiny
     const Lanes inverse = 1.0 / nonZero(d), p = (-half - o - kTouch) * inverse, q = (half - o + kTouch) * inverse;
     in.from = most(in.from, least(p, q));
     in.to = least(in.to, most(p, q));
@@ -112,12 +113,13 @@ void castCapsule(const BeamRow& row, const LocalBeams& beams, const RayShape& sh
     });
 }
 
+/// Its faces belong to it, as those of a box.
 void castHull(const BeamRow& row, const LocalBeams& beams, const RayShape& shape, double geom, const RayRoots&) {
     castAll(row, beams, geom, [&](const Lanes3& d) {
         Interval in;
         for (int f = 0; f < shape.planeCount; ++f) {
             const double* plane = shape.planes + 4 * f;
-            const Lanes leaving = nonZero(dot(plane, d)), t = (plane[3] - dot(plane, beams.origin)) / leaving;
+            const Lanes leaving = nonZero(dot(plane, d)), t = (plane[3] - dot(plane, beams.origin) + kTouch) / leaving;
             in.from = select(leaving < 0.0, most(in.from, t), in.from);
             in.to = select(leaving > 0.0, least(in.to, t), in.to);
         }

@@ -74,6 +74,14 @@ struct DrawnSensor {
         if (rim.empty()) pen.line(eye.position, end, colour, 1.3);
         if (hits(0)) pen.dots({&end, 1}, colour, 5);
     }
+
+    /// A dot at the sensor, as bright as what it measures.
+    void dot() const {
+        const double share = distances.empty() ? 0 : std::clamp(distances[0], 0.0, 1.0);
+        const int grey = static_cast<int>(std::lround(255 * std::sqrt(share))); // the display colour of this light
+        pen.dots({&eye.position, 1}, colour, 11);
+        if (!distances.empty()) pen.dots({&eye.position, 1}, QColor(grey, grey, grey), 7);
+    }
 };
 
 const double* slotsOf(const SignalLayout& layout, const LiveSnapshot& snapshot, const std::string& path, std::uint32_t count) {
@@ -129,7 +137,8 @@ void paintBeams(QPainter& painter, const ToolView& view, bool all) {
         }
         const DrawnSensor drawn{
             pen, painter, sensor, at * sensor.mounting, distances, marked ? ToolView::outlineColour() : kBeam};
-        if (sensor.beams > 0) drawn.fan();
+        if (sensor.ground) drawn.dot();
+        else if (sensor.beams > 0) drawn.fan();
         else drawn.cone();
     }
 }

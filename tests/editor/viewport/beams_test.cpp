@@ -21,6 +21,7 @@ RobotConfig Scanner {
   Body base { Box hull { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=2 Material=grey Surface=plastic } }
   Lidar scan { Body=base Pos=0,0,0.15 Beams=4 MaxRange=5 }
   RangeSensor front { Body=base Pos=0,0,0.2 Type=ultrasonic MaxRange=3 }
+  GroundSensor below { Body=base Pos=0.5,0,0.02 }
 }
 Robot robot0 { Config=Scanner Pos=-0.5,0,0 }
 )";
@@ -52,13 +53,25 @@ private Q_SLOTS:
 
     void modelsAreThoseOfTheExperiment() {
         const auto& sensors = m_window->panel->world().rangeSensors();
-        QCOMPARE(sensors.size(), std::size_t(2));
+        QCOMPARE(sensors.size(), std::size_t(3));
+        QCOMPARE(sensors[2].signal(), std::string("robot0/below/reflectance"));
         QCOMPARE(sensors[0].signal(), std::string("robot0/scan/ranges"));
         QVERIFY(sensors[0].closed && sensors[0].directions.size() == 4);
         const Vec3 ways[] = {-Vec3::UnitX(), -Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitY()};
         for (std::size_t i = 0; i < 4; ++i) QVERIFY((sensors[0].directions[i] - ways[i]).norm() < 1e-12);
         QCOMPARE(sensors[1].signal(), std::string("robot0/front/range"));
         QVERIFY(std::abs(sensors[1].coneAngle - std::numbers::pi / 6) < 1e-12);
+    }
+
+    /// In the middle of the picture, by the colour 0.60,0.59,0.56 of the floor.
+    void aGroundSensorIsADotAsBrightAsItsReading() {
+        m_window->selection.select("robot0.below");
+        step();
+        const QImage drawn = shown();
+        const double expected = 255 * std::sqrt(0.2126 * 0.36 + 0.7152 * 0.59 * 0.59 + 0.0722 * 0.56 * 0.56);
+        const QColor middle = drawn.pixelColor(drawn.width() / 2, drawn.height() / 2);
+        QVERIFY2(std::abs(middle.red() - expected) < 1.5 && middle.red() == middle.green() && middle.green() == middle.blue(),
+                 qPrintable(middle.name()));
     }
 
     void selectedSensorsAreDrawnUnasked() {

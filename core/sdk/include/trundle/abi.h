@@ -13,8 +13,8 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 5u
-#define TRUNDLE_SDK_VERSION "1.6.0"
+#define TRUNDLE_ABI_MINOR 6u
+#define TRUNDLE_SDK_VERSION "1.7.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -119,6 +119,7 @@ typedef struct TrundleMount {
     const TrundleMountRadio* radio; /* since 1.2 */
 } TrundleMount;
 
+struct TrundleServicesLight;
 /* Access of a device to the world in act and sense. Actuation is ignored outside act. */
 typedef struct TrundleServices {
     uint32_t size, reserved;
@@ -145,6 +146,7 @@ typedef struct TrundleServices {
     /* Since 1.4. Keeps the joint at `rate` with an effort from -limit to limit - damping * |joint rate| along its motion. */
     void (*servoRow)(void* context, uint32_t joint, double rate, double limit, double damping);
     const TrundleServicesRays* rays; /* since 1.5 */
+    const struct TrundleServicesLight* light; /* since 1.6; in abi_light.h */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

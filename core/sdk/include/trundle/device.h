@@ -8,6 +8,7 @@
 
 #include <trundle/describe.h>
 #include <trundle/geometry.h>
+#include <trundle/light.h>
 #include <trundle/module.h>
 #include <trundle/mount.h>
 #include <trundle/rays.h>
@@ -65,6 +66,13 @@ public:
     }
     /// Path and material of a geom. False, with empty texts and zeros, if it is unknown or the program is older.
     bool geomInfo(GeomId geom, TrundleGeomInfo& info) const { return detail::geomInfo(m_services, geom, info); }
+    /// Share of light that a geom returns at a point of its surface (world frame), 0..1, by the picture or colour of its material; the
+    /// normal points outwards. 0 if it is unknown or the program is older. Since 1.7.
+    [[nodiscard]] double reflectance(GeomId geom, const Vec3& point, const Vec3& normal) const {
+        return detail::reflectance(m_services, geom, point, normal);
+    }
+    /// The lights of the experiment: sun, sky, ground and lamps; `out` is overwritten. None if the program is older. Since 1.7.
+    void lights(std::vector<TrundleLight>& out) const { detail::lights(m_services, out); }
     /// A function of (seed, device, tick, index): the same in every run.
     [[nodiscard]] std::uint64_t randomBits(std::uint64_t index) const { return m_services.random(m_services.context, index); }
     [[nodiscard]] double random(std::uint64_t index) const {

@@ -68,6 +68,18 @@ public:
     [[nodiscard]] double rate() const { return m_signals.rate.get(); }       ///< rad/s of the joint
 };
 
+/// Of a Servo or a LinearMotor. Since 1.7.
+template <class S> class JointServoPort : public Port<S> {
+public:
+    /// rad or m, with Mode=speed rad/s or m/s.
+    void setTarget(double target) { this->m_signals.target.set(target); }
+    [[nodiscard]] double position() const { return this->m_signals.position.get(); }      ///< rad or m
+    [[nodiscard]] double rate() const { return this->m_signals.rate.get(); }              ///< rad/s or m/s
+    [[nodiscard]] bool saturated() const { return this->m_signals.saturated.get() != 0; } ///< not enough torque, force or speed
+};
+using ServoPort = JointServoPort<ServoSignals>;
+using LinearMotorPort = JointServoPort<LinearMotorSignals>;
+
 class EncoderPort : public Port<EncoderSignals> {
 public:
     [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(m_signals.count.get()); }
@@ -149,6 +161,11 @@ public:
     [[nodiscard]] ImuPort imu(PortName name);
     [[nodiscard]] CompassPort compass(PortName name);
     [[nodiscard]] GpsPort gps(PortName name);
+    // since 1.7
+    [[nodiscard]] GroundPort groundSensor(PortName name);
+    [[nodiscard]] LightPort lightSensor(PortName name);
+    [[nodiscard]] ServoPort servo(PortName name);
+    [[nodiscard]] LinearMotorPort linearMotor(PortName name);
     /// A device of a module by the table of its signals (since 1.5): robot.port<SonarSignals>("front").
     template <class S> [[nodiscard]] Port<S> port(PortName name) { return bindPort<Port<S>, S>(name); }
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);

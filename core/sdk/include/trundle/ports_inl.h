@@ -52,6 +52,10 @@ inline LidarPort RobotPorts::lidar(PortName name) { return bindPort<LidarPort, L
 inline ImuPort RobotPorts::imu(PortName name) { return bindPort<ImuPort, ImuSignals>(name); }
 inline CompassPort RobotPorts::compass(PortName name) { return bindPort<CompassPort, CompassSignals>(name); }
 inline GpsPort RobotPorts::gps(PortName name) { return bindPort<GpsPort, GpsSignals>(name); }
+inline GroundPort RobotPorts::groundSensor(PortName name) { return bindPort<GroundPort, GroundSensorSignals>(name); }
+inline LightPort RobotPorts::lightSensor(PortName name) { return bindPort<LightPort, LightSensorSignals>(name); }
+inline ServoPort RobotPorts::servo(PortName name) { return bindPort<ServoPort, ServoSignals>(name); }
+inline LinearMotorPort RobotPorts::linearMotor(PortName name) { return bindPort<LinearMotorPort, LinearMotorSignals>(name); }
 
 inline CameraPort RobotPorts::camera(PortName name) {
     auto port = bindPort<CameraPort, CameraSignals>(name);

@@ -42,6 +42,16 @@ private:
     return step > 0 && std::abs(steps) < 0x1p52 ? std::nearbyint(steps) * step : value;
 }
 
+/// The multiple of `step` from `least` to `most` that is nearest to a value; with a step of 0 the value itself, at least `least` and at
+/// most `most`. Where no multiple is between them, the nearer of the two. Since 1.7.
+[[nodiscard]] inline double roundedWithin(double value, double least, double most, double step) {
+    const double near = roundedTo(std::clamp(value, least, most), step);
+    const double slack = 1e-9 * step;
+    if (near > most + slack && near - step >= least - slack) return near - step;
+    if (near < least - slack && near + step <= most + slack) return near + step;
+    return std::clamp(near, least, most);
+}
+
 /// A sensor fixed to a body. It measures when UpdatePeriod says, and what it measured is published Latency later. A kind derives
 /// from it, calls describeSensor() in its describe(), and overrides begin, measure and publish.
 class Sensor : public Device {
@@ -146,7 +156,7 @@ struct RangeNoise {
         } else {
             distance = blurred(distance, most, world, kDraws * index + 2);
         }
-        return std::clamp(distance < most ? roundedTo(distance, resolution) : distance, least, most);
+        return distance < most ? roundedWithin(distance, least, most, resolution) : most;
     }
 
 private:

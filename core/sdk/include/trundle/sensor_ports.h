@@ -67,5 +67,17 @@ public:
     [[nodiscard]] Vec3 velocity() const { return vector(m_signals.velocity); } ///< m/s in the world
 };
 
+/// Since 1.7.
+class GroundPort : public SensorPort<GroundSensorSignals> {
+public:
+    [[nodiscard]] double reflectance() const { return m_signals.reflectance.get(); } ///< from 0 (black) to 1 (white)
+};
+
+/// Since 1.7.
+class LightPort : public SensorPort<LightSensorSignals> {
+public:
+    [[nodiscard]] double illuminance() const { return m_signals.illuminance.get(); } ///< lx
+};
+
 } // namespace sdk1
 } // namespace trundle

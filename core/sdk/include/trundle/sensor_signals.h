@@ -79,5 +79,33 @@ struct GpsSignals {
     }
 };
 
+/// Since 1.7.
+struct GroundSensorSignals {
+    static constexpr const char* kKind = "GroundSensor";
+    OutputSlot<double> reflectance, time;
+    TruthSlot<double> trueReflectance;
+
+    template <class D> static void describe(D& d) {
+        using S = GroundSensorSignals;
+        d.output("reflectance", &S::reflectance, "", "Share of light that the floor returns, from 0 (black) to 1 (white).");
+        d.output("time", &S::time, "s", "When it was measured.");
+        d.truth("trueReflectance", &S::trueReflectance, "", "The same without errors.");
+    }
+};
+
+/// Since 1.7.
+struct LightSensorSignals {
+    static constexpr const char* kKind = "LightSensor";
+    OutputSlot<double> illuminance, time;
+    TruthSlot<double> trueIlluminance;
+
+    template <class D> static void describe(D& d) {
+        using S = LightSensorSignals;
+        d.output("illuminance", &S::illuminance, "lx", "From the lamps, the sun and the sky in front of it.");
+        d.output("time", &S::time, "s", "When it was measured.");
+        d.truth("trueIlluminance", &S::trueIlluminance, "lx", "The same without errors and limits.");
+    }
+};
+
 } // namespace sdk1
 } // namespace trundle

@@ -1,0 +1,73 @@
+#include "devices/light_sensor.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kLux = 1000;     // of a light of 1, as in a bright room
+constexpr double kFarthest = 1e4; // m: what is farther casts no shadow of the sun
+
+} // namespace
+
+void LightSensor::describe(Describe<LightSensor>& d) {
+    d.help("Measures how bright it is in front of it.");
+    describeSensor(d);
+    d.field("Exponent", &LightSensor::m_exponent, number().within(0, 1000),
+            "It weighs light by this power of the cosine of its angle from the x axis; 1: as a flat surface, more: narrower.");
+    d.field("MaxIlluminance", &LightSensor::m_maxIlluminance, unitOf("lx").above(0).atMost(1e9),
+            "What is brighter reads as this.");
+    d.field("Noise", &LightSensor::m_noise, unitOf("lx").within(0, 1e9), "Standard deviation of a reading.");
+    d.field("NoiseShare", &LightSensor::m_noiseShare, number().within(0, 10),
+            "Grows the standard deviation by this share of the reading.");
+    d.field("Resolution", &LightSensor::m_resolution, unitOf("lx").within(0, 1e9), "Readings are multiples of it; 0: exact.");
+    LightSensorSignals::describe(d);
+}
+
+void LightSensor::begin(Mount&) { time.set(-1); }
+
+double LightSensor::response(double cosine) const { return cosine > 0 ? std::pow(cosine, m_exponent) : 0; }
+
+/// Its reading: with errors, and the true one.
+void LightSensor::measure(Sensing& world, std::vector<double>& reading) {
+    const Pose eye = pose(world);
+    const Vec3 normal = eye.rotation * Vec3::UnitX();
+    const double wide = 2 / (m_exponent + 1); // of light from everywhere, relative to a flat surface
+    world.lights(m_lights);
+    m_rays.clear();
+    m_shares.clear();
+    double sum = 0;
+    for (const TrundleLight& light : m_lights) {
+        if (light.type == TRUNDLE_SKY || light.type == TRUNDLE_GROUND) {
+            sum += light.light * wide * (1 + (light.type == TRUNDLE_SKY ? normal.z() : -normal.z())) / 2;
+            continue;
+        }
+        const bool isLamp = light.type == TRUNDLE_LAMP;
+        const Vec3 way = isLamp ? Vec3(Vec3(light.way) - eye.position) : Vec3(light.way);
+        const double distance = way.norm();
+        if (!(distance > 1e-6)) continue; // in the lamp
+        const double share = light.light * response(normal.dot(way) / distance) / (isLamp ? distance * distance : 1);
+        if (!(share > 0)) continue;
+        if (!light.shadows) {
+            sum += share;
+            continue;
+        }
+        m_rays.push_back({eye.position, way / distance, isLamp ? distance : kFarthest});
+        m_shares.push_back(share);
+    }
+    m_distances.resize(m_rays.size());
+    for (std::size_t i = 0; i < m_rays.size(); ++i) m_distances[i] = m_rays[i].range;
+    world.castRays(m_rays, {m_distances});
+    for (std::size_t i = 0; i < m_rays.size(); ++i)
+        if (m_distances[i] >= m_rays[i].range) sum += m_shares[i];
+    const double exact = kLux * sum, sigma = m_noise + m_noiseShare * exact;
+    const double measured = sigma > 0 ? exact + sigma * normalDeviate(world.randomBits(0)) : exact;
+    reading = {roundedWithin(measured, 0, m_maxIlluminance, m_resolution), exact};
+}
+
+void LightSensor::publish(std::span<const double> reading, double measured) {
+    illuminance.set(reading[0]);
+    trueIlluminance.set(reading[1]);
+    time.set(measured);
+}
+
+} // namespace trundle

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ * The part of the ABI through which devices see light and what returns it. Included by light.h. */
+#ifndef TRUNDLE_ABI_LIGHT_H
+#define TRUNDLE_ABI_LIGHT_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { TRUNDLE_SUN = 1, TRUNDLE_LAMP = 2, TRUNDLE_SKY = 3, TRUNDLE_GROUND = 4 };
+
+/* A light of the experiment. On a surface with the unit normal n it adds, unless something is in between: the sun light * max(0, n . way);
+ * a lamp the same divided by the square of its distance; the sky light * (1 + n.z) / 2; the ground light * (1 - n.z) / 2. */
+typedef struct TrundleLight {
+    double way[3];        /* world frame: of the sun a unit vector towards it, of a lamp its position, m */
+    double light;         /* Rec. 709 luminance, linear: 1 on a white surface shows white */
+    uint32_t type, shadows;
+} TrundleLight;
+
+/* For devices in act and sense, with the poses after the last step; uses the context of TrundleServices. World frame, m. Light is
+ * linear: the square of a colour in the text or of a picture. */
+typedef struct TrundleServicesLight {
+    uint32_t size, reserved;
+    /* Share of the light that a geom returns at a point of its surface, 0..1: Rec. 709 luminance of the picture of its material there,
+     * else of its colour. `normal` points outwards. 0: found. */
+    int32_t (*reflectance)(void* context, uint32_t geom, const double point[3], const double normal[3], double* reflectance);
+    /* All lights; returns their number. */
+    uint32_t (*lights)(void* context, TrundleLight* out, uint32_t capacity);
+} TrundleServicesLight;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+// Light and what returns it, for devices. Since 1.7.
+
+#include <cstddef>
+#include <vector>
+
+#include <trundle/abi.h>
+#include <trundle/abi_light.h>
+#include <trundle/geometry.h>
+#include <trundle/mount.h>
+
+namespace trundle {
+inline namespace sdk1 {
+namespace detail {
+
+/// nullptr: the program is older.
+inline const TrundleServicesLight* lightOf(const TrundleServices& services) {
+    return services.size >= offsetof(TrundleServices, light) + sizeof services.light ? services.light : nullptr;
+}
+
+inline double reflectance(const TrundleServices& services, GeomId geom, const Vec3& point, const Vec3& normal) {
+    const TrundleServicesLight* light = lightOf(services);
+    double share = 0;
+    return light && light->reflectance(services.context, geom.index, point.data(), normal.data(), &share) == 0 ? share : 0;
+}
+
+inline void lights(const TrundleServices& services, std::vector<TrundleLight>& out) {
+    const TrundleServicesLight* light = lightOf(services);
+    out.resize(light ? light->lights(services.context, nullptr, 0) : 0);
+    if (!out.empty()) light->lights(services.context, out.data(), static_cast<std::uint32_t>(out.size()));
+}
+
+} // namespace detail
+} // namespace sdk1
+} // namespace trundle

@@ -1,0 +1,50 @@
+#include "world/device_light.h"
+
+#include <algorithm>
+
+#include "world/engine.h"
+#include "world/reflectance.h"
+#include "world/world_device.h"
+#include "world/world_objects.h"
+
+namespace trundle {
+
+namespace {
+
+struct LightCalls {
+    static std::int32_t reflectance(void* context, std::uint32_t index, const double point[3], const double normal[3],
+                                    double* share) {
+        const DeviceHost& host = *static_cast<const ServiceContext*>(context)->host;
+        if (!point || !normal || !share || !host.objects.isGeom(index) || !host.objects.geom(index).spec) return -1;
+        const BuiltGeom& geom = host.objects.geom(index);
+        if (geom.spec->material >= host.experiment.materials.size()) return -1;
+        const MaterialSpec& material = host.experiment.materials[geom.spec->material];
+        if (!material.picture) {
+            *share = host.objects.reflectance(geom.spec->material);
+            return 0;
+        }
+        Pose pose = geom.pose;
+        if (geom.body != BuiltGeom::kNoBody) {
+            const BodyState& body = host.engine.state({geom.body});
+            pose = Pose{body.position, body.rotation} * geom.pose;
+        }
+        const Vec3 at = pose.inverse() * Vec3(point), outwards = pose.rotation.conjugate() * Vec3(normal);
+        *share = reflectanceAt(material, geom.spec->shape, at, outwards, geom.low, geom.size);
+        return 0;
+    }
+
+    static std::uint32_t lights(void* context, TrundleLight* out, std::uint32_t capacity) {
+        const std::vector<TrundleLight>& all = static_cast<const ServiceContext*>(context)->host->objects.lights();
+        if (out) std::copy_n(all.begin(), std::min<std::size_t>(all.size(), capacity), out);
+        return static_cast<std::uint32_t>(all.size());
+    }
+};
+
+} // namespace
+
+const TrundleServicesLight* servicesLight() {
+    static const TrundleServicesLight table{sizeof(TrundleServicesLight), 0, LightCalls::reflectance, LightCalls::lights};
+    return &table;
+}
+
+} // namespace trundle
