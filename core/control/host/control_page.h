@@ -63,6 +63,7 @@ enum class HostRecord : std::uint32_t {
     Print,
     WriteLog,
     Finish,
+    GaveUp,
     OpenLog = 100,
     Capture,
     SavePicture,
