@@ -48,7 +48,7 @@ std::atomic<long> s_endingThread{0};               // id of the thread that ends
 std::atomic<pid_t> s_process{0};
 long s_runsThread = 0;
 EarlyEndFacts s_facts;
-std::shared_ptr<const CallMonitor> s_calls;
+std::shared_ptr<CallMonitor> s_calls;
 std::string s_diagnostics, s_results;
 EarlyPoses s_poses[2]; // double buffer: one may be printed while the other is updated
 sem_t s_wake;
@@ -209,6 +209,7 @@ void watch() {
         sleepBriefly();
         if (looks % 10 == 0) watchSignals(); // modules may have replaced the handlers
         if (s_requests == 0) continue;
+        s_calls->askForEnd();
         if (s_requests > (s_waiting ? 1 : 0)) endEarly({EarlyEndKind::Interrupted});
         const double t = now();
         if (asked == 0) asked = t;

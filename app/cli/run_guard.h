@@ -7,7 +7,7 @@
 namespace trundle {
 
 struct GuardOptions {
-    std::shared_ptr<const CallMonitor> calls; ///< state of the run's calls
+    std::shared_ptr<CallMonitor> calls;       ///< state of the run's calls
     const char* activity = "run";             ///< "run", "description", "picture": the activity named in messages
     bool simulates = true;                    ///< there is a simulated time
     bool json = false;                        ///< print the --json object even if the run ends abnormally

@@ -1,31 +1,15 @@
 #include "crash/crash_site.h"
 
-#include <csignal>
-
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include "crash/machine_registers.h"
 #include "crash/thread_origin.h"
 
 namespace trundle {
 namespace {
 
 constexpr std::uintptr_t kPage = 4096, kMaxStack = 256 * 1024;
-
-struct Registers {
-    std::uintptr_t instruction = 0, stack = 0;
-};
-
-Registers registersOf(const void* context) {
-    const auto& machine = static_cast<const ucontext_t*>(context)->uc_mcontext;
-#if defined(__x86_64__)
-    return {static_cast<std::uintptr_t>(machine.gregs[REG_RIP]), static_cast<std::uintptr_t>(machine.gregs[REG_RSP])};
-#elif defined(__aarch64__)
-    return {static_cast<std::uintptr_t>(machine.pc), static_cast<std::uintptr_t>(machine.sp)};
-#else
-    return {};
-#endif
-}
 
 /// The first word on a stack that is an address in a module.
 const CallTarget* libraryOnStack(const CallMonitor& calls, std::uintptr_t stack) noexcept {
@@ -53,7 +37,7 @@ const CallTarget* libraryOfOrigin(const CallMonitor& calls) noexcept {
 } // namespace
 
 const CallTarget* libraryOfThread(const CallMonitor& calls, const void* context) noexcept {
-    const Registers registers = registersOf(context);
+    const MachineRegisters registers = registersOf(context);
     if (const CallTarget* library = calls.libraryAt(registers.instruction)) return library;
     if (const CallTarget* library = libraryOnStack(calls, registers.stack)) return library;
     return libraryOfOrigin(calls);

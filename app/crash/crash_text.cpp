@@ -79,17 +79,4 @@ void addExit(MessageBuilder& words, const CrashedRun& run, const CrashCause& cau
     words << ", by exit() or the like";
 }
 
-const char* crashName(int signal) noexcept {
-    switch (signal) {
-    case SIGSEGV: return "Segmentation fault";
-    case SIGBUS: return "Bus error";
-    case SIGFPE: return "Arithmetic exception";
-    case SIGILL: return "Illegal instruction";
-    case SIGABRT: return "Aborted";
-    case SIGTRAP: return "Trap";
-    case SIGSYS: return "Bad system call";
-    default: return "Killed by a signal";
-    }
-}
-
 } // namespace trundle

@@ -4,6 +4,7 @@
 #include <csignal>
 
 #include "base/call_monitor.h"
+#include "base/platform/crash_name.h"
 #include "crash/signal_text.h"
 
 namespace trundle {
@@ -57,7 +58,5 @@ void addCrash(MessageBuilder& words, const CrashedRun& run, const CrashCause& ca
 void addExit(MessageBuilder& words, const CrashedRun& run, const CrashCause& cause);
 /// The signals of a crash.
 inline constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
-/// "Segmentation fault".
-[[nodiscard]] const char* crashName(int signal) noexcept;
 
 } // namespace trundle

@@ -14,8 +14,8 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-#include "crash/crash_text.h"
 #include "crash/exit_hook.h"
+#include "crash/machine_registers.h"
 #include "crash/thread_origin.h"
 #include "crash/uncaught_exception.h"
 
@@ -40,21 +40,6 @@ bool isInModule(std::uintptr_t address) {
 void addFrame(CrashRecord& record, std::uintptr_t address) {
     if (record.frameCount < CrashRecord::kMostFrames && isInModule(address))
         record.frames[record.frameCount++] = {0, address - s_base};
-}
-
-struct Registers {
-    std::uintptr_t instruction = 0, stack = 0;
-};
-
-Registers registersOf(const void* context) {
-    const auto& machine = static_cast<const ucontext_t*>(context)->uc_mcontext;
-#if defined(__x86_64__)
-    return {static_cast<std::uintptr_t>(machine.gregs[REG_RIP]), static_cast<std::uintptr_t>(machine.gregs[REG_RSP])};
-#elif defined(__aarch64__)
-    return {static_cast<std::uintptr_t>(machine.pc), static_cast<std::uintptr_t>(machine.sp)};
-#else
-    return {};
-#endif
 }
 
 void addFromStack(CrashRecord& record, std::uintptr_t stack) {
@@ -85,7 +70,7 @@ void addAddresses(CrashRecord& record, std::uintptr_t innermost) {
 void onCrash(int signal, siginfo_t* info, void* context) {
     enter();
     CrashRecord& record = s_page->crash;
-    const Registers registers = registersOf(context);
+    const MachineRegisters registers = registersOf(context);
     const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
     record.signal = signal;
     record.ofThread = thisThread() != s_mainThread;

@@ -80,6 +80,9 @@ ControllerOutputs makeHostOutputs(RecordSender& sender, std::uint32_t controller
     outputs.finish = [&sender, controller](const std::string& reason) {
         sender.record(HostRecord::Finish, controller, WireWriter().bytes(reason).view());
     };
+    outputs.gaveUp = [&sender, controller](const std::string& text) {
+        sender.record(HostRecord::GaveUp, controller, WireWriter().bytes(text).view());
+    };
     outputs.openLog = [&sender, controller](const std::string& fileName) {
         const std::string reply = sender.ask(HostRecord::OpenLog, controller, WireWriter().bytes(fileName).view());
         return static_cast<int>(WireReader(reply).number<std::int32_t>());

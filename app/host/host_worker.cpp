@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -39,14 +40,20 @@ std::string HostWorker::receive() {
 }
 
 void HostWorker::record(HostRecord kind, std::uint32_t controller, std::string_view bytes) {
-    if (thisThread() != m_thread) return;
+    if (thisThread() != m_thread) {
+        m_ignoredOf = controller;
+        return;
+    }
     const RecordHeader header{static_cast<std::uint32_t>(kind), controller, bytes.size()};
     (void)append({reinterpret_cast<const char*>(&header), sizeof header});
     (void)append(bytes);
 }
 
 std::string HostWorker::ask(HostRecord kind, std::uint32_t controller, std::string_view bytes) {
-    if (thisThread() != m_thread) return {};
+    if (thisThread() != m_thread) {
+        m_ignoredOf = controller;
+        return {};
+    }
     record(kind, controller, bytes);
     finishMessage();
     return receive();
@@ -54,12 +61,22 @@ std::string HostWorker::ask(HostRecord kind, std::uint32_t controller, std::stri
 
 void HostWorker::done(const Status& status, std::string_view more) {
     std::fflush(nullptr); // what a module has printed
+    reportIgnored();
     WireWriter out;
     out.status(status);
     if (status) out.bytes(more);
     m_page.phase = static_cast<std::uint32_t>(HostPhase::None);
     record(HostRecord::Done, 0, out.view());
     finishMessage();
+}
+
+void HostWorker::reportIgnored() {
+    const std::int64_t controller = m_ignoredOf.exchange(kNone);
+    if (controller == kNone || std::exchange(m_saidIgnored, true)) return;
+    constexpr const char* kText = "print(), logs, cameras and radios work in setup() and update() alone: what other threads of the "
+                                  "module ask for is ignored";
+    record(HostRecord::Print, static_cast<std::uint32_t>(controller),
+           WireWriter().number<std::int32_t>(TRUNDLE_WARNING).bytes(kText).view());
 }
 
 void HostWorker::run() {

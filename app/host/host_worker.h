@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <map>
 #include <memory>
 #include <string>
@@ -45,10 +46,14 @@ private:
     void stop(std::uint32_t number);
     void unload();
     void done(const Status& status, std::string_view more = {});
+    void reportIgnored();
     void enter(HostPhase phase, std::uint32_t controller);
 
     const int m_sensorFile, m_commandFile;
     const long m_thread;
+    static constexpr std::int64_t kNone = -1;
+    std::atomic<std::int64_t> m_ignoredOf{kNone}; ///< a controller for which another thread has asked for something
+    bool m_saidIgnored = false;
     SharedSegment m_sensors, m_commands;
     std::shared_ptr<CallMonitor> m_calls = std::make_shared<CallMonitor>();
     std::unique_ptr<ModuleStore> m_store; ///< before the controllers, which it must outlive

@@ -86,6 +86,12 @@ struct RunCode {
                                           return found ? found->module : std::string();
                                       }) {}
 
+    void setConsole(const RunOptions& options) {
+        if (options.console)
+            hosts.setConsole([console = options.console, calls = options.calls](const std::string& text) {
+                console(calls->time(), {}, TRUNDLE_WARNING, text);
+            });
+    }
     /// Code of a module runs in this process only if a device or a controller needs it here.
     Result<std::vector<Kind>> load(const std::string& library, const Registry& registry) {
         return hosts.hasOnly(library) && !hasDeviceOf(library, registry) ? hosts.load(library) : store.loadKinds(library);
@@ -111,6 +117,7 @@ public:
           m_python({m_locations.host, m_locations.python}) {}
 
     std::shared_ptr<const Registry> builtIn() const override { return m_builtIn; }
+    Isolation isolation() const override { return m_isolation; }
     const Locations& locations() const override { return m_locations; }
     std::vector<Kind> moduleKinds(const OpenOptions& options) const override;
     Result<std::shared_ptr<const LoadedProject>> open(const std::string& path, const OpenOptions& options) override;
@@ -184,7 +191,9 @@ Result<std::shared_ptr<const LoadedProject>> TrundleApplication::open(const std:
 std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& loaded, RunOptions options,
                                                        Diagnostics& diagnostics) {
     if (!options.calls) options.calls = std::make_shared<CallMonitor>();
-    const auto code = std::make_shared<RunCode>(loaded, HostPrograms{m_locations.host, m_locations.python}, options, m_isolation); // per run: the next one loads rebuilt libraries
+    const HostPrograms programs{m_locations.host, m_locations.python};
+    const auto code = std::make_shared<RunCode>(loaded, programs, options, m_isolation); // per run: the next one loads rebuilt libraries
+    code->setConsole(options);
     options.keeps = code;
     ModuleStore& store = code->store;
     loadModules(*loaded.experiment, *loaded.registry,

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const Registry> builtIn() const = 0;
     /// Kinds declared by the manifests of the modules in the program's and the given folders. Runs no module code.
     [[nodiscard]] virtual std::vector<Kind> moduleKinds(const OpenOptions& options) const = 0;
+    /// Which controllers have a process of their own where the experiment does not say it.
+    [[nodiscard]] virtual Isolation isolation() const { return Isolation::None; }
     /// Paths of the program's own files.
     [[nodiscard]] virtual const Locations& locations() const = 0;
     /// Loads an experiment and everything it imports. Thread-safe. Fails only if the experiment file itself cannot be read.

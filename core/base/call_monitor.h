@@ -63,11 +63,14 @@ public:
         m_ticks.store(ticks, std::memory_order_relaxed);
         m_time.store(time, std::memory_order_relaxed);
     }
+    /// Any thread: the run has been asked to end, so a call that does not return is not waited for.
+    void askForEnd() noexcept { m_endAsked.store(true, std::memory_order_relaxed); }
 
     // Reading: any thread.
     /// nullptr: neither module code nor a solver step is running.
     [[nodiscard]] const CallTarget* target() const noexcept { return m_target.load(std::memory_order_acquire); }
     [[nodiscard]] const char* doing() const noexcept { return m_doing.load(std::memory_order_acquire); } ///< "update"
+    [[nodiscard]] bool endAsked() const noexcept { return m_endAsked.load(std::memory_order_relaxed); }
     /// Increases with each call that begins or ends.
     [[nodiscard]] std::uint64_t sequence() const noexcept { return m_sequence.load(std::memory_order_acquire); }
     [[nodiscard]] std::uint64_t ticks() const noexcept { return m_ticks.load(std::memory_order_relaxed); } ///< completed
@@ -107,6 +110,7 @@ private:
     std::atomic<const char*> m_doing{""};
     std::atomic<std::uint64_t> m_sequence{0}, m_ticks{0};
     std::atomic<double> m_time{0};
+    std::atomic<bool> m_endAsked{false};
     std::atomic<std::uint32_t> m_bodyCount{0}, m_clusterContacts{0}, m_clusterBody{0xffffffffu};
 };
 

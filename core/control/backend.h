@@ -37,6 +37,7 @@ struct ControllerOutputs {
     std::function<int(const std::string& fileName)> openLog; ///< -1: refused
     std::function<void(int log, std::string_view bytes)> writeLog;
     std::function<void(const std::string& reason)> finish; ///< requests the end of the run after this tick
+    std::function<void(const std::string& text)> gaveUp;   ///< fail() was called; the call under way returns its error
     std::shared_ptr<RadioAccess> radios;                   ///< null: none
     // Cameras of the robot, by name.
     std::function<Result<const CameraImage*>(const std::string& camera)> capture; ///< valid until that camera's next image
@@ -66,6 +67,14 @@ public:
     /// Sets a live field of the controller.
     [[nodiscard]] virtual Status set(const std::string& property, const PropertyValue& value) = 0;
     virtual void stop() = 0;
+    /// Loads the module again, in a new process that replaces the old one; start() then starts the controller there. The first
+    /// call with this `request` does it for all controllers of the process. Fails, and changes nothing, if the module cannot be
+    /// loaded or has other properties or published values than those of this run.
+    [[nodiscard]] virtual Status renew(std::uint64_t) {
+        return Error{Code::ControllerFailed, "it runs inside the program: reset the run to load its module again"};
+    }
+    /// The path of its library; empty: unknown.
+    [[nodiscard]] virtual std::string module() const { return {}; }
     /// Wall time of the last update, s, where the call of tick() does not give it.
     [[nodiscard]] virtual std::optional<double> updateS() const { return {}; }
     /// Set if a fault has stopped this controller alone: the run continues, and start() starts it again.

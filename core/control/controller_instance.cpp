@@ -161,7 +161,9 @@ void ControllerInstance::print(void* context, std::int32_t severity, const char*
 
 void ControllerInstance::fail(void* context, const char* text) {
     auto& me = self(context);
-    if (!me.m_failure) me.m_failure = me.failed("gave up", text);
+    if (me.m_failure) return;
+    me.m_failure = me.failed("gave up", text);
+    if (me.m_outputs.gaveUp) me.m_outputs.gaveUp(moduleMessage(text));
 }
 
 std::uint64_t ControllerInstance::random(void* context) {

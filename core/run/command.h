@@ -42,11 +42,17 @@ struct PropertyCommand {
 struct RestartCommand {
     std::string robot;
 };
+/// Loads the module with this path again, as a new file, and starts its controllers from their setup. Poses and time stay. A module
+/// that cannot be used is refused, and the old code goes on. Only for controllers in host processes.
+struct ReloadCommand {
+    std::string module; ///< empty: all modules
+};
 
 /// Applied before the controllers are called in tick `tick + 1`: `tick` is the number of completed ticks.
 struct Command {
     std::uint64_t tick = 0;
-    std::variant<PushCommand, PlaceCommand, SignalCommand, HoldCommand, SurfaceCommand, PropertyCommand, RestartCommand>
+    std::variant<PushCommand, PlaceCommand, SignalCommand, HoldCommand, SurfaceCommand, PropertyCommand, RestartCommand,
+                 ReloadCommand>
         what;
 };
 

@@ -42,12 +42,17 @@ void ExperimentRunner::addMessage(const std::string& who, int severity, const st
         m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, cleanText(part));
 }
 
+/// A message of the run itself, which does not count as a line of the robot.
+void ExperimentRunner::say(const std::string& who, int severity, const std::string& text) {
+    if (m_options.console)
+        m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, cleanText(text));
+}
+
 void ExperimentRunner::reportDropped() {
     for (const auto& [who, lines] : m_console.takeDropped()) {
         const std::string text = codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) +
                                  (lines == 1 ? " line dropped" : " lines dropped");
-        if (m_options.console)
-            m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, TRUNDLE_WARNING, text);
+        say(who, TRUNDLE_WARNING, text);
     }
 }
 
@@ -143,6 +148,7 @@ Status ExperimentRunner::apply(const Command& command) {
     if (const auto* signal = std::get_if<SignalCommand>(&command.what)) return apply(*signal);
     if (const auto* hold = std::get_if<HoldCommand>(&command.what)) return apply(*hold);
     if (const auto* restart = std::get_if<RestartCommand>(&command.what)) return apply(*restart);
+    if (const auto* reload = std::get_if<ReloadCommand>(&command.what)) return apply(*reload);
     if (const auto* surface = std::get_if<SurfaceCommand>(&command.what)) return m_world->setSurface(surface->surface);
     return apply(std::get<PropertyCommand>(command.what));
 }
@@ -189,15 +195,43 @@ Status ExperimentRunner::apply(const RestartCommand& restart) {
     for (Controller& controller : m_controllers) {
         const ControllerFault* other = controller.backend->fault();
         if (&controller != chosen && (process.empty() || !other || other->process != process)) continue;
-        std::erase_if(m_stopped, [&](const StoppedController& stopped) { return stopped.robot == controller.robot; });
-        controller.called = controller.slow = false;
         const RobotSpec& robot = experiment().robots[controller.robot];
-        const MonitoredCall call(*m_options.calls, controller.target, "setup");
-        const Status started = controller.backend->start(m_world->layout(), m_world->block(), outputsFor(robot));
-        if (started) addMessage(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was started again");
-        else m_stopped.push_back({controller.robot, m_world->time(), {started.error().message, {}, {}, true}});
-        if (!started) addMessage(robot.name, TRUNDLE_ERROR, started.error().message);
+        if (startAgain(controller)) say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was started again");
     }
+    stopFaulty(); // a crash in setup ends the process of other robots too
+    return {};
+}
+
+/// From its setup, in a new process if the old one has ended.
+bool ExperimentRunner::startAgain(Controller& controller) {
+    std::erase_if(m_stopped, [&](const StoppedController& stopped) { return stopped.robot == controller.robot; });
+    controller.called = controller.slow = false;
+    const RobotSpec& robot = experiment().robots[controller.robot];
+    const MonitoredCall call(*m_options.calls, controller.target, "setup");
+    const Status started = controller.backend->start(m_world->layout(), m_world->block(), outputsFor(robot));
+    if (started || controller.backend->fault()) return started.ok(); // the fault is reported by stopFaulty()
+    m_stopped.push_back({controller.robot, m_world->time(), {started.error().message, {}, {}, true}});
+    say(robot.name, TRUNDLE_ERROR, started.error().message);
+    setCommandsToZero(robot);
+    return false;
+}
+
+Status ExperimentRunner::apply(const ReloadCommand& reload) {
+    std::set<std::string> said;
+    for (Controller& controller : m_controllers) {
+        const std::string library = controller.backend->module();
+        if (!reload.module.empty() && library != reload.module) continue;
+        const RobotSpec& robot = experiment().robots[controller.robot];
+        const MonitoredCall call(*m_options.calls, controller.target, "load");
+        if (const Status renewed = controller.backend->renew(m_applied + 1); !renewed) {
+            const std::string kind = robot.controller->kind;
+            if (said.insert(kind + renewed.error().message).second)
+                say(robot.name, TRUNDLE_ERROR, "the controller " + kind + " goes on with its old code: " + renewed.error().message);
+        } else if (startAgain(controller)) {
+            say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " has the new code of " + library);
+        }
+    }
+    stopFaulty();
     return {};
 }
 
@@ -239,22 +273,45 @@ void ExperimentRunner::reportSlow(Controller& controller, double seconds) {
     const RobotSpec& robot = experiment().robots[controller.robot];
     if (seconds <= controller.budget) return;
     controller.slow = true;
-    addMessage(robot.name, TRUNDLE_WARNING,
-               "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
-                   " ms; its Budget is " + numberText(1e3 * controller.budget) + " ms");
+    say(robot.name, TRUNDLE_WARNING,
+        "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
+            " ms; its Budget is " + numberText(1e3 * controller.budget) + " ms");
 }
 
-/// After a fault of one controller: its robot, and those whose controllers shared its process, get commands of 0.
+/// After a fault of one controller: its robot gets commands of 0. Those whose controllers shared its process go on in a new one.
+/// That may have a fault too, but each stops one controller more, so this ends.
 void ExperimentRunner::stopFaulty() {
-    for (const Controller& controller : m_controllers) {
-        const ControllerFault* fault = controller.backend->fault();
-        if (!fault || isStopped(controller)) continue;
-        const RobotSpec& robot = experiment().robots[controller.robot];
-        reportFault(controller);
-        for (const SignalEntry& entry : m_world->layout().entries())
-            if (entry.direction == SignalDirection::Command && entry.path.starts_with(robot.name + "/"))
-                std::fill_n(m_world->block().slots().begin() + entry.offset, entry.count, 0.0);
-    }
+    for (bool again = true; std::exchange(again, false);)
+        for (Controller& controller : m_controllers) {
+            const ControllerFault* fault = controller.backend->fault();
+            if (!fault || isStopped(controller)) continue;
+            again = true;
+            if (!fault->isOwn && !m_finished) {
+                goOnInNewProcess(controller);
+                continue;
+            }
+            reportFault(controller);
+            setCommandsToZero(experiment().robots[controller.robot]);
+        }
+}
+
+void ExperimentRunner::setCommandsToZero(const RobotSpec& robot) {
+    for (const SignalEntry& entry : m_world->layout().entries())
+        if (entry.direction == SignalDirection::Command && entry.path.starts_with(robot.name + "/"))
+            std::fill_n(m_world->block().slots().begin() + entry.offset, entry.count, 0.0);
+}
+
+void ExperimentRunner::goOnInNewProcess(Controller& controller) {
+    const std::string reason = controller.backend->fault()->reason;
+    if (!startAgain(controller)) return;
+    m_warnings.push_back({Severity::Warning,
+                          Code::ControllerFailed,
+                          "at t = " + numberText(m_world->time()) + " s " + reason +
+                              "; it was started again in a new process and has forgotten what it had stored",
+                          experiment().robots[controller.robot].controller->nameRange,
+                          {},
+                          {},
+                          {}});
 }
 
 void ExperimentRunner::reportFault(const Controller& controller) {
@@ -285,13 +342,13 @@ Status ExperimentRunner::think() {
     const std::uint64_t tick = m_world->ticks();
     const double time = m_world->time();
     prepareUpdates(tick, time);
-    for (Controller& controller : m_controllers) {
-        if (!controller.due || isStopped(controller)) continue;
-        const Status done = update(controller, tick, time);
-        if (done) continue;
-        if (!controller.backend->fault()) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
-        stopFaulty();
-    }
+    for (Controller& controller : m_controllers)
+        while (controller.due && !isStopped(controller)) { // again if it was started in a new process
+            const Status done = update(controller, tick, time);
+            if (done) break;
+            if (!controller.backend->fault()) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
+            stopFaulty();
+        }
     return {};
 }
 

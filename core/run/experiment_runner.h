@@ -57,6 +57,7 @@ private:
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
     ControllerOutputs outputsFor(const RobotSpec& robot);
     void addMessage(const std::string& who, int severity, const std::string& text);
+    void say(const std::string& who, int severity, const std::string& text);
     void reportDropped();
     Status fail(const Error& error, SourceRange range);
 
@@ -66,6 +67,7 @@ private:
     Status apply(const HoldCommand& command);
     Status apply(const PropertyCommand& command);
     Status apply(const RestartCommand& command);
+    Status apply(const ReloadCommand& command);
     [[nodiscard]] Controller* controllerOf(const std::string& robot);
     Status think();
     void prepareUpdates(std::uint64_t tick, double time);
@@ -74,6 +76,9 @@ private:
     void stopFaulty();
     void stopControllers();
     void reportFault(const Controller& controller);
+    bool startAgain(Controller& controller);
+    void setCommandsToZero(const RobotSpec& robot);
+    void goOnInNewProcess(Controller& controller);
     [[nodiscard]] bool isStopped(const Controller& controller) const;
     Status writeLogs();
     void closeFinish();

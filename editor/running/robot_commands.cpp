@@ -117,6 +117,12 @@ bool RobotCommands::restartControllers(const std::vector<std::string>& robots) {
     return restarted > 0 || m_messages.refuse(tr("Select a robot with a controller."));
 }
 
+bool RobotCommands::reloadModules(const std::string& library) {
+    if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A module can be reloaded while the experiment runs."));
+    m_run.live->command(ReloadCommand{library});
+    return true;
+}
+
 std::vector<Command> RobotCommands::all() const { return m_run.live ? m_run.live->commands() : std::vector<Command>(); }
 
 std::shared_ptr<const LiveSnapshot> RobotCommands::withPlacedRobots(std::shared_ptr<const LiveSnapshot> snapshot) {

@@ -36,6 +36,8 @@ public:
     /// robot stops until the controller sends a new command.
     bool drive(const std::string& robot, double linear, double angular);
     void stopDriving();
+    /// Loads a module again, by the path of its library, and starts its controllers from their setup; empty: all modules.
+    bool reloadModules(const std::string& library);
     /// Starts the controllers of these robots again, from their setup, where they are. A controller that was stopped with others
     /// of its process is started with them.
     bool restartControllers(const std::vector<std::string>& robots);

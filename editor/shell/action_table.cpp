@@ -117,7 +117,8 @@ static constexpr ActionRow kTable[] = {
     {"controllers.assign", "Controllers", "&Assign to Selected Robots…", "",    "",               "Choose the controller of the selected robots."},
     {"controllers.remove", "Controllers", "&Remove from Selected Robots", "delete", "",              "Take the controller out of the selected robots."},
     {"controllers.restart", "|Controllers", "Re&start Controller", "restart",  "",               "Start the controllers of the selected robots again, from their setup, without a reset of the run."},
-    {"controllers.reload", "Controllers", "Rel&oad Modules",    "",            "Ctrl+Shift+R",   "Reset the run and read the libraries again, as built now."},
+    {"controllers.reload", "Controllers", "Rel&oad Modules",    "",            "Ctrl+Shift+R",   "Give the running robots the code as built now, where they are; outside a run, read the libraries again."},
+    {"controllers.follow", "Controllers", "Reload Re&built Modules", "",       "",               "Give the running robots the new code of a module as soon as it is built.", true},
 
     {"help.guide",     "Help",        "&Guide",                  "help",        "F1",             "The page of what is selected or at the caret; else how to work with this window."},
     {"help.about",     "Help",        "&About Trundle",          "info",        "",               "Version, licence and libraries."},

@@ -1,5 +1,6 @@
 // Faults of controllers in processes of their own: the run goes on, all other robots move as without the sick one, and the report
 // names robot, module, function and line.
+#include <csignal>
 #include <set>
 
 #include "flow/cli.h"
@@ -53,8 +54,15 @@ private Q_SLOTS:
     void aFaultInSetupIsAnErrorOfTheText_data();
     void aFaultInSetupIsAnErrorOfTheText();
     void aFaultOnLoadIsAnErrorOfItsLine();
-    void robotsOfOneProcessShareItsCrash();
+    void otherRobotsOfTheProcessGoOn();
     void reportsFunctionAndLine();
+    void aHangIsReportedWithItsLine();
+    void aRecursionIsFolded();
+    void theReportIsWholeAndInOrder();
+    void whatWasSaidBeforeACrashCounts();
+    void aCrashOnUnloadIsReported();
+    void anInterruptedHangEndsWithResults_data();
+    void anInterruptedHangEndsWithResults();
     void commandsOfAStoppedRobotAreZero();
     void failEndsTheRun();
     void isolationOfABlockHoldsForItAlone();
@@ -185,17 +193,17 @@ void IsolatedModulesTest::aFaultOnLoadIsAnErrorOfItsLine() {
              shown(outcome));
 }
 
-void IsolatedModulesTest::robotsOfOneProcessShareItsCrash() {
+/// They start again in a new process; the one at fault stays stopped.
+void IsolatedModulesTest::otherRobotsOfTheProcessGoOn() {
     for (const char* isolation : {"module", "robot"}) {
         const Outcome outcome = run(experiment(isolation, "Rogue", "Action=\"leave\""));
         QVERIFY2(outcome.code == 4, shown(outcome));
-        const QJsonArray stopped = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray();
-        QCOMPARE(stopped.size(), isolation == QByteArray("module") ? 2 : 1);
-        QCOMPARE(stopped[0]["own"].toBool(), true);
-        if (stopped.size() < 2) continue;
-        QCOMPARE(stopped[1]["robot"].toString(), QStringLiteral("second"));
-        QCOMPARE(stopped[1]["own"].toBool(), false);
-        QVERIFY2(stopped[1]["reason"].toString().contains("shares its process with that of bad"), shown(outcome));
+        const QJsonObject json = QJsonDocument::fromJson(outcome.out).object();
+        QCOMPARE(json["ticks"].toInt(), 100);
+        QCOMPARE(json["stopped"].toArray().size(), 1);
+        QCOMPARE(json["stopped"].toArray()[0].toObject()["robot"].toString(), QStringLiteral("bad"));
+        QCOMPARE(outcome.err.count("of second shares its process with that of bad: "), isolation == QByteArray("module") ? 1 : 0);
+        QCOMPARE(outcome.err.count("it was started again in a new process"), isolation == QByteArray("module") ? 1 : 0);
     }
 }
 
@@ -214,15 +222,98 @@ void IsolatedModulesTest::reportsFunctionAndLine() {
     QVERIFY2(outcome.err.contains("bad] error:   (anonymous namespace)::Zoo::update"), shown(outcome));
 }
 
+void IsolatedModulesTest::aHangIsReportedWithItsLine() {
+    const Outcome outcome = run(experiment("module", "Zoo", "Action=loop Budget=20"));
+    const QJsonObject stopped = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray()[0].toObject();
+    const QList<QByteArray> lines = contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/control/modules/zoo.cpp")).split('\n');
+    const QRegularExpressionMatch place =
+        QRegularExpression("did not return .* was stopped, in .*loop\\(\\) at zoo\\.cpp:(\\d+)$").match(stopped["reason"].toString());
+    QVERIFY2(place.hasMatch(), shown(outcome));
+    const int line = place.captured(1).toInt();
+    QVERIFY2(lines.mid(line - 3, 5).join('\n').contains("loop"), qPrintable(place.captured(1)));
+}
+
+void IsolatedModulesTest::aRecursionIsFolded() {
+    const Outcome outcome = run(experiment("module", "Zoo", "Action=overflow"));
+    const QJsonArray frames = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray()[0].toObject()["backtrace"].toArray();
+    QVERIFY2(frames.size() >= 2 && frames.size() < 10, shown(outcome));
+    const auto isFolded = [](const QJsonValue& frame) { return frame.toString().contains("more of the same"); };
+    QCOMPARE(std::count_if(frames.begin(), frames.end(), isFolded), 1);
+}
+
+/// Nothing of it is dropped by the limit of lines, and no frame of the SDK is in it.
+void IsolatedModulesTest::theReportIsWholeAndInOrder() {
+    const Outcome outcome = run(experiment("module", "Zoo", "Action=\"print much and crash\" Budget=0.000001"));
+    const QJsonArray frames = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray()[0].toObject()["backtrace"].toArray();
+    QVERIFY2(!frames.isEmpty(), shown(outcome));
+    QVERIFY2(outcome.err.contains("bad] warning: an update of the controller brain took "), shown(outcome).left(3000));
+    qsizetype at = outcome.err.indexOf("error E410: ");
+    for (const QJsonValue& frame : frames) {
+        QVERIFY2(!frame.toString().contains("/include/trundle/"), qPrintable(frame.toString()));
+        at = outcome.err.indexOf("bad] error:   " + frame.toString().toUtf8(), at);
+        QVERIFY2(at > 0, qPrintable(frame.toString()));
+    }
+}
+
+void IsolatedModulesTest::whatWasSaidBeforeACrashCounts() {
+    const Outcome failed = run(experiment("module", "Zoo", "Action=\"fail and crash\""));
+    QVERIFY2(failed.code == 4 && failed.err.contains("; it had called fail(): no way out"), shown(failed));
+    const Outcome finished = run(experiment("module", "Zoo", "Action=\"finish and crash\""));
+    QVERIFY2(finished.code == 4, shown(finished));
+    const QJsonObject json = QJsonDocument::fromJson(finished.out).object();
+    QCOMPARE(json["finished"].toObject()["reason"].toString(), QStringLiteral("all found"));
+    QCOMPARE(json["ticks"].toInt(), 50);
+    QCOMPARE(json["stopped"].toArray().size(), 1);
+    const Outcome printed = run(experiment("module", "Zoo", "Action=\"print from a thread\""));
+    QVERIFY2(printed.code == 0 && printed.err.count("what other threads of the module ask for is ignored") == 1, shown(printed));
+}
+
+void IsolatedModulesTest::aCrashOnUnloadIsReported() {
+    const Outcome outcome = run(experiment("module", "Zoo", "Action=\"crash at exit\""));
+    QVERIFY2(outcome.code == 4 && outcome.err.contains("libzoo.so crashed in unload: Segmentation fault"), shown(outcome));
+    const Outcome thrown = callProgram("/usr/bin/env", {"TRUNDLE_ZOO_DESCRIBE=throw", programPath(), "run", experiment("module", "Zoo", {}),
+                                                        "--json", "--modules", kZoo, "--modules", kRogue});
+    QVERIFY2(thrown.code == 1 && thrown.err.contains("isolated.sim:5:13: error E405: "), shown(thrown));
+    QVERIFY2(thrown.err.contains("gives no description of itself"), shown(thrown));
+    QVERIFY2(!thrown.err.contains("damaged the messages"), shown(thrown));
+}
+
+void IsolatedModulesTest::anInterruptedHangEndsWithResults_data() {
+    QTest::addColumn<QByteArray>("settings");
+    QTest::newRow("update") << QByteArray("Action=loop");
+    QTest::newRow("update, all signals blocked") << QByteArray("Action=\"block and loop\"");
+}
+
+void IsolatedModulesTest::anInterruptedHangEndsWithResults() {
+    QFETCH(QByteArray, settings);
+    const QString path = experiment("module", "Zoo", settings), pid = m_folder.filePath("pid"), logs = m_folder.filePath("logs");
+    QFile::remove(pid);
+    QDir(logs).removeRecursively();
+    QProcess program;
+    program.setWorkingDirectory(m_folder.path());
+    program.start("/bin/sh", {"-c", "echo $$ > \"$1\"; shift; exec \"$@\"", "sh", pid, programPath(), "run", path, "--json", "--quiet",
+                              "--modules", kZoo, "--modules", kRogue, "--log-dir", logs});
+    QVERIFY(program.waitForStarted());
+    QByteArray errors;
+    const auto waits = [&] { return (errors += program.readAllStandardError()).contains("waiting for the controller Zoo of bad in update"); };
+    const bool begun = QTest::qWaitFor(waits, 30'000);
+    ::kill(contentOf(pid).trimmed().toInt(), begun ? SIGTERM : SIGKILL);
+    QVERIFY(program.waitForFinished(30'000));
+    QVERIFY2(begun && program.exitStatus() == QProcess::NormalExit, errors);
+    QCOMPARE(program.exitCode(), 130);
+    const QJsonObject json = QJsonDocument::fromJson(program.readAllStandardOutput()).object();
+    QVERIFY(json["interrupted"].toBool());
+    QVERIFY(json["state_hash"].isString());
+    QVERIFY(json["stopped"].toArray()[0].toObject()["reason"].toString().contains("s of the request to end and was stopped"));
+}
+
 void IsolatedModulesTest::commandsOfAStoppedRobotAreZero() {
     const Outcome outcome = run(experiment("module", "Rogue", "Action=\"leave\""));
     const QJsonObject robots = QJsonDocument::fromJson(outcome.out).object()["robots"].toObject();
-    for (const char* robot : {"bad", "second"}) {
-        const QJsonObject signal = robots[robot].toObject()["signals"].toObject();
-        QCOMPARE(signal["base/linearVelocity"].toDouble(-1), 0.0);
-        QCOMPARE(signal["base/angularVelocity"].toDouble(-1), 0.0);
-        QVERIFY(qAbs(signal["velocity"].toArray()[0].toDouble(1)) < 1e-3);
-    }
+    const QJsonObject signal = robots["bad"].toObject()["signals"].toObject();
+    QCOMPARE(signal["base/linearVelocity"].toDouble(-1), 0.0);
+    QCOMPARE(signal["base/angularVelocity"].toDouble(-1), 0.0);
+    QVERIFY(qAbs(signal["velocity"].toArray()[0].toDouble(1)) < 1e-3);
 }
 
 /// A controller that calls fail() asks for the end of the run, in any process.

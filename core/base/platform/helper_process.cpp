@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -71,6 +72,10 @@ bool HelperProcess::hasEnded() {
     if (got == m_process && (WIFEXITED(status) || WIFSIGNALED(status))) record(status); // a traced child reports its stops too
     else if (got < 0 && errno == ECHILD) record(0); // another part of the program has waited for it
     return m_process <= 0;
+}
+
+void HelperProcess::signalMainThread(int signal) {
+    if (!hasEnded()) ::syscall(SYS_tgkill, m_process, m_process, signal);
 }
 
 void HelperProcess::kill() {

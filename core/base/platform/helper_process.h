@@ -29,6 +29,8 @@ public:
     /// Whether it has ended, without waiting.
     [[nodiscard]] bool hasEnded();
     [[nodiscard]] ProcessExit exit() const { return m_exit; } ///< valid once it has ended
+    /// Sends a signal to its main thread.
+    void signalMainThread(int signal);
     /// Kills it with its process group, and waits.
     void kill();
     /// Sends it a signal.

@@ -3,6 +3,7 @@ set(BASE_PLATFORM_SOURCES
   platform/atomic_file.cpp
   platform/buffered_file.cpp
   platform/confinement.cpp
+  platform/crash_name.cpp
   platform/dynamic_library.cpp
   platform/end_requests.cpp
   platform/piped_process.cpp

@@ -65,6 +65,7 @@ enum class HostRecord : std::uint32_t {
     Print,
     WriteLog,
     Finish,
+    GaveUp,
     OpenLog = 100,
     Capture,
     SavePicture,

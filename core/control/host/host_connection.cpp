@@ -13,7 +13,8 @@ namespace trundle {
 namespace {
 
 constexpr int kSliceMs = 1;
-constexpr std::chrono::milliseconds kWatchAfter(50);
+constexpr std::chrono::milliseconds kWatchAfter(50), kStackWait(200);
+constexpr double kLimitAtEndS = 1;
 constexpr std::size_t kLongestRecord = 16u << 20;
 constexpr int kMostReportMs = 100;
 
@@ -25,17 +26,16 @@ std::string textOf(const std::array<char, sizeof(ControlPage::report)>& bytes) {
 
 } // namespace
 
-HostConnection::HostConnection(SharedSegment control, ControlPage& page, Limits limits, Waiting waiting)
-    : MessageLink(page, Turn::Run), m_control(std::move(control)), m_limits(std::move(limits)), m_waiting(std::move(waiting)) {}
+HostConnection::HostConnection(SharedSegment control, ControlPage& page, Watch watch)
+    : MessageLink(page, Turn::Run), m_control(std::move(control)), m_watch(std::move(watch)) {}
 
 Result<std::unique_ptr<HostConnection>> HostConnection::start(const HostPrograms& programs, const std::string& library,
-                                                              std::uint64_t generation, Limits limits, Waiting waiting) {
+                                                              std::uint64_t generation, Watch watch) {
     Result<SharedSegment> control = SharedSegment::create("trundle-control", sizeof(ControlPage));
     if (!control) return control.error();
     auto* page = new (control.value().data()) ControlPage;
     page->generation = generation;
-    std::unique_ptr<HostConnection> made(
-        new HostConnection(std::move(control).value(), *page, std::move(limits), std::move(waiting)));
+    std::unique_ptr<HostConnection> made(new HostConnection(std::move(control).value(), *page, std::move(watch)));
     Result<SharedSegment> sensors = SharedSegment::create("trundle-sensors", 0),
                           commands = SharedSegment::create("trundle-commands", 0);
     if (!sensors) return sensors.error();
@@ -138,12 +138,14 @@ bool HostConnection::awaitTurn() {
 
 bool HostConnection::isOverdue() {
     const HostCall now = current();
-    if (now.controller != m_watched.controller || now.phase != m_watched.phase) m_since = Clock::now();
+    const bool ends = m_watch.endAsked();
+    if (now.controller != m_watched.controller || now.phase != m_watched.phase || ends != m_ends) m_since = Clock::now();
     m_watched = now;
+    m_ends = ends;
     const auto waited = Clock::now() - m_since;
     if (waited < kWatchAfter) return false;
-    if (m_waiting) m_waiting(now);
-    const double seconds = std::chrono::duration<double>(waited).count(), limit = m_limits(now);
+    const double seconds = std::chrono::duration<double>(waited).count(), limit = ends ? kLimitAtEndS : m_watch.limits(now);
+    m_watch.waiting(now, seconds);
     if (limit <= 0 || seconds < limit) return false;
     if (m_process.isTraced()) { // a debugger
         m_since = Clock::now();
@@ -163,12 +165,20 @@ void HostConnection::requestReport() {
     }
 }
 
+/// The host records where a call is that does not return, as in a crash, unless the module keeps it from that.
+void HostConnection::takeStack() {
+    m_process.signalMainThread(SIGABRT);
+    const Clock::time_point until = Clock::now() + kStackWait;
+    while (!m_process.hasEnded() && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(kSliceMs));
+}
+
 void HostConnection::close(HostEnd::Cause cause, double waitedS) {
-    if (m_isPython && cause == HostEnd::Cause::NotResponding) requestReport();
     HostEnd end;
     end.cause = cause;
     end.during = current();
     end.waitedS = waitedS;
+    end.afterRequest = m_ends;
+    if (cause == HostEnd::Cause::NotResponding) m_isPython ? requestReport() : takeStack();
     m_process.kill();
     end.code = m_process.exit().code;
     const CrashRecord& crash = m_page.crash;

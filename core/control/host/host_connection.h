@@ -27,7 +27,8 @@ struct HostEnd {
     int code = 0; ///< the signal, or of an exit the code; -1: unknown
     HostCall during;
     bool ofThread = false, ofSensorImage = false;
-    double waitedS = 0; ///< NotResponding
+    double waitedS = 0;        ///< NotResponding
+    bool afterRequest = false; ///< since then: the run was asked to end
     std::string exception;
     std::vector<std::pair<std::uint32_t, std::uint64_t>> frames; ///< index of the library, offset in it
     std::string report; ///< by the fault handler of Python
@@ -47,11 +48,18 @@ public:
     /// The longest time for one call of a controller, s; 0: none.
     using Limits = std::function<double(const HostCall& call)>;
     /// Called now and then while a call takes long.
-    using Waiting = std::function<void(const HostCall& call)>;
+    using Waiting = std::function<void(const HostCall& call, double seconds)>;
+    /// Whether the run has been asked to end: a call is then waited for a second only.
+    using EndAsked = std::function<bool()>;
+    struct Watch {
+        Limits limits;
+        Waiting waiting;
+        EndAsked endAsked;
+    };
 
     /// A host for a module. `generation` numbers the hosts of a run, each of which has segments of its own.
     [[nodiscard]] static Result<std::unique_ptr<HostConnection>> start(const HostPrograms& programs, const std::string& library,
-                                                                       std::uint64_t generation, Limits limits, Waiting waiting);
+                                                                       std::uint64_t generation, Watch watch);
 
     /// Gives the images their size. Call once.
     [[nodiscard]] Status map(std::size_t slots, const Records& records);
@@ -72,23 +80,24 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    HostConnection(SharedSegment control, ControlPage& page, Limits limits, Waiting waiting);
+    HostConnection(SharedSegment control, ControlPage& page, Watch watch);
     [[nodiscard]] bool awaitTurn() override;
     [[nodiscard]] bool isOverdue();
     [[nodiscard]] bool handle(std::string& stream, const Records& records, bool& done);
     [[nodiscard]] HostCall current() const;
     void close(HostEnd::Cause cause, double waitedS = 0);
     void requestReport();
+    void takeStack();
     static std::span<double> slotsOf(SharedSegment& segment) {
         return {static_cast<double*>(segment.data()), segment.bytes() / sizeof(double)};
     }
 
     SharedSegment m_control, m_sensors, m_commands;
     HelperProcess m_process;
-    Limits m_limits;
-    Waiting m_waiting;
+    Watch m_watch;
     bool m_isPython = false;
     HostCall m_watched;                       ///< what the host did when it was last looked at
+    bool m_ends = false;                      ///< it was asked to end then
     Clock::time_point m_since = Clock::now(); ///< of that call, with all that it has asked for
     std::optional<HostEnd> m_end;
 };

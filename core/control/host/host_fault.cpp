@@ -5,25 +5,16 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/platform/crash_name.h"
 #include "control/host/python_report.h"
 #include "control/host/symbolizer.h"
 
 namespace trundle {
 namespace {
 
-/// "Segmentation fault".
-std::string signalName(int signal) {
-    switch (signal) {
-    case SIGSEGV: return "Segmentation fault";
-    case SIGBUS: return "Bus error";
-    case SIGFPE: return "Arithmetic exception";
-    case SIGILL: return "Illegal instruction";
-    case SIGABRT: return "Aborted";
-    case SIGTRAP: return "Trap";
-    case SIGSYS: return "Bad system call";
-    case SIGXFSZ: return "a file grew too large";
-    default: break;
-    }
+std::string signalText(int signal) {
+    if (const char* crash = crashName(signal)) return crash;
+    if (signal == SIGXFSZ) return "a file grew too large";
     const char* name = ::sigabbrev_np(signal);
     return name ? std::string("SIG") + name : "signal " + std::to_string(signal);
 }
@@ -40,12 +31,13 @@ std::string ending(const HostEnd& end) {
     switch (end.cause) {
     case HostEnd::Cause::Crash:
         if (end.ofSensorImage) return " wrote to a sensor value" + in + ", which only the simulation may set";
-        return " crashed" + in + ": " + signalName(end.code);
+        return " crashed" + in + ": " + signalText(end.code);
     case HostEnd::Cause::Exit:
         return " ended its process" + in + (end.code < 0 ? ", by exit() or the like" : " with exit code " + std::to_string(end.code));
-    case HostEnd::Cause::Killed: return " ended its process" + in + ": " + signalName(end.code);
+    case HostEnd::Cause::Killed: return " ended its process" + in + ": " + signalText(end.code);
     case HostEnd::Cause::NotResponding: return " did not return from " + std::string(phaseName(end.during.phase)) + " within " +
-                                               seconds(end.waitedS) + " s and was stopped";
+                                               seconds(end.waitedS) + " s" + (end.afterRequest ? " of the request to end" : "") +
+                                               " and was stopped";
     case HostEnd::Cause::Damaged: return " damaged the messages of its process" + in + " and was stopped";
     }
     return {};
@@ -76,7 +68,7 @@ ControllerFault faultOf(const HostEnd& end, const RobotSpec* robot, const std::s
     const std::vector<SourceFrame> frames = end.report.empty() ? symbolize(library, end.frames) : framesOfPython(end.report);
     if (const SourceFrame* own = ownFrame(frames))
         fault.reason += ", in " + own->function + " at " + fileName(own->file) + ":" + std::to_string(own->line);
-    for (const SourceFrame& frame : frames) fault.backtrace.push_back(frameText(frame));
+    fault.backtrace = backtraceOf(frames);
     return fault;
 }
 

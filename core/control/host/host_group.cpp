@@ -3,6 +3,7 @@
 #include "control/host/host_group.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/clean_text.h"
 #include "control/host/controller_record.h"
@@ -13,7 +14,9 @@
 namespace trundle {
 namespace {
 
-constexpr double kLongestCallS = 30, kLongestUpdateS = 10, kShortestLimitS = 1, kBudgetFactor = 20;
+constexpr double kLongestCallS = 10, kLongestEndS = 3, kShortestLimitS = 1, kBudgetFactor = 20, kSayAfterS = 1;
+
+bool isEnd(HostPhase phase) { return phase == HostPhase::Destructor || phase == HostPhase::Unload; }
 
 } // namespace
 
@@ -41,30 +44,74 @@ Status HostGroup::connect() {
     m_mapped = m_updating = false;
     m_kinds.reset();
     for (Member& member : m_members) member.started = false;
-    auto host = HostConnection::start(
-        m_context.programs, m_library, m_generation = ++m_context.generations, [this](const HostCall& call) { return limitOf(call); },
-        [this](const HostCall& call) { showWaiting(call); });
+    auto host = startHost();
     if (!host) return host.error();
     m_host = std::move(host).value();
     return {};
 }
 
+Result<std::unique_ptr<HostConnection>> HostGroup::startHost() {
+    m_saidWaiting = false;
+    return HostConnection::start(m_context.programs, m_library, m_generation = ++m_context.generations,
+                                 {[this](const HostCall& call) { return limitOf(call); },
+                                  [this](const HostCall& call, double seconds) { showWaiting(call, seconds); },
+                                  [this] { return m_context.calls->endAsked(); }});
+}
+
 Result<std::vector<Kind>> HostGroup::load() {
     if (const Status connected = connect(); !connected) return connected.error();
     if (m_kinds) return *m_kinds;
+    Result<std::string> json = loadInto(*m_host);
+    if (!json) return json.error();
+    m_json = std::move(json).value();
+    m_kinds = kindsFromJson(m_json, m_library);
+    return *m_kinds;
+}
+
+/// Returns the kinds of the module, as JSON.
+Result<std::string> HostGroup::loadInto(HostConnection& host) {
     std::string json;
     m_done.reset();
-    const bool alive = m_host->call(HostRequest::Load, WireWriter().bytes(m_library).view(),
-                                    [&](HostRecord record, std::uint32_t number, WireReader& in) {
-                                        std::string reply = handle(record, number, in);
-                                        if (record == HostRecord::Done && *m_done) json = in.text();
-                                        return reply;
-                                    });
+    const bool alive = host.call(HostRequest::Load, WireWriter().bytes(m_library).view(),
+                                 [&](HostRecord record, std::uint32_t number, WireReader& in) {
+                                     std::string reply = handle(record, number, in);
+                                     if (record == HostRecord::Done && m_done->ok()) json = in.text();
+                                     return reply;
+                                 });
     m_waiting.reset();
-    if (!alive) return Error{Code::ModuleUnreadable, faultOfLoading(m_host->end(), m_library)};
+    if (!alive) return Error{Code::ModuleUnreadable, faultOfLoading(host.end(), m_library)};
     if (!*m_done) return m_done->error();
-    m_kinds = kindsFromJson(json, m_library);
-    return *m_kinds;
+    return json;
+}
+
+Status HostGroup::renew(std::uint64_t request) {
+    if (std::exchange(m_renewal, request) != request) m_renewed = replaceHost();
+    return m_renewed;
+}
+
+/// The old host goes on until the new one has loaded the module.
+Status HostGroup::replaceHost() {
+    auto host = startHost();
+    if (!host) return host.error();
+    const Result<std::string> json = loadInto(*host.value());
+    if (!json) return json.error();
+    if (json.value() != m_json)
+        return Error{Code::ControllerFailed, m_library + " has other properties or published values now: reset the run to use it"};
+    for (std::size_t i = 0; i < m_members.size(); ++i) stop(i);
+    m_host = std::move(host).value();
+    m_kinds = kindsFromJson(m_json, m_library);
+    m_mapped = m_updating = false;
+    return {};
+}
+
+/// Runs the destructors of its static objects, and its handlers of exit().
+void HostGroup::unload(Member& last) {
+    const bool alive = m_host->call(HostRequest::Unload, {}, [this](HostRecord record, std::uint32_t number, WireReader& in) {
+        return handle(record, number, in);
+    });
+    m_waiting.reset();
+    if (alive || m_host->end().ofThread) m_host.reset(); // a thread that outlives its controller crashes now that its code is gone
+    else last.fault = faultOf(m_host->end(), nullptr, m_library);
 }
 
 void HostGroup::place(const SignalLayout& layout) {
@@ -114,13 +161,14 @@ Status HostGroup::call(std::size_t number, HostRequest request, std::string_view
     Member& member = m_members[number];
     copyIn(member);
     m_done.reset();
+    member.gaveUp.reset();
     const bool alive = m_host->call(request, bytes, [this](HostRecord record, std::uint32_t from, WireReader& in) {
         return handle(record, from, in);
     });
     m_waiting.reset();
     if (alive && m_done) {
         copyOut(member);
-        if (const auto reason = std::exchange(member.finish, {}); reason && member.outputs.finish) member.outputs.finish(*reason);
+        passFinish(member);
         return *m_done;
     }
     setFaults();
@@ -129,13 +177,15 @@ Status HostGroup::call(std::size_t number, HostRequest request, std::string_view
 
 Status HostGroup::start(std::size_t number, const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) {
     m_block = &block;
+    m_members[number].fault.reset();
     if (const auto loaded = load(); !loaded) return loaded.error();
     if (const Status mapped = map(layout); !mapped) return mapped;
     Member& member = m_members[number];
     member.outputs = std::move(outputs);
     member.radios.clear();
     member.due.reset();
-    member.fault.reset();
+    member.result.reset();
+    member.finish.reset();
     if (!member.target) {
         const std::string& kind = member.robot->controller->kind;
         member.target = m_context.calls->add({"the controller " + kind + " of " + member.robot->name, member.robot->name, kind,
@@ -166,6 +216,7 @@ void HostGroup::beginUpdates() {
     for (std::size_t i = 0; i < m_members.size(); ++i) {
         Member& member = m_members[i];
         member.result.reset();
+        member.gaveUp.reset();
         if (!member.due || !member.started || member.fault) continue;
         copyIn(member);
         message.number(static_cast<std::uint32_t>(i)).number(*member.due);
@@ -186,6 +237,10 @@ void HostGroup::completeUpdates() {
     if (!alive) setFaults();
 }
 
+void HostGroup::passFinish(Member& member) {
+    if (const auto reason = std::exchange(member.finish, {}); reason && member.outputs.finish) member.outputs.finish(*reason);
+}
+
 Status HostGroup::update(std::size_t number, std::uint64_t tick, double time, double sinceLast) {
     Member& member = m_members[number];
     if (!member.started) return Error{Code::ControllerFailed, "the controller of " + member.robot->name + " was not started"};
@@ -198,9 +253,9 @@ Status HostGroup::update(std::size_t number, std::uint64_t tick, double time, do
     if (member.fault) return Error{Code::ControllerFailed, member.fault->reason};
     if (!result) return Error{Code::ControllerFailed, "the process of " + member.robot->name + " gave no result"};
     member.seconds = result->seconds;
-    if (const auto reason = std::exchange(member.finish, {}); reason && member.outputs.finish) member.outputs.finish(*reason);
+    passFinish(member);
     if (!result->status && !result->gaveUp) // an exception: the host and its other controllers are sound
-        setFault(member, {result->status.error().message, result->backtrace, {}, true});
+        member.fault = ControllerFault{result->status.error().message, result->backtrace, {}, true};
     return result->status;
 }
 
@@ -212,8 +267,10 @@ Status HostGroup::set(std::size_t number, const std::string& property, const Pro
 
 void HostGroup::stop(std::size_t number) {
     Member& member = m_members[number];
-    if (std::exchange(member.started, false) && m_host && m_host->alive())
+    if (std::exchange(member.started, false) && m_host && m_host->alive()) {
         (void)call(number, HostRequest::Stop, WireWriter().number(static_cast<std::uint32_t>(number)).view());
+        if (m_host->alive() && std::ranges::none_of(m_members, &Member::started)) unload(member);
+    }
     member.outputs = {}; // what they refer to may be destroyed now
 }
 
@@ -234,14 +291,11 @@ void HostGroup::setFaults() {
         Member& member = m_members[i];
         const bool isFaulty = known && i == faulty;
         if (!std::exchange(member.started, false) && !isFaulty) continue;
-        setFault(member, known && !isFaulty ? sharedFault(own, *member.robot, *robot) : own);
+        member.fault = known && !isFaulty ? sharedFault(own, *member.robot, *robot) : own;
+        if (isFaulty && member.gaveUp) member.fault->reason += "; it had called fail(): " + *member.gaveUp;
+        if (!known) own.backtrace.clear(); // once, with the first robot
+        passFinish(member);
     }
-}
-
-void HostGroup::setFault(Member& member, ControllerFault fault) {
-    if (member.outputs.print)
-        for (const std::string& line : fault.backtrace) member.outputs.print(TRUNDLE_ERROR, "  " + line);
-    member.fault = std::move(fault);
 }
 
 // ---- records of the host ----
@@ -272,20 +326,28 @@ std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReade
         if (!member->finish) member->finish = std::move(reason);
         return {};
     }
+    case HostRecord::GaveUp: member->gaveUp = in.text(); return {};
     default: return answerHost(record, member->robot->name, member->outputs, member->radios, in);
     }
 }
 
 double HostGroup::limitOf(const HostCall& call) const {
     const bool updates = call.phase == HostPhase::Update || call.phase == HostPhase::Set;
-    if (!updates || call.controller >= m_members.size()) return kLongestCallS;
+    if (!updates || call.controller >= m_members.size()) return isEnd(call.phase) ? kLongestEndS : kLongestCallS;
     const double budget = m_members[call.controller].robot->controller->number("Budget");
-    return budget > 0 ? std::max(kBudgetFactor * budget, kShortestLimitS) : kLongestUpdateS;
+    return budget > 0 ? std::max(kBudgetFactor * budget, kShortestLimitS) : kLongestCallS;
 }
 
-void HostGroup::showWaiting(const HostCall& call) {
-    const CallTarget* target = call.controller < m_members.size() ? m_members[call.controller].target : nullptr;
-    if (!target || m_context.calls->target() == target) return;
+void HostGroup::showWaiting(const HostCall& call, double seconds) {
+    if (call.phase == HostPhase::None) return;
+    if (!m_moduleTarget) m_moduleTarget = m_context.calls->add({"the module " + m_library, {}, {}, m_library});
+    const CallTarget* target = call.controller < m_members.size() ? m_members[call.controller].target : m_moduleTarget;
+    if (!target) return;
+    const double limit = limitOf(call);
+    if (seconds >= kSayAfterS && limit > 2 * kSayAfterS && m_context.say && !std::exchange(m_saidWaiting, true))
+        m_context.say("waiting for " + target->text + " in " + phaseName(call.phase) + ", which is stopped after " +
+                      std::to_string(std::lround(limit)) + " s");
+    if (m_context.calls->target() == target) return;
     m_waiting.reset();
     m_waiting.emplace(*m_context.calls, target, phaseName(call.phase));
 }

@@ -22,6 +22,7 @@ struct HostContext {
     std::shared_ptr<CallMonitor> calls;
     std::uint64_t generations = 0;         ///< hosts started so far
     std::function<void()> beginUpdates;    ///< hands all announced updates to their hosts
+    std::function<void(const std::string& text)> say;
 };
 
 class HostGroup {
@@ -43,6 +44,7 @@ public:
     [[nodiscard]] Status update(std::size_t member, std::uint64_t tick, double time, double sinceLast);
     [[nodiscard]] Status set(std::size_t member, const std::string& property, const PropertyValue& value);
     void stop(std::size_t member);
+    [[nodiscard]] Status renew(std::uint64_t request);
     [[nodiscard]] const ControllerFault* fault(std::size_t member) const;
     [[nodiscard]] double updateS(std::size_t member) const { return m_members[member].seconds; }
 
@@ -69,13 +71,18 @@ private:
         std::vector<std::uint32_t> radios;
         std::optional<double> due; ///< announced: time since the last call, s
         std::optional<UpdateResult> result;
-        std::optional<std::string> finish;
+        std::optional<std::string> finish, gaveUp; ///< texts of finish() and fail() in the request in progress
         std::optional<ControllerFault> fault;
         double seconds = 0; ///< of the last update
         bool started = false;
     };
 
+    [[nodiscard]] Result<std::unique_ptr<HostConnection>> startHost();
     [[nodiscard]] Status connect();
+    [[nodiscard]] Result<std::string> loadInto(HostConnection& host);
+    [[nodiscard]] Status replaceHost();
+    void unload(Member& last);
+    void passFinish(Member& member);
     [[nodiscard]] Status map(const SignalLayout& layout);
     void place(const SignalLayout& layout);
     void copyIn(const Member& member);
@@ -85,19 +92,22 @@ private:
     [[nodiscard]] std::string handle(HostRecord record, std::uint32_t number, WireReader& in);
     [[nodiscard]] Member* memberAt(std::uint32_t number);
     [[nodiscard]] double limitOf(const HostCall& call) const;
-    void showWaiting(const HostCall& call);
+    void showWaiting(const HostCall& call, double seconds);
     /// After the end of the host: a fault of every member that it ran.
     void setFaults();
-    static void setFault(Member& member, ControllerFault fault);
 
     HostContext& m_context;
     std::string m_library;
     std::vector<Member> m_members;
     std::unique_ptr<HostConnection> m_host;
     std::optional<Result<std::vector<Kind>>> m_kinds; // of the module in the current host
+    std::string m_json;                               // the same, of the last host that had loaded it
+    std::uint64_t m_renewal = 0;
+    Status m_renewed;
+    const CallTarget* m_moduleTarget = nullptr;
     SignalBlock* m_block = nullptr;
     std::size_t m_slots = 0;
-    bool m_mapped = false, m_updating = false, m_announced = false;
+    bool m_mapped = false, m_updating = false, m_announced = false, m_saidWaiting = false;
     std::uint64_t m_generation = 0; // of the current host
     std::uint64_t m_tick = 0;
     double m_time = 0;

@@ -28,6 +28,8 @@ public:
         return m_group.set(m_member, property, value);
     }
     void stop() override { m_group.stop(m_member); }
+    Status renew(std::uint64_t request) override { return m_group.renew(request); }
+    std::string module() const override { return m_group.library(); }
     const ControllerFault* fault() const override { return m_group.fault(m_member); }
     std::optional<double> updateS() const override { return m_group.updateS(m_member); }
     std::string describe() const override {

@@ -17,9 +17,12 @@ public:
     /// `moduleOf` gives the path of the library with a kind of controller; empty: none.
     HostPool(HostPrograms programs, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
              Isolation otherwise, const std::function<std::string(const std::string& kind)>& moduleOf);
+    ~HostPool() { m_context.say = nullptr; } // what it writes to may be destroyed now
     HostPool(const HostPool&) = delete;
     HostPool& operator=(const HostPool&) = delete;
 
+    /// Where it is said what a run waits for.
+    void setConsole(std::function<void(const std::string& text)> say) { m_context.say = std::move(say); }
     /// Whether a controller runs in a host process.
     [[nodiscard]] bool has(const RobotSpec& robot) const { return m_members.contains(robot.name); }
     /// Whether code of a module is needed in host processes alone: each controller that is from it runs in one, and if there is

@@ -81,7 +81,8 @@ std::string answerHost(HostRecord record, const std::string& robot, const Contro
     }
     case HostRecord::Done:
     case HostRecord::Updated:
-    case HostRecord::Finish: break;
+    case HostRecord::Finish:
+    case HostRecord::GaveUp: break;
     }
     return {};
 }

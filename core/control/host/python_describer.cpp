@@ -24,7 +24,8 @@ Result<std::vector<Kind>> PythonDescriber::describe(const std::string& file) {
     const std::int64_t modified = stamp.value().modifiedNs;
     if (const auto known = m_endless.find(file); known != m_endless.end() && known->second.first == modified)
         return known->second.second;
-    auto host = HostConnection::start(m_programs, file, 0, [](const HostCall&) { return kLongestS; }, {});
+    auto host = HostConnection::start(
+        m_programs, file, 0, {[](const HostCall&) { return kLongestS; }, [](const HostCall&, double) {}, [] { return false; }});
     if (!host) return host.error();
     Status done = Error{Code::PythonModule, file + " cannot be described"};
     std::string json;

@@ -50,6 +50,8 @@ std::vector<SourceFrame> parse(const std::string& text, const std::vector<std::s
     return frames;
 }
 
+bool isOfSdk(const SourceFrame& frame) { return frame.file.find("/include/trundle/") != std::string::npos; }
+
 } // namespace
 
 std::vector<SourceFrame> symbolize(const std::string& library,
@@ -77,12 +79,33 @@ std::vector<SourceFrame> symbolize(const std::string& library,
 
 const SourceFrame* ownFrame(const std::vector<SourceFrame>& frames) {
     const auto isOwn = [](const SourceFrame& frame) {
-        return frame.line > 0 && !frame.file.starts_with("/usr/") && frame.file.find("/include/trundle/") == std::string::npos &&
-               frame.file.find("/include/c++/") == std::string::npos &&
-               frame.file.find("/lib/python3") == std::string::npos;
+        return frame.line > 0 && !frame.file.starts_with("/usr/") && !isOfSdk(frame) &&
+               frame.file.find("/include/c++/") == std::string::npos && frame.file.find("/lib/python3") == std::string::npos;
     };
     const auto found = std::ranges::find_if(frames, isOwn);
     return found == frames.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> backtraceOf(const std::vector<SourceFrame>& frames) {
+    std::vector<std::string> lines;
+    std::size_t same = 0;
+    const auto fold = [&] {
+        if (same > 0) lines.push_back("\u2026 " + std::to_string(same) + " more of the same");
+        same = 0;
+    };
+    std::string last;
+    for (const SourceFrame& frame : frames) {
+        if (isOfSdk(frame)) continue;
+        std::string text = frameText(frame);
+        if (text == last) {
+            ++same;
+            continue;
+        }
+        fold();
+        lines.push_back(last = std::move(text));
+    }
+    fold();
+    return lines;
 }
 
 std::string frameText(const SourceFrame& frame) {

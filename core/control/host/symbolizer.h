@@ -22,5 +22,7 @@ struct SourceFrame {
 [[nodiscard]] const SourceFrame* ownFrame(const std::vector<SourceFrame>& frames);
 /// "act(std::string const&) at plugins/zoo.cpp:316".
 [[nodiscard]] std::string frameText(const SourceFrame& frame);
+/// The frames as lines, without those of the SDK; of equal ones in sequence, as in a recursion, one is shown with their number.
+[[nodiscard]] std::vector<std::string> backtraceOf(const std::vector<SourceFrame>& frames);
 
 } // namespace trundle

@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "control/directory_catalog.h"
+#include "editor/running/panels/module_reload.h"
 #include "editor/running/panels/trust.h"
 #include "project/edits/module_lines.h"
 
@@ -110,6 +111,10 @@ bool ControllerCommands::unload(const ModuleInfo& module) {
 }
 
 void ControllerCommands::reload() {
+    if (!hostedModules(m_session).isEmpty()) {
+        m_session.robots().reloadModules({});
+        return;
+    }
     m_session.reset();
     if (m_document.isOpen()) m_document.loading().readAgain();
 }

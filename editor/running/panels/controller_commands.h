@@ -27,7 +27,8 @@ public:
     /// Asks to trust the folder of a module that the text already loads.
     bool trust(const ModuleInfo& module);
     bool unload(const ModuleInfo& module);
-    /// Ends the run, which unloads its libraries, and reads their descriptions again.
+    /// Gives the robots of a run the code as built now, where they are, if controllers have processes of their own; else ends the
+    /// run, which unloads its libraries, and reads their descriptions again.
     void reload();
     /// Loads the controller's module first if necessary, in the same undo step.
     bool assign(const std::vector<std::string>& robots, const ControllerChoice& choice);

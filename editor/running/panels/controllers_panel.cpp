@@ -18,6 +18,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/panels/controller_commands.h"
 #include "editor/running/panels/controller_dialogs.h"
+#include "editor/running/panels/module_reload.h"
 #include "editor/running/panels/robot_states.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/controls.h"
@@ -191,6 +192,7 @@ void ControllersPanel::connectActions() {
     connect(&m_actions.at("controllers.restart"), &QAction::triggered, this,
             [this] { m_session.robots().restartControllers(controlledMembers()); });
     connect(&m_actions.at("controllers.reload"), &QAction::triggered, m_commands, &ControllerCommands::reload);
+    new ModuleReload(m_session, m_actions.at("controllers.follow"), this);
 }
 
 std::vector<std::string> ControllersPanel::chosenRobots() const {

@@ -407,6 +407,18 @@ struct Zoo : trundle::Controller, Settings {
                 openLog(name).write("x");
             for (int i = 0; i < 1100; ++i) openLog("many/" + std::to_string(i)).write("x");
         } else if (action == "fail badly") fail("\x1b[2J gone\n\xff");
+        else return endsTwice();
+        return true;
+    }
+    /// Actions that say something before the crash, or in another thread.
+    bool endsTwice() {
+        if (action == "print much and crash") {
+            for (int i = 0; i < 1000; ++i) print("line ", i);
+            act("segv");
+        } else if (action == "fail and crash") fail("no way out"), act("segv");
+        else if (action == "finish and crash") finish("all found"), act("segv");
+        else if (action == "print from a thread") std::thread([this] { print("hello"); }).join();
+        else if (action == "crash at exit") std::atexit([] { act("segv"); });
         else return false;
         return true;
     }

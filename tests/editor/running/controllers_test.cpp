@@ -26,6 +26,7 @@ constexpr ActionRow kRows[] = {
     {"controllers.remove", "", "Remove", "", "", "Remove."},
     {"controllers.restart", "", "Restart", "reset", "", "Restart."},
     {"controllers.reload", "", "Reload", "", "", "Reload."},
+    {"controllers.follow", "", "Follow", "", "", "Follow.", true},
 };
 
 /// Three robots: one with a controller, one without, and a Grid.

@@ -1,0 +1,134 @@
+// The Controllers panel with controllers in processes of their own: restart after a fault, new code in a running experiment.
+#include <QAction>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QtTest>
+
+#include "editor/document/selection.h"
+#include "editor/running/panels/controllers_panel.h"
+#include "editor/running/panels/trust.h"
+#include "editor/running/session_fixture.h"
+#include "editor/widgets/actions.h"
+#include "eventually.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr ActionRow kRows[] = {
+    {"controllers.load", "", "Load Module…", "module", "", "Load."},
+    {"controllers.assign", "", "Assign…", "", "", "Assign."},
+    {"controllers.remove", "", "Remove", "delete", "", "Remove."},
+    {"controllers.restart", "", "Restart", "restart", "", "Restart."},
+    {"controllers.reload", "", "Reload", "", "", "Reload."},
+    {"controllers.follow", "", "Follow", "", "", "Follow.", true},
+};
+
+} // namespace
+
+class ControllerProcessesTest : public QObject {
+    Q_OBJECT
+
+    QStringList m_console;
+
+    /// Copies a module of the tests into the project, with one word in it replaced by another, as if it was built again.
+    static bool build(const SessionFixture& o, const QString& from, const QByteArray& word = {}, const QByteArray& by = {}) {
+        QDir(o.folder.path()).mkpath(QStringLiteral("mine"));
+        for (const char* ending : {".so", ".so.kinds.json"}) {
+            QFile source(QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/") + from + QLatin1String(ending));
+            QFile target(o.path("mine/libmind") + QLatin1String(ending));
+            target.remove(); // as a linker does
+            if (!source.open(QIODevice::ReadOnly) || !target.open(QIODevice::WriteOnly)) return false;
+            QByteArray bytes = source.readAll();
+            if (!word.isEmpty()) bytes.replace(word + '\0', by + '\0');
+            if (target.write(bytes) != bytes.size()) return false;
+        }
+        TrustedFolders::add(QFileInfo(o.path("mine")).absoluteFilePath());
+        return true;
+    }
+    static QByteArray text(const QByteArray& controller) {
+        return "Isolation = module\n#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule mine/mind\n"
+               "Static arena { Config=MediumArena }\nRobot leader { Config=SimpleRobot " +
+               controller + " }\n";
+    }
+    void listen(SessionFixture& o) {
+        m_console.clear();
+        connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+            for (const LiveLine& line : lines) m_console.append(QString::fromStdString(line.text));
+        });
+    }
+    [[nodiscard]] bool said(const char* part) const { return !m_console.filter(QLatin1String(part)).isEmpty(); }
+
+private Q_SLOTS:
+    void init() {
+        QCoreApplication::setOrganizationName(QStringLiteral("trundle-test"));
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings().clear();
+    }
+    void cleanup() { QSettings().clear(); }
+
+    void theRestartButtonStartsAStoppedController() {
+        SessionFixture o;
+        QVERIFY(build(o, QStringLiteral("zoo/libzoo")));
+        QVERIFY(o.open(text("Zoo brain { Action=segv At=20 }")));
+        Selection selection;
+        Actions actions(kRows);
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        panel.resize(900, 300);
+        panel.show();
+        QVERIFY2(o.session.source().refusal().isEmpty(), qPrintable(o.session.source().refusal()));
+        listen(o);
+        const auto stopped = [&] {
+            const auto& snapshot = o.session.results().snapshot;
+            return snapshot && snapshot->stopped.size() == 1 ? snapshot->stopped[0].time : -1;
+        };
+        o.session.run();
+        EVENTUALLY(stopped() > 0);
+        const double first = stopped();
+        auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
+        EVENTUALLY_EQUAL(robots->topLevelItem(0)->text(2), QStringLiteral("stopped by a fault, see Problems"));
+        const auto message = m_console.filter(QStringLiteral("crashed in update: Segmentation fault"));
+        QVERIFY(!message.isEmpty());
+        QVERIFY(m_console.indexOf(message[0]) + 1 < m_console.size());
+        QVERIFY(
+            m_console[m_console.indexOf(message[0]) + 1].startsWith(QStringLiteral("  "))); // the backtrace follows its message
+        selection.select("leader");
+        QToolButton* button = nullptr;
+        for (QToolButton* each : panel.findChildren<QToolButton*>())
+            if (each->defaultAction() == &actions.at("controllers.restart")) button = each;
+        QVERIFY(button && button->isEnabled());
+        QTest::mouseClick(button, Qt::LeftButton);
+        EVENTUALLY(stopped() > first); // it has run again, for as many turns, and time went on
+        QVERIFY(said("was started again"));
+        o.session.reset();
+        QVERIFY(o.session.endRuns());
+    }
+
+    void rebuiltModulesAreUsedAtOnce() {
+        SessionFixture o;
+        QVERIFY(build(o, QStringLiteral("rebuilt/libbefore")));
+        QVERIFY(o.open(text("Rebuilt brain { }")));
+        Selection selection;
+        Actions actions(kRows);
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        listen(o);
+        o.session.run();
+        EVENTUALLY(said("before life 1") && o.session.state() == RunState::Running);
+        QVERIFY(build(o, QStringLiteral("rebuilt/libbefore"), "before", "behind"));
+        EVENTUALLY(said("behind life 1"));
+        QVERIFY(said("has the new code of"));
+        QVERIFY(o.tick() > 0);
+        QCOMPARE(o.session.state(), RunState::Running);
+
+        actions.at("controllers.follow").setChecked(false); // from here on only by the action
+        QVERIFY(build(o, QStringLiteral("rebuilt/libbefore"), "before", "beyond"));
+        actions.at("controllers.reload").trigger();
+        EVENTUALLY(said("beyond life 1"));
+        QCOMPARE(o.session.state(), RunState::Running);
+        o.session.reset();
+        QVERIFY(o.session.endRuns());
+    }
+};
+
+QTEST_MAIN(ControllerProcessesTest)
+#include "controller_processes_test.moc"
