@@ -6,6 +6,7 @@
 
 #include "control/isolation.h"
 #include "control/module_file.h"
+#include "control/python_kinds.h"
 #include "editor/widgets/strings.h"
 
 namespace trundle {
@@ -24,9 +25,11 @@ QStringList hostedModules(const RunSession& session) {
     const Isolation otherwise = session.source().application().isolation();
     for (const RobotSpec& robot : results.experiment->robots) {
         if (!robot.controller) continue;
-        if (isolationOf(robot, results.experiment->settings, otherwise) == Isolation::None) continue;
         const Kind* kind = results.built->registry->find(robot.controller->kind);
-        const QString library = kind ? toQString(kind->module) : QString();
+        const std::string module = kind ? kind->module : std::string();
+        const bool isInside = isolationOf(robot, results.experiment->settings, otherwise) == Isolation::None;
+        if (isInside && !isPythonModule(module)) continue;
+        const QString library = toQString(module);
         if (!library.isEmpty() && !libraries.contains(library)) libraries.append(library);
     }
     return libraries;
@@ -78,7 +81,7 @@ void ModuleReload::look() {
         const Stamp now = stampOf(path);
         if (now == library.loaded || now.bytes < 0) continue;
         if (std::exchange(library.seen, now) != now) m_settle.start(); // it may still be written
-        else if (checkModuleFile(path.toStdString()).ok()) {
+        else if (isPythonModule(path.toStdString()) || checkModuleFile(path.toStdString()).ok()) {
             library.loaded = now;
             m_session.robots().reloadModules(path.toStdString());
         }
