@@ -2,8 +2,6 @@
 #include <csignal>
 #include <cstdint>
 
-#include <ucontext.h>
-
 namespace trundle {
 
 struct MachineRegisters {

@@ -43,7 +43,7 @@ struct RestartCommand {
     std::string robot;
 };
 /// Loads the module with this path again, as a new file, and starts its controllers from their setup. Poses and time stay. A module
-/// that cannot be used is refused, and the old code goes on. Only for controllers in host processes.
+/// that cannot be used is refused, and the old code continues. Only for controllers in host processes.
 struct ReloadCommand {
     std::string module; ///< empty: all modules
 };

@@ -24,6 +24,54 @@ CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
     return {"the controller " + kind + " of " + robot.name, robot.name, kind, {}, static_cast<std::uint32_t>(index)};
 }
 
+Status setSignal(World& world, const SignalCommand& signal) {
+    const SignalEntry* entry = world.layout().find(signal.path);
+    if (!entry) return Error{Code::NoSuchPath, "there is no signal " + signal.path};
+    if (entry->direction != SignalDirection::Command || entry->count != 1)
+        return Error{Code::WrongPlace, signal.path + " is no command"};
+    if (!std::isfinite(signal.value)) return Error{Code::OutOfRange, "the value for " + signal.path + " is not a finite number"};
+    world.block().slots()[entry->offset] = signal.value;
+    return {};
+}
+
+void setCommandsToZero(World& world, const RobotSpec& robot) {
+    for (const SignalEntry& entry : world.layout().entries())
+        if (entry.direction == SignalDirection::Command && entry.path.starts_with(robot.name + "/"))
+            std::fill_n(world.block().slots().begin() + entry.offset, entry.count, 0.0);
+}
+
+/// The number of a log that a controller opens; -1: refused, with a message.
+int openControllerLog(LogFolder& folder, std::vector<LogFile*>& logs, const std::string& fileName,
+                      const std::function<void(const std::string& text)>& refuse) {
+    if (logs.size() >= kMaxControllerLogs) {
+        refuse("no more than 1000 logs may be opened by controllers");
+        return -1;
+    }
+    const Result<LogFile*> file = folder.create(fileName);
+    if (!file) {
+        refuse(file.error().message);
+        return -1;
+    }
+    logs.push_back(file.value());
+    return static_cast<int>(logs.size() - 1);
+}
+
+std::vector<std::string> writtenFiles(const LogFolder& folder) {
+    std::vector<std::string> paths;
+    for (const auto& file : folder.files())
+        if (!file->failure()) paths.push_back(file->path());
+    return paths;
+}
+
+Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, SourceRange range) {
+    return {severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, range, {}, {}, {}};
+}
+
+std::string slowText(const RobotSpec& robot, double seconds, double budget) {
+    return "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
+           " ms; its Budget is " + numberText(1e3 * budget) + " ms";
+}
+
 } // namespace
 
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
@@ -40,12 +88,6 @@ void ExperimentRunner::addMessage(const std::string& who, int severity, const st
     const std::string_view part = m_console.pass(who, m_world->ticks(), text);
     if (!part.empty() || text.empty())
         m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, cleanText(part));
-}
-
-/// A message of the run itself, which does not count as a line of the robot.
-void ExperimentRunner::say(const std::string& who, int severity, const std::string& text) {
-    if (m_options.console)
-        m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, cleanText(text));
 }
 
 void ExperimentRunner::reportDropped() {
@@ -70,17 +112,8 @@ ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot) {
     };
     outputs.print = [this, name = robot.name](int severity, const std::string& text) { addMessage(name, severity, text); };
     outputs.openLog = [this, name = robot.name](const std::string& fileName) {
-        if (m_controllerLogs.size() >= kMaxControllerLogs) {
-            addMessage(name, TRUNDLE_ERROR, "no more than 1000 logs may be opened by controllers");
-            return -1;
-        }
-        const Result<LogFile*> file = m_folder.create(fileName);
-        if (!file) {
-            addMessage(name, TRUNDLE_ERROR, file.error().message);
-            return -1;
-        }
-        m_controllerLogs.push_back(file.value());
-        return static_cast<int>(m_controllerLogs.size() - 1);
+        return openControllerLog(m_folder, m_controllerLogs, fileName,
+                                 [&](const std::string& text) { addMessage(name, TRUNDLE_ERROR, text); });
     };
     outputs.writeLog = [this](int log, std::string_view bytes) {
         if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size())
@@ -145,22 +178,12 @@ void ExperimentRunner::command(decltype(Command::what) what) { m_commands.push_b
 Status ExperimentRunner::apply(const Command& command) {
     if (const auto* push = std::get_if<PushCommand>(&command.what)) return m_world->push(push->body, push->force, push->point);
     if (const auto* place = std::get_if<PlaceCommand>(&command.what)) return m_world->place(place->robot, place->pose);
-    if (const auto* signal = std::get_if<SignalCommand>(&command.what)) return apply(*signal);
+    if (const auto* signal = std::get_if<SignalCommand>(&command.what)) return setSignal(*m_world, *signal);
     if (const auto* hold = std::get_if<HoldCommand>(&command.what)) return apply(*hold);
     if (const auto* restart = std::get_if<RestartCommand>(&command.what)) return apply(*restart);
     if (const auto* reload = std::get_if<ReloadCommand>(&command.what)) return apply(*reload);
     if (const auto* surface = std::get_if<SurfaceCommand>(&command.what)) return m_world->setSurface(surface->surface);
     return apply(std::get<PropertyCommand>(command.what));
-}
-
-Status ExperimentRunner::apply(const SignalCommand& signal) {
-    const SignalEntry* entry = m_world->layout().find(signal.path);
-    if (!entry) return Error{Code::NoSuchPath, "there is no signal " + signal.path};
-    if (entry->direction != SignalDirection::Command || entry->count != 1)
-        return Error{Code::WrongPlace, signal.path + " is no command"};
-    if (!std::isfinite(signal.value)) return Error{Code::OutOfRange, "the value for " + signal.path + " is not a finite number"};
-    m_world->block().slots()[entry->offset] = signal.value;
-    return {};
 }
 
 ExperimentRunner::Controller* ExperimentRunner::controllerOf(const std::string& robot) {
@@ -212,7 +235,7 @@ bool ExperimentRunner::startAgain(Controller& controller) {
     if (started || controller.backend->fault()) return started.ok(); // the fault is reported by stopFaulty()
     m_stopped.push_back({controller.robot, m_world->time(), {started.error().message, {}, {}, true}});
     say(robot.name, TRUNDLE_ERROR, started.error().message);
-    setCommandsToZero(robot);
+    setCommandsToZero(*m_world, robot);
     return false;
 }
 
@@ -224,9 +247,8 @@ Status ExperimentRunner::apply(const ReloadCommand& reload) {
         const RobotSpec& robot = experiment().robots[controller.robot];
         const MonitoredCall call(*m_options.calls, controller.target, "load");
         if (const Status renewed = controller.backend->renew(m_applied + 1); !renewed) {
-            const std::string kind = robot.controller->kind;
-            if (said.insert(kind + renewed.error().message).second)
-                say(robot.name, TRUNDLE_ERROR, "the controller " + kind + " goes on with its old code: " + renewed.error().message);
+            if (said.insert(robot.controller->kind + renewed.error().message).second)
+                say(robot.name, TRUNDLE_ERROR, "the controller " + robot.controller->kind + " continues with its old code: " + renewed.error().message);
         } else if (startAgain(controller)) {
             say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " has the new code of " + library);
         }
@@ -273,12 +295,10 @@ void ExperimentRunner::reportSlow(Controller& controller, double seconds) {
     const RobotSpec& robot = experiment().robots[controller.robot];
     if (seconds <= controller.budget) return;
     controller.slow = true;
-    say(robot.name, TRUNDLE_WARNING,
-        "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
-            " ms; its Budget is " + numberText(1e3 * controller.budget) + " ms");
+    say(robot.name, TRUNDLE_WARNING, slowText(robot, seconds, controller.budget));
 }
 
-/// After a fault of one controller: its robot gets commands of 0. Those whose controllers shared its process go on in a new one.
+/// After a fault of one controller: its robot gets commands of 0. Those whose controllers shared its process continue in a new one.
 /// That may have a fault too, but each stops one controller more, so this ends.
 void ExperimentRunner::stopFaulty() {
     for (bool again = true; std::exchange(again, false);)
@@ -291,27 +311,16 @@ void ExperimentRunner::stopFaulty() {
                 continue;
             }
             reportFault(controller);
-            setCommandsToZero(experiment().robots[controller.robot]);
+            setCommandsToZero(*m_world, experiment().robots[controller.robot]);
         }
-}
-
-void ExperimentRunner::setCommandsToZero(const RobotSpec& robot) {
-    for (const SignalEntry& entry : m_world->layout().entries())
-        if (entry.direction == SignalDirection::Command && entry.path.starts_with(robot.name + "/"))
-            std::fill_n(m_world->block().slots().begin() + entry.offset, entry.count, 0.0);
 }
 
 void ExperimentRunner::goOnInNewProcess(Controller& controller) {
     const std::string reason = controller.backend->fault()->reason;
     if (!startAgain(controller)) return;
-    m_warnings.push_back({Severity::Warning,
-                          Code::ControllerFailed,
-                          "at t = " + numberText(m_world->time()) + " s " + reason +
-                              "; it was started again in a new process and has forgotten what it had stored",
-                          experiment().robots[controller.robot].controller->nameRange,
-                          {},
-                          {},
-                          {}});
+    m_warnings.push_back(faultDiagnostic(Severity::Warning, m_world->time(),
+                                         reason + "; it was started again in a new process, without what it had stored",
+                                         experiment().robots[controller.robot].controller->nameRange));
 }
 
 void ExperimentRunner::reportFault(const Controller& controller) {
@@ -319,13 +328,8 @@ void ExperimentRunner::reportFault(const Controller& controller) {
     const double time = tickTime(m_world->ticks(), experiment().settings.tick);
     m_stopped.push_back({controller.robot, time, fault});
     const SourceRange range = experiment().robots[controller.robot].controller->nameRange;
-    m_warnings.push_back({Severity::Error,
-                          Code::ControllerFailed,
-                          "at t = " + numberText(time) + " s " + fault.reason + (m_finished ? "" : "; the run continues without it"),
-                          range,
-                          {},
-                          {},
-                          {}});
+    m_warnings.push_back(faultDiagnostic(
+        Severity::Error, time, fault.reason + (m_finished ? "" : "; the run continues without it"), range));
 }
 
 /// At the end of the run; a destructor may have a fault too.
@@ -411,12 +415,7 @@ Status ExperimentRunner::finish() {
     return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
 }
 
-std::vector<std::string> ExperimentRunner::logFiles() const {
-    std::vector<std::string> paths;
-    for (const auto& file : m_folder.files())
-        if (!file->failure()) paths.push_back(file->path());
-    return paths;
-}
+std::vector<std::string> ExperimentRunner::logFiles() const { return writtenFiles(m_folder); }
 
 std::unique_ptr<Runner> Runner::create(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
                                        const BackendFactory& backends, RunOptions options, Diagnostics& diagnostics) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/clean_text.h"
 #include "run/console_limit.h"
 #include "run/logs/log.h"
 #include "run/logs/log_folder.h"
@@ -57,13 +58,16 @@ private:
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
     ControllerOutputs outputsFor(const RobotSpec& robot);
     void addMessage(const std::string& who, int severity, const std::string& text);
-    void say(const std::string& who, int severity, const std::string& text);
+    /// A message of the run itself, which does not count as a line of the robot.
+    void say(const std::string& who, int severity, const std::string& text) {
+        if (m_options.console)
+            m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, cleanText(text));
+    }
     void reportDropped();
     Status fail(const Error& error, SourceRange range);
 
     void applyCommands();
     Status apply(const Command& command);
-    Status apply(const SignalCommand& command);
     Status apply(const HoldCommand& command);
     Status apply(const PropertyCommand& command);
     Status apply(const RestartCommand& command);
@@ -77,7 +81,6 @@ private:
     void stopControllers();
     void reportFault(const Controller& controller);
     bool startAgain(Controller& controller);
-    void setCommandsToZero(const RobotSpec& robot);
     void goOnInNewProcess(Controller& controller);
     [[nodiscard]] bool isStopped(const Controller& controller) const;
     Status writeLogs();

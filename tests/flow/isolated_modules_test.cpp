@@ -243,7 +243,7 @@ void IsolatedModulesTest::aRecursionIsFolded() {
 
 /// Nothing of it is dropped by the limit of lines, and no frame of the SDK is in it.
 void IsolatedModulesTest::theReportIsWholeAndInOrder() {
-    const Outcome outcome = run(experiment("module", "Zoo", "Action=\"print much and crash\" Budget=0.000001"));
+    const Outcome outcome = run(experiment("module", "Zoo", "Action=\"print lines and crash\" Budget=0.000001"));
     const QJsonArray frames = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray()[0].toObject()["backtrace"].toArray();
     QVERIFY2(!frames.isEmpty(), shown(outcome));
     QVERIFY2(outcome.err.contains("bad] warning: an update of the controller brain took "), shown(outcome).left(3000));

@@ -59,7 +59,7 @@ class ReloadTest : public QObject {
         runner.command(ReloadCommand{library().toStdString()});
         return tick(runner, 1);
     }
-    [[nodiscard]] qsizetype said(const QString& text) const { return m_console.filter(text).size(); }
+    [[nodiscard]] qsizetype reported(const QString& text) const { return m_console.filter(text).size(); }
     /// Open files, mapped segments of hosts, and children of this process.
     static QString resources() {
         const QList<QByteArray> maps = contentOf("/proc/self/maps").split('\n');
@@ -76,13 +76,13 @@ private Q_SLOTS:
         QVERIFY(build("before", "before"));
         std::unique_ptr<Runner> runner = makeRunner();
         QVERIFY(runner && tick(*runner, 50));
-        QCOMPARE(said("before life"), 2);
+        QCOMPARE(reported("before life"), 2);
         QVERIFY(build("before", "behind"));
         QVERIFY(tick(*runner, 5));
-        QCOMPARE(said("behind life"), 0); // only when asked
+        QCOMPARE(reported("behind life"), 0); // only when asked
         QVERIFY(reload(*runner));
-        QVERIFY2(said("behind life 1 pace 0.2") == 1 && said("behind life 2 pace 0.2") == 1, qPrintable(m_console.join('\n')));
-        QCOMPARE(said("has the new code of"), 2);
+        QVERIFY2(reported("behind life 1 pace 0.2") == 1 && reported("behind life 2 pace 0.2") == 1, qPrintable(m_console.join('\n')));
+        QCOMPARE(reported("has the new code of"), 2);
         QVERIFY(tick(*runner, 44));
         QCOMPARE(runner->world().ticks(), 100u);
         QVERIFY(runner->stoppedControllers().empty());
@@ -100,15 +100,15 @@ private Q_SLOTS:
             QVERIFY(build("before", "behind", part));
             QVERIFY(reload(*runner));
         }
-        QCOMPARE(said("goes on with its old code"), 4);
+        QCOMPARE(reported("continues with its old code"), 4);
         QVERIFY(build("after", "after"));
         QVERIFY(reload(*runner));
         QVERIFY2(m_console.last().contains("has other properties or published values now"), qPrintable(m_console.last()));
-        QCOMPARE(said("life"), 2);
+        QCOMPARE(reported("life"), 2);
         QVERIFY(runner->stoppedControllers().empty());
         QVERIFY(build("before", "behind"));
         QVERIFY(reload(*runner));
-        QCOMPARE(said("behind life"), 2);
+        QCOMPARE(reported("behind life"), 2);
     }
 
     void reloadsLeaveNothingBehind() {
@@ -120,7 +120,7 @@ private Q_SLOTS:
         const int count = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 1000 : 20;
         for (int i = 0; i < count; ++i) QVERIFY(reload(*runner));
         QCOMPARE(resources(), before);
-        QCOMPARE(said("has the new code of"), 2 * (count + 1));
+        QCOMPARE(reported("has the new code of"), 2 * (count + 1));
     }
 };
 

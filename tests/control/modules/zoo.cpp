@@ -296,6 +296,7 @@ const std::map<std::string, Action>& actions() {
              blockAll();
              loop();
          }},
+        {"crash at exit", [] { std::atexit([] { act("segv"); }); }},
         {"change folder", [] { (void)!chdir("/"); }},
         {"set locale",
          [] {
@@ -361,7 +362,6 @@ struct Zoo : trundle::Controller, Settings {
     int turns = 0;
     trundle::DifferentialDrivePort drive;
     trundle::SignalPort odometry;
-
     static void describe(trundle::Describe<Zoo>& d) {
         if (const char* name = std::getenv("TRUNDLE_ZOO_DESCRIBE")) act(name);
         describeSettings(d);
@@ -407,18 +407,10 @@ struct Zoo : trundle::Controller, Settings {
                 openLog(name).write("x");
             for (int i = 0; i < 1100; ++i) openLog("many/" + std::to_string(i)).write("x");
         } else if (action == "fail badly") fail("\x1b[2J gone\n\xff");
-        else return endsTwice();
-        return true;
-    }
-    /// Actions that say something before the crash, or in another thread.
-    bool endsTwice() {
-        if (action == "print much and crash") {
-            for (int i = 0; i < 1000; ++i) print("line ", i);
-            act("segv");
-        } else if (action == "fail and crash") fail("no way out"), act("segv");
+        else if (action == "fail and crash") fail("no way out"), act("segv");
         else if (action == "finish and crash") finish("all found"), act("segv");
+        else if (action == "print lines and crash") print(std::string(2000, '\n')), act("segv");
         else if (action == "print from a thread") std::thread([this] { print("hello"); }).join();
-        else if (action == "crash at exit") std::atexit([] { act("segv"); });
         else return false;
         return true;
     }

@@ -57,7 +57,7 @@ class ControllerProcessesTest : public QObject {
             for (const LiveLine& line : lines) m_console.append(QString::fromStdString(line.text));
         });
     }
-    [[nodiscard]] bool said(const char* part) const { return !m_console.filter(QLatin1String(part)).isEmpty(); }
+    [[nodiscard]] bool reported(const char* part) const { return !m_console.filter(QLatin1String(part)).isEmpty(); }
 
 private Q_SLOTS:
     void init() {
@@ -99,7 +99,7 @@ private Q_SLOTS:
         QVERIFY(button && button->isEnabled());
         QTest::mouseClick(button, Qt::LeftButton);
         EVENTUALLY(stopped() > first); // it has run again, for as many turns, and time went on
-        QVERIFY(said("was started again"));
+        QVERIFY(reported("was started again"));
         o.session.reset();
         QVERIFY(o.session.endRuns());
     }
@@ -113,17 +113,17 @@ private Q_SLOTS:
         ControllersPanel panel(o.document, selection, o.session, actions);
         listen(o);
         o.session.run();
-        EVENTUALLY(said("before life 1") && o.session.state() == RunState::Running);
+        EVENTUALLY(reported("before life 1") && o.session.state() == RunState::Running);
         QVERIFY(build(o, QStringLiteral("rebuilt/libbefore"), "before", "behind"));
-        EVENTUALLY(said("behind life 1"));
-        QVERIFY(said("has the new code of"));
+        EVENTUALLY(reported("behind life 1"));
+        QVERIFY(reported("has the new code of"));
         QVERIFY(o.tick() > 0);
         QCOMPARE(o.session.state(), RunState::Running);
 
         actions.at("controllers.follow").setChecked(false); // from here on only by the action
         QVERIFY(build(o, QStringLiteral("rebuilt/libbefore"), "before", "beyond"));
         actions.at("controllers.reload").trigger();
-        EVENTUALLY(said("beyond life 1"));
+        EVENTUALLY(reported("beyond life 1"));
         QCOMPARE(o.session.state(), RunState::Running);
         o.session.reset();
         QVERIFY(o.session.endRuns());
