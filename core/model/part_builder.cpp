@@ -15,6 +15,7 @@ namespace {
 std::string_view kindIn(const Part* parent) { return parent ? std::string_view(parent->block->type.text) : std::string_view(); }
 
 std::string placeText(std::vector<std::string> all) {
+    std::erase_if(all, [](const std::string& place) { return place == "Repeat" || place == "Ring"; }); // in the same configs
     std::replace(all.begin(), all.end(), std::string(), std::string("the top level"));
     for (std::string& place : all) {
         if (place != "the top level") place = withArticle(place);

@@ -295,7 +295,8 @@ private Q_SLOTS:
         const std::string robot = fixture == "sample" ? "robot0" : "r";
         std::string parent;
         const bool controller = described->role == Role::Controller;
-        if (described->role == Role::Device || described->role == Role::Joint || described->role == Role::Body || kind == "Part")
+        if (described->role == Role::Device || described->role == Role::Joint || described->role == Role::Body ||
+            described->role == Role::Repeat || kind == "Part")
             parent = robot;
         if (controller) parent = robot;
         if (described->role == Role::Geom)

@@ -9,6 +9,7 @@ namespace trundle {
 
 std::string placesOf(const Kind& kind) {
     std::vector<std::string> all = allowedParents(kind);
+    std::erase_if(all, [](const std::string& place) { return place == "Repeat" || place == "Ring"; }); // in the same configs
     for (std::string& place : all) place = place.empty() ? "the top level" : withArticle(place);
     return listText(all);
 }

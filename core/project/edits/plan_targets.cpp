@@ -66,6 +66,7 @@ bool isAllowedIn(const Kind& kind, const Part* parent) {
 
 std::string allowedPlaces(const Kind& kind) {
     std::vector<std::string> places = allowedParents(kind);
+    std::erase_if(places, [](const std::string& place) { return place == "Repeat" || place == "Ring"; }); // in the same configs
     for (std::string& place : places) place = place.empty() ? "the top level" : withArticle(place);
     const bool top = places.size() == 1 && places[0] == "the top level";
     return withArticle(kind.name) + " is allowed " + (top ? "at " : "in ") + listText(places);
