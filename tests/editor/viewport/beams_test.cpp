@@ -103,7 +103,7 @@ private Q_SLOTS:
     }
 
     void aReadingIsDrawnWhereItWasMeasured() {
-        const RangeModel sensor{"r/scan", "r", 0, {}, 5, 0, 2, 1, false, {Vec3::UnitX(), Vec3::UnitY()}};
+        const RangeModel sensor{"r/scan", "r", 0, {}, 5, 0, 2, 1, false, false, {Vec3::UnitX(), Vec3::UnitY()}};
         SignalLayout layout;
         layout.beginRobot("r");
         layout.add("r/base/velocity", "m/s", SignalType::Real, SignalDirection::Truth, 6);
