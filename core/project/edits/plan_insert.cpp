@@ -110,10 +110,27 @@ private:
         if (entry.kind->role == Role::Controller && m_member)
             return Error{Code::ReplaceBySingles, "a member of a Grid or Scatter has no text of its own; replace that by single "
                                                  "robots first"};
-        for (const Target& target : m_near)
-            if (target.part->usable && isAllowedIn(*entry.kind, target.part)) return target;
+        Status refused;
+        for (auto it = m_near.begin(); it != m_near.end(); ++it) {
+            if (!it->part->usable || !isAllowedIn(*entry.kind, it->part)) continue;
+            const auto config = std::find_if(it, m_near.end(), [](const Target& t) { return t.part->is(Role::Config); });
+            const bool isConfigs = it->part->is(Role::Config) || it->part->isRepeat();
+            Status fits = isConfigs && config != m_near.end() ? fitsIn(*config->part, entry) : Status();
+            if (fits.ok()) return *it;
+            if (refused.ok()) refused = fits;
+        }
+        if (!refused.ok()) return refused.error();
         return Error{Code::WrongPlace, allowedPlaces(*entry.kind) + ", not " +
                                            (m_near.empty() ? "at the top level" : "in " + m_near.front().part->title())};
+    }
+
+    Status fitsIn(const Part& config, const PastedBlocks::Entry& entry) const {
+        std::vector<const BlockItem*> all;
+        for (const PastedBlocks::Entry& e : m_blocks.entries) all.push_back(e.block);
+        HeldBlocks held;
+        held.add(m_loaded, *entry.block, all);
+        const std::string name = entry.block->name ? " " + entry.block->name->text : "";
+        return held.fitsIn(m_loaded, config, entry.block->type.text + name);
     }
 
     /// The target for an unknown kind, such as one of a module that is not loaded: a robot or a config, as for controllers and

@@ -110,6 +110,14 @@ private:
         const auto isInPart = [](const ObjectLocation& place) { return std::ranges::any_of(place.above, &Part::isPartUse); };
         if (isInPart(m.chosen->place) || isInPart(m_into))
             return Error{Code::WrongPlace, "what is in a Part is moved in its PartConfig"};
+        const auto isConfig = [](const Part* p) { return p->is(Role::Config); };
+        const auto around = std::ranges::find_if(m_into.above, isConfig);
+        const Part* holder = m.to && m.to->isRepeat() && around != m_into.above.end() ? *around : m.to;
+        if (holder && holder->is(Role::Config)) {
+            HeldBlocks held;
+            held.add(part);
+            if (Status fits = held.fitsIn(m_loaded, *holder, part.title()); !fits.ok()) return fits;
+        }
         if (part.is(Role::Controller))
             for (const Part& other : m.to->parts)
                 if (other.is(Role::Controller))

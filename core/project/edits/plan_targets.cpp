@@ -44,23 +44,74 @@ Result<std::vector<Chosen>> chosen(const LoadedProject& loaded, const std::vecto
     return kept;
 }
 
-namespace {
-
-/// Geoms directly in a PartConfig or Repeat are scenery; it then has no bodies, joints and devices.
-bool mixesScenery(const Kind& kind, const Part& config) {
-    const auto isOfRobot = [](Role role) { return role == Role::Body || role == Role::Joint || role == Role::Device; };
-    return std::ranges::any_of(config.parts, [&](const Part& part) {
-        if (part.isRepeat()) return mixesScenery(kind, part);
-        return part.kind &&
-               (kind.role == Role::Geom ? isOfRobot(part.kind->role) : isOfRobot(kind.role) && part.kind->role == Role::Geom);
-    });
+void HeldBlocks::add(const Kind& kind) {
+    m_scenery = m_scenery || kind.role == Role::Geom;
+    m_robot = m_robot || kind.role == Role::Body || kind.role == Role::Joint || kind.role == Role::Device;
 }
 
-} // namespace
+void HeldBlocks::add(const Part& block) {
+    if (block.isRepeat() || block.isPartUse()) visit(block);
+    else if (block.is(Role::Config)) visit(block);
+    else if (block.kind) add(*block.kind);
+}
+
+void HeldBlocks::visit(const Part& holder) {
+    if (!m_reached.insert(&holder).second) return;
+    m_scenery = m_scenery || (holder.kind && holder.kind->name == "StaticConfig");
+    m_robot = m_robot || (holder.kind && holder.kind->name == "RobotConfig");
+    if (holder.config) visit(*holder.config);
+    for (const Part& part : holder.parts) add(part);
+}
+
+void HeldBlocks::add(const LoadedProject& loaded, const BlockItem& block, const std::vector<const BlockItem*>& others) {
+    const Kind* kind = loaded.registry->find(block.type.text);
+    if (!kind) return;
+    const bool isPart = kind->name == "Part";
+    if (!isPart && kind->role != Role::Repeat && kind->role != Role::Config) return add(*kind);
+    for (const Item& item : block.items) {
+        if (const auto* inner = item.as<BlockItem>()) add(loaded, *inner, others);
+        const auto* a = item.as<AssignmentItem>();
+        if (!a || !isPart || a->path.size() != 1 || a->path[0].text != "Config" || a->value.elements.empty()) continue;
+        const std::string& name = a->value.elements[0].text;
+        const auto given = std::ranges::find_if(
+            others, [&](const BlockItem* b) { return b->type.text == "PartConfig" && b->name && b->name->text == name; });
+        std::vector<const BlockItem*> rest = others; // each is visited once on the way down
+        if (given != others.end()) {
+            std::erase(rest, *given);
+            add(loaded, **given, rest);
+        } else if (const Part* config = loaded.outline->configs.find(name)) {
+            visit(*config);
+        }
+    }
+}
+
+bool HeldBlocks::mixesWith(const HeldBlocks& other) const {
+    return (m_scenery && other.m_robot) || (m_robot && other.m_scenery);
+}
+
+Status HeldBlocks::fitsIn(const LoadedProject& loaded, const Part& config, const std::string& title) const {
+    if (m_reached.contains(&config))
+        return Error{Code::WrongPlace, title + " uses " + config.title() + ", which cannot contain itself"};
+    for (const Part* user : loaded.outline->configs.all()) {
+        HeldBlocks there;
+        there.add(*user);
+        if (!there.m_reached.contains(&config) || !mixesWith(there)) continue;
+        const std::string where = " cannot be in " + config.title() + (user == &config ? "" : ", used by " + user->title());
+        return Error{Code::WrongPlace, title + where +
+                                           (m_scenery ? ": its geoms have no Body, which scenery only can do without"
+                                                      : ": scenery has geoms only")};
+    }
+    return {};
+}
 
 bool isAllowedIn(const Kind& kind, const Part* parent) {
     const bool canBeScenery = parent && (parent->block->type.text == "PartConfig" || parent->isRepeat());
-    if (canBeScenery && mixesScenery(kind, *parent)) return false;
+    if (canBeScenery) {
+        HeldBlocks here, added;
+        here.add(*parent);
+        added.add(kind);
+        if (here.mixesWith(added)) return false;
+    }
     return isAllowedInside(kind, parent ? std::string_view(parent->block->type.text) : std::string_view());
 }
 

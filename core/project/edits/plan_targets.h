@@ -1,6 +1,7 @@
 #pragma once
 // Looks up the objects that a plan changes. Private to core/project.
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,26 @@ struct Chosen {
 [[nodiscard]] bool isWithin(const SourceRange& inner, const SourceRange& outer);
 /// Whether a kind of block is allowed in `parent` (nullptr: at the top level).
 [[nodiscard]] bool isAllowedIn(const Kind& kind, const Part* parent);
+
+/// What blocks hold, by themselves or through their Parts.
+class HeldBlocks {
+public:
+    void add(const Kind& kind);
+    void add(const Part& block);
+    /// Blocks given as text; `others` are those given with it.
+    void add(const LoadedProject& loaded, const BlockItem& block, const std::vector<const BlockItem*>& others);
+    /// Fails if a config cannot get them too: scenery and parts of robots do not mix, in it and in the configs that use it, and
+    /// PartConfigs do not contain each other in a circle. `title` is that of the new block, for messages.
+    [[nodiscard]] Status fitsIn(const LoadedProject& loaded, const Part& config, const std::string& title) const;
+    [[nodiscard]] bool mixesWith(const HeldBlocks& other) const;
+
+private:
+    void visit(const Part& holder);
+
+    bool m_scenery = false, m_robot = false; ///< geoms without a Body; bodies, joints and devices
+    std::set<const Part*> m_reached;
+};
+
 /// For messages: "a Box is in a Body or a StaticConfig".
 [[nodiscard]] std::string allowedPlaces(const Kind& kind);
 
