@@ -152,7 +152,7 @@ std::vector<Kind> TrundleApplication::moduleKinds(const OpenOptions& options) co
         if (!read) continue;
         for (Kind& kind : std::move(read).value()) kinds.push_back(std::move(kind));
     }
-    addPythonKinds(folders, kinds);
+    addPythonKinds(options.modules, kinds); // those that come with the program have the kinds of its libraries
     return kinds;
 }
 

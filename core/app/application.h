@@ -20,7 +20,8 @@ public:
 
     /// The built-in kinds of model, devices and logs.
     [[nodiscard]] virtual std::shared_ptr<const Registry> builtIn() const = 0;
-    /// Kinds declared by the manifests of the modules in the program's and the given folders. Runs no module code.
+    /// Kinds declared by the manifests of the modules in the program's and the given folders. Runs no code of libraries; Python files of the
+    /// given folders are loaded in another process if they changed.
     [[nodiscard]] virtual std::vector<Kind> moduleKinds(const OpenOptions& options) const = 0;
     /// Which controllers have a process of their own where the experiment does not say it.
     [[nodiscard]] virtual Isolation isolation() const { return Isolation::None; }

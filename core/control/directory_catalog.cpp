@@ -173,9 +173,11 @@ Result<std::string> DirectoryCatalog::locate(const std::string& written, const s
 std::string DirectoryCatalog::moduleWith(const std::string& kind) {
     if (!m_offered) {
         m_offered.emplace();
-        for (const std::string& name : m_folders.program.empty() ? std::vector<std::string>() : modulesIn(m_folders.program))
+        for (const std::string& name : m_folders.program.empty() ? std::vector<std::string>() : modulesIn(m_folders.program)) {
+            if (isPythonModule(name)) continue; // what comes with the program in Python is offered in C++
             if (const Result<ModuleListing> module = find(name, m_folders.program))
                 for (const Kind& offered : module.value().kinds) m_offered->emplace(offered.name, name);
+        }
     }
     const auto it = m_offered->find(kind);
     return it == m_offered->end() ? std::string() : it->second;

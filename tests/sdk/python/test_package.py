@@ -4,11 +4,12 @@ import json
 import math
 import mmap
 import os
+import re
 import threading
 import unittest
 
 import trundle
-from trundle.description import kind_to_json, kinds_to_json
+from trundle.description import INTERFACE, kind_to_json, kinds_to_json
 from trundle.host import link as link_module
 from trundle.host.link import HOST, ControlPage, Link
 from trundle.host.module import Fault
@@ -224,6 +225,16 @@ class MessagesTest(unittest.TestCase):
         thread.start()
         thread.join()
         self.assertEqual(sent, [False])
+
+
+class VersionTest(unittest.TestCase):
+    def test_is_that_of_the_headers(self):
+        """Otherwise no description would be remembered."""
+        header = os.path.join(os.path.dirname(trundle.__file__), "..", "..", "include", "trundle", "abi.h")
+        with open(header, encoding="utf-8") as file:
+            defined = dict(re.findall(r'#define TRUNDLE_(SDK_VERSION|ABI_MAJOR|ABI_MINOR) "?([0-9.]+)', file.read()))
+        self.assertEqual(trundle.__version__, defined["SDK_VERSION"])
+        self.assertEqual(INTERFACE, (int(defined["ABI_MAJOR"]), int(defined["ABI_MINOR"])))
 
 
 class FaultTest(unittest.TestCase):

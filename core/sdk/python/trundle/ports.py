@@ -198,6 +198,38 @@ class GpsPort(SensorPort):
         return tuple(self.values("velocity"))
 
 
+class GroundPort(SensorPort):
+    def reflectance(self):
+        """From 0 (black) to 1 (white)."""
+        return self.get("reflectance")
+
+
+class LightPort(SensorPort):
+    def illuminance(self):
+        """lx."""
+        return self.get("illuminance")
+
+
+class ServoPort(Port):
+    """Of a Servo or a LinearMotor."""
+
+    def set_target(self, target):
+        """rad or m, with Mode=speed rad/s or m/s."""
+        self.set("target", target)
+
+    def position(self):
+        """rad or m."""
+        return self.get("position")
+
+    def rate(self):
+        """rad/s or m/s."""
+        return self.get("rate")
+
+    def saturated(self):
+        """Its torque, force or speed is not enough."""
+        return self.get("saturated") != 0
+
+
 class GroundTruthPort:
     """Exact state that a real robot cannot measure; to evaluate a controller, not for control."""
 
@@ -255,6 +287,10 @@ class RobotPorts:
     imu = _binder("imu", ImuPort, "Imu")
     compass = _binder("compass", CompassPort, "Compass")
     gps = _binder("gps", GpsPort, "Gps")
+    ground_sensor = _binder("ground_sensor", GroundPort, "GroundSensor")
+    light_sensor = _binder("light_sensor", LightPort, "LightSensor")
+    servo = _binder("servo", ServoPort, "Servo")
+    linear_motor = _binder("linear_motor", ServoPort, "LinearMotor")
 
     def camera(self, device):
         """The port of a Camera."""
