@@ -241,6 +241,32 @@ private Q_SLOTS:
         QVERIFY(templateOf(*m_loaded, *part, "PartConfig.Wheel").find("Config=MyPart") != std::string::npos);
     }
 
+    /// What a config cannot get through a Part: scenery in robots, parts of robots in scenery, itself.
+    void insertsFitTheConfigs() {
+        m_loaded = m_fixture.open(kWheel + kKit + kRobots + R"(PartConfig Post { Box post { Size=1,1,1 Material=red Surface=floor } }
+PartConfig Pair { Part one { Config=Wheel carrier=$carrier } }
+PartConfig Empty { Part none { Config=Pair carrier=$carrier } }
+StaticConfig Gate { Part a { Config=Post } }
+)");
+        QVERIFY(m_loaded);
+        const auto refusal = [&](const char* parent, const char* text) {
+            const auto plan = planInsert(*m_loaded, parent, text);
+            return plan.ok() ? std::string() : codeName(plan.error().code) + std::string(" ") + plan.error().message;
+        };
+        QVERIFY2(refusal("PartConfig.Wheel", "Part p { Config=Post }").starts_with("E302 Part p cannot be in PartConfig Wheel"),
+                 refusal("PartConfig.Wheel", "Part p { Config=Post }").c_str());
+        QVERIFY(refusal("RobotConfig.Kit", "Part p { Config=Post }").starts_with("E302 Part p cannot be in RobotConfig Kit"));
+        QVERIFY(refusal("StaticConfig.Gate", "Part p { Config=Wheel }").ends_with("scenery has geoms only"));
+        QVERIFY(refusal("PartConfig.Post", "Part p { Config=Pair }").ends_with("scenery has geoms only"));
+        QVERIFY(refusal("PartConfig.Empty", "Box b { }").starts_with("E302 "));
+        QCOMPARE(refusal("PartConfig.Wheel", "Part p { Config=Empty }"),
+                 std::string("E302 Part p uses PartConfig Wheel, which cannot contain itself"));
+        QCOMPARE(refusal("StaticConfig.Gate", "Part p { Config=Post }"), std::string());
+        QCOMPARE(refusal("RobotConfig.Kit", "Part p { Config=Pair carrier=chassis }"), std::string());
+        const auto moved = planMove(*m_loaded, {"StaticConfig.Gate.a"}, "RobotConfig.Kit", {});
+        QVERIFY(!moved.ok() && moved.error().code == Code::WrongPlace);
+    }
+
 private:
     PlanFixture m_fixture;
     std::shared_ptr<const LoadedProject> m_loaded;

@@ -99,7 +99,7 @@ private:
         if (kind.name == "Repeat") text += " Pos=$(0.2*index),0,0";
         if (kind.name == "RobotConfig")
             text += "\n  Body chassis { Box hull { Size=0.2,0.2,0.1 Pos=0,0,0.05" + looks(kind, nullptr) + " Mass=1 } }\n";
-        else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery(target)))
+        else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery()))
             text += "\n  Body body { Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
         else if (kind.name == "StaticConfig" || kind.name == "PartConfig" || kind.role == Role::Repeat)
             text += "\n  Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1" + looks(kind, nullptr) + " }\n";
@@ -184,11 +184,8 @@ private:
         return names;
     }
 
-    /// Whether a Repeat in it is for geoms without a body.
-    bool holdsScenery(const Part* target) const {
-        const auto isGeom = [](const Part& part) { return part.is(Role::Geom); };
-        return isScenery() || (target && !target->parts.empty() && std::ranges::any_of(target->parts, isGeom));
-    }
+    /// Whether a Repeat in the config is for geoms without a body.
+    bool holdsScenery() const { return m_config && !isAllowedIn(*m_loaded.registry->find("Body"), m_config); }
 
     bool isScenery() const { return m_config && m_config->kind->name == "StaticConfig"; }
 
