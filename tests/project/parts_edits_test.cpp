@@ -191,11 +191,12 @@ private Q_SLOTS:
 
     /// Names of bodies given to Parts, and of what is in parts, are renamed everywhere.
     void renames() {
-        const std::string drive = "RobotConfig Two { Body chassis { Box hull { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
-                                  "  Part left { Config=Wheel carrier=chassis } Part right { Config=Wheel carrier=chassis }\n"
-                                  "  DifferentialDrive base { LeftMotor=left.motor RightMotor=right.motor WheelRadius=1 "
-                                  "WheelSeparation=1 } }\nRobot t { Config=Two right.motor.Resistance=1 }\n"
-                                  "SignalLog log { Signals=\"t/left.motor/voltage\" }\n";
+        const std::string drive =
+            "RobotConfig Two { Body chassis { Box hull { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Part left { Config=Wheel carrier=chassis } Part right { Config=Wheel carrier=chassis }\n"
+            "  DifferentialDrive base { LeftMotor=left.motor RightMotor=right.motor WheelRadius=1 "
+            "WheelSeparation=1 } }\nRobot t { Config=Two right.motor.Resistance=1 right.motor.Joint=axle }\n"
+            "SignalLog log { Signals=\"t/left.motor/voltage\" }\n";
         m_loaded = m_fixture.open(kWheel + drive);
         QCOMPARE(messages(*m_loaded), std::string());
         const auto renamed = [&](const char* path, const char* name) {
@@ -213,6 +214,11 @@ private Q_SLOTS:
         QVERIFY2(motor.startsWith("t.left.engine ") && motor.contains("LeftMotor=left.engine RightMotor=right.engine") &&
                      motor.contains("right.engine.Resistance=1") && motor.contains("t/left.engine/voltage"),
                  qPrintable(motor));
+        const QString axle = QString::fromStdString(renamed("PartConfig.Wheel.axle", "hub"));
+        QVERIFY2(axle.startsWith("t.left.motor ") && axle.contains("right.motor.Joint=hub }"), qPrintable(axle));
+        const QString captured =
+            QString::fromStdString(renamed("PartConfig.Wheel.axle", "chassis")); // what Two has is looked up first
+        QVERIFY2(captured.startsWith("refused: ") && captured.contains("would then name Body chassis"), qPrintable(captured));
         const QString use = QString::fromStdString(renamed("RobotConfig.Two.left", "port"));
         QVERIFY2(use.startsWith("t.port.motor ") && use.contains("LeftMotor=port.motor") && use.contains("t/port.motor/voltage"),
                  qPrintable(use));
@@ -243,7 +249,8 @@ private Q_SLOTS:
 
     /// What a config cannot get through a Part: scenery in robots, parts of robots in scenery, itself.
     void insertsFitTheConfigs() {
-        m_loaded = m_fixture.open(kWheel + kKit + kRobots + R"(PartConfig Post { Box post { Size=1,1,1 Material=red Surface=floor } }
+        m_loaded =
+            m_fixture.open(kWheel + kKit + kRobots + R"(PartConfig Post { Box post { Size=1,1,1 Material=red Surface=floor } }
 PartConfig Pair { Part one { Config=Wheel carrier=$carrier } }
 PartConfig Empty { Part none { Config=Pair carrier=$carrier } }
 StaticConfig Gate { Part a { Config=Post } }

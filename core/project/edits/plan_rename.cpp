@@ -58,8 +58,12 @@ public:
 private:
     template <class Means> Status change(const Means& means) {
         std::set<SourceRange> mine;
-        for (const NameReference& m : m_references)
-            if (means(m) && m.name.known()) mine.insert(m.name);
+        for (const NameReference& m : m_references) {
+            if (!means(m) || !m.name.known()) continue;
+            if (const Part* other = m.lookedUpFirst ? m.lookedUpFirst->find(m_name) : nullptr)
+                return Error{Code::Conflict, usersText({&m}) + " would then name " + other->title()};
+            mine.insert(m.name);
+        }
         for (const NameReference& m : m_references) { // repeated for a file imported twice, or a pattern for several robots
             if (means(m) || !mine.count(m.name)) continue;
             if (m.pattern) mine.erase(m.name);

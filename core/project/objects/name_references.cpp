@@ -2,6 +2,7 @@
 // name in the same scopes as the resolver: the top-level name spaces, the config, and the visible Params.
 #include "project/objects/name_references.h"
 
+#include <algorithm>
 #include <deque>
 #include <set>
 
@@ -54,6 +55,8 @@ private:
         const Part* config = nullptr;   ///< the config that its references are resolved in
         const Part* instance = nullptr; ///< set if the block is an instance
         Repeats repeats = {};           ///< in the config, in which its references are resolved first
+        std::vector<const Part*> inside =
+            {}; ///< of an override the Parts on its path: what is not in the config is looked up there
     };
     struct Use {
         const Part* instance = nullptr;
@@ -105,9 +108,20 @@ private:
             params(a->value, in, place.user, key, scope);
             if (const Property* property = propertyOf(*a, in, place, key)) {
                 const bool reference = property->type == PropertyType::Reference;
-                if (reference || property->type == PropertyType::Text) words(*property, a->value, in, place, key, scope);
+                if (reference || property->type == PropertyType::Text)
+                    words(*property, a->value, in, insideOf(*a, place), key, scope);
             }
         });
+    }
+
+    static ValueContext insideOf(const AssignmentItem& a, const ValueContext& place) {
+        ValueContext inside = place;
+        const Part* at = place.instance ? place.config : nullptr;
+        for (std::size_t i = 0; at && i + 1 < a.path.size(); ++i) {
+            at = at->find(a.path[i].text);
+            if (at && (at->isPartUse() || at->isRepeat())) inside.inside.push_back(at);
+        }
+        return inside;
     }
 
     /// The property that an assignment sets; also adds references for the names in an override's path.
@@ -242,12 +256,17 @@ private:
         const Part* at = &config;
         for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && at == &config && &config == place.config; ++it)
             if ((*it)->find(firstWord(said.text))) at = *it;
+        const auto hasFirst = [first = firstWord(said.text)](const Part* part) { return part->find(first); };
+        const auto inside = std::find_if(place.inside.rbegin(), place.inside.rend(), hasFirst);
+        const bool isInside = &config == place.config && at == &config && inside != place.inside.rend() && !hasFirst(&config);
+        if (isInside) at = *inside;
         SourceRange before;
         for (std::size_t begin = 0; begin <= said.text.size();) {
             const ValueWord word = said.piece(begin, firstWord(said.text.substr(begin)).size());
             at = at->find(word.text);
             if (!at) return;
             add(*at, nameRange(*at, word), before, place, key, pattern);
+            if (isInside && begin == 0) m_found.back().lookedUpFirst = &config;
             before = word.range;
             begin += word.text.size() + 1;
         }

@@ -17,6 +17,8 @@ struct NameReference {
     const Part* user = nullptr; ///< the block that contains it; nullptr: the top level
     std::string property;       ///< key of the value that contains it; for an override its whole path
     bool pattern = false;       ///< part of a pattern that may match other names too
+    /// For a name in an override of something in a Part that is not found where it is written, but in the Part: where it is looked up first.
+    const Part* lookedUpFirst = nullptr;
 };
 
 /// References in `--set` texts are excluded. For a file imported by several blocks, its references are listed once per block.

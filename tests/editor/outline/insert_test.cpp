@@ -27,7 +27,7 @@ QString findingsOf(const OutlineFixture& o) {
 
 /// The selection under which a block of the kind can be inserted.
 const char* placeFor(const Kind& kind) {
-    if (kind.name == "Part") return "RobotConfig.Rover";
+    if (kind.name == "Part" || kind.role == Role::Repeat) return "RobotConfig.Rover";
     switch (kind.role) {
     case Role::Body:
     case Role::Joint:
