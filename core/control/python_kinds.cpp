@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::uint64_t kMostCacheBytes = 16u << 20;
 
-/// $XDG_CACHE_HOME/trundle/python, or below ~/.cache; empty: there is none.
+/// $XDG_CACHE_HOME/trundle/python, or below ~/.cache; empty if the user has no home folder.
 fs::path cacheFolder() {
     const char* const given = std::getenv("XDG_CACHE_HOME");
     if (given && fs::path(given).is_absolute()) return fs::path(given) / "trundle" / "python";

@@ -15,7 +15,7 @@ struct InstanceValues {
 
 /// Reads the values of an instance's own block, sorted into properties of its kind, Params of its config and overrides by path.
 /// `outer` overrides its own properties; null: nothing does. `config` becomes the config that it names, nullptr with a diagnostic
-/// if there is none of the kind. Of a Grid or Scatter these are the values of one member, which has numbers in the scope then.
+/// if no config of the kind has that name. Of a Grid or Scatter these are the values of one member, which has numbers in the scope then.
 [[nodiscard]] Record readInstance(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given,
                                   const Part*& config, std::string_view kind, const OverrideNode* outer = nullptr,
                                   std::size_t member = 0);
