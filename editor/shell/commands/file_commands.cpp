@@ -75,11 +75,16 @@ void FileCommands::showOpening(const QString& path) {
     m_progress->setAttribute(Qt::WA_ShowWithoutActivating);
     m_progress->setMinimumDuration(500);
     m_progress->setValue(0); // starts the timer of the minimum duration
+    // The window gets the keyboard back that the dialog took: not every platform does that.
     connect(m_progress, &QProgressDialog::canceled, this, [this] {
         m_document.opening().cancel();
+        m_window.activateWindow();
         m_progress->deleteLater();
     });
-    connect(&m_document, &Document::opened, m_progress, &QObject::deleteLater);
+    connect(&m_document, &Document::opened, m_progress, [this] {
+        if (m_progress->isActiveWindow()) m_window.activateWindow();
+        m_progress->deleteLater();
+    });
 }
 
 void FileCommands::reportNotOpened(const QString& path, const QString& reason) {

@@ -384,14 +384,21 @@ private Q_SLOTS:
         QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
         QVERIFY(!m_window->document().opening().isOpening());
         EVENTUALLY(!progress);
+        EVENTUALLY(m_window->isActiveWindow()); // the keyboard is where it was
         slow.hold = false;
         slow.hold.notify_all();
         EVENTUALLY(slow.opened == 1);
         QCoreApplication::processEvents();
         QVERIFY(m_window->document().path().ends_with("other.sim")); // the other load is cancelled
+        slow.hold = true;
         QVERIFY(m_window->open(text));
+        const QPointer<QDialog> second = m_window->findChild<QDialog*>(QStringLiteral("opening"));
+        EVENTUALLY(second && second->isVisible());
+        slow.hold = false;
+        slow.hold.notify_all();
         EVENTUALLY(m_window->document().path().ends_with("mine.sim"));
         EVENTUALLY(!m_window->findChild<QDialog*>(QStringLiteral("opening")));
+        EVENTUALLY(m_window->isActiveWindow());
         m_window.reset();
     }
 
