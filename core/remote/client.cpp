@@ -8,6 +8,15 @@ namespace trundle {
 
 static_assert(std::endian::native == std::endian::little, "values are sent as they are in memory");
 
+void RemoteClient::receive(std::span<const char> bytes) {
+    m_reader.add(bytes);
+    if (!step || !m_reader.hasNext()) return;
+    const auto next = FrameReader(m_reader).next();
+    if (!next || !next.value()) return;
+    const nlohmann::json request = nlohmann::json::parse(next.value()->json, nullptr, false);
+    if (request.is_object() && request.value("op", nlohmann::json()) == "pause") step->ticks = step->done;
+}
+
 void RemoteClient::authorize() {
     m_authorized = true;
     m_reader.setLimits(kRequest);

@@ -37,15 +37,20 @@ public:
     /// Requests are not read while more than this waits to be sent, and events are left out above the second.
     static constexpr std::size_t kMostUnsent = 1u << 20, kMostUnsentForEvents = 256u << 10;
 
+    static constexpr std::size_t kMostDuringStep = 64u << 10; ///< of further requests, until the step is done
+
     /// `authorized`: it needs no token, and gets the console from the start.
     explicit RemoteClient(bool authorized) : console(authorized), m_reader(authorized ? kRequest : kBeforeHello), m_authorized(authorized) {}
 
     // --- received ---
-    void receive(std::span<const char> bytes) { m_reader.add(bytes); }
+    /// A `pause` that comes next ends a step that is in progress.
+    void receive(std::span<const char> bytes);
     /// Whether more may be read from it now.
-    [[nodiscard]] bool canReceive() const { return !m_closing && !step && unsent().size() < kMostUnsent; }
+    [[nodiscard]] bool canReceive() const {
+        return !m_closing && unsent().size() < kMostUnsent && (!step || m_reader.waiting() < kMostDuringStep);
+    }
     /// Whether a request of it can be answered now.
-    [[nodiscard]] bool hasRequest() const { return canReceive() && m_reader.hasNext(); }
+    [[nodiscard]] bool hasRequest() const { return !step && !m_closing && unsent().size() < kMostUnsent && m_reader.hasNext(); }
     [[nodiscard]] Result<std::optional<Frame>> nextRequest() { return m_reader.next(); }
 
     [[nodiscard]] bool isAuthorized() const { return m_authorized; }

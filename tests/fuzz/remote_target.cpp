@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kFrames = 60;
+constexpr int kFrames = 60, kManyRounds = 100'000;
 
 const char* const kText = R"(Tick = 0.01
 RobotConfig Cart {
@@ -148,14 +148,18 @@ std::size_t tryRemote(std::span<const std::uint8_t> bytes) {
     std::string status;
     appendFrame(status, R"({"id":1,"op":"status"})");
     require(sound.write(status) == status.size());
-    for (int i = 0; i < 4; ++i) s_served.server.serve(std::chrono::milliseconds(0)); // also while the other one runs or steps
     std::array<char, 1> first;
-    require(sound.read(first) == 1u);
+    std::size_t got = 0;
+    for (int i = 0; i < kManyRounds && got == 0; ++i) { // also while the other one runs or steps
+        s_served.server.serve(std::chrono::milliseconds(0));
+        got = sound.read(first).value_or(0);
+    }
+    require(got == 1);
     fromSound.add(first);
     readAll(sound, fromSound);
     wild.close();
     sound.close();
-    for (int i = 0; i < 1000 && s_served.server.clientCount() > 0; ++i) s_served.server.serve(std::chrono::milliseconds(0));
+    for (int i = 0; i < kManyRounds && s_served.server.clientCount() > 0; ++i) s_served.server.serve(std::chrono::milliseconds(0));
     require(s_served.server.clientCount() == 0);
     s_served.run.pause();
     return frames;

@@ -238,6 +238,19 @@ private Q_SLOTS:
         QCOMPARE(two["tick"], Json(305));
     }
 
+    void aPauseEndsOnesOwnStep() {
+        Peer peer = connect();
+        peer.ask({{"id", 1}, {"op", "step"}, {"ticks", 1'000'000'000}});
+        serve(50);
+        peer.ask({{"id", 2}, {"op", "pause"}});
+        peer.ask({{"id", 3}, {"op", "step"}, {"ticks", 2}});
+        const Json cut = reply(peer), paused = reply(peer), stepped = reply(peer);
+        QCOMPARE(std::tuple(cut["id"], paused["id"], stepped["id"]), std::tuple(Json(1), Json(2), Json(3)));
+        QVERIFY(cut["ticks"].get<int>() > 0 && cut["ticks"].get<int>() < 1'000'000);
+        QCOMPARE(paused["tick"], cut["tick"]);
+        QCOMPARE(stepped["tick"].get<int>(), cut["tick"].get<int>() + 2);
+    }
+
     void runningEndsStepsAndRefusesNewOnes() {
         Peer first = connect(), second = connect();
         first.ask({{"id", 1}, {"op", "step"}, {"ticks", 1'000'000'000}});

@@ -254,6 +254,17 @@ class SimulationTest(unittest.TestCase):
             self.assertTrue(any(severity == "error" or "Aborted" in text for _, severity, text in lines), lines)
             self.assertTrue(any(who == "other" for who, _, _ in lines), lines)
 
+    def test_ctrl_c_ends_a_step(self):
+        def interrupt(time, who, severity, text):
+            raise KeyboardInterrupt  # as it would be if Ctrl+C came here
+
+        with trundle.Simulation(two(), console=interrupt) as sim:
+            with self.assertRaises(KeyboardInterrupt):
+                sim.step(10 ** 9)
+            tick = sim.status()["tick"]
+            self.assertTrue(100 < tick < 10 ** 8, tick)
+            self.assertEqual((sim.step(5), sim.tick), (5, tick + 5))
+
     def test_images(self):
         path = write("camera.sim", TWO.replace("simple_robot", "camera_robot").replace("SimpleRobot", "CameraRobot"))
         with trundle.Simulation(path, console=None) as sim:

@@ -13,6 +13,7 @@ from .signals import COMMAND, OUTPUT, TRUTH, Entry, Image, UnknownPort
 
 PROTOCOL = 1
 _MOST_BYTES = 1 << 28  # of a reply; more is an error of the stream
+_MOST_AT_ONCE = 1 << 20
 _MOST_EVENTS = 10000  # that wait to be fetched; older ones are dropped
 _DIRECTIONS = {"output": OUTPUT, "command": COMMAND, "truth": TRUTH}
 _TYPES = {"real": 1, "integer": 2, "boolean": 3}
@@ -54,27 +55,30 @@ class _Frames:
     """JSON objects and bytes over a stream socket: both sizes as 4 bytes each, little-endian, then both."""
 
     def __init__(self, stream):
-        self._socket = stream
+        self._socket, self._received = stream, bytearray()
 
     def send(self, message, data=b""):
         text = json.dumps(message, allow_nan=False, separators=(",", ":")).encode()
         self._socket.sendall(struct.pack("<II", len(text), len(data)) + text + data)
 
     def receive(self):
-        text_size, data_size = struct.unpack("<II", self._read(8))
+        self._await(8)
+        text_size, data_size = struct.unpack_from("<II", self._received)
         if text_size > _MOST_BYTES or data_size > _MOST_BYTES:
             raise Disconnected("the other end does not speak this protocol")
-        return json.loads(self._read(text_size)), self._read(data_size)
+        end = 8 + text_size + data_size
+        self._await(end)
+        text, data = self._received[8:8 + text_size], self._received[8 + text_size:end]
+        del self._received[:end]
+        return json.loads(text), data
 
-    def _read(self, size):
-        data = bytearray(size)
-        view = memoryview(data)
-        while view:
-            got = self._socket.recv_into(view)
-            if got == 0:
+    def _await(self, size):
+        """What was received is kept if an exception, such as KeyboardInterrupt, leaves this."""
+        while len(self._received) < size:
+            got = self._socket.recv(_MOST_AT_ONCE)
+            if not got:
                 raise Disconnected("the connection was closed by the other end")
-            view = view[got:]
-        return data
+            self._received += got
 
     def close(self):
         self._socket.close()
@@ -330,19 +334,26 @@ class Remote:
             self._frames.send({"id": self._number, "op": operation, **members})
         except (BrokenPipeError, ConnectionResetError):
             pass  # what the other end sent before it went is read below
+        try:
+            reply, data = self._receive_reply()
+        except ConnectionResetError:
+            raise Disconnected("the connection was closed by the other end") from None
+        except KeyboardInterrupt:
+            if operation == "step":  # else it would go on in the background
+                self._number += 1
+                self._frames.send({"id": self._number, "op": "pause"})
+            raise
+        if not reply["ok"]:
+            raise RemoteError(reply["error"], reply["message"], reply)
+        self._take_state(reply)
+        return reply, data
+
+    def _receive_reply(self):
+        """The reply to the last request; those to earlier ones, which an interrupt has left, are skipped."""
         while True:
-            try:
-                reply, data = self._receive()
-            except ConnectionResetError:
-                raise Disconnected("the connection was closed by the other end") from None
-            if self._take(reply, data):
-                continue
-            if reply["id"] not in (self._number, None):
-                continue
-            if not reply["ok"]:
-                raise RemoteError(reply["error"], reply["message"], reply)
-            self._take_state(reply)
-            return reply, data
+            message, data = self._receive()
+            if not self._take(message, data) and message["id"] in (self._number, None):
+                return message, data
 
     def _take_state(self, message):
         if "tick" in message and "state" in message:
