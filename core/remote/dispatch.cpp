@@ -4,6 +4,7 @@
 
 #include "base/spelling.h"
 #include "remote/query_operations.h"
+#include "remote/radio_operations.h"
 #include "remote/run_operations.h"
 
 namespace trundle {
@@ -20,6 +21,9 @@ template <Reply (QueryOperations::*operation)()> Reply query(const RequestContex
 template <Reply (RunOperations::*operation)()> Reply change(const RequestContext& request) {
     return (RunOperations(request).*operation)();
 }
+template <Reply (RadioOperations::*operation)()> Reply radio(const RequestContext& request) {
+    return (RadioOperations(request).*operation)();
+}
 using Query = QueryOperations;
 using Change = RunOperations;
 
@@ -29,6 +33,7 @@ constexpr std::array kOperations{
     Operation{"unsubscribe", false, query<&Query::unsubscribe>}, Operation{"read", true, query<&Query::read>},
     Operation{"hash", true, query<&Query::hash>},            Operation{"image", true, query<&Query::image>},
     Operation{"console", false, query<&Query::console>},     Operation{"command", true, change<&Change::command>},
+    Operation{"send", true, radio<&RadioOperations::send>},  Operation{"receive", true, radio<&RadioOperations::receive>},
     Operation{"hold", true, change<&Change::hold>},          Operation{"place", true, change<&Change::place>},
     Operation{"push", true, change<&Change::push>},          Operation{"restart", true, change<&Change::restart>},
     Operation{"step", true, change<&Change::step>},          Operation{"run", true, change<&Change::run>},

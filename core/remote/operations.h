@@ -29,6 +29,7 @@ struct RequestContext {
     ServedRun& run;
     RemoteClient& client;
     Arguments& arguments;
+    std::string_view bytes = {}; ///< behind the JSON
 
     /// The reply if something is wrong with the members of the request.
     [[nodiscard]] std::optional<Reply> mistake() const;

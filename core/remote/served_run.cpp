@@ -85,10 +85,14 @@ Status ServedRun::checkSignal(const std::string& path) const {
     }
     if (entry->direction != SignalDirection::Command || entry->count != 1)
         return Error{Code::WrongPlace, path + " is measured, not commanded"};
+    return checkOwner(path);
+}
+
+Status ServedRun::checkOwner(const std::string& path) const {
     const RobotSpec* owner = robot(robotOf(path));
     if (owner && owner->controller && !isHeld(owner->name))
-        return Error{Code::Conflict, "the controller " + owner->controller->name + " of " + owner->name + " writes " + path +
-                                         "; hold " + owner->name + " first"};
+        return Error{Code::Conflict, "the controller " + owner->controller->name + " of " + owner->name + " owns " + path + "; hold " +
+                                         owner->name + " first"};
     return {};
 }
 

@@ -186,7 +186,7 @@ void RemoteServer::answer(RemoteClient& client, const Frame& frame) {
     const std::string operation = arguments.text("op");
     Reply reply;
     if (operation == "hello" || !client.isAuthorized()) reply = hello(client, arguments);
-    else reply = trundle::answer(operation, {m_run, client, arguments});
+    else reply = trundle::answer(operation, {m_run, client, arguments, frame.bytes});
     if (operation == "reset") bindAgain();
     if (reply.later) client.step->id = id;
     else client.send(messageOf(id, reply), reply.bytes);

@@ -13,6 +13,7 @@ using Json = nlohmann::json;
 constexpr int kFrames = 60, kManyRounds = 100'000;
 
 const char* const kText = R"(Tick = 0.01
+RadioMedium air { Model=ideal }
 RobotConfig Cart {
   Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.1 Mass=2 } }
   Body left { Pos=0,0.12,0.05 Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.1 } }
@@ -21,6 +22,7 @@ RobotConfig Cart {
   Encoder encoder { Joint=axle }
   TouchSensor bumper { Geom=chassis.hull }
   Camera eye { Body=chassis }
+  Transceiver radio { Body=chassis }
 }
 StaticConfig Floor { Plane ground { } }
 Static floor { Config=Floor }
@@ -61,7 +63,7 @@ private:
 /// A value that a member of a request may have, or must not.
 Json randomValue(Choices& choices, int depth = 0) {
     static const Json values[] = {
-        0, 1, 2, 3, -1, 0.5, -1e300, 1e308, 1'000'000'000, 18446744073709551615ull, true, false, nullptr, "", "r", "s", "r/base", "r/motor", "r/eye",
+        0, 1, 2, 3, -1, 0.5, -1e300, 1e308, 1'000'000'000, 18446744073709551615ull, true, false, nullptr, "", "r", "s", "r/base", "r/motor", "r/eye", "r/radio", "s/radio",
         "r/bumper", "r/chassis", "r/motor/voltage", "r/encoder/count", "r/*", "*", "?/*", "r/motor/*", "\xf0\x9f\xa4\x96", "0123456789abcdef"};
     if (depth < 3 && choices.chance(3)) {
         Json array = Json::array();
@@ -86,7 +88,7 @@ Json randomRequest(Choices& choices) {
         {"command", {"signals"}}, {"command", {"device", "voltage", "vel"}}, {"hold", {"robot", "held"}},
         {"place", {"robot", "position", "heading"}}, {"push", {"body", "force", "point"}}, {"restart", {"robot"}},
         {"step", {"ticks", "signals", "subscription"}}, {"run", {"speed"}}, {"pause", {}}, {"hash", {}}, {"image", {"camera"}},
-        {"console", {"on"}}, {"", {"op"}}, {"reset", {"seed"}}};
+        {"send", {"device", "to", "power"}}, {"receive", {"device"}}, {"console", {"on"}}, {"", {"op"}}, {"reset", {"seed"}}};
     const auto& [name, members] = operations[choices.pick(static_cast<std::uint32_t>(operations.size() - (choices.chance(1) ? 0 : 1)))];
     Json request{{"op", name}};
     if (choices.chance(12)) request["id"] = randomValue(choices);

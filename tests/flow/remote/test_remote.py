@@ -167,7 +167,7 @@ class SimulationTest(unittest.TestCase):
     def test_a_controller_owns_the_commands_of_its_robot(self):
         with trundle.Simulation(two(), console=None) as sim:
             base = sim.robot("other").differential_drive("base")
-            with self.assertRaisesRegex(trundle.RemoteError, "the controller brain of other writes other/base/linearVelocity; hold other first") as refused:
+            with self.assertRaisesRegex(trundle.RemoteError, "the controller brain of other owns other/base/linearVelocity; hold other first") as refused:
                 sim["other/base/linearVelocity"] = 1
             self.assertEqual(refused.exception.code, "owned")
             base.move(0.1, 0.1)
@@ -264,6 +264,31 @@ class SimulationTest(unittest.TestCase):
             tick = sim.status()["tick"]
             self.assertTrue(100 < tick < 10 ** 8, tick)
             self.assertEqual((sim.step(5), sim.tick), (5, tick + 5))
+
+    def test_radios(self):
+        """Without a medium of walls or noise: what one sends, the other one has received some ticks later."""
+        radios = "".join(f"Robot m{i} {{ Config=TmoteSky Pos={i},0,0 }}\n" for i in range(2))
+        path = write("radios.sim", "Tick = 0.01\n#import robots/tmote_sky.sim\n#import arenas/open_floor.sim\nStatic floor { Config=OpenFloor }\n"
+                     "RadioMedium air { Model=ideal }\n#loadModule controllers/mote\n" + radios + "Robot owned { Config=TmoteSky Pos=0,1,0 Mote brain { } }\n")
+        with trundle.Simulation(path, console=None) as sim:
+            name = next(d["device"] for d in sim.robots()["m0"]["devices"] if d["interface"] == "wsn").split("/")[1]
+            first, second = (sim.robot(robot).radio(name) for robot in ("m0", "m1"))
+            self.assertNotEqual(first.address, second.address)
+            self.assertTrue(first.send("hello", to=second.address))
+            self.assertFalse(first.send("x" * 117))
+            sim.step(10)
+            packet = second.receive()
+            while packet and packet.sender != first.address:  # a beacon of the third
+                packet = second.receive()
+            self.assertEqual((packet.bytes, packet.sender, packet.receiver), (b"hello", first.address, second.address))
+            self.assertTrue(-60 < packet.rssi < -20 and 0 < packet.time < 0.1, packet)
+            self.assertEqual(sim[f"m0/{name}/sent"], 1)
+            with self.assertRaises(trundle.RemoteError) as owned:
+                sim.robot("owned").radio(name).send("x")
+            self.assertEqual(owned.exception.code, "owned")
+            while second.receive():
+                pass
+            self.assertIsNone(second.receive())
 
     def test_images(self):
         path = write("camera.sim", TWO.replace("simple_robot", "camera_robot").replace("SimpleRobot", "CameraRobot"))

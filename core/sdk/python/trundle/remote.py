@@ -9,7 +9,8 @@ from collections import deque
 
 from .camera import Picture
 from .ports import RobotPorts
-from .signals import COMMAND, OUTPUT, TRUTH, Entry, Image, UnknownPort
+from .radio import Packet
+from .signals import COMMAND, OUTPUT, TRUTH, Entry, Image
 
 PROTOCOL = 1
 _MOST_BYTES = 1 << 28  # of a reply; more is an error of the stream
@@ -106,6 +107,13 @@ class Reading:
         return len(self._places)
 
 
+class _Radio:
+    __slots__ = ("path", "address")
+
+    def __init__(self, path, address):
+        self.path, self.address = path, address
+
+
 class _Outside:
     """What ports of a robot reach beside signals."""
 
@@ -125,7 +133,22 @@ class _Outside:
         return ""
 
     def find_radio(self, path):
-        raise UnknownPort(f"{path} is a radio of a served run: only a controller sends and receives, see its signals")
+        return _Radio(path, int(self._remote[f"{path}/address"]))
+
+    def send_packet(self, radio, data, to, power):
+        try:
+            self._remote._request("send", data, device=radio.path, to=to, power=power)
+        except RemoteError as refused:
+            if refused.code == "refused":
+                return False
+            raise
+        return True
+
+    def receive_packet(self, radio):
+        reply, data = self._remote._request("receive", device=radio.path)
+        if not reply["received"]:
+            return None
+        return Packet(bytes(data), reply["rssi"], reply["lqi"], reply["time"], reply["from"], reply["to"])
 
 
 class Remote:
@@ -328,10 +351,10 @@ class Remote:
     def _receive(self):
         return self._frames.receive()
 
-    def _request(self, operation, **members):
+    def _request(self, operation, data=b"", /, **members):
         self._number += 1
         try:
-            self._frames.send({"id": self._number, "op": operation, **members})
+            self._frames.send({"id": self._number, "op": operation, **members}, data)
         except (BrokenPipeError, ConnectionResetError):
             pass  # what the other end sent before it went is read below
         try:
