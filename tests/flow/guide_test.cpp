@@ -114,7 +114,7 @@ private Q_SLOTS:
     void documentedCommandsWork_data() {
         QTest::addColumn<QString>("page");
         for (const QString& page : pages())
-            if (textOf(page).contains("```sh")) QTest::newRow(qPrintable(page)) << page;
+            if (textOf(page).contains(QRegularExpression("```sh|```python \\S+ run"))) QTest::newRow(qPrintable(page)) << page;
     }
     void documentedCommandsWork() {
         QFETCH(QString, page);
@@ -123,6 +123,13 @@ private Q_SLOTS:
         QVERIFY2(!texts.isEmpty(), "there is no my.sim");
         QVERIFY(writeFile(folder.filePath("my.sim"), texts[0].text.toUtf8()));
         (void)writePython(page, folder);
+        for (const Fence& fence : fencesOf(page)) {
+            if (fence.language() != "python" || !fence.words.contains("run")) continue;
+            const Outcome run = callProgram("env", {"PYTHONPATH=" TRUNDLE_SOURCE_DIR "/core/sdk/python", "TRUNDLE_CLI=" + programPath(), "python3",
+                                                    "-B", fence.words.value(1)},
+                                            folder.path());
+            QVERIFY2(run.code == 0 && !run.out.isEmpty(), shown(run));
+        }
         static const QRegularExpression expected(QStringLiteral("# exit code (\\d+)$"));
         for (const Fence& fence : fencesOf(page)) {
             if (fence.language() != "sh") continue;

@@ -37,6 +37,14 @@ class ReplayTest : public QObject {
 private Q_SLOTS:
     void textsThatWereFound() { replay("fuzz_text", fuzz::tryText); }
     void worldsThatWereFound() { replay("fuzz_world", fuzz::tryWorld); }
+    void requestsThatWereFound() {
+        replay("fuzz_remote", [](std::span<const std::uint8_t> bytes) { (void)fuzz::tryRemote(bytes); });
+    }
+    void randomRequests() {
+        std::size_t requests = 0;
+        for (std::uint64_t seed = 0; requests < count(100'000, 1'000'000); ++seed) requests += fuzz::tryRemote(randomBytes(seed, 3000));
+        QVERIFY(requests >= 100'000);
+    }
     void randomWorlds() {
         for (std::uint64_t seed = 0; seed < count(150, 20000); ++seed) fuzz::tryWorld(randomBytes(seed, 300 + seed % 900));
     }

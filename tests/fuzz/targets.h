@@ -15,6 +15,10 @@ void tryText(std::span<const std::uint8_t> bytes);
 /// end in a reported fault; it must not crash, hang or publish a value that is not finite.
 void tryWorld(std::span<const std::uint8_t> bytes);
 
+/// Sends the requests that are decoded from the bytes, most of them valid, to a server that another client uses too. Each is answered
+/// or its client closed; the other client is always served. Returns the number of requests.
+std::size_t tryRemote(std::span<const std::uint8_t> bytes);
+
 /// Built-in kinds of model, devices and logs.
 [[nodiscard]] std::shared_ptr<const Registry> builtInKinds();
 /// Opens a text as the only file of a folder, without modules and meshes.

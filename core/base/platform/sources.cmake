@@ -23,6 +23,7 @@ set(BASE_PLATFORM_SOURCES
   platform/recent_runs.cpp
   platform/read_file.cpp
   platform/shared_segment.cpp
+  platform/socket.cpp
   platform/standard_descriptors.cpp
   platform/thread_priority.cpp
   platform/user_folder.cpp

@@ -12,4 +12,6 @@ from .quantity import (Quantity, amperes, decibel_milliwatts, decibels, degrees,
                        metres_per_second, metres_per_second_squared, milliseconds, newton_metres, newtons, number, ohms, one_of,
                        radians_per_second, radians_per_second_squared, reference, seconds, text, unit_of, volts)
 from .radio import EVERYBODY, FULL_POWER, Packet, RadioPort
+from .remote import Disconnected, Reading, Remote, RemoteError, TextError, connect
 from .signals import Slot, UnknownPort
+from .simulation import Simulation

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""A simulation of one's own: the program trundle-cli as a child process."""
+
+import os
+import shutil
+import socket
+import subprocess
+import tempfile
+
+from .remote import Disconnected, Remote, print_line
+
+_LAST_BYTES = 4000
+
+
+def find_program():
+    """The path of trundle-cli: $TRUNDLE_CLI, that of this installation or build folder, or the one in PATH."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    beside = [os.path.join(here, *[".."] * 4, "bin", "trundle-cli"),  # share/trundle/python/trundle
+              os.path.join(here, *[".."] * 4, "build", "release", "bin", "trundle-cli")]  # core/sdk/python/trundle
+    given = os.environ.get("TRUNDLE_CLI")
+    found = given or next((os.path.normpath(p) for p in beside if os.access(p, os.X_OK)), None) or shutil.which("trundle-cli")
+    if not found:
+        raise FileNotFoundError("trundle-cli was not found; set TRUNDLE_CLI to its path")
+    return found
+
+
+class Simulation(Remote):
+    """Runs an experiment without a window, stepped from here:
+
+        with trundle.Simulation("my.sim") as sim:
+            base = sim.robot("rover").differential_drive("base")
+            base.move(0.3, 0)
+            sim.step(100)
+            print(sim.time, base.odometry())
+
+    Raises TextError, with file, line and column, if the text has errors. `sets`: {"rover.Mass": 3} or texts "rover.Mass=3";
+    `modules`: folders whose modules are trusted; `console(time, who, severity, text)` gets what controllers print, None nothing."""
+
+    def __init__(self, file, *, seed=None, sets=(), modules=(), include=(), trust=False, log_dir=None, console=print_line, program=None):
+        texts = [f"{path}={value}" for path, value in sets.items()] if isinstance(sets, dict) else list(sets)
+        if seed is not None:
+            texts.append(f"Seed={seed}")
+        arguments = [program or find_program(), "serve", os.fspath(file)]
+        for option, values in (("--set", texts), ("--modules", modules), ("-I", include)):
+            for value in [values] if isinstance(values, (str, os.PathLike)) else values:
+                arguments += [option, os.fspath(value)]
+        if trust:
+            arguments.append("--trust")
+        if log_dir is not None:
+            arguments += ["--log-dir", os.fspath(log_dir)]
+        ours, childs = socket.socketpair()
+        self._process, self._errors = None, tempfile.TemporaryFile()
+        with childs:
+            try:
+                self._process = subprocess.Popen(arguments + ["--socket", str(childs.fileno())], stdin=subprocess.DEVNULL,
+                                                 stdout=self._errors, stderr=self._errors, pass_fds=[childs.fileno()],
+                                                 start_new_session=True)
+            except BaseException:
+                ours.close()
+                self._errors.close()
+                raise
+        super().__init__(ours, console=console)
+
+    def _receive(self):
+        try:
+            return super()._receive()
+        except (Disconnected, ConnectionResetError):
+            raise Disconnected(self._last_words()) from None
+
+    def _last_words(self):
+        """How the process has ended, and what it printed last."""
+        try:
+            code = self._process.wait(5)
+        except subprocess.TimeoutExpired:
+            return "trundle-cli has closed the connection"
+        self._errors.seek(max(0, self._errors.seek(0, os.SEEK_END) - _LAST_BYTES))
+        said = self._errors.read().decode("utf-8", "replace").strip()
+        how = f"was ended by signal {-code}" if code < 0 else f"has ended with exit code {code}"
+        return f"trundle-cli {how}" + (f":\n{said}" if said else "")
+
+    def close(self):
+        """Ends the process; its logs are complete."""
+        super().close()
+        if self._process is None:
+            return
+        try:
+            self._process.wait(10)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._errors.close()
