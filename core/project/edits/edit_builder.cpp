@@ -5,6 +5,7 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
+#include "project/edits/plan_check.h"
 
 namespace trundle {
 
@@ -140,6 +141,7 @@ Result<EditPlan> EditBuilder::plan(std::vector<std::string> selects) {
         if (m_loaded.outline->texts().commandLine(file)) return Error{Code::EditRefused, "a --set text cannot be changed"};
         if (Status status = check(file, edits); !status.ok()) return status.error();
     }
+    if (Status status = checkNames(m_loaded, m_edits); !status.ok()) return status.error();
     return EditPlan{std::move(m_edits), std::move(selects)};
 }
 

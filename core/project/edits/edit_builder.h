@@ -27,7 +27,8 @@ public:
     /// Sets the name of a block, which may be unnamed.
     void name(const BlockItem& block, FileId file, const std::string& name);
 
-    /// The complete plan. Fails if a file has syntax errors that the edits would make worse.
+    /// The complete plan. Fails if a file has syntax errors that the edits would make worse, or if a name would lead nowhere after
+    /// them, see checkNames().
     [[nodiscard]] Result<EditPlan> plan(std::vector<std::string> selects);
 
 private:
