@@ -274,6 +274,36 @@ StaticConfig Gate { Part a { Config=Post } }
         QVERIFY(!moved.ok() && moved.error().code == Code::WrongPlace);
     }
 
+    /// What a plan cannot foresee block by block is found in the text that it would leave.
+    void refusesWhatBreaksNames() {
+        const std::string kit = R"(RobotConfig Kit {
+  Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=floor } Box bumper { Size=0.1,0.1,0.1 Mass=1 Material=red Surface=floor } }
+  Part left { Config=Wheel carrier=chassis }
+  Repeat rows { Count=2 Body body { Pos=$(index),1,0 Box box { Size=0.1,0.1,0.1 Mass=1 Material=red Surface=floor } } Fixed foot { Parent=chassis Child=body } }
+  TouchSensor touch { Geom=chassis.bumper }
+}
+RobotConfig Other { Body red { Box hull { Size=0.1,0.1,0.1 Mass=1 Material=red Surface=floor } } TouchSensor chassis { Geom=red.hull } }
+Robot a { Config=Kit }
+)";
+        m_loaded = m_fixture.open(kWheel + kit);
+        QVERIFY(m_loaded);
+        QCOMPARE(messages(*m_loaded), std::string());
+        const auto refusal = [](const Result<EditPlan>& plan) {
+            return plan.ok() ? std::string() : codeName(plan.error().code) + " " + plan.error().message;
+        };
+        const std::string moved =
+            refusal(planMove(*m_loaded, {"RobotConfig.Kit.chassis.bumper"}, "RobotConfig.Kit.rows.body", {}));
+        QVERIFY2(moved.starts_with("E208 the text would have an error after this, in line 13: Geom names body.bumper"),
+                 moved.c_str());
+        const std::string pasted =
+            refusal(planInsert(*m_loaded, "RobotConfig.Other", "Part left { Config=Wheel carrier=chassis }"));
+        QVERIFY2(
+            pasted.starts_with("E208 the text would have an error after this, in line 15: Parent names chassis, a TouchSensor"),
+            pasted.c_str());
+        QCOMPARE(refusal(planInsert(*m_loaded, "RobotConfig.Other", "Part left { Config=Wheel carrier=red }")), std::string());
+        QCOMPARE(refusal(planRename(*m_loaded, "a.left", "robot0")), std::string());
+    }
+
 private:
     PlanFixture m_fixture;
     std::shared_ptr<const LoadedProject> m_loaded;

@@ -29,7 +29,8 @@ public:
         ResolveContext::ExtraKeys extra;
         if (likely) {
             for (const SourceParam& p : likely->params) extra.words.push_back(p.name->text);
-            for (const Property& p : likely->kind->properties) extra.words.push_back(p.name);
+            for (const Property& p : likely->kind->properties)
+                if (!m_part.kind->find(p.name)) extra.words.push_back(p.name);
         }
         std::vector<const SourceAssignment*> taken;
         extra.take = [&](const SourceAssignment& a) {

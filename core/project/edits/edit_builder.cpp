@@ -5,6 +5,7 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
+#include "project/edits/plan_check.h"
 
 namespace trundle {
 
@@ -34,6 +35,31 @@ std::string restepped(const std::string& text, const std::string& step) {
         for (; text.compare(i + 1, own.size(), own) == 0; i += own.size()) out += step;
     }
     return out;
+}
+
+/// The start of the line of a block, or of the comments directly above it.
+std::uint32_t commentAbove(const Tree& tree, std::uint32_t at) {
+    const std::string_view bytes = tree.source().bytes();
+    const auto lineStart = [&](std::uint32_t from) {
+        while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
+        return from;
+    };
+    std::uint32_t start = lineStart(at);
+    if (!std::all_of(bytes.begin() + start, bytes.begin() + at, isBlank)) return at; // not the first item of its line
+    const auto& tokens = tree.tokens();
+    for (;;) {
+        std::uint32_t end = start; // end of the line above
+        if (end > 0 && bytes[end - 1] == '\n') --end;
+        if (end > 0 && bytes[end - 1] == '\r') --end;
+        if (end == start) return start;
+        const std::uint32_t begin = lineStart(end);
+        const auto comment = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+            return token.kind == TokenKind::LineComment && begin <= token.range.begin && token.range.end <= end;
+        });
+        if (comment == tokens.end() || !std::all_of(bytes.begin() + begin, bytes.begin() + comment->range.begin, isBlank))
+            return start;
+        start = begin;
+    }
 }
 
 bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
@@ -140,7 +166,49 @@ Result<EditPlan> EditBuilder::plan(std::vector<std::string> selects) {
         if (m_loaded.outline->texts().commandLine(file)) return Error{Code::EditRefused, "a --set text cannot be changed"};
         if (Status status = check(file, edits); !status.ok()) return status.error();
     }
+    if (Status status = checkNames(m_loaded, m_edits); !status.ok()) return status.error();
     return EditPlan{std::move(m_edits), std::move(selects)};
+}
+
+void addBefore(const LoadedProject& loaded, const Part* block, FileId file, const std::string& text, EditBuilder& sheet) {
+    if (!block) return sheet.addItem(file, nullptr, text);
+    const Tree& tree = *loaded.trees[file];
+    const std::uint32_t at = commentAbove(tree, block->range.range.begin);
+    const std::string lineEnd = editStyle(tree).lineEnd;
+    const std::string_view bytes = tree.source().bytes();
+    const bool first =
+        at == 0 || bytes[at - 1] == '\n' || bytes[at - 1] == '\r' || (at == 3 && bytes.starts_with("\xEF\xBB\xBF"));
+    std::string out = first ? "" : lineEnd;
+    for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
+    sheet.add({{file, {at, at}}, out + lineEnd + lineEnd});
+}
+
+TextEdit copyBehind(const Tree& tree, TextRange item, const std::string& text) {
+    const std::string_view bytes = tree.source().bytes();
+    const std::string indent = indentOfLine(bytes, item.begin);
+    std::uint32_t start = item.begin;
+    while (start > 0 && isBlank(bytes[start - 1])) --start;
+    const bool first =
+        start == 0 || bytes[start - 1] == '\n' || bytes[start - 1] == '\r' || (start == 3 && bytes.starts_with("\xEF\xBB\xBF"));
+    std::uint32_t end = item.end;
+    bool last = true;
+    for (const Token& token : tree.tokens()) {
+        if (token.range.begin < item.end || token.kind == TokenKind::Space) continue;
+        if (token.kind == TokenKind::LineComment || token.kind == TokenKind::BlockComment) {
+            end = token.range.end;
+            continue;
+        }
+        last = token.kind == TokenKind::LineEnd || token.kind == TokenKind::End;
+        break;
+    }
+    const bool lines = text.find('\n') != std::string::npos || text.find("//") != std::string::npos;
+    if (!first && !lines) return {{tree.file(), {item.end, item.end}}, " " + text};
+    const std::string lineEnd = editStyle(tree).lineEnd;
+    std::string out = lineEnd + indent;
+    for (const char c : text) out += c == '\n' ? lineEnd + indent : std::string(1, c);
+    if (last) return {{tree.file(), {end, end}}, out};
+    if (!lines) return {{tree.file(), {item.end, item.end}}, " " + text};
+    return {{tree.file(), {item.end, item.end}}, out + lineEnd + indent};
 }
 
 std::string usersText(const std::vector<const NameReference*>& references) {

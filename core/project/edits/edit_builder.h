@@ -27,7 +27,8 @@ public:
     /// Sets the name of a block, which may be unnamed.
     void name(const BlockItem& block, FileId file, const std::string& name);
 
-    /// The complete plan. Fails if a file has syntax errors that the edits would make worse.
+    /// The complete plan. Fails if a file has syntax errors that the edits would make worse, or if a name would lead nowhere after
+    /// them, see checkNames().
     [[nodiscard]] Result<EditPlan> plan(std::vector<std::string> selects);
 
 private:
@@ -40,6 +41,11 @@ private:
     std::vector<std::tuple<FileId, const BlockItem*, std::string>> m_items; ///< additions
 };
 
+/// Adds a text before a top-level block of a file and the comments above it, or at the end of the file.
+void addBefore(const LoadedProject& loaded, const Part* block, FileId file, const std::string& text, EditBuilder& sheet);
+/// Inserts a copy after its original: on the same line if other items share that line, else on a line of its own, after a
+/// trailing comment.
+[[nodiscard]] TextEdit copyBehind(const Tree& tree, TextRange item, const std::string& text);
 /// A summary for messages: "Hinge leftAxle (Parent), Robot robot0 (Config) and 3 others".
 [[nodiscard]] std::string usersText(const std::vector<const NameReference*>& references);
 /// The end of the comments after an offset, or the offset itself; nothing if something else follows on the line.

@@ -1,5 +1,7 @@
 #include "project/edits/moved_block.h"
 
+#include <algorithm>
+
 #include "base/units.h"
 #include "lang/tree_edit.h"
 #include "project/objects/part_values.h"
@@ -65,6 +67,14 @@ void MovedBlock::apply(const TextEdit& edit) {
 void MovedBlock::set(std::string_view key, const std::string& value) {
     if (const AssignmentItem* a = find(key)) apply(editSetValue(*m_tree, a->value, value));
     else if (block()) apply(editAddAssignment(*m_tree, block(), key, value));
+}
+
+void MovedBlock::remove(std::string_view key) {
+    const AssignmentItem* a = find(key);
+    if (!a) return;
+    const auto& items = block()->items;
+    const auto item = std::find_if(items.begin(), items.end(), [a](const Item& i) { return i.as<AssignmentItem>() == a; });
+    apply(editRemoveItem(*m_tree, *item));
 }
 
 void MovedBlock::rename(const std::string& name) {

@@ -22,14 +22,15 @@ public:
     [[nodiscard]] const std::string& text() const { return m_text; }
     /// Writes a value, replacing the existing assignment or adding one.
     void set(std::string_view key, const std::string& value);
+    void remove(std::string_view key);
     void rename(const std::string& name);
+    [[nodiscard]] const AssignmentItem* find(std::string_view key) const; ///< nullptr without one
     /// Shifts the position in `key` by `offset` (m): numbers keep their units, expressions become sums. Without an assignment,
     /// writes `otherwise`.
     void shift(std::string_view key, const Vec3& offset, const Vec3& otherwise);
 
 private:
     [[nodiscard]] const BlockItem* block() const;
-    [[nodiscard]] const AssignmentItem* find(std::string_view key) const;
     void apply(const TextEdit& edit);
 
     std::string m_text;

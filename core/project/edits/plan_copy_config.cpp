@@ -26,45 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The start of the line of a block, or of the comments directly above it.
-std::uint32_t commentAbove(const Tree& tree, std::uint32_t at) {
-    const std::string_view bytes = tree.source().bytes();
-    const auto lineStart = [&](std::uint32_t from) {
-        while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
-        return from;
-    };
-    std::uint32_t start = lineStart(at);
-    if (!std::all_of(bytes.begin() + start, bytes.begin() + at, isBlank)) return at; // not the first item of its line
-    const auto& tokens = tree.tokens();
-    for (;;) {
-        std::uint32_t end = start; // end of the line above
-        if (end > 0 && bytes[end - 1] == '\n') --end;
-        if (end > 0 && bytes[end - 1] == '\r') --end;
-        if (end == start) return start;
-        const std::uint32_t begin = lineStart(end);
-        const auto comment = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
-            return token.kind == TokenKind::LineComment && begin <= token.range.begin && token.range.end <= end;
-        });
-        if (comment == tokens.end() || !std::all_of(bytes.begin() + begin, bytes.begin() + comment->range.begin, isBlank))
-            return start;
-        start = begin;
-    }
-}
-
-/// Adds a text before a block of a file and the comments above it, or at the end of the file.
-void addBefore(const LoadedProject& loaded, const Part* block, FileId file, const std::string& text, EditBuilder& sheet) {
-    if (!block) return sheet.addItem(file, nullptr, text);
-    const Tree& tree = *loaded.trees[file];
-    const std::uint32_t at = commentAbove(tree, block->range.range.begin);
-    const std::string lineEnd = editStyle(tree).lineEnd;
-    const std::string_view bytes = tree.source().bytes();
-    const bool first =
-        at == 0 || bytes[at - 1] == '\n' || bytes[at - 1] == '\r' || (at == 3 && bytes.starts_with("\xEF\xBB\xBF"));
-    std::string out = first ? "" : lineEnd;
-    for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
-    sheet.add({{file, {at, at}}, out + lineEnd + lineEnd});
-}
-
 /// The first block of the opened file; nullptr if it has no blocks.
 const Part* firstBlock(const LoadedProject& loaded) {
     const Part* first = nullptr;

@@ -10,40 +10,6 @@
 
 namespace trundle {
 
-namespace {
-
-/// Inserts a copy after its original: on the same line if other items share that line, else on a line of its own, after a
-/// trailing comment.
-TextEdit behind(const Tree& tree, TextRange item, const std::string& text) {
-    const std::string_view bytes = tree.source().bytes();
-    const std::string indent = indentOfLine(bytes, item.begin);
-    std::uint32_t start = item.begin;
-    while (start > 0 && isBlank(bytes[start - 1])) --start;
-    const bool first =
-        start == 0 || bytes[start - 1] == '\n' || bytes[start - 1] == '\r' || (start == 3 && bytes.starts_with("\xEF\xBB\xBF"));
-    std::uint32_t end = item.end;
-    bool last = true;
-    for (const Token& token : tree.tokens()) {
-        if (token.range.begin < item.end || token.kind == TokenKind::Space) continue;
-        if (token.kind == TokenKind::LineComment || token.kind == TokenKind::BlockComment) {
-            end = token.range.end;
-            continue;
-        }
-        last = token.kind == TokenKind::LineEnd || token.kind == TokenKind::End;
-        break;
-    }
-    const bool lines = text.find('\n') != std::string::npos || text.find("//") != std::string::npos;
-    if (!first && !lines) return {{tree.file(), {item.end, item.end}}, " " + text};
-    const std::string lineEnd = editStyle(tree).lineEnd;
-    std::string out = lineEnd + indent;
-    for (const char c : text) out += c == '\n' ? lineEnd + indent : std::string(1, c);
-    if (last) return {{tree.file(), {end, end}}, out};
-    if (!lines) return {{tree.file(), {item.end, item.end}}, " " + text};
-    return {{tree.file(), {item.end, item.end}}, out + lineEnd + indent};
-}
-
-} // namespace
-
 Result<EditPlan> planDuplicate(const LoadedProject& loaded, const std::vector<std::string>& paths, const Vec3& offset) {
     const Result<std::vector<Chosen>> all = chosen(loaded, paths);
     if (!all.ok()) return all.error();
@@ -82,7 +48,7 @@ Result<EditPlan> planDuplicate(const LoadedProject& loaded, const std::vector<st
                 block.shift("Anchor", offset, {anchor->numbers[0], anchor->numbers[1], anchor->numbers[2]});
         }
         const Part& part = *c.place.part;
-        sheet.add(behind(*loaded.trees[part.file], part.range.range, block.text()));
+        sheet.add(copyBehind(*loaded.trees[part.file], part.range.range, block.text()));
         selects.push_back(pathInside(withoutLastWord(c.path), copy.name));
     }
     return sheet.plan(std::move(selects));

@@ -1,0 +1,163 @@
+#include "project/edits/wrapped_blocks.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "lang/characters.h"
+#include "lang/edit_style.h"
+#include "lang/tree_edit.h"
+#include "model/dotted_path.h"
+#include "schema/allowed_parents.h"
+
+namespace trundle {
+
+namespace {
+
+bool isWordOfPath(const NameReference& reference, std::string_view word) {
+    return reference.property.size() > word.size() && reference.property.starts_with(word) &&
+           (reference.property[word.size()] == '.' || reference.property[word.size()] == '_');
+}
+
+} // namespace
+
+Result<WrappedBlocks> WrappedBlocks::of(const LoadedProject& loaded, const std::vector<std::string>& paths,
+                                        const std::string& wrapper) {
+    WrappedBlocks blocks(loaded);
+    if (Status status = blocks.take(paths, wrapper); !status.ok()) return status.error();
+    return blocks;
+}
+
+Status WrappedBlocks::take(const std::vector<std::string>& paths, const std::string& wrapper) {
+    const Result<std::vector<Chosen>> all = chosen(m_loaded, paths);
+    if (!all.ok()) return all.error();
+    for (const Chosen& c : all.value()) {
+        const Part& part = *c.place.part;
+        const Part* holder = c.place.above.empty() ? nullptr : c.place.above.back();
+        if (!holder || !holder->is(Role::Config))
+            return Error{Code::WrongPlace,
+                         part.title() + " is not directly in a config; select bodies, joints and devices of one"};
+        if (m_config && holder != m_config)
+            return Error{Code::WrongPlace, "select blocks of one config: " + part.title() + " is in " + holder->title() + ", " +
+                                               m_blocks.front()->title() + " in " + m_config->title()};
+        if (!part.kind || !part.usable) return Error{Code::UnknownKind, part.title() + " has an error; fix it first"};
+        if (!isAllowedInside(*part.kind, wrapper))
+            return Error{Code::WrongPlace, allowedPlaces(*part.kind) + ", not in a " + wrapper};
+        if (part.file != holder->file)
+            return Error{Code::WrongPlace, part.title() + " is in a file that " + holder->title() + " imports"};
+        m_config = holder;
+        m_parentPath = withoutLastWord(c.path);
+        m_blocks.push_back(&part);
+        const std::uint32_t end = part.block->type.range.end;
+        if (!part.block->name) change({{part.file, {end, end}}, " " + part.name}); // its default name may differ there
+    }
+    return {};
+}
+
+std::string WrappedBlocks::commonName() const {
+    std::string common = m_blocks.front()->name;
+    for (const Part* block : m_blocks) {
+        std::size_t same = 0;
+        while (same < common.size() && same < block->name.size() && common[same] == block->name[same]) ++same;
+        const auto isUpper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) || c == '_'; };
+        while (same > 0 && same < block->name.size() && !isUpper(block->name[same])) --same; // only whole words
+        common.resize(same);
+    }
+    while (!common.empty() && common.back() == '_') common.pop_back();
+    if (!common.empty()) return common;
+    const auto body = std::ranges::find_if(m_blocks, [](const Part* block) { return block->is(Role::Body); });
+    return (body == m_blocks.end() ? m_blocks.front() : *body)->name;
+}
+
+bool WrappedBlocks::contains(const SourceRange& range) const {
+    return range.known() && std::ranges::any_of(m_blocks, [&](const Part* block) { return isWithin(range, block->range); });
+}
+
+const Part* WrappedBlocks::find(const BlockItem* block) const {
+    const auto look = [block](const auto& self, const Part& part) -> const Part* {
+        if (part.block == block) return &part;
+        for (const Part& inner : part.parts)
+            if (const Part* found = self(self, inner)) return found;
+        return nullptr;
+    };
+    for (const Part* part : m_blocks)
+        if (const Part* found = block ? look(look, *part) : nullptr) return found;
+    return nullptr;
+}
+
+void WrappedBlocks::change(TextEdit edit) {
+    for (const Part* block : m_blocks) {
+        if (!isWithin(edit.range, block->range)) continue;
+        std::vector<TextEdit>& edits = m_changes[block];
+        edit.range.range.begin -= block->range.range.begin;
+        edit.range.range.end -= block->range.range.begin;
+        if (std::ranges::none_of(edits, [&](const TextEdit& e) { return e.range == edit.range; })) edits.push_back(edit);
+        return;
+    }
+}
+
+std::string WrappedBlocks::text() const {
+    std::string all;
+    for (const Part* block : m_blocks) {
+        const SourceRange whole = withComment(m_loaded, block->range);
+        const TextSet& texts = m_loaded.outline->texts();
+        const auto changes = m_changes.find(block);
+        const Result<std::string> written =
+            applyEdits(texts.slice(block->range), changes == m_changes.end() ? std::vector<TextEdit>() : changes->second);
+        const std::string comment(texts.slice({whole.file, {block->range.range.end, whole.range.end}}));
+        const std::string_view bytes = m_loaded.trees[block->file]->source().bytes();
+        const std::size_t indent = indentOfLine(bytes, block->range.range.begin).size();
+        const std::string given(written.ok() ? written.value() : std::string(texts.slice(block->range)));
+        all += (all.empty() ? "" : "\n") + dedented(given + comment, indent);
+    }
+    return all;
+}
+
+const Part& WrappedBlocks::position() const {
+    const auto isOurs = [this](const Part& part) { return std::ranges::find(m_blocks, &part) != m_blocks.end(); };
+    for (const Part* candidate : m_blocks) {
+        bool keepsOrder = true;
+        for (const Part& other : m_config->parts) {
+            if (isOurs(other)) continue;
+            for (const Part* block : m_blocks)
+                keepsOrder =
+                    keepsOrder && (!other.kind || !block->is(other.kind->role) || (&other < block) == (&other < candidate));
+        }
+        if (keepsOrder) return *candidate;
+    }
+    return *m_blocks.front();
+}
+
+void WrappedBlocks::replaceBy(const std::string& text, EditBuilder& sheet) const {
+    const Part& here = position();
+    const Tree& tree = *m_loaded.trees[here.file];
+    const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(tree.source().bytes(), here.range.range.begin);
+    std::string out;
+    for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
+    sheet.add({withComment(m_loaded, here.range), out});
+    for (const Part* block : m_blocks)
+        if (block != &here) sheet.removeItem(withComment(m_loaded, block->range));
+}
+
+Status WrappedBlocks::prefixNames(const std::vector<NameReference>& references, const std::string& prefix,
+                                  const std::string& ofOverrides, EditBuilder& sheet) const {
+    const TextSet& texts = m_loaded.outline->texts();
+    for (const NameReference& m : references) {
+        if (!find(m.target) || m.before.known() || contains(m.name)) continue;
+        if (!m.name.known()) { // a default
+            if (m.user && !contains(m.user->range))
+                sheet.addAssignment(m.user->file, m.user->block, m.property, prefix + find(m.target)->name);
+            continue;
+        }
+        const auto meansOther = [&](const NameReference& other) {
+            return other.name == m.name && other.target && !find(other.target);
+        };
+        if (std::ranges::any_of(references, meansOther))
+            return Error{Code::Conflict, usersText({&m}) + " names it together with others; name it by itself first"};
+        const std::string_view word = texts.slice(m.name);
+        const auto at = m.name.range.begin;
+        sheet.add({{m.name.file, {at, at}}, isWordOfPath(m, word) ? ofOverrides : prefix});
+    }
+    return {};
+}
+
+} // namespace trundle

@@ -1,0 +1,52 @@
+#pragma once
+// Selected blocks of one config that get a block around them. Private to core/project.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "project/edits/edit_builder.h"
+#include "project/edits/plan_targets.h"
+
+namespace trundle {
+
+class WrappedBlocks {
+public:
+    /// Fails if they are not in one config and one file, or if a block of the kind `wrapper` cannot have them.
+    [[nodiscard]] static Result<WrappedBlocks> of(const LoadedProject& loaded, const std::vector<std::string>& paths,
+                                                  const std::string& wrapper);
+
+    [[nodiscard]] const Part& config() const { return *m_config; }
+    [[nodiscard]] const std::vector<const Part*>& blocks() const { return m_blocks; }
+    [[nodiscard]] const std::string& parentPath() const { return m_parentPath; }
+    /// "left" for leftWheel, leftAxle and leftMotor; else the name of the first body, or of the first block.
+    [[nodiscard]] std::string commonName() const;
+    [[nodiscard]] bool contains(const SourceRange& range) const;
+    /// A selected block or one inside; nullptr if it is neither.
+    [[nodiscard]] const Part* find(const BlockItem* block) const;
+
+    /// Changes text inside the blocks when text() is called.
+    void change(TextEdit edit);
+    /// The text of the blocks, one below the other, without the indent of their surroundings.
+    [[nodiscard]] std::string text() const;
+    /// Replaces the blocks by `text`, where the order of bodies, joints and devices stays as it is, if there is such a position.
+    void replaceBy(const std::string& text, EditBuilder& sheet) const;
+
+    /// Puts a prefix before each name outside of the blocks that leads into them: "left." makes `left.wheel` of `wheel`. In paths of
+    /// overrides it is `ofOverrides`. Fails for a pattern that other objects fit too.
+    [[nodiscard]] Status prefixNames(const std::vector<NameReference>& references, const std::string& prefix,
+                                     const std::string& ofOverrides, EditBuilder& sheet) const;
+
+private:
+    explicit WrappedBlocks(const LoadedProject& loaded) : m_loaded(loaded) {}
+    [[nodiscard]] Status take(const std::vector<std::string>& paths, const std::string& wrapper);
+    [[nodiscard]] const Part& position() const;
+
+    const LoadedProject& m_loaded;
+    const Part* m_config = nullptr;
+    std::string m_parentPath;
+    std::vector<const Part*> m_blocks; ///< in text order
+    std::map<const Part*, std::vector<TextEdit>> m_changes;
+};
+
+} // namespace trundle
