@@ -24,6 +24,7 @@
 #include "base/platform/recent_runs.h"
 #include "base/platform/standard_descriptors.h"
 #include "base/platform/user_folder.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -167,7 +168,7 @@ private Q_SLOTS:
             auto child = PipedProcess::start(
                 "sh", {"-c", "trap 'echo ended > " + mark + "; exit' TERM; echo > " + ready + "; while :; do :; done"});
             QVERIFY(child.ok());
-            QTRY_VERIFY(QFile::exists(QString::fromStdString(ready)));
+            EVENTUALLY(QFile::exists(QString::fromStdString(ready)));
         }
         QCOMPARE(contentOf(mark), QByteArray("ended\n"));
     }

@@ -3,6 +3,7 @@
 
 #include "editor/cameras/cameras_panel.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 
 namespace trundle {
 
@@ -10,7 +11,7 @@ struct CameraWindow : ViewWindow {
     explicit CameraWindow(RenderService* render) : ViewWindow(render), cameras(document, session, render) {
         cameras.resize(700, 300);
         cameras.show();
-        (void)QTest::qWaitForWindowExposed(&cameras);
+        (void)QTest::qWaitForWindowExposed(&cameras, kTimeoutMs);
         QObject::connect(&cameras, &CamerasPanel::messageRequested, [this](const QString& words) { reportOf.push_back(words); });
     }
     [[nodiscard]] const CameraTiles::Tile* tile(const std::string& camera) {
@@ -22,7 +23,8 @@ struct CameraWindow : ViewWindow {
     [[nodiscard]] bool runTicks(std::uint64_t ticks) {
         session.setSpeed(0);
         session.runFor(double(ticks) * document.loaded()->experiment->settings.tick);
-        return QTest::qWaitFor([&] { return session.state() == RunState::Paused && session.results().snapshot->tick == ticks; }, 60000) &&
+        return QTest::qWaitFor([&] { return session.state() == RunState::Paused && session.results().snapshot->tick == ticks; },
+                               60000) &&
                QTest::qWaitFor([&] { return cameras.isSettled(); }, 20000);
     }
     /// The same run without a window.

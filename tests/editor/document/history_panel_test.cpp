@@ -21,7 +21,7 @@ private Q_SLOTS:
         HistoryPanel panel(d);
         panel.resize(240, 320);
         panel.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QVERIFY(QTest::qWaitForWindowExposed(&panel, kTimeoutMs));
         auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
         QVERIFY(list);
         QCOMPARE(list->count(), 0);

@@ -30,7 +30,7 @@ struct LibraryFixture : OutlineFixture {
         : library(document, selection, *application, render, application->locations()) {
         library.resize(300, 900);
         library.show();
-        (void)QTest::qWaitForWindowExposed(&library);
+        (void)QTest::qWaitForWindowExposed(&library, kTimeoutMs);
     }
     bool filled() {
         return QTest::qWaitFor([this] { return !library.isReading(); });
@@ -284,7 +284,7 @@ void LibraryTest::drawsPictures() {
     QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
     s.library.resize(280, 600); // As in the window: the image fills its cell above the title, and nothing is clipped.
     const LibraryList& robots = s.list(LibrarySection::Robots);
-    QTRY_COMPARE(robots.gridSize().width(), (robots.viewport()->width() - 1) / 2);
+    EVENTUALLY_EQUAL(robots.gridSize().width(), (robots.viewport()->width() - 1) / 2);
     const double room =
         double(robots.gridSize().width() - 8) / (robots.gridSize().height() - 8 - robots.fontMetrics().height() - 3);
     for (int i = 0; i < s.library.model().rowCount(); ++i) {

@@ -16,6 +16,7 @@
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
+#include "eventually.h"
 
 namespace trundle {
 
@@ -35,7 +36,7 @@ struct OutlineFixture {
         QObject::connect(&document, &Document::refused, &selection, [this](const QString& reason) { refusals.append(reason); });
         panel->resize(320, 700);
         panel->show();
-        (void)QTest::qWaitForWindowExposed(panel.get());
+        (void)QTest::qWaitForWindowExposed(panel.get(), kTimeoutMs);
     }
 
     bool write(const char* name, const QByteArray& text) const {

@@ -18,6 +18,7 @@
 #include "editor/problems/problems_model.h"
 #include "editor/problems/problems_panel.h"
 #include "editor/widgets/apply_theme.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -273,7 +274,7 @@ private Q_SLOTS:
         ProblemsFixture fixture;
         QVERIFY(fixture.open(kInWall));
         QCOMPARE(fixture.messages(), QStringList()); // opening does not wait for the check
-        QTRY_COMPARE(fixture.model().rowCount(), 1);
+        EVENTUALLY_EQUAL(fixture.model().rowCount(), 1);
         QVERIFY2(fixture.messages().at(0).contains(QStringLiteral("starts inside wall")), qPrintable(fixture.messages().at(0)));
         QCOMPARE(fixture.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:7:7"));
         QCOMPARE(fixture.panel.warnings(), 1);
@@ -287,18 +288,18 @@ private Q_SLOTS:
         QVERIFY(fixture.button("applyFix").isEnabled());
         QTest::mouseClick(&fixture.button("applyFix"), Qt::LeftButton);
         QVERIFY(fixture.text() != kInWall);
-        QTRY_COMPARE(checks, 1);
+        EVENTUALLY_EQUAL(checks, 1);
         QCOMPARE(fixture.messages(), QStringList());
         fixture.document.edits().undo();
         QCOMPARE(fixture.text(), kInWall);
-        QTRY_COMPARE(fixture.model().rowCount(), 1);
+        EVENTUALLY_EQUAL(fixture.model().rowCount(), 1);
     }
 
     /// What a run would refuse without running code of a module.
     void listsLogsThatARunRefuses() {
         ProblemsFixture fixture;
         QVERIFY(fixture.open(kInWall + "PoseLog path { Robot=crane }\nSignalLog all { Signals=\"crate/speed\" }\n"));
-        QTRY_COMPARE(fixture.model().rowCount(), 3);
+        EVENTUALLY_EQUAL(fixture.model().rowCount(), 3);
         QVERIFY2(fixture.messages().at(1).contains(QStringLiteral("no robot is called 'crane'")),
                  qPrintable(fixture.messages()[1]));
         QCOMPARE(fixture.model().index(1, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:8:22"));
@@ -329,17 +330,17 @@ private Q_SLOTS:
     void theModelCheckFollowsTheText() {
         ProblemsFixture fixture;
         QVERIFY(fixture.open(kInWall));
-        QTRY_COMPARE(fixture.model().rowCount(), 1);
+        EVENTUALLY_EQUAL(fixture.model().rowCount(), 1);
         int checks = 0;
         countChecks(fixture, checks);
         const std::string file = fixture.document.texts().files()[0];
         QVERIFY(fixture.document.edits().replaceText(QStringLiteral("Typing"), file, kInWall + "// more\n").ok());
         QCOMPARE(fixture.messages(), QStringList()); // problems of the old text are removed at once
-        QTRY_COMPARE(checks, 1);
+        EVENTUALLY_EQUAL(checks, 1);
         QCOMPARE(fixture.model().rowCount(), 1);
         QVERIFY(
             fixture.document.edits().replaceText(QStringLiteral("Typing"), file, kInWall + "Robot other { Config=Crat }\n").ok());
-        QTRY_COMPARE(checks, 2);
+        EVENTUALLY_EQUAL(checks, 2);
         QVERIFY(fixture.panel.errors() > 0); // errors come first; a text with errors is not checked further
         for (const QString& message : fixture.messages()) QVERIFY(!message.contains(QStringLiteral("starts inside")));
     }

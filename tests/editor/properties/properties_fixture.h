@@ -17,6 +17,7 @@
 #include "editor/properties/editors/value_field.h"
 #include "editor/properties/properties_panel.h"
 #include "editor/widgets/apply_theme.h"
+#include "eventually.h"
 #include "model/kinds/model_kinds.h"
 
 namespace trundle {
@@ -95,7 +96,7 @@ struct PropertiesFixture {
     PropertiesFixture() {
         panel.resize(340, 900);
         panel.show();
-        if (!QTest::qWaitForWindowActive(&panel)) qFatal("the panel has no focus");
+        if (!QTest::qWaitForWindowActive(&panel, kTimeoutMs)) qFatal("the panel has no focus");
         // As the window does.
         QObject::connect(&document, &Document::selectionRequested, &selection, [this](const std::vector<std::string>& paths) {
             if (!paths.empty()) selection.set(paths);

@@ -1,4 +1,5 @@
 // The property panel: its rows, editing values, and errors.
+#include "eventually.h"
 #include "properties_fixture.h"
 
 #include <QAction>
@@ -62,12 +63,12 @@ private Q_SLOTS:
         QCOMPARE(fixture.selection.current(), std::string("robot2"));
         QVERIFY(fixture.row("Pos"));
         fixture.document.edits().undo();
-        QTRY_COMPARE(fixture.shown("Tick"), QStringLiteral("0.01"));
+        EVENTUALLY_EQUAL(fixture.shown("Tick"), QStringLiteral("0.01"));
         QVERIFY(!fixture.row("Pos"));
         QVERIFY(!fixture.panel.findChild<QLabel*>(QStringLiteral("nothing"))->isVisible());
         QCOMPARE(fixture.panel.findChild<QLineEdit*>(QStringLiteral("objectName"))->text(), QStringLiteral("Experiment"));
         fixture.document.edits().redo(); // it is still selected
-        QTRY_VERIFY(fixture.row("Pos"));
+        EVENTUALLY(fixture.row("Pos"));
     }
 
     void changesOneNumberOfVector() {

@@ -89,7 +89,7 @@ private Q_SLOTS:
         window.panel.setParent(&dock);
         window.panel.show();
         dock.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dock));
+        QVERIFY(QTest::qWaitForWindowExposed(&dock, kTimeoutMs));
         window.panel.move(-2000, 0); // invisible, like a dock behind another one
         window.session.setSpeed(0);
         window.session.runFor(0.7);

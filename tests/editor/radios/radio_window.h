@@ -8,6 +8,7 @@
 #include "editor/radios/packets_page.h"
 #include "editor/radios/radios_panel.h"
 #include "editor/running/session_fixture.h"
+#include "eventually.h"
 #include "radio/medium.h"
 
 namespace trundle {
@@ -16,7 +17,7 @@ struct RadioWindow : SessionFixture {
     RadioWindow() {
         panel.resize(1000, 320);
         panel.show();
-        (void)QTest::qWaitForWindowExposed(&panel);
+        (void)QTest::qWaitForWindowExposed(&panel, kTimeoutMs);
         QObject::connect(&panel, &RadiosPanel::messageRequested, [this](const QString& words) { reportOf.push_back(words); });
     }
     /// Runs until the given tick, pauses and waits until everything is shown.

@@ -166,7 +166,7 @@ private Q_SLOTS:
         view->setFocusPolicy(Qt::StrongFocus);
         KeyboardDrive drive(o.session, selection, actions, window);
         window.show();
-        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QVERIFY(QTest::qWaitForWindowActive(&window, kTimeoutMs));
         view->setFocus();
         QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
 

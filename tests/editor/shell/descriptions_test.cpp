@@ -188,7 +188,7 @@ private:
         m_window->setAnimated(false);
         m_window->resize(1100, 700);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kTimeoutMs));
         if (file.isEmpty()) return;
         QVERIFY(m_window->open(path(file)));
         EVENTUALLY(m_window->document().isOpen());

@@ -140,7 +140,7 @@ private Q_SLOTS:
         m_window->setAnimated(false);
         m_window->resize(kWindow);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kTimeoutMs));
         if (moment == QLatin1String("edited")) edit();
         if (moment == QLatin1String("running")) run();
         if (moment == QLatin1String("broken")) breakDown();

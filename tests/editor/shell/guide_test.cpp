@@ -12,6 +12,7 @@
 #include "editor/shell/help_panel.h"
 #include "editor/widgets/apply_theme.h"
 #include "editor/widgets/resources.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -43,9 +44,9 @@ private Q_SLOTS:
         HelpPanel panel;
         panel.resize(400, 3000);
         panel.show();
-        QTRY_VERIFY(!panel.verticalScrollBar()->isEnabled());
+        EVENTUALLY(!panel.verticalScrollBar()->isEnabled());
         panel.resize(400, 200);
-        QTRY_VERIFY(panel.verticalScrollBar()->isEnabled());
+        EVENTUALLY(panel.verticalScrollBar()->isEnabled());
     }
 
     void aKindIsExplainedWhereTheGuideNamesIt() {

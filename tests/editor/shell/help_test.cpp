@@ -43,7 +43,7 @@ private Q_SLOTS:
         file.close();
         m_window = m_fixture.window();
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kTimeoutMs));
         QVERIFY(m_window->open(path));
         EVENTUALLY(!m_window->document().opening().isOpening());
     }

@@ -173,7 +173,7 @@ private:
     static void show(MainWindow& window) {
         window.resize(1200, 800);
         window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(QTest::qWaitForWindowExposed(&window, kTimeoutMs));
     }
     void openAndRun(MainWindow& window, int round) {
         QVERIFY(window.open(path()));

@@ -19,7 +19,7 @@ private Q_SLOTS:
         QSettings().clear();
         m_window = m_fixture.window();
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kTimeoutMs));
         QVERIFY(m_window->open(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/linear_motion.sim")));
         EVENTUALLY(m_window->document().isOpen());
     }

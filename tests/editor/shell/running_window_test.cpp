@@ -46,7 +46,7 @@ private Q_SLOTS:
         QSettings().clear();
         m_window = m_fixture.window();
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kTimeoutMs));
         open("mine.sim", kRobot);
     }
     void cleanup() { m_window.reset(); }

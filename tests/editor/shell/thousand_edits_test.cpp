@@ -65,7 +65,7 @@ private Q_SLOTS:
         m_window = m_fixture.window();
         m_window->show();
         m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
         QVERIFY(m_window->open(path("mine.sim")));
         EVENTUALLY(document().isOpen());
         QVERIFY(!document().loaded()->diagnostics.hasErrors());

@@ -43,7 +43,7 @@ private Q_SLOTS:
         m_window->resize(1200, 800);
         m_window->show();
         m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
         QVERIFY(m_window->open(path));
         EVENTUALLY(m_window->document().isOpen());
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());

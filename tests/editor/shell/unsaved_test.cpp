@@ -36,7 +36,7 @@ private Q_SLOTS:
         write("looks.sim", kLooks);
         m_window = m_fixture.window();
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kTimeoutMs));
         QVERIFY(m_window->open(path("main.sim")));
         EVENTUALLY(document().isOpen());
         QVERIFY(!document().loaded()->diagnostics.hasErrors());

@@ -311,7 +311,7 @@ private Q_SLOTS:
         m_window = m_fixture.window();
         m_window->show();
         m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
         auto* guide = m_window->findChild<QPushButton*>(QStringLiteral("welcome.help.guide"));
         guide->setFocus();
         QTest::keyClick(guide, Qt::Key_Tab);

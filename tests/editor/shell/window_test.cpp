@@ -44,7 +44,7 @@ private Q_SLOTS:
         file.close();
         m_window = m_fixture.window();
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kTimeoutMs));
     }
     void cleanup() { m_window.reset(); }
 
@@ -243,7 +243,7 @@ private Q_SLOTS:
     void deleteRemovesObjectsInScene() {
         openExperiment();
         m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
         const auto pressIn = [this](QWidget* place) {
             m_window->selection().select("robot0");
             place->setFocus();
@@ -330,7 +330,7 @@ private Q_SLOTS:
     void canPauseWhilePushing() {
         openExperiment();
         m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
         EVENTUALLY(m_window->isSettled());
         RunSession& session = m_window->session();
         View& view = m_window->viewport().views().current();

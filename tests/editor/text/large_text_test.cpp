@@ -8,6 +8,7 @@
 
 #include "editor/text/pages/large_text.h"
 #include "editor/text/text_fixture.h"
+#include "eventually.h"
 #include "project/journal/state_folder.h"
 
 using namespace trundle;
@@ -94,7 +95,7 @@ void LargeTextTest::typingCopiesALargeTextOnce() {
         QTest::keyClicks(&window.edit(), QLatin1String(word));
         window.panel.flush();
     }
-    QTRY_VERIFY(!journals.entryList(QDir::Files).isEmpty());
+    EVENTUALLY(!journals.entryList(QDir::Files).isEmpty());
     const double copies = (bytesInUse() - before) / double(large.size());
     QVERIFY2(copies < 2, qPrintable(QString::number(copies)));
     QCOMPARE(window.document.edits().history().entries().back().name, QStringLiteral("Type “three” at main.sim:1"));

@@ -13,6 +13,7 @@
 #include "editor/text/text_panel.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/theme.h"
+#include "eventually.h"
 
 namespace trundle::test {
 
@@ -65,7 +66,7 @@ struct TextFixture {
         panel.resize(900, 600);
         panel.show();
         panel.activateWindow();
-        (void)QTest::qWaitForWindowActive(&panel);
+        (void)QTest::qWaitForWindowActive(&panel, kTimeoutMs);
         edit().setFocus();
     }
     [[nodiscard]] FilePage& page() { return *panel.page(); }

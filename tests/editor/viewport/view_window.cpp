@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "editor/shell/action_table.h"
+#include "eventually.h"
 
 namespace trundle {
 
@@ -14,7 +15,7 @@ ViewWindow::ViewWindow(RenderService* render) : actions(actionTable()) {
     QObject::connect(&document, &Document::selectionRequested, &selection, &Selection::set);
     panel->resize(900, 740);
     panel->show();
-    (void)QTest::qWaitForWindowExposed(panel.get());
+    (void)QTest::qWaitForWindowExposed(panel.get(), kTimeoutMs);
     panel->views().current().setFocus();
 }
 

@@ -24,6 +24,7 @@
 #include "editor/widgets/apply_theme.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/preferences.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -212,7 +213,7 @@ private Q_SLOTS:
         for (QWidget* each : std::initializer_list<QWidget*>{&other, &push, &tool, &check}) column.addWidget(each);
         window.show();
         window.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QVERIFY(QTest::qWaitForWindowActive(&window, kTimeoutMs));
         for (QWidget* each : std::initializer_list<QWidget*>{&push, &tool, &check}) {
             other.setFocus();
             const QImage without = each->grab().toImage();
