@@ -4,11 +4,13 @@
 
 #include <trundle/device.h>
 
+#include "devices/battery.h"
 #include "devices/camera_device.h"
 #include "devices/compass.h"
 #include "devices/differential_drive.h"
 #include "devices/encoder.h"
 #include "devices/gps.h"
+#include "devices/gripper.h"
 #include "devices/ground_sensor.h"
 #include "devices/imu.h"
 #include "devices/lidar.h"
@@ -40,6 +42,9 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<LightSensor>(), "LightSensor");
     visit(std::type_identity<Servo>(), "Servo");
     visit(std::type_identity<LinearMotor>(), "LinearMotor");
+    visit(std::type_identity<Battery>(), "Battery");
+    visit(std::type_identity<Gripper>(), "Gripper");
+    visit(std::type_identity<SkidDrive>(), "SkidDrive");
 }
 
 } // namespace

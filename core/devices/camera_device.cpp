@@ -26,6 +26,7 @@ void Camera::describe(Describe<Camera>& d) {
     d.field("SeesSelf", &Camera::m_seesSelf, flag(), "Whether its own robot is in the picture, and its shadow.");
     d.field("UpdatePeriod", &Camera::m_updatePeriod, seconds().within(0, 1e6),
             "Time between the pictures of its stream; 0 takes one on each request.");
+    d.field("Power", &Camera::m_power, unitOf("W").within(0, 1e6), "That it draws from the robot's Battery, if it has one.");
     CameraSignals::describe(d);
 }
 
@@ -36,6 +37,8 @@ void Camera::setup(Mount& mount) {
 /// The first image is that of the start state. Each later image is taken at the first tick at or after its due time, never
 /// before.
 void Camera::sense(Sensing& world) {
+    if (!world.supply().powered()) return;
+    if (m_power > 0) world.draw(m_power);
     const double now = world.time(), slack = 1e-6 * world.tick();
     if (m_taken > 0 && m_updatePeriod > 0 && now + slack < m_taken * m_updatePeriod) return;
     frame.set(m_taken);

@@ -15,7 +15,7 @@ private:
     std::string m_bodyName;
     std::array<double, 3> m_position{0, 0, 0}, m_turn{0, 0, 0};
     std::array<double, 2> m_resolution{320, 240}, m_distortion{0, 0};
-    double m_fieldOfView, m_near = 0.05, m_far = 100, m_noise = 0, m_exposure = 1, m_updatePeriod = 0;
+    double m_fieldOfView, m_near = 0.05, m_far = 100, m_noise = 0, m_exposure = 1, m_updatePeriod = 0, m_power = 0;
     std::string m_mode = "color";
     bool m_seesSelf = true;
 

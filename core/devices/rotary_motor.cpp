@@ -67,25 +67,30 @@ void RotaryMotor::takeLiveConstants() {
 
 void RotaryMotor::act(Actuation& world) {
     takeLiveConstants();
-    if (servo.read(world) != 0) return actAsServo(world);
-    const double wanted = voltage.read(world), clipped = std::clamp(wanted, -m_motor.maxVoltage, m_motor.maxVoltage);
-    m_beyond = wanted != clipped;
-    const VoltageConstraint row = voltageConstraint(m_motor, clipped, current.get(), world.tick());
+    const Supply supply = world.supply();
+    const bool holds = servo.read(world) != 0;
+    if (holds && supply.powered()) return actAsServo(world, supply);
+    const double wanted = holds ? 0 : voltage.read(world);
+    const double clipped = std::clamp(wanted, -m_motor.maxVoltage, m_motor.maxVoltage);
+    m_beyond = wanted != clipped || (supply.present && std::abs(clipped) > supply.nominal);
+    const double driven = supply.driven(clipped, m_motor.maxVoltage); // 0 of an empty battery: the motor brakes
+    const VoltageConstraint row = voltageConstraint(m_motor, driven, current.get(), world.tick());
     world.motorRow(m_joint, row.rate, row.softness, row.limit);
 }
 
-void RotaryMotor::actAsServo(Actuation& world) {
-    const double wanted = targetRate.read(world), possible = m_motor.noLoadRate();
+void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
+    MotorConstants now = m_motor;
+    now.maxVoltage = supply.highest(m_motor.maxVoltage);
+    const double wanted = targetRate.read(world), possible = now.noLoadRate();
     m_beyond = std::abs(wanted) > possible * (1 + 1e-9);
     if (m_beyond && !m_reported) {
         m_reported = true;
         char text[200];
-        std::snprintf(text, sizeof text,
-                      "it is to turn its joint at %.3g rad/s, and reaches %.3g rad/s without load at MaxVoltage", wanted,
-                      possible);
+        std::snprintf(text, sizeof text, "it is to turn its joint at %.3g rad/s, and reaches %.3g rad/s without load at %s",
+                      wanted, possible, now.maxVoltage < m_motor.maxVoltage ? "the voltage of its battery" : "MaxVoltage");
         world.warn(text);
     }
-    world.servoRow(m_joint, std::clamp(wanted, -possible, possible), m_motor.stallTorque(), m_motor.damping());
+    world.servoRow(m_joint, std::clamp(wanted, -possible, possible), now.stallTorque(), now.damping());
 }
 
 void RotaryMotor::sense(Sensing& world) {
@@ -96,8 +101,18 @@ void RotaryMotor::sense(Sensing& world) {
     torque.set(effort);
     current.set(amperes);
     rate.set(turning);
+    drawPower(world);
     const bool late = servo.read(world) != 0 && std::abs(targetRate.read(world) - turning) > kReached * m_motor.noLoadRate();
     saturated.set(world.time() > 0 && (m_beyond || late));
+}
+
+/// Its driver switches the battery on for a share of the time, without losses: the battery gives this share of the winding's current. At
+/// the same share, the current grows with the voltage by the square of the share over the resistance.
+void RotaryMotor::drawPower(Sensing& world) {
+    const Supply supply = world.supply();
+    if (!supply.present || !(supply.voltage > 0)) return;
+    const double share = terminalVoltage.get() / supply.voltage;
+    world.draw(terminalVoltage.get() * current.get(), share * share / (m_motor.resistance + m_motor.inductance / world.tick()));
 }
 
 } // namespace trundle

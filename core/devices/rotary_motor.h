@@ -46,7 +46,8 @@ public:
 
 private:
     void takeLiveConstants();
-    void actAsServo(Actuation& world);
+    void actAsServo(Actuation& world, const Supply& supply);
+    void drawPower(Sensing& world);
 
     std::string m_jointName;
     MotorConstants m_motor;

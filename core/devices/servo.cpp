@@ -18,15 +18,31 @@ void JointServo::act(Actuation& world) {
     m_target = wanted(world);
     m_rate = m_target;
     if (m_mode == "position") m_rate = (m_target - world.jointPosition(m_joint)) / std::max(m_timeConstant, double(world.tick()));
-    m_rate = std::clamp(m_rate, -m_maxSpeed, m_maxSpeed);
-    world.servoRow(m_joint, m_rate, m_maxEffort, m_maxEffort / m_maxSpeed);
+    const double share = shareOf(world.supply());
+    m_rate = std::clamp(m_rate, -m_maxSpeed * share, m_maxSpeed * share);
+    world.servoRow(m_joint, m_rate, m_maxEffort * share, m_maxEffort / m_maxSpeed);
+}
+
+/// Of its efforts and speeds, at the voltage of the battery. An empty one leaves the joint free.
+double JointServo::shareOf(const Supply& supply) { return supply.present ? supply.voltage / supply.nominal : 1; }
+
+/// As a direct-current motor it takes the power of its motion, and what heats its winding: effort^2 MaxSpeed / MaxEffort, so that at rest
+/// MaxEffort takes MaxEffort x MaxSpeed, and nothing without load at MaxSpeed.
+void JointServo::drawPower(Sensing& world, double rate, double effort) const {
+    const Supply supply = world.supply();
+    if (!supply.present || !(supply.voltage > 0)) return;
+    const double heat = m_maxSpeed / m_maxEffort, share = effort / m_maxEffort + rate / m_maxSpeed;
+    const double atNominal = share / supply.voltage; // of the voltage: effort and rate are as large at `share` of the nominal one
+    world.draw(effort * rate + effort * effort * heat, atNominal * atNominal * m_maxEffort * m_maxSpeed);
 }
 
 void JointServo::sense(Sensing& world) {
     const double rate = world.jointRate(m_joint);
     const bool tooFast = m_mode == "speed" && std::abs(m_target) > m_maxSpeed * (1 + 1e-9);
     const bool isLate = world.time() > 0 && std::abs(m_rate - rate) > kLateShare * m_maxSpeed;
-    publish(world.jointPosition(m_joint), rate, world.jointMotorEffort(m_joint), tooFast || isLate);
+    const double effort = world.jointMotorEffort(m_joint);
+    publish(world.jointPosition(m_joint), rate, effort, tooFast || isLate);
+    drawPower(world, rate, effort);
 }
 
 void Servo::describe(Describe<Servo>& d) {

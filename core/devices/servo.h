@@ -22,6 +22,9 @@ protected:
     double m_timeConstant = 0.05;           ///< s
 
 private:
+    [[nodiscard]] static double shareOf(const Supply& supply);
+    void drawPower(Sensing& world, double rate, double effort) const;
+
     JointId m_joint;
     double m_target = 0, m_rate = 0; ///< of this tick
 };

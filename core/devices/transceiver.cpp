@@ -88,6 +88,7 @@ void Transceiver::sense(Sensing& world) {
     m_received.set(static_cast<double>(s.received));
     m_dropped.set(static_cast<double>(s.dropped));
     m_failed.set(static_cast<double>(s.failed));
+    if (world.time() > 0) world.draw((s.energy - m_energy.get()) / world.tick());
     m_energy.set(s.energy);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/rng.h"
 #include "radio/radio_figures.h"
@@ -58,6 +59,13 @@ std::optional<RadioId> Medium::find(std::string_view path) const {
     const auto it = m_byPath.find(std::string(path));
     if (it == m_byPath.end()) return std::nullopt;
     return it->second;
+}
+
+void Medium::switchOff(RadioId id) {
+    RadioDefinition& definition = m_radios[id].definition;
+    definition.bufferLimit = 0;
+    definition.minReceivePower = std::numeric_limits<double>::infinity();
+    definition.supply = 0;
 }
 
 bool Medium::send(RadioId id, std::span<const std::uint8_t> bytes, std::uint32_t to, double power) {

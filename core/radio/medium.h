@@ -28,6 +28,9 @@ public:
     /// Processes all events before `until` (us since the start).
     void advance(std::int64_t until);
 
+    /// It has no power any more: it takes no packets to be sent, and receives nothing. What it has queued is still sent.
+    void switchOff(RadioId radio);
+
     // --- for controllers ---
     [[nodiscard]] std::optional<RadioId> find(std::string_view path) const;
     /// Queues a packet, to be sent at the nearest supported power that is not higher (dBm). False: refused.

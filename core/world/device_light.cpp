@@ -1,10 +1,12 @@
 #include "world/device_light.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "world/engine.h"
 #include "world/reflectance.h"
 #include "world/world_device.h"
+#include "world/world_lamps.h"
 #include "world/world_objects.h"
 
 namespace trundle {
@@ -34,16 +36,26 @@ struct LightCalls {
     }
 
     static std::uint32_t lights(void* context, TrundleLight* out, std::uint32_t capacity) {
-        const std::vector<TrundleLight>& all = static_cast<const ServiceContext*>(context)->host->objects.lights();
+        const DeviceHost& host = *static_cast<const ServiceContext*>(context)->host;
+        std::vector<TrundleLight> all = host.objects.lights();
+        host.lamps.appendTo(all, host.engine);
         if (out) std::copy_n(all.begin(), std::min<std::size_t>(all.size(), capacity), out);
         return static_cast<std::uint32_t>(all.size());
+    }
+
+    static void emit(void* context, std::uint32_t body, const double point[3], double light) {
+        const ServiceContext& call = *static_cast<const ServiceContext*>(context);
+        if (!call.acts() || !point || !call.host->objects.isBody(body)) return;
+        const Vec3 at(point);
+        if (at.allFinite() && std::isfinite(light)) call.host->lamps.set(call.device->index, body, at, light);
     }
 };
 
 } // namespace
 
 const TrundleServicesLight* servicesLight() {
-    static const TrundleServicesLight table{sizeof(TrundleServicesLight), 0, LightCalls::reflectance, LightCalls::lights};
+    static const TrundleServicesLight table{sizeof(TrundleServicesLight), 0, LightCalls::reflectance, LightCalls::lights,
+                                            LightCalls::emit};
     return &table;
 }
 

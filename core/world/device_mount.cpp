@@ -1,6 +1,7 @@
 #include "world/device_mount.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/platform/module_text.h"
 #include "base/spelling.h"
@@ -9,6 +10,7 @@
 #include "world/device_texts.h"
 #include "world/signal_plan.h"
 #include "world/world_objects.h"
+#include "world/world_supply.h"
 
 namespace trundle {
 
@@ -177,6 +179,13 @@ struct MountCalls {
         return host.objects.jointHasPosition(joint) && host.engine.addAxialInertia({joint}, inertia).ok() ? 0 : 1;
     }
 
+    static std::int32_t provideSupply(void* context, double nominal, double voltage) {
+        Device& d = device(context);
+        if (!std::isfinite(nominal) || !std::isfinite(voltage) || !d.host->supply.provide(d.robot, nominal, voltage)) return -1;
+        d.isSupply = true;
+        return 0;
+    }
+
     static void print(void* context, std::int32_t severity, const char* words) {
         const Device& d = device(context);
         if (words) d.host->texts.print(d.path, severity, moduleMessage(words).c_str());
@@ -206,7 +215,8 @@ void fillMount(Device& device, double tick) {
                     MountCalls::fail,
                     MountCalls::addAxialInertia,
                     MountCalls::print,
-                    mountRadio()};
+                    mountRadio(),
+                    MountCalls::provideSupply};
 }
 
 } // namespace trundle

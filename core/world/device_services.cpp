@@ -7,6 +7,7 @@
 #include "world/device_light.h"
 #include "world/device_radio.h"
 #include "world/device_rays.h"
+#include "world/device_supply.h"
 #include "world/device_texts.h"
 #include "world/world_objects.h"
 
@@ -165,7 +166,8 @@ void fillServices(TrundleServices& services, ServiceContext& context, double tic
                 servicesRadio(),
                 ServiceCalls::servoRow,
                 servicesRays(),
-                servicesLight()};
+                servicesLight(),
+                servicesSupply()};
 }
 
 } // namespace trundle

@@ -16,8 +16,10 @@ namespace trundle {
 
 class DeviceTexts;
 class Engine;
+class WorldLamps;
 class WorldObjects;
 class WorldRadio;
+class WorldSupply;
 struct DeviceHost;
 struct Device;
 
@@ -49,6 +51,7 @@ struct Device {
     const CallTarget* target = nullptr;
     std::uint64_t pathHash = 0;
     std::vector<std::uint32_t> slots; ///< slots of the kind's signals, in its order
+    bool isSupply = false;            ///< of its robot
     std::vector<std::uint32_t> peers; ///< indices of the devices whose signals it bound, each once
     TrundleMount mount{};
     ServiceContext context;
@@ -80,6 +83,8 @@ struct DeviceHost {
     Engine& engine;
     const WorldObjects& objects;
     WorldRadio& radio;
+    WorldSupply& supply;
+    WorldLamps& lamps;
     SignalBlock& block;
     DeviceTexts& texts;
     const DeviceList& devices;

@@ -128,12 +128,26 @@ void WorldDevices::order(Diagnostics& diagnostics) {
         peers.push_back(device->peers);
         for (const std::uint32_t p : device->peers) users[p].push_back(device->index);
     }
-    const std::vector<std::uint32_t> acting = actingOrder(peers);
+    addSupplies(users);
+    const std::vector<std::uint32_t> acting = actingOrder(peers), sensing = actingOrder(users);
     for (const std::uint32_t i : acting)
         if (Device& d = *m_devices.all[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &d});
-    for (const std::uint32_t i : actingOrder(users))
+    for (const std::uint32_t i : sensing)
         if (Device& d = *m_devices.all[i]; d.kind->sense) m_sensing.push_back({d.kind->sense, d.instance, &d});
     if (acting.size() != m_devices.all.size()) reportCircle(acting, diagnostics);
+    else if (sensing.size() != m_devices.all.size()) reportCircle(sensing, diagnostics);
+}
+
+/// The supply of a robot senses after all devices of it that do not sense after it anyway.
+void WorldDevices::addSupplies(std::vector<std::vector<std::uint32_t>>& next) const {
+    for (const auto& supply : m_devices.all) {
+        if (!supply->isSupply) continue;
+        for (std::uint32_t i = m_devices.firstOf[supply->robot]; i < m_devices.firstOf[supply->robot + 1]; ++i) {
+            const std::vector<std::uint32_t>& peers = m_devices.all[i]->peers;
+            const bool bound = std::find(peers.begin(), peers.end(), supply->index) != peers.end();
+            if (i != supply->index && !bound) next[i].push_back(supply->index);
+        }
+    }
 }
 
 /// Of those that have no place in the order.

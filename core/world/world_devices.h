@@ -46,6 +46,7 @@ private:
                                                const DeviceCode& code, Diagnostics& diagnostics);
     [[nodiscard]] static bool giveFields(Device& device, Diagnostics& diagnostics);
     [[nodiscard]] bool hasRoom(const Device& device, Diagnostics& diagnostics);
+    void addSupplies(std::vector<std::vector<std::uint32_t>>& next) const;
     void reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const;
     [[nodiscard]] const Device* callAll(std::uint64_t ticks, bool acting);
 

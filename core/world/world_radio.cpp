@@ -32,6 +32,11 @@ void WorldRadio::place() {
     }
 }
 
+void WorldRadio::switchOff(std::uint32_t robot) {
+    for (RadioId id = 0; id < m_mounts.size(); ++id)
+        if (m_mounts[id].robot == robot) m_medium.switchOff(id);
+}
+
 void WorldRadio::advance(double until) {
     if (!m_mounts.empty()) m_medium.advance(std::llround(until * 1e6));
 }

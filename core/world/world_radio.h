@@ -24,6 +24,8 @@ public:
     RadioId open(RadioDefinition definition, const RadioMount& mount);
     /// Moves the antennas to where their bodies are.
     void place();
+    /// The radios of a robot whose battery is empty.
+    void switchOff(std::uint32_t robot);
     /// Advances the medium by the tick that is about to be stepped, with the poses at its start.
     void advance(double until);
 

@@ -7,16 +7,16 @@
 namespace trundle {
 
 // Kinds that have an icon. Must be sorted, for the binary search.
-static constexpr auto kDrawn =
-    std::to_array<std::string_view>({"Ball",         "Body",        "Box",         "Camera",       "Capsule",
-                                     "Compass",      "ContactLog",  "Convex",      "Cylinder",     "DifferentialDrive",
-                                     "Encoder",      "EnergyLog",   "Fixed",       "Gps",          "Grid",
-                                     "GroundSensor", "Heightfield", "Hinge",       "Imu",          "Lidar",
-                                     "LightSensor",  "LinearMotor", "Material",    "Mesh",         "Part",
-                                     "PartConfig",   "Plane",       "PoseLog",     "RangeSensor",  "Robot",
-                                     "RobotConfig",  "RotaryMotor", "Scatter",     "Servo",        "SignalLog",
-                                     "Slider",       "Sphere",      "Static",      "StaticConfig", "Surface",
-                                     "Suspension",   "TouchSensor", "Transceiver", "Universal",    "View"});
+// clang-format off
+static constexpr auto kDrawn = std::to_array<std::string_view>({
+    "Ball", "Battery", "Body", "Box", "Camera", "Capsule", "Compass", "ContactLog", "Convex", "Cylinder",
+    "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
+    "Hinge", "Imu", "Lidar", "LightSensor", "LinearMotor", "Material", "Mesh", "Part", "PartConfig", "Plane",
+    "PoseLog", "RangeSensor", "Robot", "RobotConfig", "RotaryMotor", "Scatter", "Servo", "SignalLog", "SkidDrive",
+    "Slider", "Sphere", "Static", "StaticConfig", "Surface", "Suspension", "TouchSensor", "Transceiver", "Universal",
+    "View"
+});
+// clang-format on
 
 QString roleIcon(Role role) {
     switch (role) {

@@ -18,7 +18,7 @@ namespace {
 const ComponentSpec* driveOf(const RobotSpec& robot) {
     if (!robot.config) return nullptr;
     for (const ComponentSpec& device : robot.config->devices)
-        if (device.kind == "DifferentialDrive") return &device;
+        if (device.kind == "DifferentialDrive" || device.kind == "SkidDrive") return &device;
     return nullptr;
 }
 
@@ -74,7 +74,7 @@ QString RobotCommands::driveRefusal(const std::string& name) const {
     const RobotSpec* robot = m_run.robot(name);
     if (!robot) return tr("Select a robot to drive.");
     if (const QString why = endedRefusal(name); !why.isEmpty()) return why;
-    if (!driveOf(*robot)) return tr("%1 has no DifferentialDrive to steer it by.").arg(QString::fromStdString(name));
+    if (!driveOf(*robot)) return tr("%1 has no DifferentialDrive or SkidDrive to steer it by.").arg(QString::fromStdString(name));
     return {};
 }
 

@@ -39,7 +39,8 @@ const Symbol kSymbols[] = {{"rpm", {2 * M_PI / 60, {0, 0, -1, 0, 1, 0}}},
                            {"A", {1, {0, 0, 0, 1, 0, 0}}},
                            {"H", {1, {2, 1, -2, -2, 0, 0}}},
                            {"W", {1, {2, 1, -3, 0, 0, 0}}},
-                           {"J", {1, {2, 1, -2, 0, 0, 0}}}};
+                           {"J", {1, {2, 1, -2, 0, 0, 0}}},
+                           {"C", {1, {0, 0, 1, 1, 0, 0}}}};
 
 /// Multiplies out "kgm^2" or "rad/s/V"; empty for a name that it cannot read. A prefix stands before the first symbol of a factor.
 std::optional<Measure> measureOf(std::string_view name) {
@@ -110,6 +111,8 @@ private Q_SLOTS:
         row(2, "N/mm", "N/m", 2000);
         row(1, "g/cm^3", "kg/m^3", 1000);
         row(7, "dBm", "dBm", 7);
+        row(2000, "mAh", "Ah", 2);
+        row(2, "Ah", "C", 7200);
         row(7, "", "", 7);
     }
     void conversions() {

@@ -113,6 +113,53 @@ private Q_SLOTS:
         QCOMPARE(world.reflectance(GeomId{4}, {0.25, 0, 0}, {0, 0, 0.5}), 0.75);
         QCOMPARE(world.reflectance(GeomId{5}, {0.25, 0, 0}, {0, 0, 0.5}), 0.);
     }
+
+    /// In a program from before 1.8 devices have all the power that they need, and no device can be the supply.
+    void powerWithOldAndNewPrograms() {
+        static double drawn = 0, set = 0;
+        static const TrundleServicesSupply supply{
+            sizeof(TrundleServicesSupply),
+            0,
+            [](void*, double* now, double* nominal) -> std::int32_t {
+                *now = 9;
+                *nominal = 12;
+                return 0;
+            },
+            [](void*, double watts, double conductance) { drawn += watts * (1 + conductance); },
+            [](void*, TrundleLoad* load) {
+                *load = {1, 2, 3};
+            },
+            [](void*, double volts) { set = volts; }};
+        TrundleServices services{};
+        services.size = offsetof(TrundleServices, supply);
+        services.supply = &supply;
+        Sensing world(services);
+        world.draw(5);
+        world.setSupplyVoltage(3);
+        QVERIFY(!world.supply().present && world.supply().powered() && world.load().resistive == 0 && drawn == 0 && set == 0);
+        QCOMPARE(world.supply().driven(7, 6), 7.);
+        QCOMPARE(world.supply().highest(6), 6.);
+        services.size = sizeof services;
+        world.draw(5);
+        world.draw(5, 1);
+        world.setSupplyVoltage(3);
+        QCOMPARE(drawn, 15.);
+        QCOMPARE(set, 3.);
+        QCOMPARE(world.load().conductance, 3.);
+        const Supply now = world.supply();
+        QCOMPARE(now.driven(6, 6), 4.5);
+        QCOMPARE(now.driven(-20, 8), -8.);
+        QCOMPARE(now.highest(12), 9.);
+
+        TrundleMount table{};
+        table.size = offsetof(TrundleMount, provideSupply);
+        std::string reported;
+        table.context = &reported;
+        table.fail = [](void* context, const char* text) { *static_cast<std::string*>(context) = text; };
+        Mount mount(table);
+        mount.provideSupply(12, 12);
+        QVERIFY(reported.find("no batteries") != std::string::npos && mount.failure() == reported);
+    }
 };
 
 QTEST_APPLESS_MAIN(RaysTest)

@@ -9,12 +9,13 @@
 
 #include <trundle/abi_camera.h>
 #include <trundle/abi_radio.h>
+#include <trundle/abi_supply.h>
 #include <trundle/abi_world.h>
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 6u
-#define TRUNDLE_SDK_VERSION "1.7.0"
+#define TRUNDLE_ABI_MINOR 7u
+#define TRUNDLE_SDK_VERSION "1.8.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -97,7 +98,6 @@ typedef struct TrundleRobot {
 } TrundleRobot;
 
 /* ---- devices ---- */
-
 typedef struct TrundleMount {
     uint32_t size, reserved;
     void* context;
@@ -117,6 +117,8 @@ typedef struct TrundleMount {
     int32_t (*addAxialInertia)(void* context, uint32_t joint, double inertia);
     void (*print)(void* context, int32_t severity, const char* text);
     const TrundleMountRadio* radio; /* since 1.2 */
+    /* Since 1.7. The device becomes the supply of its robot and senses after all others of it. -1: there is another one. */
+    int32_t (*provideSupply)(void* context, double nominal, double voltage);
 } TrundleMount;
 
 struct TrundleServicesLight;
@@ -147,6 +149,7 @@ typedef struct TrundleServices {
     void (*servoRow)(void* context, uint32_t joint, double rate, double limit, double damping);
     const TrundleServicesRays* rays; /* since 1.5 */
     const struct TrundleServicesLight* light; /* since 1.6; in abi_light.h */
+    const TrundleServicesSupply* supply; /* since 1.7 */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

@@ -28,6 +28,8 @@ typedef struct TrundleServicesLight {
     int32_t (*reflectance)(void* context, uint32_t geom, const double point[3], const double normal[3], double* reflectance);
     /* All lights; returns their number. */
     uint32_t (*lights)(void* context, TrundleLight* out, uint32_t capacity);
+    /* Since 1.7. The device is a lamp from now on, at a point of a body (m, in its frame), with shadows; 0: it is dark. */
+    void (*emit)(void* context, uint32_t body, const double point[3], double light);
 } TrundleServicesLight;
 
 #ifdef __cplusplus

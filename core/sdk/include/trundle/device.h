@@ -13,6 +13,7 @@
 #include <trundle/mount.h>
 #include <trundle/rays.h>
 #include <trundle/slot.h>
+#include <trundle/supply.h>
 
 namespace trundle {
 inline namespace sdk1 {
@@ -73,6 +74,8 @@ public:
     }
     /// The lights of the experiment: sun, sky, ground and lamps; `out` is overwritten. None if the program is older. Since 1.7.
     void lights(std::vector<TrundleLight>& out) const { detail::lights(m_services, out); }
+    /// The battery of the robot. Since 1.8.
+    [[nodiscard]] Supply supply() const { return detail::supply(m_services); }
     /// A function of (seed, device, tick, index): the same in every run.
     [[nodiscard]] std::uint64_t randomBits(std::uint64_t index) const { return m_services.random(m_services.context, index); }
     [[nodiscard]] double random(std::uint64_t index) const {
@@ -88,7 +91,25 @@ protected:
 
 /// Services in sense, after the step.
 class Sensing : public Services {
+public:
     using Services::Services;
+    // Since 1.8. They do nothing in a robot without a battery.
+    /// What the device drew from the battery in this tick, W; negative: what it gave back. If its current grows with the voltage of the
+    /// battery, `conductance` says by how much, A/V.
+    void draw(double watts, double conductance = 0) {
+        if (const TrundleServicesSupply* supply = detail::supplyOf(m_services))
+            supply->draw(m_services.context, watts, conductance);
+    }
+    /// For the device that called Mount::provideSupply: what all others drew in this tick.
+    [[nodiscard]] TrundleLoad load() const {
+        TrundleLoad load{};
+        if (const TrundleServicesSupply* supply = detail::supplyOf(m_services)) supply->load(m_services.context, &load);
+        return load;
+    }
+    /// For the device that called Mount::provideSupply: the voltage of the next tick, V.
+    void setSupplyVoltage(double voltage) {
+        if (const TrundleServicesSupply* supply = detail::supplyOf(m_services)) supply->setVoltage(m_services.context, voltage);
+    }
 };
 
 /// Services in act, before the step.
@@ -113,6 +134,9 @@ public:
     void surfaceVelocity(GeomId geom, const Vec3& velocity) {
         m_services.surfaceVelocity(m_services.context, geom.index, velocity.data());
     }
+    /// The device is a lamp from now on, at a point of a body (m, in its frame). `light` is that of a TrundleLight: 1 is 1000 lx at 1 m; 0: it
+    /// is dark. Light sensors see it until it is changed. Since 1.8.
+    void emitLight(BodyId body, const Vec3& point, double light) { detail::emitLight(m_services, body, point, light); }
 };
 
 /// A sensor or an actuator. Override act, sense or both; a phase that is not overridden has no cost.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include <trundle/equipment_signals.h>
 #include <trundle/slot.h>
 
 namespace trundle {
@@ -112,38 +113,9 @@ struct GroundTruthSignals {
     }
 };
 
-/// Since 1.7.
-struct ServoSignals {
-    static constexpr const char* kKind = "Servo";
-    CommandSlot<double> target;
-    OutputSlot<double> position, rate, torque;
-    OutputSlot<bool> saturated;
-
-    template <class D> static void describe(D& d) {
-        using S = ServoSignals;
-        d.command("target", &S::target, "", "Position [rad] or, with Mode=speed, rate [rad/s] that the joint is to have.");
-        d.output("position", &S::position, "rad", "Of the joint, 0 in its start pose.");
-        d.output("rate", &S::rate, "rad/s", "Of the joint.");
-        d.output("torque", &S::torque, "N m", "On the joint, at the end of the last tick.");
-        d.output("saturated", &S::saturated, "", "MaxTorque or MaxSpeed is not enough for its target.");
-    }
-};
-
-/// Since 1.7.
-struct LinearMotorSignals {
-    static constexpr const char* kKind = "LinearMotor";
-    CommandSlot<double> target;
-    OutputSlot<double> position, rate, force;
-    OutputSlot<bool> saturated;
-
-    template <class D> static void describe(D& d) {
-        using S = LinearMotorSignals;
-        d.command("target", &S::target, "", "Position [m] or, with Mode=speed, speed [m/s] that the joint is to have.");
-        d.output("position", &S::position, "m", "Of the joint, 0 in its start pose.");
-        d.output("rate", &S::rate, "m/s", "Of the joint.");
-        d.output("force", &S::force, "N", "On the joint, at the end of the last tick.");
-        d.output("saturated", &S::saturated, "", "MaxForce or MaxSpeed is not enough for its target.");
-    }
+/// A base with any number of driven wheels on each side: signals as of a DifferentialDrive. Since 1.8.
+struct SkidDriveSignals : DifferentialDriveSignals {
+    static constexpr const char* kKind = "SkidDrive";
 };
 
 } // namespace sdk1

@@ -31,6 +31,12 @@ inline void lights(const TrundleServices& services, std::vector<TrundleLight>& o
     if (!out.empty()) light->lights(services.context, out.data(), static_cast<std::uint32_t>(out.size()));
 }
 
+inline void emitLight(const TrundleServices& services, BodyId body, const Vec3& point, double light) {
+    const TrundleServicesLight* table = lightOf(services);
+    if (table && table->size >= offsetof(TrundleServicesLight, emit) + sizeof table->emit)
+        table->emit(services.context, body.index, point.data(), light);
+}
+
 } // namespace detail
 } // namespace sdk1
 } // namespace trundle

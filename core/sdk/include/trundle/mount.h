@@ -2,6 +2,7 @@
 #pragma once
 // What a device can bind in its setup: its signals, objects of its robot, other devices.
 
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -89,6 +90,13 @@ public:
         if (m_mount.radio && m_mount.radio->open(m_mount.context, &settings, &id.index) == 0) return id;
         note("the radio could not be opened");
         return {};
+    }
+    /// Makes the device the battery of its robot, at first with `voltage` (V); drivers are set up for `nominal` (V). Fails if the robot has
+    /// another one. The device senses after all others of the robot. Since 1.8.
+    void provideSupply(double nominal, double voltage) {
+        const bool known = m_mount.size >= offsetof(TrundleMount, provideSupply) + sizeof m_mount.provideSupply;
+        if (!known || m_mount.provideSupply(m_mount.context, nominal, voltage) != 0)
+            fail(known ? "the robot has another battery" : "this version of Trundle has no batteries");
     }
     void warn(const std::string& text) const {
         if (m_mount.print) m_mount.print(m_mount.context, TRUNDLE_WARNING, text.c_str());

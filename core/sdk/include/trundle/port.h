@@ -31,6 +31,7 @@ protected:
     S m_signals;
 
 private:
+    friend class PortBinder;
     friend class RobotPorts;
     friend class Mount;
     /// Binds each signal of the table for which `accept(info)` holds to the slot that `find(info)` returns.

@@ -9,8 +9,10 @@
 #include <trundle/abi.h>
 #include <trundle/camera.h>
 #include <trundle/device_signals.h>
+#include <trundle/equipment_ports.h>
 #include <trundle/geometry.h>
 #include <trundle/port.h>
+#include <trundle/port_binder.h>
 #include <trundle/radio.h>
 #include <trundle/sensor_ports.h>
 #include <trundle/slot.h>
@@ -24,8 +26,8 @@ struct Pose2 {
     double heading = 0;  ///< rad, positive to the left
 };
 
-/// A two-wheeled base.
-class DifferentialDrivePort : public Port<DifferentialDriveSignals> {
+/// A base with driven wheels on both sides: a DifferentialDrive or, since 1.8, a SkidDrive.
+template <class S> class DrivePort : public Port<S> {
 public:
     /// Drives at `linear` m/s and turns left at `angular` rad/s until the next command. Cancels a running drive().
     void move(double linear, double angular) { command(linear, angular, 0, 0); }
@@ -34,28 +36,30 @@ public:
     /// limit: drive(0.3, 1, 0, pi) is a half circle of radius 0.3 m. Each amount must have the sign of its speed.
     void drive(double linear, double angular, double linearAmount, double angularAmount) {
         command(linear, angular, linearAmount, angularAmount);
-        m_number = m_signals.sequence.get() + 1;
-        m_signals.sequence.set(m_number);
+        m_number = this->m_signals.sequence.get() + 1;
+        this->m_signals.sequence.set(m_number);
     }
     /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle.
     void turn(double speed, double angle) { drive(0, std::copysign(speed, angle), 0, angle); }
     /// True once the last drive() or turn() of this port has finished or was refused.
-    [[nodiscard]] bool done() const { return m_signals.finished.get() >= m_number; }
+    [[nodiscard]] bool done() const { return this->m_signals.finished.get() >= m_number; }
     /// Pose of the axle's centre from wheel odometry, relative to the start; m and rad.
     [[nodiscard]] Pose2 odometry() const {
-        const Slot& now = m_signals.odometry;
+        const Slot& now = this->m_signals.odometry;
         return {now.get(0), now.get(1), now.get(2)};
     }
 
 private:
     void command(double linear, double angular, double linearAmount, double angularAmount) {
-        m_signals.linearVelocity.set(linear);
-        m_signals.angularVelocity.set(angular);
-        m_signals.linearAmount.set(linearAmount);
-        m_signals.angularAmount.set(angularAmount);
+        this->m_signals.linearVelocity.set(linear);
+        this->m_signals.angularVelocity.set(angular);
+        this->m_signals.linearAmount.set(linearAmount);
+        this->m_signals.angularAmount.set(angularAmount);
     }
     double m_number = 0;
 };
+using DifferentialDrivePort = DrivePort<DifferentialDriveSignals>;
+using SkidDrivePort = DrivePort<SkidDriveSignals>;
 
 class MotorPort : public Port<RotaryMotorSignals> {
 public:
@@ -67,18 +71,6 @@ public:
     [[nodiscard]] double torque() const { return m_signals.torque.get(); }   ///< N m at the joint
     [[nodiscard]] double rate() const { return m_signals.rate.get(); }       ///< rad/s of the joint
 };
-
-/// Of a Servo or a LinearMotor. Since 1.7.
-template <class S> class JointServoPort : public Port<S> {
-public:
-    /// rad or m, with Mode=speed rad/s or m/s.
-    void setTarget(double target) { this->m_signals.target.set(target); }
-    [[nodiscard]] double position() const { return this->m_signals.position.get(); }      ///< rad or m
-    [[nodiscard]] double rate() const { return this->m_signals.rate.get(); }              ///< rad/s or m/s
-    [[nodiscard]] bool saturated() const { return this->m_signals.saturated.get() != 0; } ///< not enough torque, force or speed
-};
-using ServoPort = JointServoPort<ServoSignals>;
-using LinearMotorPort = JointServoPort<LinearMotorSignals>;
 
 class EncoderPort : public Port<EncoderSignals> {
 public:
@@ -127,22 +119,11 @@ private:
     bool m_writable = false;
 };
 
-/// The name of a device: a literal, or a std::string as stored in fields.
-class PortName {
-public:
-    PortName(const char* name) : m_name(name) {}
-    template <class Text> PortName(const Text& name) : m_name(name.c_str()) {}
-    operator const char*() const { return m_name; }
-
-private:
-    const char* m_name;
-};
-
 /// Passed to Controller::setup to bind ports. If a name is unknown, setup fails with a message that lists the available names;
 /// until then the returned port is unbound.
-class RobotPorts {
+class RobotPorts : public EquipmentPorts {
 public:
-    explicit RobotPorts(const TrundleRobot& robot) : m_robot(robot) {}
+    using EquipmentPorts::EquipmentPorts;
 
     [[nodiscard]] std::string name() const { return m_robot.name; }
     [[nodiscard]] Seconds tick() const { return {m_robot.tick}; }
@@ -164,8 +145,8 @@ public:
     // since 1.7
     [[nodiscard]] GroundPort groundSensor(PortName name);
     [[nodiscard]] LightPort lightSensor(PortName name);
-    [[nodiscard]] ServoPort servo(PortName name);
-    [[nodiscard]] LinearMotorPort linearMotor(PortName name);
+    // since 1.8
+    [[nodiscard]] SkidDrivePort skidDrive(PortName name);
     /// A device of a module by the table of its signals (since 1.5): robot.port<SonarSignals>("front").
     template <class S> [[nodiscard]] Port<S> port(PortName name) { return bindPort<Port<S>, S>(name); }
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);
@@ -181,14 +162,6 @@ public:
         for (const SignalInfo& s : descriptionOf<T>().signals())
             if (s.bind) s.bind(&controller, publish(s.name.c_str()), s.name.c_str());
     }
-    [[nodiscard]] bool complete() const { return !m_missing; } ///< all names were found so far
-
-private:
-    Slot bind(const char* kind, const char* device, const char* signal, std::uint32_t count = 1);
-    template <class S> Slot bindAs(const SignalInfo& described, const char* device);
-    template <class P, class S> P bindPort(const char* device);
-    const TrundleRobot& m_robot;
-    bool m_missing = false;
 };
 
 } // namespace sdk1

@@ -5,40 +5,9 @@
 namespace trundle {
 inline namespace sdk1 {
 
-inline Slot RobotPorts::bind(const char* kind, const char* device, const char* signal, std::uint32_t count) {
-    if (m_missing) return {}; // a missing name is reported once, not for each signal of its port
-    double* first = m_robot.bind(m_robot.context, kind, device, signal);
-    if (!first) m_missing = true;
-    return Slot(first, count);
-}
-
 inline bool RobotPorts::has(const char* device, const char* signal) const {
     std::uint32_t count = 0, direction = 0;
     return m_robot.signalInfo && m_robot.signalInfo(m_robot.context, device, signal, &count, &direction) == 0;
-}
-
-/// The table of the device and that of the port are compiled into two modules: a different one is reported instead of being read
-/// beyond its end or written where the device publishes.
-template <class S> Slot RobotPorts::bindAs(const SignalInfo& described, const char* device) {
-    std::uint32_t count = described.count, direction = described.direction;
-    const bool known =
-        m_robot.signalInfo && m_robot.signalInfo(m_robot.context, device, described.name.c_str(), &count, &direction) == 0;
-    const bool sized = !described.countFields.empty(); // as many as the device's fields say
-    const Slot slot = bind(S::kKind, device, described.name.c_str(), sized ? count : described.count);
-    if (!slot.bound() || !known || ((sized || count == described.count) && direction == described.direction)) return slot;
-    const std::string text = "the signal '" + described.name + "' of '" + device +
-                             "' has another count or direction than the table " + S::kKind +
-                             " that the controller was compiled with; build both modules with the same table";
-    m_robot.fail(m_robot.context, text.c_str());
-    m_missing = true;
-    return {};
-}
-
-template <class P, class S> P RobotPorts::bindPort(const char* device) {
-    P port;
-    port.bind([](const SignalInfo& s) { return s.direction != TRUNDLE_TRUTH; },
-              [&](const SignalInfo& s) { return bindAs<S>(s, device); });
-    return port;
 }
 
 inline DifferentialDrivePort RobotPorts::differentialDrive(PortName name) {
@@ -54,8 +23,8 @@ inline CompassPort RobotPorts::compass(PortName name) { return bindPort<CompassP
 inline GpsPort RobotPorts::gps(PortName name) { return bindPort<GpsPort, GpsSignals>(name); }
 inline GroundPort RobotPorts::groundSensor(PortName name) { return bindPort<GroundPort, GroundSensorSignals>(name); }
 inline LightPort RobotPorts::lightSensor(PortName name) { return bindPort<LightPort, LightSensorSignals>(name); }
-inline ServoPort RobotPorts::servo(PortName name) { return bindPort<ServoPort, ServoSignals>(name); }
-inline LinearMotorPort RobotPorts::linearMotor(PortName name) { return bindPort<LinearMotorPort, LinearMotorSignals>(name); }
+
+inline SkidDrivePort RobotPorts::skidDrive(PortName name) { return bindPort<SkidDrivePort, SkidDriveSignals>(name); }
 
 inline CameraPort RobotPorts::camera(PortName name) {
     auto port = bindPort<CameraPort, CameraSignals>(name);

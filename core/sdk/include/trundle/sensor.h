@@ -62,6 +62,8 @@ public:
         begin(mount);
     }
     void sense(Sensing& world) final {
+        if (!world.supply().powered()) return; // it has no new readings
+        if (m_power > 0) world.draw(m_power);
         follow(world);
         if (m_clock.due(world.time(), m_updatePeriod, world.tick())) take(world);
         const double now = world.time() + 1e-6 * world.tick();
@@ -73,7 +75,7 @@ public:
     }
 
 protected:
-    /// Describes Body, Pos, HPR, UpdatePeriod and Latency.
+    /// Describes Body, Pos, HPR, UpdatePeriod, Latency and, since 1.8, Power.
     template <class T> static void describeSensor(Describe<T>& d) {
         d.field("Body", &Sensor::m_bodyName, reference("Body").required(), "The body it is fixed to.");
         d.field("Pos", &Sensor::m_position, metres().within(-1e5, 1e5), "Its position in the body.");
@@ -81,6 +83,7 @@ protected:
                 "Heading, pitch and roll in the body; 0,0,0 faces along x with z up.");
         d.field("UpdatePeriod", &Sensor::m_updatePeriod, seconds().within(0, 1e6), "Time between two readings; 0: every tick.");
         d.field("Latency", &Sensor::m_latency, seconds().within(0, 1), "Age of a reading when it is published.");
+        d.field("Power", &Sensor::m_power, unitOf("W").within(0, 1e6), "That it draws from the robot's Battery, if it has one.");
     }
 
     virtual void begin(Mount&) {}
@@ -118,7 +121,7 @@ private:
 
     std::string m_bodyName;
     std::array<double, 3> m_position{0, 0, 0}, m_hpr{0, 0, 0};
-    double m_updatePeriod = 0, m_latency = 0;
+    double m_updatePeriod = 0, m_latency = 0, m_power = 0;
 
     BodyId m_body;
     Pose m_mounting;

@@ -8,8 +8,8 @@ import math
 from .quantity import Quantity
 
 FORMAT = 1
-VERSION = "1.7.0"  # as in trundle/abi.h
-INTERFACE = (1, 6)
+VERSION = "1.8.0"  # as in trundle/abi.h
+INTERFACE = (1, 7)
 MOST_PUBLISHED = 1000
 MANY_ELEMENTS = 100000
 _SIGNAL_TYPES = {float: "real", int: "integer", bool: "boolean"}

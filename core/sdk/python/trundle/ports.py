@@ -45,7 +45,7 @@ class Port:
 
 
 class DifferentialDrivePort(Port):
-    """A two-wheeled base."""
+    """A DifferentialDrive or a SkidDrive."""
 
     _number = 0.0
 
@@ -230,6 +230,42 @@ class ServoPort(Port):
         return self.get("saturated") != 0
 
 
+class BatteryPort(Port):
+    def voltage(self):
+        """V; 0 when it is empty."""
+        return self.get("voltage")
+
+    def current(self):
+        """A."""
+        return self.get("current")
+
+    def charge(self):
+        """C that is left."""
+        return self.get("charge")
+
+    def level(self):
+        """Share that is left, from 0 to 1."""
+        return self.get("level")
+
+
+class GripperPort(Port):
+    def set_opening(self, opening):
+        """m from the start pose; negative closes."""
+        self.set("opening", opening)
+
+    def position(self):
+        """m."""
+        return self.get("position")
+
+    def force(self):
+        """N between its jaws."""
+        return self.get("force")
+
+    def holding(self):
+        """Something is between its jaws."""
+        return self.get("holding") != 0
+
+
 class GroundTruthPort:
     """Exact state that a real robot cannot measure; to evaluate a controller, not for control."""
 
@@ -291,6 +327,9 @@ class RobotPorts:
     light_sensor = _binder("light_sensor", LightPort, "LightSensor")
     servo = _binder("servo", ServoPort, "Servo")
     linear_motor = _binder("linear_motor", ServoPort, "LinearMotor")
+    battery = _binder("battery", BatteryPort, "Battery")
+    gripper = _binder("gripper", GripperPort, "Gripper")
+    skid_drive = _binder("skid_drive", DifferentialDrivePort, "SkidDrive")
 
     def camera(self, device):
         """The port of a Camera."""

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ * The part of the ABI through which devices draw electric power, since 1.7. Included by abi.h. */
+#ifndef TRUNDLE_ABI_SUPPLY_H
+#define TRUNDLE_ABI_SUPPLY_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What the devices of a robot drew in the last tick. */
+typedef struct TrundleLoad {
+    double regulated;   /* W, of loads that take the same power at any voltage */
+    double resistive;   /* W, of loads whose current grows with the voltage */
+    double conductance; /* A/V, by which it grows */
+} TrundleLoad;
+
+/* For devices in act and sense; uses the context of TrundleServices. */
+typedef struct TrundleServicesSupply {
+    uint32_t size, reserved;
+    /* The voltage of this tick, V; 0: it is empty. -1: the robot has no supply, and its devices have all that they need. */
+    int32_t (*voltage)(void* context, double* voltage, double* nominal);
+    /* In sense: what the device drew in this tick, W, negative what it gave back; with a conductance above 0, a resistive load. */
+    void (*draw)(void* context, double watts, double conductance);
+    /* For the device that is the supply, in sense: what all others drew. */
+    void (*load)(void* context, TrundleLoad* load);
+    void (*setVoltage)(void* context, double voltage); /* for the device that is the supply, in sense: of the next tick */
+} TrundleServicesSupply;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+// Ports as in ports.h: of servos, grippers, batteries, lights.
+
+#include <trundle/equipment_signals.h>
+#include <trundle/port.h>
+
+namespace trundle {
+inline namespace sdk1 {
+
+/// Of a Servo or a LinearMotor. Since 1.7.
+template <class S> class JointServoPort : public Port<S> {
+public:
+    /// rad or m, with Mode=speed rad/s or m/s.
+    void setTarget(double target) { this->m_signals.target.set(target); }
+    [[nodiscard]] double position() const { return this->m_signals.position.get(); }      ///< rad or m
+    [[nodiscard]] double rate() const { return this->m_signals.rate.get(); }              ///< rad/s or m/s
+    [[nodiscard]] bool saturated() const { return this->m_signals.saturated.get() != 0; } ///< not enough torque, force or speed
+};
+using ServoPort = JointServoPort<ServoSignals>;
+using LinearMotorPort = JointServoPort<LinearMotorSignals>;
+
+/// Since 1.8.
+class BatteryPort : public Port<BatterySignals> {
+public:
+    [[nodiscard]] double voltage() const { return m_signals.voltage.get(); } ///< V
+    [[nodiscard]] double current() const { return m_signals.current.get(); } ///< A
+    [[nodiscard]] double charge() const { return m_signals.charge.get(); }   ///< C that is left
+    [[nodiscard]] double level() const { return m_signals.level.get(); }     ///< share that is left, from 0 to 1
+};
+
+/// Since 1.8.
+class GripperPort : public Port<GripperSignals> {
+public:
+    void setOpening(double opening) { m_signals.opening.set(opening); }         ///< m from the start pose; negative closes
+    [[nodiscard]] double position() const { return m_signals.position.get(); }  ///< m
+    [[nodiscard]] double force() const { return m_signals.force.get(); }        ///< N between its jaws
+    [[nodiscard]] bool holding() const { return m_signals.holding.get() != 0; } ///< something is between its jaws
+};
+
+} // namespace sdk1
+} // namespace trundle

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+// Signals as in device_signals.h: of servos, grippers, batteries, lights.
+
+#include <array>
+
+#include <trundle/slot.h>
+
+namespace trundle {
+inline namespace sdk1 {
+
+/// Since 1.7.
+struct ServoSignals {
+    static constexpr const char* kKind = "Servo";
+    CommandSlot<double> target;
+    OutputSlot<double> position, rate, torque;
+    OutputSlot<bool> saturated;
+
+    template <class D> static void describe(D& d) {
+        using S = ServoSignals;
+        d.command("target", &S::target, "", "Position [rad] or, with Mode=speed, rate [rad/s] that the joint is to have.");
+        d.output("position", &S::position, "rad", "Of the joint, 0 in its start pose.");
+        d.output("rate", &S::rate, "rad/s", "Of the joint.");
+        d.output("torque", &S::torque, "N m", "On the joint, at the end of the last tick.");
+        d.output("saturated", &S::saturated, "", "MaxTorque or MaxSpeed is not enough for its target.");
+    }
+};
+
+/// Since 1.7.
+struct LinearMotorSignals {
+    static constexpr const char* kKind = "LinearMotor";
+    CommandSlot<double> target;
+    OutputSlot<double> position, rate, force;
+    OutputSlot<bool> saturated;
+
+    template <class D> static void describe(D& d) {
+        using S = LinearMotorSignals;
+        d.command("target", &S::target, "", "Position [m] or, with Mode=speed, speed [m/s] that the joint is to have.");
+        d.output("position", &S::position, "m", "Of the joint, 0 in its start pose.");
+        d.output("rate", &S::rate, "m/s", "Of the joint.");
+        d.output("force", &S::force, "N", "On the joint, at the end of the last tick.");
+        d.output("saturated", &S::saturated, "", "MaxForce or MaxSpeed is not enough for its target.");
+    }
+};
+
+// Since 1.8.
+
+struct BatterySignals {
+    static constexpr const char* kKind = "Battery";
+    OutputSlot<double> voltage, current, charge, level;
+    TruthSlot<double> openVoltage;
+
+    template <class D> static void describe(D& d) {
+        using S = BatterySignals;
+        d.output("voltage", &S::voltage, "V", "Between its terminals; 0 when it is empty.");
+        d.output("current", &S::current, "A", "Of all that draw from it; negative while it is charged.");
+        d.output("charge", &S::charge, "C", "That is left.");
+        d.output("level", &S::level, "", "Share of Capacity that is left, from 0 to 1.");
+        d.truth("openVoltage", &S::openVoltage, "V", "Its voltage without a load.");
+    }
+};
+
+struct GripperSignals {
+    static constexpr const char* kKind = "Gripper";
+    CommandSlot<double> opening;
+    OutputSlot<double> position, force;
+    OutputSlot<bool> holding;
+
+    template <class D> static void describe(D& d) {
+        using S = GripperSignals;
+        d.command("opening", &S::opening, "m", "Change of the distance between its jaws from the start pose; negative closes.");
+        d.output("position", &S::position, "m", "The change that they have.");
+        d.output("force", &S::force, "N", "With which its jaws press against each other; negative: apart.");
+        d.output("holding", &S::holding, "", "It closes with all of its force, and its jaws do not move.");
+    }
+};
+
+} // namespace sdk1
+} // namespace trundle
