@@ -232,6 +232,10 @@ void ViewportActions::showMenu(View& view, const QPointF& at) {
         for (const char* id : {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.group", "edit.delete"})
             menu.addAction(&m_actions.at(id));
         menu.addSeparator();
+        if (m_context.selection.current().find('.') != std::string::npos) { // something of a robot or of scenery
+            for (const char* id : {"parts.make", "parts.mirrorY", "parts.repeat"}) menu.addAction(&m_actions.at(id));
+            menu.addSeparator();
+        }
         for (const char* id : {"tool.drop", "tool.align", "tool.distribute", "tool.array"}) menu.addAction(&m_actions.at(id));
         menu.addSeparator();
     } else {

@@ -1,0 +1,67 @@
+#include "editor/shell/commands/part_commands.h"
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
+#include "editor/shell/dialogs/repeat_dialog.h"
+#include "editor/widgets/actions.h"
+#include "editor/widgets/strings.h"
+#include "model/dotted_path.h"
+#include "project/edits/duplicate_offset.h"
+#include "project/edits/plan_wrap.h"
+
+namespace trundle {
+
+PartCommands::PartCommands(QWidget& window, Actions& actions, Document& document, Selection& selection)
+    : QObject(&window), m_window(window), m_document(document), m_selection(selection) {
+    connect(&actions.at("parts.make"), &QAction::triggered, this, [this] { apply(tr("Make Part of %1"), planMakePart); });
+    for (const auto& [id, axis] :
+         {std::pair{"parts.mirrorY", 'y'}, std::pair{"parts.mirrorX", 'x'}, std::pair{"parts.mirrorZ", 'z'}})
+        connect(&actions.at(id), &QAction::triggered, this, [this, axis = axis] {
+            apply(tr("Mirror %1"), [axis](const LoadedProject& loaded, const std::vector<std::string>& paths) {
+                return planMirror(loaded, paths, axis);
+            });
+        });
+    connect(&actions.at("parts.repeat"), &QAction::triggered, this, &PartCommands::askRepeat);
+}
+
+std::vector<std::string> PartCommands::chosen() {
+    std::vector<std::string> paths;
+    if (m_document.isOpen()) paths = m_selection.paths();
+    std::erase(paths, std::string());
+    if (paths.empty()) Q_EMIT m_document.refused(tr("select bodies, joints or other parts of a robot or of scenery first"));
+    return paths;
+}
+
+void PartCommands::apply(const QString& name, const Plan& plan) {
+    const std::vector<std::string> paths = chosen();
+    if (paths.empty()) return;
+    const QString objects =
+        paths.size() == 1 ? toQString(std::string(lastWord(paths.front()))) : tr("%1 objects").arg(paths.size());
+    (void)m_document.structure().apply(name.arg(objects), paths,
+                                       [paths, plan](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
+                                           std::vector<std::string> now;
+                                           for (const std::string& path : paths) now.push_back(renamed(path));
+                                           return plan(loaded, now);
+                                       });
+}
+
+void PartCommands::askRepeat() {
+    const std::vector<std::string> paths = chosen();
+    if (paths.empty()) return;
+    const LoadedProject& loaded = *m_document.loaded();
+    // Told before somebody chooses numbers for it. Which numbers it has makes no difference.
+    const Result<EditPlan> possible = planRepeat(loaded, paths, 2, Vec3::Zero());
+    if (!possible) return Q_EMIT m_document.refused(toQString(possible.error().message));
+    auto* dialog = new RepeatDialog(duplicateOffset(loaded, paths), &m_window);
+    connect(&m_document, &Document::opened, dialog, &QDialog::reject);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        apply(tr("Repeat %1"),
+              [count = dialog->count(), step = dialog->step()](const LoadedProject& now, const std::vector<std::string>& what) {
+                  return planRepeat(now, what, count, step);
+              });
+    });
+    dialog->open();
+}
+
+} // namespace trundle

@@ -1,0 +1,41 @@
+#pragma once
+// The commands that write parts, mirror images and repetitions: menu Edit, Parts.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "base/result.h"
+#include "project/edits/plans.h"
+
+class QWidget;
+
+namespace trundle {
+
+class Actions;
+class Document;
+class Selection;
+
+/// Connects the actions "parts.*". Each is one entry of the history for the selected objects; what is refused is told by
+/// Document::refused().
+class PartCommands final : public QObject {
+    Q_OBJECT
+public:
+    PartCommands(QWidget& window, Actions& actions, Document& document, Selection& selection);
+
+private:
+    using Plan = std::function<Result<EditPlan>(const LoadedProject& loaded, const std::vector<std::string>& paths)>;
+    /// `name` of the entry, with %1 for the objects.
+    void apply(const QString& name, const Plan& plan);
+    void askRepeat();
+    /// The selected objects; empty, and the reason told, if there are no objects to change.
+    [[nodiscard]] std::vector<std::string> chosen();
+
+    QWidget& m_window;
+    Document& m_document;
+    Selection& m_selection;
+};
+
+} // namespace trundle

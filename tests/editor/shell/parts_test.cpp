@@ -1,0 +1,169 @@
+// The commands of Edit, Parts: what they write, how they are undone, and what is refused.
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "editor/shell/window_fixture.h"
+#include "eventually.h"
+
+using namespace trundle;
+
+namespace {
+
+const std::string kHead = R"(Tick = 0.01
+Material red { ColorRGB=1,0,0 }
+Surface rubber { Friction=1 }
+
+)";
+const std::string kConfig = R"(RobotConfig Kit {
+  Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=rubber } }
+  Body leftWheel {
+    Pos=0,0.12,0
+    Cylinder tyre { Radius=0.05 Length=0.02 Mass=0.1 Material=red Surface=rubber }
+  }
+  Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0 }
+}
+
+Robot robot0 { Config=Kit }
+)";
+
+} // namespace
+
+class PartsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_fixture.start(); }
+    void init() {
+        QSettings().clear();
+        open(kHead + kConfig);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void makesAPart() {
+        m_window->selection().set({"robot0.leftWheel", "robot0.leftAxle"});
+        trigger("parts.make");
+        const std::string made = text();
+        QVERIFY2(made.starts_with(kHead + "PartConfig Left {\n"), made.c_str());
+        QVERIFY2(made.find("\n  Part left { Config=Left chassis=chassis }\n") != std::string::npos, made.c_str());
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+        QCOMPARE(m_window->selection().current(), std::string("RobotConfig.Kit.left"));
+        checkUndo(QStringLiteral("Make Part of 2 objects"));
+    }
+
+    void mirrors_data() {
+        QTest::addColumn<QByteArray>("action");
+        QTest::addColumn<std::string>("part");
+        QTest::newRow("left to right") << QByteArray("parts.mirrorY")
+                                       << std::string("Part right { Config=Left chassis=chassis Mirror=y }");
+        QTest::newRow("front to back") << QByteArray("parts.mirrorX")
+                                       << std::string("Part right { Config=Left chassis=chassis Mirror=x }");
+        QTest::newRow("up and down") << QByteArray("parts.mirrorZ")
+                                     << std::string("Part right { Config=Left chassis=chassis Mirror=z }");
+    }
+    void mirrors() {
+        QFETCH(QByteArray, action);
+        QFETCH(std::string, part);
+        m_window->selection().set({"robot0.leftWheel", "robot0.leftAxle"});
+        trigger(action);
+        QVERIFY2(text().find("\n  " + part + "\n") != std::string::npos, text().c_str());
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+        QCOMPARE(document().loaded()->experiment->robots.at(0).bodies.size(), 3u);
+        checkUndo(QStringLiteral("Mirror 2 objects"));
+    }
+
+    void repeats() {
+        m_window->selection().set({"robot0.leftWheel", "robot0.leftAxle"});
+        trigger("parts.repeat");
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("repeatDialog"));
+        QVERIFY(dialog && dialog->isVisible());
+        dialog->findChild<QSpinBox*>(QStringLiteral("repeatCount"))->setValue(3);
+        for (const auto& [axis, step] : {std::pair{"X", -0.11}, std::pair{"Y", 0.0}, std::pair{"Z", 0.0}})
+            dialog->findChild<QDoubleSpinBox*>(QStringLiteral("repeatStep") + QLatin1String(axis))->setValue(step);
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        EVENTUALLY(text() != kHead + kConfig);
+        QVERIFY2(text().find("Count=3") != std::string::npos, text().c_str());
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+        const auto& bodies = document().loaded()->experiment->robots.at(0).bodies;
+        QCOMPARE(bodies.size(), 4u);
+        QVERIFY(std::abs(bodies[3].pose.position.x() - -0.22) < 1e-12);
+        checkUndo(QStringLiteral("Repeat 2 objects"));
+    }
+
+    /// What comes with Trundle is copied, as for all other edits.
+    void copiesShippedRobots() {
+        open("Tick = 0.01\n#import robots/simple_robot.sim\nRobot robot0 { Config=SimpleRobot }\n");
+        m_window->selection().set({"robot0.leftWheel", "robot0.leftAxle"});
+        const std::string before = text();
+        trigger("parts.make");
+        QVERIFY2(text().find("PartConfig Left") != std::string::npos, text().c_str());
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+        document().edits().undo();
+        QCOMPARE(text(), before);
+    }
+
+    void saysWhyNot_data() {
+        QTest::addColumn<QString>("selected");
+        QTest::newRow("nothing") << QString();
+        QTest::newRow("a robot") << QStringLiteral("robot0");
+        QTest::newRow("a material") << QStringLiteral("Material.red");
+        QTest::newRow("a geom of a body") << QStringLiteral("robot0.chassis.hull");
+    }
+    void saysWhyNot() {
+        QFETCH(QString, selected);
+        if (selected.isEmpty()) m_window->selection().clear();
+        else m_window->selection().select(selected.toStdString());
+        QSignalSpy refused(&document(), &Document::refused);
+        for (const char* id : {"parts.make", "parts.mirrorY", "parts.repeat"}) {
+            refused.clear();
+            trigger(id);
+            QVERIFY2(refused.size() == 1, id);
+            QVERIFY2(refused[0][0].toString().size() > 20, qPrintable(refused[0][0].toString()));
+            QCOMPARE(text(), kHead + kConfig);
+            QVERIFY(!m_window->findChild<QDialog*>(QStringLiteral("repeatDialog")));
+        }
+    }
+
+private:
+    Document& document() { return m_window->document(); }
+    std::string text() { return *document().texts().text(document().path()); }
+    void open(const std::string& text) {
+        m_folder = std::make_unique<QTemporaryDir>();
+        const QString path = m_folder->filePath(QStringLiteral("mine.sim"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text.c_str());
+        file.close();
+        m_window = m_fixture.window();
+        m_window->show();
+        QVERIFY(m_window->open(path));
+        EVENTUALLY(document().isOpen());
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+    }
+    void trigger(const QByteArray& id) {
+        auto* menu = m_window->findChild<QMenu*>(QStringLiteral("menu.Edit/Parts"));
+        QVERIFY(menu);
+        for (QAction* action : menu->actions())
+            if (action->objectName() == QLatin1String(id)) return action->trigger();
+        QFAIL(id.constData());
+    }
+    void checkUndo(const QString& name) {
+        const History& history = document().edits().history();
+        QCOMPARE(history.position(), 1u);
+        QCOMPARE(history.entries()[0].name, name);
+        document().edits().undo();
+        QCOMPARE(text(), kHead + kConfig);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    WindowFixture m_fixture;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(PartsTest)
+#include "parts_test.moc"
