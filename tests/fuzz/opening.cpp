@@ -31,7 +31,7 @@ public:
 
 /// A temporary folder of this process, on a memory file system where there is one.
 const std::filesystem::path& scratch() {
-    static const std::filesystem::path folder = [] {
+    static const std::filesystem::path& folder = *new std::filesystem::path([] { // lives until after the handler below
         const char* const memory = "/dev/shm";
         const std::filesystem::path base =
             std::filesystem::is_directory(memory) ? std::filesystem::path(memory) : std::filesystem::temp_directory_path();
@@ -42,7 +42,7 @@ const std::filesystem::path& scratch() {
             std::filesystem::remove_all(scratch(), none);
         });
         return own;
-    }();
+    }());
     return folder;
 }
 
