@@ -37,6 +37,7 @@ void Battery::describe(Describe<Battery>& d) {
 
 void Battery::setup(Mount& mount) {
     if (m_voltage.has_value() == m_cells.has_value()) return mount.fail("give either Voltage or Cells");
+    if (m_voltage && !m_curve.empty()) return mount.fail("a DischargeCurve is that of a cell: give Cells instead of Voltage");
     double nominal = m_voltage.value_or(0);
     if (m_cells && m_curve.empty()) {
         const std::span<const double> known = dischargeCurveOf(m_chemistry);

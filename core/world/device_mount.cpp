@@ -181,7 +181,9 @@ struct MountCalls {
 
     static std::int32_t provideSupply(void* context, double nominal, double voltage) {
         Device& d = device(context);
-        if (!std::isfinite(nominal) || !std::isfinite(voltage) || !d.host->supply.provide(d.robot, nominal, voltage)) return -1;
+        if (!(nominal > 0) || !std::isfinite(nominal) || !std::isfinite(voltage) ||
+            !d.host->supply.provide(d.robot, nominal, voltage))
+            return -1;
         d.isSupply = true;
         return 0;
     }

@@ -285,6 +285,9 @@ private Q_SLOTS:
         QTest::newRow("curve") << "Capacity=1 Cells=2 DischargeCurve=0.5,1,0.4,2"
                                << ""
                                << "with increasing shares";
+        QTest::newRow("curve without cells") << "Capacity=1 Voltage=2 DischargeCurve=0,1,1,2"
+                                             << ""
+                                             << "give Cells";
         QTest::newRow("odd curve") << "Capacity=1 Cells=2 DischargeCurve=0,1,0.4,2,1"
                                    << ""
                                    << "pairs of a share";

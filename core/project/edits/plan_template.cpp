@@ -276,13 +276,17 @@ private:
         for (std::size_t i = bodies.size(); i-- > 0 && child.empty();)
             if (i > 0 && !isChild(bodies[i])) child = bodies[i];
         if (child.empty() && !m_made.empty() && m_made.back().first->role == Role::Body) child = m_made.back().second;
-        if (child.empty() && bodies.size() > 1) child = block(*m_loaded.registry->find("Body"), depth + 1);
+        if (child.empty() && (bodies.size() > 1 || isChild(bodies.front())))
+            child = block(*m_loaded.registry->find("Body"), depth + 1);
         if (child.empty()) child = bodies.front();
+        m_children.push_back(child);
         for (const std::string& body : bodies)
             if (body != child && parent == "world") parent = body;
         return " Parent=" + parent + " Child=" + child;
     }
+    /// Of a joint of the config, or of this template.
     bool isChild(const std::string& body) const {
+        if (std::find(m_children.begin(), m_children.end(), body) != m_children.end()) return true;
         return m_config && std::any_of(m_config->parts.begin(), m_config->parts.end(), [&](const Part& part) {
                    const SourceAssignment* a = part.is(Role::Joint) ? part.assignments.find("Child") : nullptr;
                    return a && a->value->elements.size() == 1 && a->value->elements[0].text == body;
@@ -354,6 +358,7 @@ private:
     const Part* m_config = nullptr;
     std::vector<std::string> m_texts;
     std::vector<std::pair<const Kind*, std::string>> m_made; ///< blocks of this text
+    std::vector<std::string> m_children;                     ///< bodies that its joints carry
     std::set<std::pair<const Kind*, std::string>> m_used;    ///< names already used by references of blocks of that kind
     std::map<std::pair<const Part*, const NameSpace*>, UsedNames> m_names;
 };
