@@ -4,7 +4,8 @@ namespace trundle {
 
 namespace {
 
-/// Panasonic BK-1100FHU (1.1 A h, 1.2 V): discharge curve of its data sheet in tenths of the capacity, to 5 mV.
+/// Panasonic BK-1100FHU (1.1 A h, 1.2 V): discharge curve in tenths of the capacity, to 5 mV, after the table of the Zephyr Project that
+/// names this cell's data sheet as its source.
 constexpr double kNickelMetalHydride[] = {0,     1.005, 0.1,   1.195, 0.2,   1.230, 0.3,   1.245, 0.4,   1.255, 0.5,
                                           1.255, 0.6,   1.265, 0.7,   1.265, 0.8,   1.275, 0.9,   1.315, 1,     1.420};
 /// A polymer lithium-ion cell, TCL PL-383562 (0.85 A h, 3.7 V): open voltage by M. Chen and G. A. Rincon-Mora, "Accurate Electrical Battery

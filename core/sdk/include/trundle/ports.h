@@ -58,8 +58,8 @@ private:
     }
     double m_number = 0;
 };
-using DifferentialDrivePort = DrivePort<DifferentialDriveSignals>;
-using SkidDrivePort = DrivePort<SkidDriveSignals>;
+class DifferentialDrivePort : public DrivePort<DifferentialDriveSignals> {};
+class SkidDrivePort : public DrivePort<SkidDriveSignals> {};
 
 class MotorPort : public Port<RotaryMotorSignals> {
 public:
