@@ -12,7 +12,8 @@ Document::Document(Application& application, QObject* parent)
       m_disk(std::make_unique<ExternalChanges>(*m_state, *m_texts, *m_loading, *m_access, *m_edits)),
       m_recovery(std::make_unique<DocumentRecovery>(*m_state, *m_texts, *m_edits, *m_disk, *m_opening)),
       m_saving(std::make_unique<DocumentSaving>(
-          DocumentSaving::Parts{*m_state, *m_texts, *m_loading, *m_access, *m_edits, *m_disk, *m_recovery})) {
+          DocumentSaving::Parts{*m_state, *m_texts, *m_loading, *m_access, *m_edits, *m_disk, *m_recovery})),
+      m_model(std::make_unique<EditedModel>(*m_state, *m_loading, *m_opening)) {
     connect(m_opening.get(), &ProjectOpening::opened, this, &Document::opened);
     connect(m_opening.get(), &ProjectOpening::cancelled, m_disk.get(), &ExternalChanges::check); // postponed while opening
     connect(m_loading.get(), &DocumentLoading::changed, this, &Document::changed);

@@ -15,6 +15,7 @@
 #include "editor/document/document_recovery.h"
 #include "editor/document/document_saving.h"
 #include "editor/document/document_texts.h"
+#include "editor/document/edited_model.h"
 #include "editor/document/external_changes.h"
 #include "editor/document/project_access.h"
 #include "editor/document/project_opening.h"
@@ -56,6 +57,8 @@ public:
     [[nodiscard]] ExternalChanges& disk() { return *m_disk; }
     [[nodiscard]] DocumentSaving& saving() { return *m_saving; }
     [[nodiscard]] DocumentRecovery& recovery() { return *m_recovery; }
+    [[nodiscard]] EditedModel& editedModel() { return *m_model; }
+    [[nodiscard]] const EditedModel& editedModel() const { return *m_model; }
 
 Q_SIGNALS:
     void opened(); ///< another project, or none; changed() follows
@@ -76,6 +79,7 @@ private:
     std::unique_ptr<ExternalChanges> m_disk;
     std::unique_ptr<DocumentRecovery> m_recovery;
     std::unique_ptr<DocumentSaving> m_saving;
+    std::unique_ptr<EditedModel> m_model;
     std::shared_ptr<StructureEdits> m_structure; ///< shared_ptr: its type is not known here
 };
 

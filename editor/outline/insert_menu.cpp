@@ -76,13 +76,14 @@ void InsertMenu::fill(QMenu& menu) {
         return;
     }
     const LoadedProject& loaded = *m_document.loaded();
+    const std::string at = m_document.editedModel().insertionPlace(m_selection);
     std::map<std::string, Entries> places;
     for (const Kind* kind : loaded.registry->all()) {
         if (kind->role == Role::Settings) continue;
         const Kind* one[] = {kind};
-        if (const auto place = placeFor(loaded, m_selection.current(), one)) places[*place].byRole[kind->role].push_back(kind);
+        if (const auto place = placeFor(loaded, at, one)) places[*place].byRole[kind->role].push_back(kind);
     }
-    for (const std::string& place : placesAround(loaded, m_selection.current()))
+    for (const std::string& place : placesAround(loaded, at))
         if (const auto entries = places.find(place); entries != places.end()) addPlace(menu, place, entries->second);
 }
 
@@ -145,7 +146,7 @@ QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind, const std::string& p
     }
     connect(action, &QAction::triggered, this, [this, name = kind.name] {
         const Kind* kind = m_document.isOpen() ? m_document.loaded()->registry->find(name) : nullptr;
-        if (kind) (void)m_edits.insertKind(*kind, m_selection.current());
+        if (kind) (void)m_edits.insertKind(*kind, m_document.editedModel().insertionPlace(m_selection));
     });
     return action;
 }

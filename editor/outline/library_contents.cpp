@@ -144,14 +144,14 @@ std::string LibraryPanel::textOf(const LibraryItem& item) const {
     const Kind* kind = kindOf(item.kind);
     if (!kind) return {};
     const Kind* one[] = {kind};
-    const std::optional<std::string> parent = placeFor(*m_document.loaded(), m_selection.current(), one);
+    const std::optional<std::string> parent = placeFor(*m_document.loaded(), m_document.editedModel().insertionPlace(m_selection), one);
     return templateOf(*m_document.loaded(), *kind, parent.value_or(std::string()));
 }
 
 /// The item's text, with its parent body replaced by the robot's first body if the robot has no body named chassis.
 std::string LibraryPanel::fittedTo(const LibraryItem& item) const {
     static const std::string kParent = "Parent=chassis";
-    const Part* config = robotConfigFor(*m_document.loaded(), m_selection.current());
+    const Part* config = robotConfigFor(*m_document.loaded(), m_document.editedModel().insertionPlace(m_selection));
     if (!config || config->find("chassis")) return item.text;
     const auto body =
         std::find_if(config->parts.begin(), config->parts.end(), [](const Part& p) { return p.is(Role::Body) && p.usable; });
@@ -174,7 +174,7 @@ void LibraryPanel::insert(const LibraryItem& item) {
     }
     Blocks wanted = std::move(blocks).value();
     wanted.imports.insert(wanted.imports.end(), item.imports.begin(), item.imports.end());
-    (void)m_edits->insertAtPoint(wanted, m_selection.current(), tr("Add %1").arg(item.title));
+    (void)m_edits->insertAtPoint(wanted, m_document.editedModel().insertionPlace(m_selection), tr("Add %1").arg(item.title));
 }
 
 } // namespace trundle

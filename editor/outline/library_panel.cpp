@@ -29,8 +29,8 @@ struct LibraryPanel::Section {
     LibrarySectionFilter* filter = nullptr;
     bool open = true; ///< as the user set it; a search opens all sections
 
-    void fit(bool searching) const {
-        const bool some = filter->rowCount() > 0, shown = some && (open || searching);
+    void fit(bool fits, bool opened) const {
+        const bool some = fits && filter->rowCount() > 0, shown = some && (open || opened);
         header->setVisible(some);
         header->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
         list->setVisible(shown);
@@ -51,6 +51,7 @@ LibraryPanel::LibraryPanel(Document& document, Selection& selection, Application
     connect(m_pictures, &LibraryPictures::drawn, m_model, &LibraryModel::setPicture);
     connect(&document, &Document::opened, this, &LibraryPanel::readFolders);
     connect(&document, &Document::changed, this, &LibraryPanel::showItems);
+    connect(&document.editedModel(), &EditedModel::changed, this, &LibraryPanel::showModel);
     connect(&document.texts(), &DocumentTexts::modifiedChanged, this, [this] {
         // Unmodified again: after undo or save the files on disk may have changed.
         if (m_document.isOpen() && !m_document.texts().isModified() && lastWritten() != m_readOf) readFolders();
@@ -130,7 +131,7 @@ void LibraryPanel::addSection(LibrarySection section, QVBoxLayout& layout) {
     m_sections.push_back(made);
     connect(made.header, &QToolButton::clicked, this, [this, at] {
         m_sections[at].open = !m_sections[at].open;
-        m_sections[at].fit(!m_search->text().trimmed().isEmpty());
+        fitSections();
     });
     connect(made.list, &QListView::activated, this, [this, filter = made.filter](const QModelIndex& index) {
         insert(m_model->items().at(std::size_t(filter->mapToSource(index).row())));
@@ -154,9 +155,32 @@ void LibraryPanel::step(std::size_t from, int by) {
     }
 }
 
+/// Whether the edited model can contain what a section has; without one everything can be inserted.
+bool LibraryPanel::fitsModel(LibrarySection section) const {
+    const EditedModel& model = m_document.editedModel();
+    if (!model.isOpen() || section == LibrarySection::Shapes || section == LibrarySection::Looks) return true;
+    const bool isRobot = model.config() && model.config()->kind->name == "RobotConfig";
+    return isRobot &&
+           (section == LibrarySection::RobotParts || section == LibrarySection::Joints || section == LibrarySection::Devices);
+}
+
 void LibraryPanel::fitSections() {
     const bool searching = !m_search->text().trimmed().isEmpty();
-    for (const Section& section : m_sections) section.fit(searching);
+    for (std::size_t i = 0; i < m_sections.size(); ++i) m_sections[i].fit(fitsModel(static_cast<LibrarySection>(i)), searching);
+}
+
+/// The sections that the model is built from are open at first.
+void LibraryPanel::showModel() {
+    const bool isShown = m_document.editedModel().isOpen();
+    if (isShown == m_openBefore.empty()) {
+        std::vector<bool> before;
+        for (std::size_t i = 0; i < m_sections.size(); ++i) {
+            before.push_back(m_sections[i].open);
+            m_sections[i].open = isShown ? static_cast<LibrarySection>(i) != LibrarySection::Looks : bool(m_openBefore[i]);
+        }
+        m_openBefore = isShown ? std::move(before) : std::vector<bool>();
+    }
+    fitSections();
 }
 
 void LibraryPanel::setWords(const QString& text) {

@@ -57,6 +57,8 @@ private:
     void setWords(const QString& text);
     void setAsList(bool list);
     void fitSections();
+    void showModel();
+    [[nodiscard]] bool fitsModel(LibrarySection section) const;
     void step(std::size_t from, int by);
     [[nodiscard]] std::string textOf(const LibraryItem& item) const;
     [[nodiscard]] std::string fittedTo(const LibraryItem& item) const;
@@ -71,6 +73,7 @@ private:
     LibraryModel* m_model;
     LibraryPictures* m_pictures;
     std::vector<Section> m_sections;
+    std::vector<bool> m_openBefore; ///< while a model is edited: which sections were open before
     QLineEdit* m_search = nullptr;
     QToolButton* m_asList = nullptr;
     std::vector<LibraryItem> m_found; ///< from files

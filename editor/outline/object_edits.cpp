@@ -322,6 +322,6 @@ void ObjectEdits::removeObjects(const QString& verb, const QString& title, const
 
 void ObjectEdits::duplicateSelected() { (void)duplicate(m_selection.paths()); }
 void ObjectEdits::copySelected() { (void)copy(m_selection.paths()); }
-void ObjectEdits::pasteAtSelected() { (void)paste(m_selection.current()); }
+void ObjectEdits::pasteAtSelected() { (void)paste(m_document.editedModel().insertionPlace(m_selection)); }
 
 } // namespace trundle

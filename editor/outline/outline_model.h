@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <QAbstractItemModel>
@@ -34,9 +35,11 @@ public:
     void showEnded(const EndedRobots& ended);
     /// The project after an edit. Only the rows of what has changed are computed again.
     void follow(const ChangeSet& changes);
-    // Both reset the model.
-    void setMode(OutlineMode mode);
-    void setFilter(const std::string& filter);
+    // They reset the model.
+    void setMode(OutlineMode mode) { showAgain(std::exchange(m_mode, mode) != mode); }
+    void setFilter(const std::string& filter) { showAgain(std::exchange(m_filter, filter) != filter); }
+    /// Shows a config alone; empty: everything.
+    void setModel(const std::string& path) { showAgain(std::exchange(m_model, path) != path); }
     [[nodiscard]] OutlineMode mode() const { return m_mode; }
     [[nodiscard]] const std::string& filter() const { return m_filter; }
 
@@ -86,6 +89,8 @@ private:
     [[nodiscard]] std::vector<OutlineRow> rowsBelow(const OutlineNode& node) const;
     [[nodiscard]] bool isFaint(const OutlineRow& row) const;
     void reset();
+    void showAgain(bool differs);
+    void makeRows(std::shared_ptr<const LoadedProject> loaded);
     void update(OutlineNode& node);
     [[nodiscard]] bool relink(OutlineNode& node, const std::unordered_set<const Part*>& changed);
     void dropGone(OutlineNode& node, const std::vector<OutlineRow>& rows);
@@ -99,7 +104,7 @@ private:
     const EndedRobots* m_ended = nullptr;
     std::unique_ptr<OutlineRows> m_rows; // nullptr: nothing is open
     OutlineMode m_mode = OutlineMode::ByOwner;
-    std::string m_filter;
+    std::string m_filter, m_model; // m_model: path of the config that is shown alone; empty: none
     std::unique_ptr<OutlineNode> m_root;
     OutlineIndex m_index;
     mutable std::size_t m_computed = 0;

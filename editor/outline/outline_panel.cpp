@@ -99,6 +99,7 @@ void OutlinePanel::connectAll() {
         m_model->follow({});
     });
     connect(&m_document, &Document::changed, this, &OutlinePanel::showDocument);
+    connect(&m_document.editedModel(), &EditedModel::changed, this, &OutlinePanel::showModel);
     connect(&m_selection, &Selection::changed, this, &OutlinePanel::showSelection);
     connect(m_tree->selectionModel(), &QItemSelectionModel::selectionChanged, this, &OutlinePanel::takeSelection);
     connect(m_filter, &QLineEdit::textChanged, this, &OutlinePanel::setFilter);
@@ -203,6 +204,19 @@ void OutlinePanel::goToFirstMatch() {
     for (QModelIndex at = m_model->index(0, 0); at.isValid(); at = m_tree->indexBelow(at))
         if (const OutlineRow* row = m_model->rowAt(at); row && row->selectable && row->matches)
             return m_tree->setCurrentIndex(at);
+}
+
+/// The edited model alone, with its parts; or everything again.
+void OutlinePanel::showModel() {
+    {
+        const QScopedValueRollback guard(m_showing, true);
+        m_model->setModel(m_document.editedModel().path());
+        m_tree->unfold();
+        if (m_document.editedModel().isOpen()) m_tree->expand(m_model->index(0, 0));
+    }
+    for (QWidget* mode : {m_byOwner, m_byFile}) mode->setEnabled(!m_document.editedModel().isOpen());
+    showSelection();
+    say();
 }
 
 void OutlinePanel::setByFile(bool byFile) {

@@ -62,6 +62,7 @@ private:
     void setFilter(const QString& text);
     void goToFirstMatch();
     void setByFile(bool byFile);
+    void showModel();
     void jumpFrom(const QModelIndex& index);
     void toggleMark(const QModelIndex& index);
     void editConfig(const std::string& path);

@@ -122,8 +122,9 @@ void nameRow(OutlineRow& row, const Part& part, const OutlineRow& above, const O
 
 } // namespace
 
-OutlineRows::OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMode mode, const std::string& filter)
-    : m_loaded(std::move(loaded)), m_mode(mode), m_words(wordsOf(filter)), m_problems(*m_loaded) {
+OutlineRows::OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMode mode, const std::string& filter,
+                         std::string model)
+    : m_loaded(std::move(loaded)), m_mode(mode), m_model(std::move(model)), m_words(wordsOf(filter)), m_problems(*m_loaded) {
     for (const auto& part : m_loaded->outline->parts) {
         m_groups[std::size_t(groupOf(*part))].push_back(part.get());
         m_blocks[part->file].push_back(part.get());
@@ -141,6 +142,11 @@ OutlineGroup OutlineRows::groupOf(const Part& part) const {
 std::vector<OutlineRow> OutlineRows::top() const {
     Rows rows;
     const OutlineRow none;
+    if (!m_model.empty()) {
+        const auto place = placeOf(*m_loaded, m_model);
+        if (place && place->part) keep(rows, partRow(*place->part, groupRow(groupOf(*place->part))), none);
+        return rows;
+    }
     if (m_mode == OutlineMode::ByFile) {
         for (FileId file = 0; file < m_loaded->trees.size(); ++file)
             if (!m_loaded->paths[file].empty()) keep(rows, fileRow(file), none);
@@ -285,12 +291,7 @@ OutlineRow OutlineRows::experimentRow() const {
     row.name = title.empty() ? fileName(m_loaded->sources[0].text->path()) : title;
     row.detail = "settings";
     row.range = {0, {0, 0}};
-    row.problems = m_problems.outside();
-    for (const ModuleSpec& module : m_loaded->experiment->modules) { // listed as rows of their own
-        const ProblemCounts::Count there = m_problems.at(module.range);
-        row.problems.errors -= there.errors;
-        row.problems.warnings -= there.warnings;
-    }
+    row.problems = m_problems.outside(*m_loaded);
     row.tip = "Settings of the experiment: tick, duration, gravity ...";
     return row;
 }

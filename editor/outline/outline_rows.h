@@ -62,8 +62,9 @@ struct OutlineRow {
 class OutlineRows {
 public:
     /// `filter`: words separated by blanks, matched case-insensitively; all must be in a row's name, kind or config. Ancestors
-    /// of matches are kept.
-    OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMode mode, const std::string& filter = {});
+    /// of matches are kept. `model`: path of the config that is shown alone; empty: everything is shown.
+    OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMode mode, const std::string& filter = {},
+                std::string model = {});
 
     [[nodiscard]] std::vector<OutlineRow> top() const;
     [[nodiscard]] std::vector<OutlineRow> below(const OutlineRow& row) const;
@@ -96,6 +97,7 @@ private:
 
     std::shared_ptr<const LoadedProject> m_loaded;
     OutlineMode m_mode;
+    std::string m_model;              // path of the config that is shown alone; empty: none
     std::vector<std::string> m_words; // of the filter, in lower case
     ProblemCounts m_problems;
     std::array<std::vector<const Part*>, kOutlineGroups> m_groups;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_node.h"
@@ -51,9 +52,9 @@ void OutlineModel::reset() {
 void OutlineModel::follow(const ChangeSet& changes) {
     const bool anew = !changes.after() || !m_rows;
     const auto before = std::exchange(m_rows, nullptr); // rows point into it until each is updated
-    if (changes.after()) m_rows = std::make_unique<OutlineRows>(changes.after(), m_mode, m_filter);
+    if (changes.after()) makeRows(changes.after());
     if (anew) return reset();
-    const bool isKnown = before->loaded() == changes.before() && !before->filtered();
+    const bool isKnown = before->loaded() == changes.before() && !before->filtered() && m_model.empty();
     if (!isKnown || changes.changesObjects() || changes.changesProblems()) return update(*m_root);
     std::unordered_set<const Part*> changed;
     for (const PartChange& part : changes.parts()) changed.insert(part.now);
@@ -74,17 +75,13 @@ bool OutlineModel::relink(OutlineNode& node, const std::unordered_set<const Part
     return true;
 }
 
-void OutlineModel::setMode(OutlineMode mode) {
-    if (mode == m_mode) return;
-    m_mode = mode;
-    if (m_rows) m_rows = std::make_unique<OutlineRows>(m_rows->loaded(), m_mode, m_filter);
-    reset();
+void OutlineModel::makeRows(std::shared_ptr<const LoadedProject> loaded) {
+    m_rows = std::make_unique<OutlineRows>(std::move(loaded), m_mode, m_filter, m_model);
 }
 
-void OutlineModel::setFilter(const std::string& filter) {
-    if (filter == m_filter) return;
-    m_filter = filter;
-    if (m_rows) m_rows = std::make_unique<OutlineRows>(m_rows->loaded(), m_mode, m_filter);
+void OutlineModel::showAgain(bool differs) {
+    if (!differs) return;
+    if (m_rows) makeRows(m_rows->loaded());
     reset();
 }
 

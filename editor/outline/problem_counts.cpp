@@ -50,6 +50,16 @@ void ProblemCounts::count(const Diagnostic& diagnostic) {
     for (; i >= 0; i = m_placed[std::size_t(i)].parent) m_parts[m_placed[std::size_t(i)].part].add(one);
 }
 
+ProblemCounts::Count ProblemCounts::outside(const LoadedProject& loaded) const {
+    Count count = m_outside;
+    for (const ModuleSpec& module : loaded.experiment->modules) {
+        const Count there = at(module.range);
+        count.errors -= there.errors;
+        count.warnings -= there.warnings;
+    }
+    return count;
+}
+
 ProblemCounts::Count ProblemCounts::of(const Part& part) const {
     const auto it = m_parts.find(&part);
     return it == m_parts.end() ? Count{} : it->second;

@@ -21,7 +21,8 @@ public:
 
     [[nodiscard]] Count of(const Part& part) const;
     [[nodiscard]] Count ofFile(FileId file) const;
-    [[nodiscard]] Count outside() const { return m_outside; } ///< outside of every block
+    /// Outside of every block, without those of modules, which have rows of their own.
+    [[nodiscard]] Count outside(const LoadedProject& loaded) const;
     [[nodiscard]] Count at(const SourceRange& range) const;   ///< located within a range
 
 private:

@@ -5,13 +5,15 @@
 #include <utility>
 
 #include "editor/document/document.h"
+#include "project/objects/object_location.h"
 #include "project/objects/unplaced_configs.h"
 #include "scene/queries/object_index.h"
 
 namespace trundle {
 namespace {
 
-constexpr double kGap = 0.3, kBelow = 1e-3; // m: gap between two configs; tolerated depth below the floor
+constexpr const char* kInstance = "trundlePreview"; // reserved names of the instances: "trundlePreview0"
+constexpr double kGap = 0.3, kBelow = 1e-3;         // m: gap between two configs; tolerated depth below the floor
 
 /// A plain floor. Its names are reserved for previews.
 constexpr const char* kFloor = "Material trundlePreviewFloor { ColorRGB=0.60,0.59,0.56 }\n"
@@ -33,10 +35,22 @@ bool hasFloor(const std::vector<const Part*>& configs) {
 std::string placing(const std::string& file, const std::vector<const Part*>& configs) {
     std::string text = "#import \"" + std::filesystem::path(file).filename().string() + "\"\n";
     for (std::size_t i = 0; i < configs.size(); ++i)
-        text += std::string(isRobot(*configs[i]) ? "Robot" : "Static") + " preview" + std::to_string(i) +
+        text += std::string(isRobot(*configs[i]) ? "Robot" : "Static") + " " + kInstance + std::to_string(i) +
                 " { Config=" + configs[i]->name + " }\n";
     const bool robots = std::ranges::any_of(configs, [](const Part* config) { return isRobot(*config); });
     return robots && !hasFloor(configs) ? text + kFloor : text;
+}
+
+/// What the preview has of the opened file and its imports: what is placed, logged or lit there is left out.
+std::shared_ptr<ExperimentSpec> previewedOf(const ExperimentSpec& loaded) {
+    auto preview = std::make_shared<ExperimentSpec>(loaded);
+    const auto isOther = [](const auto& object) { return !object.name.starts_with(kInstance); };
+    std::erase_if(preview->robots, isOther);
+    std::erase_if(preview->statics, isOther);
+    preview->logs.clear();
+    preview->looks.clear();
+    preview->settings.duration = 0;
+    return preview;
 }
 
 /// Renames instances to their configs' paths, and places each to the right (-y) of the previous one and above the floor.
@@ -68,11 +82,18 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
 
 std::shared_ptr<const LoadedProject> PreviewScene::show(const Document& document) {
     const std::shared_ptr<const LoadedProject>& loaded = document.loaded();
-    if (loaded == m_of) return m_shown;
+    const EditedModel& model = document.editedModel();
+    if (loaded == m_of && model.path() == m_model) return m_shown;
+    const bool isAlone = model.isOpen();
+    if (isAlone && m_shown && model.path() == m_model && !model.config()) return m_shown; // an error in the text hides it
     m_of = m_shown = loaded;
+    if (model.path() != m_model) m_good = nullptr;
+    m_model = model.path();
     if (!document.lastValid()) m_good = nullptr; // another document
     const auto before = std::exchange(m_read, nullptr);
-    const std::vector<const Part*> configs = loaded ? configsWithoutInstances(*loaded) : std::vector<const Part*>();
+    std::vector<const Part*> configs;
+    if (isAlone && model.config()) configs = {model.config()};
+    else if (loaded && !isAlone) configs = configsWithoutInstances(*loaded);
     if (configs.empty()) return m_shown;
     OpenOptions options = document.options();
     for (const std::string& file : document.texts().files()) options.texts.emplace(file, document.texts().text(file));
@@ -85,7 +106,7 @@ std::shared_ptr<const LoadedProject> PreviewScene::show(const Document& document
     if (!read) return m_shown;
     m_read = read.value();
     auto shown = std::make_shared<LoadedProject>(*m_read);
-    shown->experiment = arranged(*m_read->experiment);
+    shown->experiment = arranged(isAlone ? *previewedOf(*m_read->experiment) : *m_read->experiment);
     m_shown = std::move(shown);
     if (!loaded->diagnostics.hasErrors()) m_good = m_shown->experiment;
     return m_shown;

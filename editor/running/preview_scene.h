@@ -1,6 +1,7 @@
 #pragma once
-// Preview of a text without instances, which can be viewed, run and driven: each robot and arena of the opened file under its
-// own path ("RobotConfig.Rover"), side by side, the robots on a floor. Floor and instances exist only in the preview.
+// Preview of configs, which can be viewed, run and driven: the one that the model editor shows, or of a text without instances
+// each robot and arena of the opened file. Each is under its own path ("RobotConfig.Rover"), side by side, the robots on a floor.
+// Floor and instances exist only in the preview.
 
 #include <memory>
 
@@ -17,8 +18,8 @@ class PreviewScene {
 public:
     explicit PreviewScene(Application& application) : m_application(application) {} ///< `application` must outlive this
 
-    /// The document's project; if it has no instances, a preview of its configs, which can run like any other project. Null if
-    /// nothing is open.
+    /// A preview of the edited model, which can run like any other project; without one the document's project or, if that has no
+    /// instances, a preview of its configs. Null if nothing is open.
     [[nodiscard]] std::shared_ptr<const LoadedProject> show(const Document& document);
     /// The experiment of the newest text without errors; null if there was none.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastValid(const Document& document) const;
@@ -26,6 +27,7 @@ public:
 private:
     Application& m_application;
     std::shared_ptr<const LoadedProject> m_of, m_shown;
+    std::string m_model; // path of the edited model that m_shown shows alone
     std::shared_ptr<const LoadedProject> m_read;  // the project that m_shown was made from; null if the document's own is shown
     std::shared_ptr<const ExperimentSpec> m_good; // of a preview
 };

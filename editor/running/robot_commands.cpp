@@ -142,8 +142,8 @@ void RobotCommands::clear() {
 
 QString RobotCommands::keepRefusal() const {
     if (!m_run.snapshot || !m_document.loaded()) return tr("Nothing has moved yet: run the experiment first.");
-    if (!configsWithoutInstances(*m_document.loaded()).empty())
-        return tr("This file places no robot: the one shown is a preview and has no pose in the text.");
+    if (m_document.editedModel().isOpen() || !configsWithoutInstances(*m_document.loaded()).empty())
+        return tr("The robot shown is a preview: it has no pose in the text.");
     if (m_run.state == RunState::Running) return tr("Pause the run first.");
     return posesNow().refusal;
 }

@@ -10,6 +10,7 @@ namespace trundle {
 RunSource::RunSource(Document& document, Application& application, QObject* parent)
     : QObject(parent), m_document(document), m_application(application), m_preview(application) {
     connect(&document, &Document::changed, this, &RunSource::changed);
+    connect(&document.editedModel(), &EditedModel::changed, this, &RunSource::changed);
 }
 
 std::shared_ptr<const ExperimentSpec> RunSource::shown() const {
@@ -19,6 +20,11 @@ std::shared_ptr<const ExperimentSpec> RunSource::shown() const {
 
 /// An arena alone has nothing that moves.
 QString RunSource::nothingToRun() const {
+    if (const Part* model = m_document.editedModel().config())
+        return model->kind->name == "RobotConfig"
+                   ? QString()
+                   : tr("There is nothing to run: %1 has nothing that moves. Done, above the 3D view, shows the experiment.")
+                         .arg(QString::fromStdString(model->name));
     QStringList names;
     for (const Part* config : configsWithoutInstances(*m_document.loaded())) {
         if (config->kind && config->kind->name == "RobotConfig") return {}; // the preview runs it on a floor

@@ -1,5 +1,5 @@
 #pragma once
-// What Run would run: the document's experiment, or a preview of a text without instances.
+// What Run would run: the document's experiment, or a preview of the edited model or of a text without instances.
 
 #include <memory>
 
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] QString refusal() const;
     /// The text is valid, but has no instances that could run.
     [[nodiscard]] bool describesOnly() const;
-    /// The document's project; if it has no instances, a PreviewScene. Null if nothing is open.
+    /// The document's project; of an edited model, or if it has no instances, a PreviewScene. Null if nothing is open.
     [[nodiscard]] std::shared_ptr<const LoadedProject> project() const { return m_preview.show(m_document); }
     /// The experiment of project(); null if nothing is open.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> shown() const;
@@ -32,7 +32,7 @@ public:
     void readRebuiltModules();
 
 Q_SIGNALS:
-    void changed(); ///< the document changed: refusal() may differ
+    void changed(); ///< the document or the edited model changed: refusal() may differ
 
 private:
     [[nodiscard]] QString nothingToRun() const;

@@ -75,6 +75,7 @@ RunSession::RunSession(Document& document, Application& application, QObject* pa
         reset();
         m_logs->forget();
     });
+    connect(&document.editedModel(), &EditedModel::changed, this, &RunSession::reset); // it runs something else from now on
     connect(&document, &Document::changed, this, &RunSession::followDocument);
 }
 

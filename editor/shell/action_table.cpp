@@ -8,6 +8,7 @@ static constexpr ActionRow kTable[] = {
     {"file.newExperiment", "File/New", "&Experiment…",           "new",         "Ctrl+N",         "Start an experiment from a template."},
     {"file.newRobot",  "File/New",    "&Robot…",                 "",            "",               "Start a robot from a template."},
     {"file.newArena",  "File/New",    "&Arena…",                 "",            "",               "Start an arena from a template."},
+    {"file.newEmpty",  "File/New",    "E&mpty File",             "",            "",               "Start a file without anything in it."},
     {"file.open",      "File",        "&Open…",                  "open",        "Ctrl+O",         "Open an experiment, a robot or an arena."},
     {"file.openSample", "File",       "Open Sa&mple…",           "",            "",               "Go back to the Welcome page, where the sample experiments are."},
     {"file.save",      "|File",       "&Save",                   "save",        "Ctrl+S",         "Write every changed file."},
@@ -23,6 +24,7 @@ static constexpr ActionRow kTable[] = {
     {"edit.delete",    "Edit",        "&Delete",                 "delete",      "Del",            "Remove the selected objects."},
     {"edit.duplicate", "Edit",        "Dup&licate",              "duplicate",   "Ctrl+D",         "Copy the selected objects beside themselves."},
     {"edit.group",     "Edit",        "&Group into Piece…",      "",            "Ctrl+G",         "Make one piece of the selected scenery or movable objects, in a file of its own, to be placed again."},
+    {"model.edit",     "Edit",        "&Edit Model",             "kind-robotconfig", "Ctrl+E",    "Show and edit the model of the selected robot or scenery alone; again: back to the experiment.", true},
     {"parts.make",     "Edit/Parts",  "&Make Part of Selection", "kind-part",   "",               "The selected bodies, joints and devices become a part with a definition of its own, to be used again."},
     {"parts.mirrorY",  "|Edit/Parts", "Mirror &Left to Right",   "",            "",               "Add the mirror image of the selected parts on the other side, along Y."},
     {"parts.mirrorX",  "Edit/Parts",  "Mirror &Front to Back",   "",            "",               "Add the mirror image of the selected parts, along X."},
@@ -92,6 +94,8 @@ static constexpr ActionRow kTable[] = {
     {"view.layoutRun", "View/Layout", "For &Running",           "",            "Alt+2",          "The docks for watching a run."},
     {"view.layoutReset", "View/Layout", "Re&set This Layout",    "",            "",               "Put the docks back where they were at first."},
 
+    {"model.new",      "Insert",      "New Robot &Model",        "kind-robotconfig", "",          "Make a robot of your own: a chassis to build on, shown alone in the model editor."},
+
     {"tool.select",    "Tools",       "&Select",                 "select",      "Q",              "Click and box select.", true},
     {"tool.move",      "Tools",       "&Move",                   "move",        "W",              "Drag arrows and planes to move.", true},
     {"tool.rotate",    "Tools",       "&Rotate",                 "rotate",      "E",              "Drag rings to turn.", true},
@@ -113,6 +117,8 @@ static constexpr ActionRow kTable[] = {
     {"sim.slower",     "Simulation",  "S&lower",                 "",            "Ctrl+[",         "Run at a lower speed."},
     {"sim.keepPoses",  "|Simulation", "&Keep These Poses as Start", "keep",     "",               "Write the robots' present poses into the experiment."},
     {"sim.drive",      "Simulation",  "&Drive with the Keyboard", "drive",      "Ctrl+K",         "Steer the selected robot with the arrow keys.", true},
+
+    {"model.drive",    "Simulation",  "Tes&t Drive",             "drive",       "Ctrl+Shift+E",   "Run the model of the selected robot alone on a plain floor and steer it; again: back to editing.", true},
 
     {"sim.record",     "|Simulation", "Record &Movie…",          "record",      "",               "Make a movie of the experiment, or of this run."},
 

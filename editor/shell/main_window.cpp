@@ -29,6 +29,7 @@
 #include "editor/shell/commands/edit_commands.h"
 #include "editor/shell/commands/file_commands.h"
 #include "editor/shell/commands/help_commands.h"
+#include "editor/shell/commands/model_commands.h"
 #include "editor/shell/commands/part_commands.h"
 #include "editor/shell/commands/project_questions.h"
 #include "editor/shell/commands/run_commands.h"
@@ -124,7 +125,7 @@ void MainWindow::makePanels(Application& application, RenderService* render, con
     m_memory = new SavedWindowState(*m_document, *m_marks, *m_viewport, this);
     m_outline = new OutlinePanel(*m_document, *m_selection, *m_marks, *m_edits);
     m_outline->showValuesOf(*m_session);
-    for (const char* id : {"parts.make", "parts.mirrorY", "parts.repeat", "view.pinValues"})
+    for (const char* id : {"model.edit", "parts.make", "parts.mirrorY", "parts.repeat", "view.pinValues"})
         m_outline->addToMenu(m_actions->at(id));
     m_library = new LibraryPanel(*m_document, *m_selection, application, render, places);
     m_properties = new PropertiesPanel(*m_document, *m_selection, m_session);
@@ -256,6 +257,8 @@ void MainWindow::makeCommands(Application& application, RenderService* render, c
                      places.configs);
     new PartCommands(*this, *m_actions, *m_document, *m_selection);
     new RunCommands(*this, *m_actions, {*m_session, *m_selection, *m_viewport, *m_problems, *m_layouts, *m_status});
+    new ModelCommands(*this, *m_actions,
+                      {*m_document, *m_selection, *m_session, *m_edits, *m_viewport, *m_work, *m_layouts, *m_status});
     new CameraCommands(*this, *m_actions, {application, *m_document, *m_session, *m_viewport, *m_status, render});
     new HelpCommands(*this, *m_actions, {*m_document, *m_selection, *m_text, *m_help, *m_layouts});
 }

@@ -1,6 +1,7 @@
 // Writes the smallest valid text of a kind at a given position: required properties have values, references use existing names,
 // and missing prerequisites are written before it.
 
+#include <array>
 #include <filesystem>
 #include <set>
 
@@ -8,6 +9,7 @@
 #include "project/edits/plan_targets.h"
 #include "project/edits/plans.h"
 #include "project/edits/template_position.h"
+#include "project/edits/template_wheels.h"
 #include "project/objects/object_names.h"
 #include "project/objects/part_values.h"
 
@@ -111,6 +113,7 @@ private:
 
     std::string preferred(const Kind& kind) const {
         if (kind.role == Role::Controller) return "brain";
+        if (kind.name == "DifferentialDrive") return "base"; // the name that controllers look for
         if (kind.name == "Robot") return "robot0";
         if (kind.name == "Grid" || kind.name == "Scatter") return "swarm";
         if (kind.role == Role::Config)
@@ -129,6 +132,9 @@ private:
         if (kind.name == "Scatter" && p.name == "Area") return "-1,-1,1,1";
         if ((kind.role == Role::Layout || kind.role == Role::Repeat) && p.name == "Count") return "3";
         if (kind.role == Role::Layout && p.name == "Spacing") return "1";
+        if (kind.name == "DifferentialDrive" && p.type == PropertyType::Number)
+            if (const auto wheels = m_config ? wheelsOf(m_loaded, *m_config, m_motors[0], m_motors[1]) : std::nullopt)
+                return shortNumber(p.name == "WheelRadius" ? wheels->radius : wheels->separation);
         switch (p.type) {
         case PropertyType::Reference: return reference(kind, p, depth);
         case PropertyType::Boolean: return repeated(p, "false");
@@ -239,6 +245,8 @@ private:
         std::vector<std::string> all;
         for (const std::string& choice : p.choices)
             for (std::string& name : candidates(choice)) all.push_back(std::move(name));
+        const std::string side = p.name == "LeftMotor" ? "left" : p.name == "RightMotor" ? "right" : "";
+        std::stable_partition(all.begin(), all.end(), [&](const std::string& n) { return n.starts_with(side); });
         std::stable_partition(all.begin(), all.end(), [&](const std::string& n) { return !usedBySame(kind, p, n); });
         std::erase_if(all, [&](const std::string& n) { return m_used.count({&kind, n}) > 0; });
         std::string text;
@@ -248,6 +256,8 @@ private:
             m_used.emplace(&kind, name);
             text += (text.empty() ? "" : ",") + name;
         }
+        if (p.name == "LeftMotor") m_motors[0] = text;
+        if (p.name == "RightMotor") m_motors[1] = text;
         return text;
     }
 
@@ -360,6 +370,7 @@ private:
     std::vector<std::pair<const Kind*, std::string>> m_made; ///< blocks of this text
     std::vector<std::string> m_children;                     ///< bodies that its joints carry
     std::set<std::pair<const Kind*, std::string>> m_used;    ///< names already used by references of blocks of that kind
+    std::array<std::string, 2> m_motors;                     ///< LeftMotor and RightMotor of the drive that is written
     std::map<std::pair<const Part*, const NameSpace*>, UsedNames> m_names;
 };
 

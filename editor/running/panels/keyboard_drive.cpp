@@ -17,6 +17,15 @@ constexpr double kSpeed = 0.3, kTurnRate = 1.2; // m/s, rad/s
 
 bool isArrow(int key) { return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Left || key == Qt::Key_Right; }
 
+/// The arrow key for W, A, S or D; other keys as they are.
+int arrowFor(int key) {
+    return key == Qt::Key_W   ? Qt::Key_Up
+           : key == Qt::Key_S ? Qt::Key_Down
+           : key == Qt::Key_A ? Qt::Key_Left
+           : key == Qt::Key_D ? Qt::Key_Right
+                              : key;
+}
+
 /// Whether the widget uses arrow keys, to move a cursor or change a value.
 bool isTypedInto(const QWidget* widget) {
     if (!widget) return false;
@@ -35,7 +44,7 @@ bool isOf(const QWidget& main, const QWidget& window) {
 } // namespace
 
 KeyboardDrive::KeyboardDrive(RunSession& session, Selection& selection, Actions& actions, QWidget& window)
-    : QObject(&window), m_session(session), m_selection(selection), m_window(window) {
+    : QObject(&window), m_session(session), m_selection(selection), m_letters(actions.at("model.drive")), m_window(window) {
     QAction& action = actions.at("sim.drive");
     connect(&action, &QAction::toggled, this, &KeyboardDrive::setOn);
     connect(&session, &RunSession::stateChanged, this, [this] {
@@ -76,9 +85,10 @@ void KeyboardDrive::steer() {
 
 bool KeyboardDrive::press(QKeyEvent& key, bool down) {
     if (key.isAutoRepeat()) return true;
-    if (!down && !m_down.contains(key.key())) return false; // not pressed here
-    if (down) m_down.insert(key.key());
-    else m_down.remove(key.key());
+    const int arrow = arrowFor(key.key());
+    if (!down && !m_down.contains(arrow)) return false; // not pressed here
+    if (down) m_down.insert(arrow);
+    else m_down.remove(arrow);
     m_fast = key.modifiers().testFlag(Qt::ShiftModifier);
     steer();
     return true;
@@ -90,7 +100,9 @@ bool KeyboardDrive::eventFilter(QObject* watched, QEvent* event) {
     auto* widget = qobject_cast<QWidget*>(watched);
     if (!widget || !isOf(m_window, *widget->window()) || isTypedInto(widget)) return false;
     auto& key = *static_cast<QKeyEvent*>(event);
-    if (!isArrow(key.key()) || key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+    const bool flies = QApplication::mouseButtons() != Qt::NoButton; // with a button held, letters move the camera
+    const int arrow = m_letters.isChecked() && !flies ? arrowFor(key.key()) : key.key();
+    if (!isArrow(arrow) || key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
     event->accept();
     if (type == QEvent::ShortcutOverride) return true;
     return press(key, type == QEvent::KeyPress);

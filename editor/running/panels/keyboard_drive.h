@@ -2,6 +2,7 @@
 #include <QObject>
 #include <QSet>
 
+class QAction;
 class QWidget;
 class QKeyEvent;
 
@@ -12,7 +13,7 @@ class RunSession;
 class Selection;
 
 /// While sim.drive is checked, the arrow keys drive the selected robot, unless a field for typing has the focus. The robot's
-/// controller is not called while a key is pressed. Shift doubles the speed.
+/// controller is not called while a key is pressed. Shift doubles the speed. In a test drive W, A, S and D drive too.
 class KeyboardDrive final : public QObject {
     Q_OBJECT
 public:
@@ -31,6 +32,7 @@ private:
 
     RunSession& m_session;
     Selection& m_selection;
+    const QAction& m_letters; // checked: W A S D drive too
     QWidget& m_window;
     bool m_on = false, m_fast = false;
     QSet<int> m_down;

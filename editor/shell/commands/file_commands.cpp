@@ -35,6 +35,9 @@ FileCommands::FileCommands(QWidget& window, Document& document, Actions& actions
     on("file.newExperiment", [this] { newFrom("experiment"); });
     on("file.newRobot", [this] { newFrom("robot"); });
     on("file.newArena", [this] { newFrom("arena"); });
+    on("file.newEmpty", [this] {
+        if (confirmClose()) makeNew(QStringLiteral("experiment"), {});
+    });
     on("file.open", [this] { choose(); });
     on("file.openSample", [this] { close(); }); // the Welcome page lists the samples
     on("file.save", [this] { save(); });

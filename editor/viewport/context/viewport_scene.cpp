@@ -39,6 +39,7 @@ ViewportScene::ViewportScene(Document& document, RunSession& session, RenderServ
         updateScene();
         m_drawnAlike = false;
     });
+    connect(&m_document.editedModel(), &EditedModel::changed, this, &ViewportScene::updateScene);
     connect(&m_session, &RunSession::experimentChanged, this, &ViewportScene::updateScene);
     connect(&m_session, &RunSession::stateChanged, this, &ViewportScene::updateScene);
     connect(&m_session, &RunSession::advanced, this, &ViewportScene::updatePoses);
@@ -186,6 +187,8 @@ bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef
     return std::any_of(marks.begin(), marks.end(),
                        [&](const std::string& mark) { return startsWithPath(path, mark) || isMemberOf(firstWord(path), mark); });
 }
+
+bool showsModel(const ViewportScene& scene) { return scene.m_document.editedModel().isOpen(); }
 
 bool ViewportScene::isLocked(const ObjectRef& object) const {
     const StaticSpec* fixed = m_objects->staticOf(object);

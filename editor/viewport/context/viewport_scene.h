@@ -1,6 +1,6 @@
 #pragma once
-// The scene shown in all views: the document's experiment at its start, or the current run. A text without placed objects is
-// shown as a preview of what it defines.
+// The scene shown in all views: the document's experiment at its start, or the current run. An edited model is shown alone, and a
+// text without placed objects as a preview of what it defines.
 
 #include <memory>
 #include <string>
@@ -71,6 +71,7 @@ Q_SIGNALS:
     void marked();   ///< hidden or locked objects changed
 
 private:
+    friend bool showsModel(const ViewportScene& scene);
     void updateScene();
     void updatePoses();
     void listHidden();
@@ -93,5 +94,8 @@ private:
     bool m_running = false;
     std::vector<std::string> m_hidden, m_locked, m_hiddenInScene;
 };
+
+/// Whether it shows the edited model alone.
+[[nodiscard]] bool showsModel(const ViewportScene& scene);
 
 } // namespace trundle

@@ -23,6 +23,12 @@ namespace {
 const QString kMime = QStringLiteral("application/x-trundle-library");
 const char* const kThing = "droppedThing"; // temporary name while it is dragged
 constexpr double kDefaultStep = 0.01;      // m, when snapping is off
+constexpr double kFlush = 1e-6;            // m; a part as near as this to the floor rests on it
+constexpr double kClearance = 0.005;       // m, between a wheel and the face that it is put on
+constexpr double kPartGrain = 1e-4;        // m, of the position of a part
+constexpr double kNear = 0.03;             // m, from the mirror image of another body
+constexpr double kSteep = 0.5;             // z of the normal of a side face is smaller
+constexpr double kSideways = 0.9;          // y of the normal of a left or right face is larger
 
 QString trDrop(const char* text) { return QCoreApplication::translate("LibraryDrop", text); }
 
@@ -120,6 +126,7 @@ void LibraryDrop::load() {
     const Kind* kind = this->kind();
     const bool isShape = kind && kind->role == Role::Geom, isBody = kind && kind->role == Role::Body;
     if (!isWorldObject() && !isShape && !isBody) return;
+    if (isBody) m_part = RobotPart::of(m_content->text);
     const std::string opened = document.loaded()->paths[0], thing = kThing;
     std::string text = withPos(m_content->text, m_content->kind, Vec3::Zero());
     if (isWorldObject()) text = withName(text, m_content->kind, thing);
@@ -166,6 +173,8 @@ bool LibraryDrop::findOwner(Ground& ground) const {
         ground.owner = world.objects()->pathOf(owner);
         ground.frame = world.poseOf(owner);
         ground.isRobot = true;
+        if (m_part && (m_part->isWheel || !isUpright())) // a foot is the same from all sides
+            ground.turn = m_part->rotationTo(ground.frame.rotation.conjugate() * hit->normal);
         return true;
     }
     const StaticSpec* fixed = world.objects()->staticOf(hit->geom);
@@ -180,7 +189,8 @@ Vec3 LibraryDrop::placeOn(const Ground& ground) const {
     const ViewSettings& settings = m_view.context().settings;
     const double step = settings.snaps() ? settings.moveStep() : kDefaultStep;
     std::vector<PlacementGeom> turned = m_geoms;
-    for (PlacementGeom& part : turned) part.body = Pose{Vec3::Zero(), ground.frame.rotation} * part.body;
+    for (PlacementGeom& part : turned) part.body = Pose{Vec3::Zero(), ground.frame.rotation * ground.turn} * part.body;
+    if (m_part && ground.isRobot) return placePart(ground, turned, step);
     const DropPlacement placement(*world.objects(), *world.poses(), [&](const ObjectRef& geom) { return !world.isHidden(geom); });
     return ground.isRobot && ground.hit() ? placement.placeAgainst(turned, *ground.hit(), step)
                                           : placement.placeFor(turned, ground.hits, ground.point, step);
@@ -190,7 +200,72 @@ void LibraryDrop::hover(const QPointF& at) {
     if (!m_shown || !m_thing) return;
     Ground ground = groundAt(at);
     const bool fits = isWorldObject() || findOwner(ground);
-    m_view.context().world.dragged().moveTo(fits ? std::optional(Pose{placeOn(ground), ground.frame.rotation}) : std::nullopt);
+    m_view.context().world.dragged().moveTo(fits ? std::optional(Pose{placeOn(ground), ground.frame.rotation * ground.turn})
+                                                 : std::nullopt);
+}
+
+/// Whether the part, as written, rests on the floor.
+bool LibraryDrop::isUpright() const {
+    Bounds bounds;
+    for (const PlacementGeom& part : m_geoms) bounds.add(boundsOf(part.geom, part.body));
+    return !bounds.empty() && std::abs(bounds.low.z() + m_part->position.z()) < kFlush;
+}
+
+Vec3 LibraryDrop::placePart(const Ground& ground, const std::vector<PlacementGeom>& turned, double step) const {
+    const ViewportScene& world = m_view.context().world;
+    const Pose& X_WR = ground.frame;
+    const Vec3 normal = X_WR.rotation.conjugate() * ground.hit()->normal;
+    const bool isSide = std::abs(normal.z()) < kSteep, keepsHeight = isUpright() && (isSide || !m_part->isWheel);
+    RayHit hit = *ground.hit();
+    const double floor = showsModel(world) ? -X_WR.position.z() : 0; // in R
+    Vec3 p_R = X_WR.inverse() * hit.point;
+    if (keepsHeight) p_R.z() = floor + m_part->position.z();
+    hit.point = X_WR * p_R;
+    if (isSide || !keepsHeight) {
+        const DropPlacement placement(*world.objects(), *world.poses(), [](const ObjectRef&) { return true; });
+        p_R = X_WR.inverse() * placement.placeAgainst(turned, hit, step) + (m_part->isWheel ? kClearance : 0.0) * normal;
+    }
+    if (keepsHeight) p_R.z() = floor + m_part->position.z();
+    for (int k = 0; k < 3; ++k) {
+        const double grain = keepsHeight && !isSide && k < 2 ? step : kPartGrain;
+        p_R[k] = grain * std::round(p_R[k] / grain) + 0.0;
+    }
+    return X_WR * oppositeOf(ground, p_R);
+}
+
+/// The mirror image of a body of the robot, left for right, if that is near.
+Vec3 LibraryDrop::oppositeOf(const Ground& ground, const Vec3& p_R) const {
+    const ViewportScene& world = m_view.context().world;
+    const RobotSpec& robot = *world.objects()->robotOf(ground.hit()->geom);
+    for (const BodySpec& body : robot.config->bodies) {
+        const Vec3 opposite = body.pose.position.cwiseProduct(Vec3(1, -1, 1));
+        if (std::abs(opposite.y()) > kNear && (opposite - p_R).norm() < kNear) return opposite;
+    }
+    return p_R;
+}
+
+std::string LibraryDrop::partText(const Ground& ground) const {
+    const ViewportScene& world = m_view.context().world;
+    const ObjectRef body = *world.objects()->ownerOf(ground.hit()->geom);
+    const Vec3 normal = ground.frame.rotation.conjugate() * ground.hit()->normal;
+    PartLocation location{{ground.frame.inverse() * placeOn(ground), ground.turn},
+                          world.objects()->robotOf(body)->config->bodies[body.body].name,
+                          {}};
+    if (m_part->isWheel && std::abs(normal.y()) > kSideways) location.side = normal.y() > 0 ? "left" : "right";
+    return textAt(m_content->text, *m_part, location);
+}
+
+/// A sensor on the face, looking away from it; on top of the robot it looks ahead.
+std::string LibraryDrop::deviceText(const Ground& ground) const {
+    const ViewportScene& world = m_view.context().world;
+    const auto body = world.objects()->ownerOf(ground.hit()->geom);
+    const RobotSpec* robot = body ? world.objects()->robotOf(*body) : nullptr;
+    if (!robot || !robot->config || !kind()->find("Body") || !kind()->find("Pos") || !kind()->find("HPR")) return m_content->text;
+    const Pose X_BW = world.poseOf(*body).inverse();
+    const Vec3 normal = X_BW.rotation * ground.hit()->normal;
+    Pose X_BD{X_BW * ground.hit()->point, Quat::Identity()};
+    if (std::abs(normal.z()) < kSteep) X_BD.rotation = Quat(Eigen::AngleAxisd(std::atan2(normal.y(), normal.x()), Vec3::UnitZ()));
+    return deviceTextAt(m_content->text, robot->config->bodies[body->body].name, X_BD);
 }
 
 void LibraryDrop::refuse(const QString& why) { Q_EMIT m_view.context().document.refused(why); }
@@ -210,14 +285,19 @@ void LibraryDrop::drop(const QPointF& at) {
             return refuse(kind->role == Role::Geom ? trDrop("A shape is part of a robot or an arena: drop it onto one.")
                                                    : trDrop("A body is part of a robot: drop it onto one."));
         parent = ground.owner;
-        m_content->text = withPos(m_content->text, m_content->kind, ground.frame.inverse() * placeOn(ground));
+        const bool isPart = m_part && ground.isRobot;
+        m_content->text =
+            isPart ? partText(ground) : withPos(m_content->text, m_content->kind, ground.frame.inverse() * placeOn(ground));
     } else if (const RayHit* hit = ground.hit(); hit && kind->role != Role::Material) {
         const RobotSpec* robot = m_view.context().world.objects()->robotOf(hit->geom);
-        if (robot && robot->config) parent = robot->name;
+        if (robot && robot->config) parent = robot->name, m_content->text = deviceText(ground);
     }
     const QString title = trDrop("Insert %1").arg(QString::fromStdString(m_content->kind));
-    const auto plan = [parent, content = *m_content](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
-        return planInsert(loaded, renamed(parent), content.text, content.imports);
+    const auto plan = [parent, content = *m_content, isPart = m_part.has_value()](const LoadedProject& loaded,
+                                                                                  const StructureEdits::PathMapping& renamed) {
+        Result<EditPlan> plan = planInsert(loaded, renamed(parent), content.text, content.imports);
+        if (plan && isPart && !plan.value().selects.empty()) plan.value().selects.resize(1); // the body alone
+        return plan;
     };
     (void)document.structure().apply(title, {parent}, plan);
 }

@@ -8,6 +8,7 @@
 
 #include <QPointF>
 
+#include "editor/viewport/tools/robot_part.h"
 #include "scene/queries/drop_placement.h"
 
 class QMimeData;
@@ -22,7 +23,8 @@ class ToolView;
 [[nodiscard]] bool canDrop(const QMimeData& data);
 
 /// Robots and arenas are inserted into the world, bodies and shapes into the config of the object under the cursor; a material is
-/// assigned to the shape. Objects in the world rest on the floor or on other objects, never inside them. Failures are reported
+/// assigned to the shape. A robot part and a sensor are put on the face under the cursor, turned to it and joined to its body; parts
+/// that reach the floor keep their height above it, and near the mirror image of another part they are put exactly opposite. Objects in the world rest on the floor or on other objects, never inside them. Failures are reported
 /// through Document::refused.
 class LibraryDrop {
 public:
@@ -42,9 +44,10 @@ private:
     struct Ground {
         std::vector<RayHit> hits;
         Vec3 point = Vec3::Zero();
-        std::string owner;    ///< for a shape or body: the robot, body or static that it is inserted into
-        Pose frame;           ///< the frame of a Pos there, in world coordinates
-        bool isRobot = false; ///< the owner belongs to a robot
+        std::string owner;            ///< for a shape or body: the robot, body or static that it is inserted into
+        Pose frame;                   ///< the frame of a Pos there, in world coordinates
+        bool isRobot = false;         ///< the owner belongs to a robot
+        Quat turn = Quat::Identity(); ///< of a robot part, from the frame
         [[nodiscard]] const RayHit* hit() const { return hits.empty() ? nullptr : &hits.front(); }
     };
     [[nodiscard]] static std::optional<DraggedContent> draggedContentOf(const QMimeData& data);
@@ -52,6 +55,11 @@ private:
     /// Sets the owner and frame for a dragged shape or body; false if there is none.
     [[nodiscard]] bool findOwner(Ground& ground) const;
     [[nodiscard]] Vec3 placeOn(const Ground& ground) const; ///< in world coordinates
+    [[nodiscard]] Vec3 placePart(const Ground& ground, const std::vector<PlacementGeom>& turned, double step) const;
+    [[nodiscard]] Vec3 oppositeOf(const Ground& ground, const Vec3& p_R) const;
+    [[nodiscard]] bool isUpright() const;
+    [[nodiscard]] std::string partText(const Ground& ground) const;
+    [[nodiscard]] std::string deviceText(const Ground& ground) const;
     [[nodiscard]] const Kind* kind() const;
     [[nodiscard]] bool isWorldObject() const; ///< a Robot, Static, Grid or Scatter
     void load();
@@ -62,6 +70,7 @@ private:
     ToolView& m_view;
     std::optional<DraggedContent> m_content;
     bool m_shown = false;
+    std::optional<RobotPart> m_part;               ///< for a body that comes with a joint
     std::shared_ptr<const ExperimentSpec> m_thing; ///< the dragged object alone, at the origin; null if it has no shapes
     std::vector<PlacementGeom> m_geoms;            ///< of m_thing
 };

@@ -10,6 +10,22 @@ namespace {
 
 constexpr double kSamePlace = 5; // pixels
 
+/// The objects that a box selects.
+std::vector<ObjectRef> boxableObjects(const ViewportScene& world) {
+    const std::vector<ObjectRef> instances = world.objects()->instances();
+    if (!showsModel(world)) return instances;
+    std::vector<ObjectRef> inside;
+    for (const ObjectRef& object : instances) {
+        const RobotSpec* robot = world.objects()->robotOf(object);
+        const StaticSpec* fixed = world.objects()->staticOf(object);
+        for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i)
+            inside.push_back({ObjectKind::Body, object.instance, i});
+        for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
+            inside.push_back({ObjectKind::StaticGeom, object.instance, 0, i});
+    }
+    return inside;
+}
+
 } // namespace
 
 std::vector<std::string> pickChain(const ViewportScene& world, const std::vector<RayHit>& hits) {
@@ -23,6 +39,7 @@ std::vector<std::string> pickChain(const ViewportScene& world, const std::vector
         if (chain.empty() && geom && geom->shape == GeomShape::Plane) chain.emplace_back();
         std::vector<ObjectRef> levels{hit.geom};
         while (const auto owner = world.objects()->ownerOf(levels.back())) levels.push_back(*owner);
+        if (showsModel(world) && levels.size() > 1) levels.pop_back();
         for (auto level = levels.rbegin(); level != levels.rend(); ++level) add(*level);
     }
     return chain;
@@ -31,7 +48,7 @@ std::vector<std::string> pickChain(const ViewportScene& world, const std::vector
 std::vector<std::string> boxPick(const ToolView& view, const QRectF& box) {
     const ViewportScene& world = view.context().world;
     std::vector<std::string> paths;
-    for (const ObjectRef& object : world.objects()->instances()) {
+    for (const ObjectRef& object : boxableObjects(world)) {
         const Bounds bounds = world.boundsOf(object);
         if (bounds.empty() || world.isHidden(object) || world.isLocked(object)) continue;
         const auto isIn = [&](const Vec3& point) {
@@ -39,7 +56,7 @@ std::vector<std::string> boxPick(const ToolView& view, const QRectF& box) {
             return at && box.contains(*at);
         };
         bool taken = isIn(bounds.centre());
-        for (int i = 0; i < 8 && taken && object.kind == ObjectKind::Static; ++i) taken = isIn(bounds.corner(i));
+        for (int i = 0; i < 8 && taken && world.objects()->staticOf(object); ++i) taken = isIn(bounds.corner(i));
         if (taken) paths.push_back(world.objects()->pathOf(object));
     }
     return paths;

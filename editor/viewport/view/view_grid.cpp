@@ -1,6 +1,7 @@
 #include "editor/viewport/view/view_grid.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QTimer>
 
@@ -31,11 +32,10 @@ ViewGrid::ViewGrid(const ViewContext& context)
 
 /// A new document is framed once, as soon as it has objects.
 void ViewGrid::connectFraming() {
+    connect(&m_context.document.editedModel(), &EditedModel::changed, this, &ViewGrid::showModel);
     connect(&m_context.document, &Document::opened, this, [this] {
         m_toBeFramed = true;
-        for (View* view : m_views) // the followed robot is gone
-            if (view->camera().free().kind() == ViewKind::Follow || view->camera().free().kind() == ViewKind::Chase)
-                view->camera().setKind(ViewKind::Perspective);
+        leaveFollowedRobot();
     });
     connect(&m_context.document, &Document::changed, this, [this] { // emitted after opened(), before which the scene is outdated
         if (!m_toBeFramed || m_context.world.objects()->instances().empty()) return;
@@ -44,6 +44,23 @@ void ViewGrid::connectFraming() {
         frameAll();
     });
     if (!m_context.world.objects()->instances().empty()) m_toBeFramed = false, m_frameWhenShown = true;
+}
+
+/// The followed robot is not shown any more.
+void ViewGrid::leaveFollowedRobot() {
+    for (View* view : m_views)
+        if (view->camera().free().kind() == ViewKind::Follow || view->camera().free().kind() == ViewKind::Chase)
+            view->camera().setKind(ViewKind::Perspective);
+}
+
+/// Frames the edited model; afterwards the experiment is shown as before.
+void ViewGrid::showModel() {
+    const bool isShown = showsModel(m_context.world), wasShown = !m_experimentViews.empty();
+    if (isShown == wasShown) return; // renamed
+    if (!isShown) return setViewStates(std::exchange(m_experimentViews, {}), m_shown);
+    m_experimentViews = viewStates();
+    leaveFollowedRobot();
+    frameAll();
 }
 
 void ViewGrid::makeViews() {

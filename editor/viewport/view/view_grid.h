@@ -51,6 +51,8 @@ protected:
 private:
     void makeViews();
     void connectFraming();
+    void showModel();
+    void leaveFollowedRobot();
     void followDrivenRobot();
     void setCurrent(View& view);
 
@@ -60,6 +62,7 @@ private:
     View* m_current = nullptr;
     int m_shown = 1;
     bool m_toBeFramed = true, m_frameWhenShown = false;
+    std::vector<ViewState> m_experimentViews; // while the edited model is shown: the views of the experiment
 };
 
 } // namespace trundle

@@ -242,7 +242,7 @@ void ViewportActions::showMenu(View& view, const QPointF& at) {
         menu.addAction(&m_actions.at("edit.paste"));
         menu.addSeparator();
     }
-    for (const char* id : {"view.frame", "view.frameAll"}) menu.addAction(&m_actions.at(id));
+    for (const char* id : {"model.edit", "view.frame", "view.frameAll"}) menu.addAction(&m_actions.at(id));
     const std::vector<const CameraModel*> cameras = m_context.world.camerasOf(m_context.selection.current());
     for (std::size_t i = 0; i < cameras.size() && i < kMaxCameras; ++i)
         connect(menu.addAction(tr("Look Through %1").arg(QString::fromStdString(cameras[i]->path))), &QAction::triggered, &view,

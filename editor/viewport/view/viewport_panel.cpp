@@ -9,6 +9,7 @@
 #include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/radio/radio_overlays.h"
 #include "editor/viewport/tools/measure_tool.h"
+#include "editor/viewport/view/model_bar.h"
 #include "editor/viewport/view/view_banner.h"
 #include "editor/viewport/view/view_header.h"
 #include "editor/viewport/view/viewport_actions.h"
@@ -30,6 +31,7 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(new ModelBar(document, actions));
     column->addWidget(bar);
     column->addWidget(m_views, 1);
     m_banner = new ViewBanner(*m_context, this);

@@ -1,0 +1,109 @@
+#include "editor/shell/commands/model_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QFile>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/outline/block_mime.h"
+#include "editor/outline/object_edits.h"
+#include "editor/running/session.h"
+#include "editor/shell/layouts.h"
+#include "editor/shell/status_line.h"
+#include "editor/shell/work_area.h"
+#include "editor/viewport/view/viewport_panel.h"
+#include "editor/widgets/resources.h"
+#include "model/dotted_path.h"
+#include "project/edits/insert_positions.h"
+
+namespace trundle {
+
+ModelCommands::ModelCommands(QWidget& window, Actions& actions, const Targets& targets)
+    : QObject(&window), m_actions(actions), m_targets(targets) {
+    connect(&m_actions.at("model.edit"), &QAction::triggered, this, &ModelCommands::edit);
+    connect(&m_actions.at("model.new"), &QAction::triggered, this, &ModelCommands::makeNew);
+    connect(&m_actions.at("model.drive"), &QAction::triggered, this, &ModelCommands::drive);
+    connect(&m_targets.document.editedModel(), &EditedModel::changed, this, &ModelCommands::showState);
+    connect(&m_targets.session, &RunSession::stateChanged, this, [this] {
+        if (m_driving && m_targets.session.state() == RunState::Start) endDrive(); // reset, or the model was closed
+    });
+}
+
+/// The model of what is selected; without a selection that of the only robot or scenery that has one.
+std::string ModelCommands::wanted() const {
+    const EditedModel& model = m_targets.document.editedModel();
+    if (model.isOpen()) return model.path();
+    if (const std::string path = model.modelOf(m_targets.selection.current()); !path.empty()) return path;
+    std::vector<std::string> all;
+    for (const Part* config : m_targets.document.loaded()->outline->configs.all())
+        if (const std::string path = model.modelOf(pathOfConfig(*config)); path.starts_with("RobotConfig.")) all.push_back(path);
+    return all.size() == 1 ? all.front() : std::string();
+}
+
+bool ModelCommands::open(const std::string& path) {
+    if (path.empty()) {
+        m_targets.status.refuse(tr("Select the robot or scenery whose model you want to edit."));
+        return false;
+    }
+    const LoadedProject& loaded = *m_targets.document.loaded();
+    std::vector<std::string> inside; // the selected parts of an instance, in the model
+    for (const std::string& selected : m_targets.selection.paths())
+        if (std::string at = definedAt(loaded, selected); startsWithPath(at, path)) inside.push_back(std::move(at));
+    m_targets.document.editedModel().open(path);
+    m_targets.selection.set(inside.empty() ? std::vector<std::string>{path} : inside);
+    m_targets.work.showViewport(true);
+    m_targets.layouts.raise(QStringLiteral("library"));
+    m_targets.viewport.views().current().setFocus();
+    return true;
+}
+
+void ModelCommands::edit(bool on) {
+    EditedModel& model = m_targets.document.editedModel();
+    if (on && m_targets.document.isOpen()) (void)open(wanted());
+    else model.close();
+    showState(); // also after a refusal
+}
+
+/// A config with a chassis to build on, and an instance of it.
+void ModelCommands::makeNew() {
+    QFile file(resourcePath(QStringLiteral("templates/model.sim")));
+    if (!m_targets.document.isOpen() || !file.open(QIODevice::ReadOnly)) return;
+    const Result<Blocks> blocks = blocksFrom(file.readAll().toStdString());
+    if (!blocks || !m_targets.objects.insert(blocks.value(), {}, tr("New Robot Model"))) return;
+    for (const std::string& path : m_targets.selection.paths())
+        if (const std::string model = m_targets.document.editedModel().modelOf(path); !model.empty()) return (void)open(model);
+}
+
+void ModelCommands::drive(bool on) {
+    if (!on) return m_targets.session.reset();
+    const bool isOpen = m_targets.document.editedModel().isOpen();
+    if (!m_targets.document.isOpen() || !open(wanted())) return showState();
+    m_opened = !isOpen;
+    m_targets.session.reset();
+    m_targets.session.run(); // reports why it cannot
+    if (m_targets.session.state() == RunState::Start) {
+        if (m_opened) m_targets.document.editedModel().close();
+        return showState();
+    }
+    m_driving = true;
+    m_drove = m_actions.at("sim.drive").isChecked();
+    m_actions.at("sim.drive").setChecked(true);
+    m_targets.viewport.views().current().setFocus();
+    showState();
+}
+
+void ModelCommands::endDrive() {
+    m_driving = false;
+    m_actions.at("sim.drive").setChecked(m_drove);
+    if (std::exchange(m_opened, false)) m_targets.document.editedModel().close();
+    showState();
+}
+
+void ModelCommands::showState() {
+    m_actions.at("model.edit").setChecked(m_targets.document.editedModel().isOpen());
+    m_actions.at("model.drive").setChecked(m_driving);
+}
+
+} // namespace trundle

@@ -1,0 +1,50 @@
+#pragma once
+#include <QObject>
+
+#include "editor/widgets/actions.h"
+
+namespace trundle {
+
+class Document;
+class Layouts;
+class ObjectEdits;
+class RunSession;
+class Selection;
+class StatusLine;
+class ViewportPanel;
+class WorkArea;
+
+/// The model editor: shows the model of the selected robot or scenery alone, makes new models, drives one on a plain floor.
+class ModelCommands final : public QObject {
+    Q_OBJECT
+public:
+    struct Targets {
+        Document& document;
+        Selection& selection;
+        RunSession& session;
+        ObjectEdits& objects;
+        ViewportPanel& viewport;
+        WorkArea& work;
+        Layouts& layouts;
+        StatusLine& status;
+    };
+    /// All targets must outlive this object.
+    ModelCommands(QWidget& window, Actions& actions, const Targets& targets);
+
+private:
+    [[nodiscard]] std::string wanted() const;
+    bool open(const std::string& path);
+    void edit(bool on);
+    void makeNew();
+    void drive(bool on);
+    void endDrive();
+    void showState();
+
+    Actions& m_actions;
+    Targets m_targets;
+    bool m_driving = false;
+    bool m_opened = false; // the test drive has opened the model
+    bool m_drove = false;  // sim.drive was checked before
+};
+
+} // namespace trundle

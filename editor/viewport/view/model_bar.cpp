@@ -1,0 +1,90 @@
+#include "editor/viewport/view/model_bar.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "editor/document/document.h"
+#include "editor/widgets/actions.h"
+#include "editor/widgets/strings.h"
+#include "editor/widgets/theme.h"
+#include "project/edits/edit_target.h"
+
+namespace trundle {
+
+ModelBar::ModelBar(const Document& document, Actions& actions, QWidget* parent)
+    : QFrame(parent), m_document(document), m_actions(actions), m_title(new QLabel), m_detail(new QLabel) {
+    setObjectName(QStringLiteral("modelBar"));
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::AlternateBase);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 4, 6, 4);
+    useFont(*m_title, [] {
+        QFont bold = interfaceFont();
+        bold.setWeight(QFont::DemiBold);
+        return bold;
+    });
+    m_detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_detail->setForegroundRole(QPalette::PlaceholderText);
+    row->addWidget(m_title);
+    row->addWidget(m_detail, 1);
+    const auto button = [&](const char* name, const char* action) {
+        auto* made = new QPushButton;
+        made->setObjectName(QLatin1String(name));
+        made->setFocusPolicy(Qt::NoFocus); // keys go to the view
+        connect(made, &QPushButton::clicked, &m_actions.at(action), &QAction::trigger);
+        row->addWidget(made);
+        return made;
+    };
+    QPushButton* drive = button("modelDrive", "model.drive");
+    QPushButton* done = button("modelDone", "model.edit");
+    done->setText(tr("Done"));
+    done->setToolTip(tr("Back to the experiment"));
+    const QAction& driving = m_actions.at("model.drive");
+    const auto showDriving = [this, drive, &driving] {
+        drive->setText(driving.isChecked() ? tr("End Test Drive") : tr("Test Drive"));
+        show();
+    };
+    connect(&driving, &QAction::toggled, this, showDriving);
+    connect(&m_document.editedModel(), &EditedModel::changed, this, [this, drive] {
+        drive->setVisible(m_document.editedModel().path().starts_with("RobotConfig."));
+        show();
+    });
+    connect(&m_document, &Document::changed, this, &ModelBar::show);
+    showDriving();
+}
+
+QString ModelBar::detail() const {
+    const Part* config = m_document.editedModel().config();
+    if (!config) return {};
+    if (m_actions.at("model.drive").isChecked()) return tr("Steer with the arrow keys or W A S D, with Shift twice as fast");
+    const LoadedProject& loaded = *m_document.loaded();
+    const QString file = toQString(m_document.texts().shown(loaded.paths.at(config->file)));
+    if (isShippedFile(loaded, config->file)) return tr("From %1, which is read-only: the first edit makes a copy").arg(file);
+    const auto users = static_cast<int>(instancesOf(loaded, *config).size());
+    return users > 1 ? tr("Every edit changes all %1 instances").arg(users) : QString();
+}
+
+void ModelBar::show() {
+    const EditedModel& model = m_document.editedModel();
+    const QString name = QString::fromStdString(model.path().substr(model.path().find('.') + 1));
+    m_title->setText(m_actions.at("model.drive").isChecked() ? tr("Driving %1").arg(name) : tr("Editing %1").arg(name));
+    setVisible(model.isOpen());
+    fitDetail();
+}
+
+/// What does not fit beside the buttons ends in an ellipsis; the whole text is its tooltip.
+void ModelBar::fitDetail() {
+    if (isVisible()) layout()->activate();
+    const QString whole = detail();
+    m_detail->setText(m_detail->fontMetrics().elidedText(whole, Qt::ElideRight, m_detail->width()));
+    m_detail->setToolTip(whole);
+}
+
+void ModelBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitDetail();
+}
+
+} // namespace trundle
