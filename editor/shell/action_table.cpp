@@ -24,7 +24,7 @@ static constexpr ActionRow kTable[] = {
     {"edit.delete",    "Edit",        "&Delete",                 "delete",      "Del",            "Remove the selected objects."},
     {"edit.duplicate", "Edit",        "Dup&licate",              "duplicate",   "Ctrl+D",         "Copy the selected objects beside themselves."},
     {"edit.group",     "Edit",        "&Group into Piece…",      "",            "Ctrl+G",         "Make one piece of the selected scenery or movable objects, in a file of its own, to be placed again."},
-    {"model.edit",     "Edit",        "&Edit Model",             "kind-robotconfig", "Ctrl+E",    "Show and edit the model of the selected robot or scenery alone; again: back to the experiment.", true},
+    {"model.edit",     "Edit",        "Edit Model",              "kind-robotconfig", "Ctrl+E",    "Show and edit the model of the selected robot or scenery alone; again: back to the experiment.", true},
     {"edit.rename",    "Edit",        "Rena&me…",                "rename",      "F2",             "Rename the selected object, or what is named at the caret, and every reference to it."},
     {"edit.selectAll", "Edit",        "Select &All",             "",            "Ctrl+A",         "Select all robots and statics."},
     {"edit.find",      "|Edit",       "&Find…",                  "find",        "Ctrl+F",         "Find in the text, or in all files of the experiment."},
@@ -113,7 +113,7 @@ static constexpr ActionRow kTable[] = {
     {"sim.keepPoses",  "|Simulation", "&Keep These Poses as Start", "keep",     "",               "Write the robots' present poses into the experiment."},
     {"sim.drive",      "Simulation",  "&Drive with the Keyboard", "drive",      "Ctrl+K",         "Steer the selected robot with the arrow keys.", true},
 
-    {"model.drive",    "Simulation",  "Tes&t Drive",             "drive",       "Ctrl+Shift+E",   "Run the model of the selected robot alone on a plain floor and steer it; again: back to editing.", true},
+    {"model.drive",    "Simulation",  "Test Dri&ve",             "drive",       "Ctrl+Shift+E",   "Run the model of the selected robot alone on a plain floor and steer it; again: back to editing.", true},
 
     {"sim.record",     "|Simulation", "Record &Movie…",          "record",      "",               "Make a movie of the experiment, or of this run."},
 
