@@ -24,7 +24,7 @@ static constexpr ActionRow kTable[] = {
     {"edit.delete",    "Edit",        "&Delete",                 "delete",      "Del",            "Remove the selected objects."},
     {"edit.duplicate", "Edit",        "Dup&licate",              "duplicate",   "Ctrl+D",         "Copy the selected objects beside themselves."},
     {"edit.group",     "Edit",        "&Group into Piece…",      "",            "Ctrl+G",         "Make one piece of the selected scenery or movable objects, in a file of its own, to be placed again."},
-    {"model.edit",     "Edit",        "&Edit Model",             "kind-robotconfig", "Ctrl+E",    "Show and edit the model of the selected robot or scenery alone; again: back to the experiment.", true},
+    {"model.edit",     "Edit",        "Edit Model",              "kind-robotconfig", "Ctrl+E",    "Show and edit the model of the selected robot or scenery alone; again: back to the experiment.", true},
     {"parts.make",     "Edit/Parts",  "&Make Part of Selection", "kind-part",   "",               "The selected bodies, joints and devices become a part with a definition of its own, to be used again."},
     {"parts.mirrorY",  "|Edit/Parts", "Mirror &Left to Right",   "",            "",               "Add the mirror image of the selected parts on the other side, along Y."},
     {"parts.mirrorX",  "Edit/Parts",  "Mirror &Front to Back",   "",            "",               "Add the mirror image of the selected parts, along X."},
@@ -118,7 +118,7 @@ static constexpr ActionRow kTable[] = {
     {"sim.keepPoses",  "|Simulation", "&Keep These Poses as Start", "keep",     "",               "Write the robots' present poses into the experiment."},
     {"sim.drive",      "Simulation",  "&Drive with the Keyboard", "drive",      "Ctrl+K",         "Steer the selected robot with the arrow keys.", true},
 
-    {"model.drive",    "Simulation",  "Tes&t Drive",             "drive",       "Ctrl+Shift+E",   "Run the model of the selected robot alone on a plain floor and steer it; again: back to editing.", true},
+    {"model.drive",    "Simulation",  "Test Dri&ve",             "drive",       "Ctrl+Shift+E",   "Run the model of the selected robot alone on a plain floor and steer it; again: back to editing.", true},
 
     {"sim.record",     "|Simulation", "Record &Movie…",          "record",      "",               "Make a movie of the experiment, or of this run."},
 

@@ -210,7 +210,7 @@ private Q_SLOTS:
         };
         for (const auto& part : loaded.outline->parts) walk(walk, *part);
         QCOMPARE(found.join(u' '), QStringLiteral("far 1/0 C 5/0 b 2/0 g 2/0 c 2/0 h 1/0 a 1/0 b 2/0"));
-        QCOMPARE(text(counts.outside()), QStringLiteral("1/0")); // Tik
+        QCOMPARE(text(counts.outside(*o.document.loaded())), QStringLiteral("1/0")); // Tik
         QCOMPARE(text(counts.ofFile(0)), QStringLiteral("9/0"));
         QCOMPARE(text(counts.ofFile(1)), QStringLiteral("1/0"));
         QCOMPARE(text(counts.ofFile(7)), QStringLiteral("0/0"));
@@ -220,7 +220,7 @@ private Q_SLOTS:
         QCOMPARE(text(counts.at({1, {0, 100}})), QStringLiteral("1/0"));
         QVERIFY(o.open("Robot r { Config=None }\n", "other.sim"));
         QVERIFY(o.open("Tick = 0.01\n", "good.sim"));
-        QCOMPARE(text(ProblemCounts(*o.document.loaded()).outside()), QStringLiteral("0/0"));
+        QCOMPARE(text(ProblemCounts(*o.document.loaded()).outside(*o.document.loaded())), QStringLiteral("0/0"));
     }
 };
 
