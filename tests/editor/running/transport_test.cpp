@@ -29,6 +29,7 @@ constexpr ActionRow kRows[] = {
     {"sim.slower", "", "Slower", "", "", "Slower."},
     {"sim.keepPoses", "", "Keep", "", "", "Keep."},
     {"sim.drive", "", "Drive", "drive", "", "Drive.", true},
+    {"model.drive", "", "Test Drive", "drive", "", "Drive the model.", true},
 };
 
 } // namespace
