@@ -50,7 +50,7 @@ void PartCommands::askRepeat() {
     const std::vector<std::string> paths = chosen();
     if (paths.empty()) return;
     const LoadedProject& loaded = *m_document.loaded();
-    // Told before somebody chooses numbers for it. Which numbers it has makes no difference.
+    // Reported before numbers are chosen for it; which numbers makes no difference.
     const Result<EditPlan> possible = planRepeat(loaded, paths, 2, Vec3::Zero());
     if (!possible) return Q_EMIT m_document.refused(toQString(possible.error().message));
     auto* dialog = new RepeatDialog(duplicateOffset(loaded, paths), &m_window);

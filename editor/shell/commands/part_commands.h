@@ -18,7 +18,7 @@ class Actions;
 class Document;
 class Selection;
 
-/// Connects the actions "parts.*". Each is one entry of the history for the selected objects; what is refused is told by
+/// Connects the actions "parts.*". Each is one entry of the history for the selected objects; refusals are reported by
 /// Document::refused().
 class PartCommands final : public QObject {
     Q_OBJECT
@@ -30,7 +30,7 @@ private:
     /// `name` of the entry, with %1 for the objects.
     void apply(const QString& name, const Plan& plan);
     void askRepeat();
-    /// The selected objects; empty, and the reason told, if there are no objects to change.
+    /// The selected objects; empty, and the reason reported, if none can be changed.
     [[nodiscard]] std::vector<std::string> chosen();
 
     QWidget& m_window;

@@ -1,5 +1,4 @@
 // The property panel: its rows, editing values, and errors.
-#include "eventually.h"
 #include "properties_fixture.h"
 
 #include <QAction>

@@ -52,7 +52,7 @@ private Q_SLOTS:
         QVERIFY2(made.starts_with(kHead + "PartConfig Left {\n"), made.c_str());
         QVERIFY2(made.find("\n  Part left { Config=Left chassis=chassis }\n") != std::string::npos, made.c_str());
         QVERIFY(!document().loaded()->diagnostics.hasErrors());
-        QCOMPARE(m_window->selection().current(), std::string("RobotConfig.Kit.left"));
+        QCOMPARE(m_window->selection().current(), std::string("robot0.left"));
         checkUndo(QStringLiteral("Make Part of 2 objects"));
     }
 
@@ -73,7 +73,7 @@ private Q_SLOTS:
         trigger(action);
         QVERIFY2(text().find("\n  " + part + "\n") != std::string::npos, text().c_str());
         QVERIFY(!document().loaded()->diagnostics.hasErrors());
-        QCOMPARE(document().loaded()->experiment->robots.at(0).bodies.size(), 3u);
+        QCOMPARE(document().loaded()->experiment->robots.at(0).config->bodies.size(), 3u);
         checkUndo(QStringLiteral("Mirror 2 objects"));
     }
 
@@ -89,7 +89,7 @@ private Q_SLOTS:
         EVENTUALLY(text() != kHead + kConfig);
         QVERIFY2(text().find("Count=3") != std::string::npos, text().c_str());
         QVERIFY(!document().loaded()->diagnostics.hasErrors());
-        const auto& bodies = document().loaded()->experiment->robots.at(0).bodies;
+        const auto& bodies = document().loaded()->experiment->robots.at(0).config->bodies;
         QCOMPARE(bodies.size(), 4u);
         QVERIFY(std::abs(bodies[3].pose.position.x() - -0.22) < 1e-12);
         checkUndo(QStringLiteral("Repeat 2 objects"));
