@@ -38,7 +38,7 @@ struct DeviceView {
 [[nodiscard]] const DeviceView* viewOf(std::string_view kind);
 [[nodiscard]] std::string interfaceOf(std::string_view kind);
 
-/// The device "rover/base" of an experiment; nullptr if there is none.
+/// The device "rover/base" of an experiment; nullptr if it has no such device.
 [[nodiscard]] const ComponentSpec* deviceAt(const ExperimentSpec& experiment, std::string_view path);
 
 } // namespace trundle

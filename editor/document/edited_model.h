@@ -24,7 +24,7 @@ public:
 
     [[nodiscard]] const std::string& path() const { return m_path; } ///< "RobotConfig.Rover"; empty: none
     [[nodiscard]] bool isOpen() const { return !m_path.empty(); }
-    /// Its block; nullptr if there is none, or none now because of an error in the text.
+    /// Its block; nullptr without one, or without one now because of an error in the text.
     [[nodiscard]] const Part* config() const;
     /// The RobotConfig or StaticConfig that an object belongs to, or is an instance of; empty: none.
     [[nodiscard]] std::string modelOf(const std::string& path) const;

@@ -25,7 +25,7 @@ public:
     Socket& operator=(Socket&& other) noexcept;
     ~Socket() { close(); }
 
-    /// The next waiting connection of a listening socket; none if there is none.
+    /// The next waiting connection of a listening socket; empty if no connection waits.
     [[nodiscard]] std::optional<Socket> accept();
     /// The number of bytes that were available, at most all of `bytes`; 0 if there are none now. None: the other end has closed it.
     [[nodiscard]] std::optional<std::size_t> read(std::span<char> bytes);

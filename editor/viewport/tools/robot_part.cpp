@@ -50,7 +50,7 @@ Vec3 vectorOf(const Tree& tree, const BlockItem& block, std::string_view key, co
     return all;
 }
 
-/// The block that joins a body to the robot; nullptr if there is none.
+/// The block that joins a body to the robot; nullptr if no block does.
 const BlockItem* jointOf(const Tree& tree, const std::vector<const BlockItem*>& blocks, const std::string& body) {
     const auto joint =
         std::ranges::find_if(blocks, [&](const BlockItem* block) { return textOfValue(tree, *block, "Child") == body; });
