@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QGuiApplication>
 #include <QMessageBox>
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -43,6 +44,7 @@ FileCommands::FileCommands(QWidget& window, Document& document, Actions& actions
     on("file.save", [this] { save(); });
     on("file.saveAs", [this] { saveAs(); });
     on("file.close", [this] { close(); });
+    connect(&m_document, &Document::opened, this, &FileCommands::endOpening);
 }
 
 void FileCommands::close() {
@@ -78,16 +80,19 @@ void FileCommands::showOpening(const QString& path) {
     m_progress->setAttribute(Qt::WA_ShowWithoutActivating);
     m_progress->setMinimumDuration(500);
     m_progress->setValue(0); // starts the timer of the minimum duration
-    // The window gets the keyboard back that the dialog took: not every platform does that.
     connect(m_progress, &QProgressDialog::canceled, this, [this] {
         m_document.opening().cancel();
         m_window.activateWindow();
         m_progress->deleteLater();
     });
-    connect(&m_document, &Document::opened, m_progress, [this] {
-        if (m_progress->isActiveWindow()) m_window.activateWindow();
-        m_progress->deleteLater();
-    });
+}
+
+/// The window gets the keyboard back that the dialog took: not every platform does that. Deleted at once, since its timer may be due.
+void FileCommands::endOpening() {
+    // It may just have been shown, so that it is not active yet. No window has the focus while another program has it.
+    const bool tookFocus = m_progress && m_progress->isVisible() && QGuiApplication::focusWindow();
+    delete m_progress;
+    if (tookFocus) m_window.activateWindow();
 }
 
 void FileCommands::reportNotOpened(const QString& path, const QString& reason) {

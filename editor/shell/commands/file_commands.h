@@ -40,6 +40,7 @@ private:
     void makeNew(const QString& subject, const QByteArray& text);
     void choose();
     void showOpening(const QString& path);
+    void endOpening();
     bool save();
     bool saveAs();
     void report(const QString& title, const Status& status);
