@@ -65,6 +65,7 @@ constexpr CodeEntry kCodes[] = {
     {Code::MassRatio, "extreme mass ratio of joined bodies"},
     {Code::WheelGeometry, "drive parameters that differ from the wheels"},
     {Code::SpringTooFast, "spring too fast for the tick"},
+    {Code::ImportedTwice, "file imported twice"},
     {Code::ModuleNotFound, "module not found"},
     {Code::ModuleNotTrusted, "module not trusted"},
     {Code::ModuleUnreadable, "module that cannot be loaded"},

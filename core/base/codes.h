@@ -73,6 +73,7 @@ enum class Code : int {
     MassRatio,
     WheelGeometry,
     SpringTooFast,
+    ImportedTwice,
     // modules
     ModuleNotFound = 401,
     ModuleNotTrusted,

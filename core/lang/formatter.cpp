@@ -40,7 +40,10 @@ private:
     void collectContinuations(const std::vector<Item>& items) {
         for (const Item& item : items) {
             if (const auto* block = item.as<BlockItem>()) collectContinuations(block->items);
-            else m_continued.push_back(item.range);
+            else if (const auto* param = item.as<ParamItem>(); param && param->open.size()) {
+                m_continued.push_back({item.range.begin, param->value.range.end});
+                collectContinuations(param->items);
+            } else m_continued.push_back(item.range);
         }
     }
 

@@ -140,7 +140,9 @@ std::size_t TextScanner::unitEnd(std::size_t from) const {
         if (startsWith(from, sign)) return from + sign.size();
     if (!wordStartsAt(from)) return from;
     const std::size_t ident = identEnd(from);
-    if (isReservedWord(from, ident) || isKeyOrKind(from, ident)) return from;
+    // `Param r = 5 cm { Min=...`: what follows a unit describes the Param
+    const bool isDescribed = at(skipBlanks(ident)) == '{' && findUnit(m_text.substr(from, ident - from));
+    if (isReservedWord(from, ident) || (!isDescribed && isKeyOrKind(from, ident))) return from;
 
     std::size_t run = from;
     while ((letterAt(run) || ((at(run) == '/' || at(run) == '^') && letterAt(run + 1))) && !commentAt(run))

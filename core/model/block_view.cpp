@@ -27,6 +27,7 @@ private:
     /// Adds the blocks and params of `items` to the view in order; returns the assignments that apply to these items.
     AssignmentList collect(const std::vector<Item>& items, FileId file) {
         AssignmentList own, imported;
+        reportImportedTwice(items, file);
         for (const Item& item : items) {
             if (const auto* block = item.as<BlockItem>()) m_view.blocks.push_back({&item, block, file});
             else if (const auto* assignment = item.as<AssignmentItem>()) addOwn(own, *assignment, file);
@@ -59,7 +60,29 @@ private:
             d.notes.push_back({"first defined here", first.nameRange()});
             return;
         }
-        m_view.params.push_back({&item.name, &item.value, file, file, &item});
+        m_view.params.push_back({&item.name, &item.value, file, file, &item, false, descriptionOf(item, file, m_diagnostics)});
+    }
+
+    /// A second import of a file in one block has no effect.
+    void reportImportedTwice(const std::vector<Item>& items, FileId file) {
+        std::unordered_map<FileId, const ImportItem*> first;
+        for (const Item& item : items) {
+            const auto* import = item.as<ImportItem>();
+            const auto target = import ? m_texts.imports.find(import) : m_texts.imports.end();
+            if (target == m_texts.imports.end()) continue;
+            const auto [at, isNew] = first.emplace(target->second, import);
+            if (isNew) continue;
+            Diagnostic& d = m_diagnostics.warning(Code::ImportedTwice, {file, import->pathRange},
+                                                  import->path + " is imported twice in one block; once is enough");
+            d.notes.push_back({"first imported here", {file, at->second->pathRange}});
+            d.fixes.push_back({"remove it", {{{file, withLineEnd(item.range, file)}, ""}}});
+        }
+    }
+
+    TextRange withLineEnd(TextRange range, FileId file) const {
+        const std::string_view bytes = m_texts.trees[file]->source().bytes();
+        if (bytes.substr(range.end, 2) == "\r\n") return {range.begin, range.end + 2};
+        return bytes.substr(range.end, 1) == "\n" ? TextRange{range.begin, range.end + 1} : range;
     }
 
     void addImport(AssignmentList& imported, const ImportItem& item) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "model/param_description.h"
 #include "model/text_set.h"
 
 namespace trundle {
@@ -45,6 +46,7 @@ struct SourceParam {
     FileId valueFile = kNoFile; ///< differs when --set gives the value
     const ParamItem* item = nullptr; ///< the declaration; nullptr: implied
     bool required = false;      ///< implied, see ImpliedParam: every use must give it
+    std::shared_ptr<const ParamDescription> description = nullptr; ///< null: nothing is said about it
 
     [[nodiscard]] SourceRange nameRange() const { return {file, name->range}; }
 };

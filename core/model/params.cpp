@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
+#include <utility>
 
 #include "base/units.h"
+#include "model/literals.h"
 #include "model/outline.h"
 #include "schema/registry.h"
 #include "schema/value_words.h"
@@ -17,91 +18,26 @@ namespace {
 constexpr std::size_t kLongestChain = 100;   ///< nesting depth of Params that use each other; limits the stack
 constexpr std::size_t kMaxElements = 100000; ///< nested lists could grow exponentially
 
-/// The unit of plain numbers of a dimension in the language: m, deg ...
-std::string baseUnit(std::string_view dimension) {
-    if (dimension == "angle") return "deg";
-    if (dimension == "rate") return "deg/s"; // so that its product with a time is in degrees
-    if (dimension == "angular acceleration") return "deg/s^2";
-    for (const std::string& name : allUnitNames()) {
-        const UnitInfo* unit = findUnit(name);
-        if (unit->dimension == dimension && unit->factor == 1) return name;
-    }
-    return {};
+/// `element(list, number)`.
+bool isPick(const Expression& e) {
+    return e.op == Expression::Op::Call && e.name == "element" && e.arguments.size() == 2 &&
+           e.arguments[0].op == Expression::Op::Name;
 }
 
-double sine(double degrees) {
-    const double quarters = degrees / 90;
-    if (quarters == std::nearbyint(quarters) && std::abs(quarters) < 1e15) {
-        static const double exact[] = {0, 1, 0, -1};
-        return exact[((static_cast<long long>(quarters) % 4) + 4) % 4];
-    }
-    return std::sin(degrees * std::numbers::pi / 180);
-}
-
-const std::set<std::string_view> kPairs{"mod", "atan2", "<", ">", "<=", ">=", "==", "!="};
-
-const std::set<std::string_view> kWithoutUnit{"floor", "ceil", "round", "asin", "acos"};
-
-std::string hasUnit(const std::string& function, const std::string& unit) {
-    std::string message = function + " takes a number without unit, this is in " + unit;
-    if (function.starts_with('a')) return message;
-    return message + "; divide by the step: " + function + "(x / 1 " + unit + ") * 1 " + unit;
-}
-
-/// The angle of a sine or cosine in degrees; nothing for other functions and where there is no such angle.
-std::optional<double> arc(const std::string& function, double value) {
-    constexpr double kRounding = 1e-12; // a quotient of computed lengths may be just above 1
-    if ((function != "asin" && function != "acos") || std::abs(value) > 1 + kRounding) return std::nullopt;
-    const double exact = std::clamp(value, -1.0, 1.0);
-    return (function == "asin" ? std::asin(exact) : std::acos(exact)) * 180 / std::numbers::pi;
-}
-
-std::optional<double> wholeNumber(const std::string& function, double value) {
-    if (function == "floor") return std::floor(value);
-    if (function == "ceil") return std::ceil(value);
-    if (function == "round") return std::round(value);
-    return std::nullopt;
-}
-
-/// An element that is written out; of others only where it is.
-GivenElement literalOf(const Element& element, FileId file) {
-    GivenElement given;
-    given.range = {file, element.range};
-    switch (element.kind) {
-    case Element::Kind::Number:
-        given.kind = GivenElement::Kind::Number;
-        given.number = element.number;
-        given.unit = element.unit;
-        if (!element.unit.empty()) given.unitRange = {file, element.unitRange};
-        break;
-    case Element::Kind::Word:
-        given.kind = GivenElement::Kind::Word;
-        given.text = element.text;
-        break;
-    case Element::Kind::String:
-        given.kind = GivenElement::Kind::String;
-        given.text = element.text;
-        break;
-    case Element::Kind::Boolean:
-        given.kind = GivenElement::Kind::Boolean;
-        given.boolean = element.boolean;
-        break;
-    case Element::Kind::ParamRef:
-    case Element::Kind::Expression: break;
-    }
-    return given;
-}
+/// The Param that an expression names: itself, or of which it takes an element.
+const std::string& nameIn(const Expression& e) { return isPick(e) ? e.arguments[0].name : e.name; }
 
 } // namespace
 
 void ParamScope::declare(const std::vector<SourceParam>& params) {
-    for (const SourceParam& p : params) m_entries.try_emplace(p.name->text, Entry{p, this, State::Fresh, {}, false});
+    for (const SourceParam& p : params) m_entries.try_emplace(p.name->text, Entry{p, this, State::Fresh, {}, false, false});
 }
 
 void ParamScope::preset(const std::string& name, const GivenValue& value) {
     const auto it = m_entries.find(name);
     if (it == m_entries.end()) return;
-    it->second.state = State::Done;
+    it->second.state = State::Preset;
+    it->second.isPreset = true;
     it->second.value = value;
 }
 
@@ -109,7 +45,7 @@ void ParamScope::set(const std::string& name, double number) {
     GivenElement element;
     element.kind = GivenElement::Kind::Number;
     element.number = number;
-    Entry entry{{}, this, State::Done, {}, false};
+    Entry entry{{}, this, State::Done, {}, false, false};
     entry.value.elements.push_back(element);
     m_entries.insert_or_assign(name, std::move(entry));
 }
@@ -170,7 +106,11 @@ bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scop
     GivenElement given = literalOf(element, file);
     if (element.kind == Element::Kind::Expression) {
         if (!element.expression) return false; // reported by the parser
+        if (const Expression& e = *element.expression; isPick(e) && scope.find(e.arguments[0].name))
+            return addPicked(e, file, scope, given.range, out);
+        const SourceRange outer = std::exchange(m_source, {});
         const std::optional<Amount> result = amount(*element.expression, file, scope);
+        given.source = std::exchange(m_source, outer);
         if (!result) return false;
         out.fromParam = true;
         given.kind = GivenElement::Kind::Number;
@@ -180,6 +120,34 @@ bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scop
     }
     out.elements.push_back(std::move(given));
     return true;
+}
+
+/// `$(element(colours, index))`: of whatever type it is.
+bool Evaluator::addPicked(const Expression& e, FileId file, ParamScope& scope, SourceRange place, GivenValue& out) {
+    const GivenElement* picked = this->picked(e, file, scope);
+    if (!picked) return false;
+    GivenElement given = *picked;
+    if (!given.source.known()) given.source = given.range;
+    given.range = place;
+    given.unitRange = {};
+    given.literal = false;
+    out.fromParam = true;
+    out.elements.push_back(std::move(given));
+    return true;
+}
+
+/// The element of a Param that `element(list, number)` names; nullptr, with a diagnostic, if there is none.
+const GivenElement* Evaluator::picked(const Expression& e, FileId file, ParamScope& scope) {
+    const GivenValue* list = paramValue(e.arguments[0].name, {file, e.arguments[0].range}, scope);
+    const std::optional<Amount> at = amount(e.arguments[1], file, scope);
+    if (!list || !at) return nullptr;
+    const auto size = static_cast<double>(list->elements.size());
+    if (at->unit.empty() && at->value == std::floor(at->value) && at->value >= 0 && at->value < size)
+        return &list->elements[static_cast<std::size_t>(at->value)];
+    (void)fault(e.arguments[1], file,
+                "Param " + e.arguments[0].name + " has the elements 0 to " + numberText(size - 1) + ", not " +
+                    numberText(at->value) + (at->unit.empty() ? "" : " " + at->unit));
+    return nullptr;
 }
 
 /// All elements of a Param, which may be a list.
@@ -213,22 +181,29 @@ const GivenValue* Evaluator::paramValue(std::string_view name, SourceRange place
         circle(*entry);
         return nullptr;
     }
-    if (entry->state == State::Fresh) {
-        entry->state = State::Busy;
-        m_chain.push_back(entry);
-        std::optional<GivenValue> value;
-        if (m_chain.size() > kLongestChain) {
-            m_diagnostics.error(Code::ParamCycle, entry->param.nameRange(), "more than 100 Params need each other in a row");
-        } else {
-            value = evaluate(*entry->param.value, entry->param.valueFile, *entry->scope);
-            if (value && !checkUnits(*value)) value.reset();
-        }
-        m_chain.pop_back();
-        const bool failed = !value || entry->state == State::Failed;
-        entry->state = failed ? State::Failed : State::Done;
-        if (value) entry->value = std::move(*value);
-    }
+    if (entry->state == State::Fresh || entry->state == State::Preset) finish(*entry);
     return entry->state == State::Done ? &entry->value : nullptr;
+}
+
+/// Evaluates a Param, and compares its value with what is said about it.
+void Evaluator::finish(ParamScope::Entry& entry) {
+    using State = ParamScope::State;
+    std::optional<GivenValue> value;
+    if (entry.state == State::Preset) value = std::move(entry.value);
+    entry.state = State::Busy;
+    m_chain.push_back(&entry);
+    if (m_chain.size() > kLongestChain) {
+        m_diagnostics.error(Code::ParamCycle, entry.param.nameRange(), "more than 100 Params need each other in a row");
+        value.reset();
+    } else if (!value) {
+        value = evaluate(*entry.param.value, entry.param.valueFile, *entry.scope);
+        if (value && !checkUnits(*value)) value.reset();
+    }
+    m_chain.pop_back();
+    const ParamDescription* description = entry.param.description.get();
+    if (value && description && !checkValue(*description, *value, m_diagnostics)) value.reset();
+    entry.state = value && entry.state != State::Failed ? State::Done : State::Failed;
+    if (value) entry.value = std::move(*value);
 }
 
 bool Evaluator::checkUnits(const GivenValue& value) {
@@ -276,43 +251,38 @@ void Evaluator::circle(const ParamScope::Entry& entry) {
                         "Params need each other in a circle: " + chain + entry.param.name->text);
 }
 
-std::optional<Evaluator::Amount> Evaluator::fault(const Expression& e, FileId file, std::string message) {
-    m_diagnostics.error(Code::ExpressionValue, {file, e.range}, std::move(message));
+std::optional<Amount> Evaluator::fault(const Expression& e, FileId file, std::string message) {
+    Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range}, std::move(message));
+    if (m_source.known()) d.notes.push_back({kGivenHere, m_source});
     return std::nullopt;
 }
 
-std::optional<Evaluator::Amount> Evaluator::finite(const Expression& e, FileId file, Amount amount) {
-    if (std::isfinite(amount.value)) return amount;
-    return fault(e, file, "the result is not a number that can be used");
-}
-
-std::optional<Evaluator::Amount> Evaluator::paramAmount(const Expression& e, FileId file, ParamScope& scope) {
+std::optional<Amount> Evaluator::paramAmount(const Expression& e, FileId file, ParamScope& scope) {
     const GivenValue* value = nullptr;
     if (e.name == "pi" && !scope.find("pi")) return Amount{std::numbers::pi, {}};
     value = paramValue(e.name, {file, e.range}, scope);
     if (!value) return std::nullopt;
+    if (!m_source.known() && !value->elements.empty()) {
+        const GivenElement& first = value->elements[0];
+        m_source = first.source.known() ? first.source : scope.find(e.name)->isPreset ? first.range : SourceRange();
+    }
     if (value->elements.size() != 1)
         return fault(e, file,
                      "Param " + e.name + " is a list of " + std::to_string(value->elements.size()) +
                          ", an expression takes numbers");
-    const GivenElement& element = value->elements[0];
+    return numberOf(value->elements[0], e, file);
+}
+
+/// An element of the Param that an expression uses, as a number.
+std::optional<Amount> Evaluator::numberOf(const GivenElement& element, const Expression& e, FileId file) {
     if (element.kind != GivenElement::Kind::Number)
-        return fault(e, file, "Param " + e.name + " is " + elementText(element) + ", an expression takes numbers");
+        return fault(e, file, "Param " + nameIn(e) + " is " + elementText(element) + ", an expression takes numbers");
     if (!element.unit.empty() && !findUnit(element.unit))
-        return fault(e, file, "Param " + e.name + " is " + elementText(element) + ": there is no unit " + element.unit);
+        return fault(e, file, "Param " + nameIn(e) + " is " + elementText(element) + ": there is no unit " + element.unit);
     return inBaseUnit(element.number, element.unit);
 }
 
-/// With the unit of plain numbers of its dimension.
-Evaluator::Amount Evaluator::inBaseUnit(double number, const std::string& written) {
-    const UnitInfo* unit = findUnit(written);
-    if (!unit) return {number, {}};
-    if (written == "%") return {number * unit->factor, {}};
-    const std::string base = baseUnit(unit->dimension);
-    return {convertUnit(number, written, base).value_or(number), base};
-}
-
-std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId file, ParamScope& scope) {
+std::optional<Amount> Evaluator::amount(const Expression& e, FileId file, ParamScope& scope) {
     using Op = Expression::Op;
     if (e.op == Op::Number) return inBaseUnit(e.number, e.name);
     if (e.op == Op::Name) return paramAmount(e, file, scope);
@@ -325,22 +295,11 @@ std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId f
     }
     const std::optional<Amount> b = amount(e.arguments[1], file, scope);
     if (!a || !b) return std::nullopt;
-    switch (e.op) {
-    case Op::Add:
-    case Op::Subtract:
-        if (!a->unit.empty() && !b->unit.empty() && a->unit != b->unit) {
-            return fault(e, file, a->unit + " and " + b->unit + " cannot be added");
-        }
-        return finite(e, file,
-                      {e.op == Op::Add ? a->value + b->value : a->value - b->value, a->unit.empty() ? b->unit : a->unit});
-    case Op::Multiply:
-        // the product of two units is treated as a plain number: its dimension is not checked
-        return finite(e, file, {a->value * b->value, a->unit.empty() ? b->unit : b->unit.empty() ? a->unit : std::string()});
-    case Op::Divide:
-        if (b->value == 0) return fault(e, file, "division by zero");
-        return finite(e, file, {a->value / b->value, b->unit.empty() ? a->unit : std::string()});
-    default: return finite(e, file, {std::pow(a->value, b->value), {}});
-    }
+    return orFault(combined(e.op, *a, *b), e, file);
+}
+
+std::optional<Amount> Evaluator::orFault(Result<Amount> computed, const Expression& e, FileId file) {
+    return computed.ok() ? std::optional(std::move(computed.value())) : fault(e, file, computed.error().message);
 }
 
 /// Whether there are all Params that an expression names.
@@ -353,77 +312,34 @@ bool Evaluator::hasNames(const Expression& e, FileId file, ParamScope& scope) {
 }
 
 /// Of a condition only the branch that holds is evaluated: the other one may divide by zero.
-std::optional<Evaluator::Amount> Evaluator::choice(const Expression& e, FileId file, ParamScope& scope) {
+std::optional<Amount> Evaluator::choice(const Expression& e, FileId file, ParamScope& scope) {
     const std::optional<Amount> condition = amount(e.arguments[0], file, scope);
     const bool holds = condition && condition->value != 0;
     if (!condition || !hasNames(e.arguments[holds ? 2 : 1], file, scope)) return std::nullopt;
     return amount(e.arguments[holds ? 1 : 2], file, scope);
 }
 
-std::optional<Evaluator::Amount> Evaluator::withTwo(const Expression& e, FileId file, const Amount& a, const Amount& b) {
-    if (!a.unit.empty() && !b.unit.empty() && a.unit != b.unit)
-        return fault(e, file, a.unit + " and " + b.unit + " cannot be compared");
-    if (e.name == "mod") {
-        if (b.value == 0) return fault(e, file, "division by zero");
-        const double rest = std::fmod(a.value, b.value); // with the sign of b, so that angles wrap
-        return Amount{rest != 0 && (rest < 0) != (b.value < 0) ? rest + b.value : rest, a.unit.empty() ? b.unit : a.unit};
-    }
-    if (e.name == "atan2") return Amount{std::atan2(a.value, b.value) * 180 / std::numbers::pi, "deg"};
-    const bool holds = e.name == "<"    ? a.value < b.value
-                       : e.name == ">"  ? a.value > b.value
-                       : e.name == "<=" ? a.value <= b.value
-                       : e.name == ">=" ? a.value >= b.value
-                       : e.name == "==" ? a.value == b.value
-                                        : a.value != b.value;
-    return Amount{holds ? 1.0 : 0.0, {}};
-}
-
-std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId file, ParamScope& scope) {
+std::optional<Amount> Evaluator::call(const Expression& e, FileId file, ParamScope& scope) {
     if (e.name == "if" && e.arguments.size() == 3) return choice(e, file, scope);
+    if (e.name == "element") {
+        if (!isPick(e)) return fault(e, file, "element takes the name of a Param that is a list, and a number from 0");
+        const GivenElement* element = picked(e, file, scope);
+        return element ? numberOf(*element, e, file) : std::nullopt;
+    }
     std::vector<Amount> args;
     for (const Expression& argument : e.arguments) {
         const std::optional<Amount> a = amount(argument, file, scope);
         if (!a) return std::nullopt;
         args.push_back(*a);
     }
-    const auto takes = [&](std::size_t count) { return args.size() == count; };
-    if (e.name == "min" || e.name == "max") {
-        if (args.empty()) return fault(e, file, e.name + " takes at least one number");
-        Amount best = args[0];
-        for (const Amount& a : args) {
-            if (!a.unit.empty() && !best.unit.empty() && a.unit != best.unit)
-                return fault(e, file, best.unit + " and " + a.unit + " cannot be compared");
-            if (e.name == "min" ? a.value < best.value : a.value > best.value) best.value = a.value;
-            if (best.unit.empty()) best.unit = a.unit;
-        }
-        return best;
-    }
-    if (kPairs.contains(e.name) && takes(2)) return withTwo(e, file, args[0], args[1]);
-    static const std::string functions[] = {"min",  "max", "abs",   "sqrt", "sin",   "cos",   "tan", "asin",
-                                            "acos", "mod", "floor", "ceil", "round", "atan2", "if"};
-    if (std::find(std::begin(functions), std::end(functions), e.name) == std::end(functions)) {
-        Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range},
-                                            "there is no function " + e.name + "; there are " + listText(functions, "and"));
-        const std::uint32_t begin = e.range.begin;
-        suggest(d, e.name, functions, {file, {begin, begin + static_cast<std::uint32_t>(e.name.size())}});
-        return std::nullopt;
-    }
-    if (!takes(1)) return fault(e, file, e.name + " takes one number");
-    const Amount a = args[0];
-    if (e.name == "abs") return Amount{std::abs(a.value), a.unit};
-    if (kWithoutUnit.contains(e.name) && !a.unit.empty()) return fault(e, file, hasUnit(e.name, a.unit));
-    if (const auto whole = wholeNumber(e.name, a.value)) return Amount{*whole, {}};
-    if (const auto degrees = arc(e.name, a.value)) return Amount{*degrees, "deg"};
-    if (e.name == "asin" || e.name == "acos") return fault(e, file, e.name + " of " + numberText(a.value) + " is not a number");
-    if (e.name == "sqrt") {
-        if (a.value < 0) return fault(e, file, "the square root of " + numberText(a.value) + " is not a number");
-        return Amount{std::sqrt(a.value), {}};
-    }
-    if (!a.unit.empty() && a.unit != "deg") return fault(e, file, e.name + " takes an angle in degrees, this is in " + a.unit);
-    if (e.name == "sin") return Amount{sine(a.value), {}};
-    if (e.name == "cos") return Amount{sine(a.value + 90), {}};
-    if (sine(a.value + 90) == 0) return fault(e, file, "the tangent of " + numberText(a.value) + " degrees is not a number");
-    return Amount{sine(a.value) / sine(a.value + 90), {}};
+    const std::span<const std::string> functions = functionNames();
+    if (std::ranges::find(functions, e.name) != functions.end() || isComparison(e.name))
+        return orFault(applied(e.name, args), e, file);
+    Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range},
+                                        "there is no function " + e.name + "; there are " + listText(functions, "and", functions.size()));
+    const std::uint32_t begin = e.range.begin;
+    suggest(d, e.name, functions, {file, {begin, begin + static_cast<std::uint32_t>(e.name.size())}});
+    return std::nullopt;
 }
 
 } // namespace trundle

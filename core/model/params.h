@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/amount.h"
 #include "model/block_view.h"
 #include "schema/value_reader.h"
 
@@ -31,13 +32,14 @@ public:
 
 private:
     friend class Evaluator;
-    enum class State { Fresh, Busy, Done, Failed };
+    enum class State { Fresh, Preset, Busy, Done, Failed }; ///< Preset: not compared with its description yet
     struct Entry {
         SourceParam param;
         ParamScope* scope = nullptr;
         State state = State::Fresh;
         GivenValue value;
         bool isUsed = false;
+        bool isPreset = false;
     };
     [[nodiscard]] Entry* find(std::string_view name);
     [[nodiscard]] std::vector<std::string> names() const;
@@ -63,23 +65,20 @@ public:
     void checkAll(ParamScope& scope);
 
 private:
-    /// A number in an expression; a unit is converted to the base unit of its dimension.
-    struct Amount {
-        double value = 0;
-        std::string unit;
-    };
+    void finish(ParamScope::Entry& entry);
     bool addElement(const Element& element, FileId file, ParamScope& scope, GivenValue& out);
     bool addParam(std::string_view name, SourceRange place, ParamScope& scope, GivenValue& out);
+    bool addPicked(const Expression& e, FileId file, ParamScope& scope, SourceRange place, GivenValue& out);
+    [[nodiscard]] const GivenElement* picked(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] const GivenValue* paramValue(std::string_view name, SourceRange place, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> amount(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> paramAmount(const Expression& e, FileId file, ParamScope& scope);
-    [[nodiscard]] static Amount inBaseUnit(double number, const std::string& written);
+    [[nodiscard]] std::optional<Amount> numberOf(const GivenElement& element, const Expression& e, FileId file);
     [[nodiscard]] bool hasNames(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> choice(const Expression& e, FileId file, ParamScope& scope);
-    [[nodiscard]] std::optional<Amount> withTwo(const Expression& e, FileId file, const Amount& a, const Amount& b);
     [[nodiscard]] std::optional<Amount> call(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> fault(const Expression& e, FileId file, std::string message);
-    [[nodiscard]] std::optional<Amount> finite(const Expression& e, FileId file, Amount amount);
+    [[nodiscard]] std::optional<Amount> orFault(Result<Amount> computed, const Expression& e, FileId file);
     void unknown(std::string_view name, SourceRange place, ParamScope& scope);
     void circle(const ParamScope::Entry& entry);
 
@@ -87,6 +86,7 @@ private:
     Diagnostics& m_diagnostics;
     const Registry* m_registry;
     std::vector<ParamScope::Entry*> m_chain;
+    SourceRange m_source; ///< of the first value from outside of the config that the present expression uses
     std::map<FileId, std::vector<std::uint32_t>> m_broken; ///< offsets of syntax errors, sorted, by file
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "base/spelling.h"
 #include "model/dotted_path.h"
@@ -29,6 +30,16 @@ std::string lowerFirst(std::string word) {
 }
 
 } // namespace
+
+void PartBuilder::findFragment(const BlockView& top) {
+    const auto isInner = [&](const SourceBlock& block) {
+        const Kind* kind = m_registry.find(block.block->type.text);
+        return block.file != 0 || (kind && kind->role != Role::Settings && !allows(nullptr, *kind));
+    };
+    const auto isOwn = [](const auto& what) { return what.file == 0; };
+    m_isFragment = std::ranges::any_of(top.blocks, isOwn) && std::ranges::all_of(top.blocks, isInner) &&
+                   std::ranges::none_of(top.assignments.all(), isOwn);
+}
 
 Part PartBuilder::build(const SourceBlock& placed, const Part* parent, std::uint32_t order) {
     Part part;
@@ -158,6 +169,13 @@ void PartBuilder::misplaced(const Part& part, const Part* parent) {
     if (part.is(Role::Settings)) {
         m_diagnostics.error(Code::WrongPlace, part.typeRange(),
                             "settings are written at the top level without a block: Tick = 0.01");
+        return;
+    }
+    if (!parent && m_isFragment && part.file == 0) {
+        if (!std::exchange(m_fragmentReported, true))
+            m_diagnostics.hint(Code::WrongPlace, part.typeRange(),
+                               "this file is a part for import in " + placeText(legal) +
+                                   "; what is in it is checked with the file that imports it there");
         return;
     }
     const bool top = legal.size() == 1 && legal[0].empty();

@@ -2,6 +2,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "model/block_view.h"
 #include "model/part.h"
 #include "schema/registry.h"
 
@@ -13,6 +14,8 @@ public:
     PartBuilder(const TextSet& texts, const Registry& registry, Diagnostics& diagnostics)
         : m_texts(texts), m_registry(registry), m_diagnostics(diagnostics) {}
 
+    /// Whether the opened file has nothing but blocks that belong in other blocks: it is made to be imported there.
+    void findFragment(const BlockView& top);
     /// `parent` is the enclosing part, nullptr at the top level.
     [[nodiscard]] Part build(const SourceBlock& placed, const Part* parent, std::uint32_t order);
 
@@ -31,6 +34,7 @@ private:
     const TextSet& m_texts;
     const Registry& m_registry;
     Diagnostics& m_diagnostics;
+    bool m_isFragment = false, m_fragmentReported = false;
     const Kind* m_config = nullptr; ///< of the top-level block, if it is a config
 };
 

@@ -182,6 +182,7 @@ private:
             if (legal.empty()) legal = allUnitNames();
             suggest(d, element.unit, legal, element.unitRange);
             if (d.suggestions.empty() && legal.size() < 10) d.message += "; " + m_property.name + " takes " + listText(legal);
+            addSourceNote(d, element);
             return std::nullopt;
         }
         if (m_property.unit.empty()) {
@@ -189,6 +190,7 @@ private:
             Diagnostic& d = m_diagnostics.error(Code::WrongDimension, place,
                                                 m_property.name + " has no unit, it cannot be in " + element.unit);
             dropUnit(d, element);
+            addSourceNote(d, element);
             return std::nullopt;
         }
         if (const std::optional<double> converted = convertUnit(element.number, element.unit, m_property.unit)) return converted;
@@ -198,6 +200,7 @@ private:
         message += ", " + element.unit + " is " + withArticle(unit->dimension);
         Diagnostic& d = m_diagnostics.error(Code::WrongDimension, place, message);
         if (element.literal) d.suggestions = fittingUnits();
+        addSourceNote(d, element);
         return std::nullopt;
     }
 

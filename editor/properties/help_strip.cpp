@@ -61,7 +61,7 @@ HelpStrip::HelpStrip(QWidget* parent) : QFrame(parent) {
 void HelpStrip::display(const Row& row, const QString& refusal, bool running) {
     const Property* p = row.property();
     QString title = QStringLiteral("<span style='font-weight:600'>%1</span>").arg(row.label.toHtmlEscaped());
-    const QString range = p ? QString::fromStdString(unitAndRange(*p)) : QString();
+    const QString range = rangeOf(row.first());
     if (!range.isEmpty()) title += QStringLiteral("  ") + coloured(Ink::Faint, range);
     m_title->setText(title);
     m_title->show();

@@ -5,6 +5,7 @@
 #include "lang/tree_edit.h"
 #include "model/dotted_path.h"
 #include "project/objects/object_location.h"
+#include "project/objects/value_text.h"
 
 namespace trundle {
 namespace {
@@ -36,11 +37,18 @@ QString commentText(std::string_view comment) {
 
 } // namespace
 
+QString rangeOf(const FieldValue& value) {
+    if (value.property) return QString::fromStdString(unitAndRange(*value.property));
+    return value.description ? QString::fromStdString(value.description->limits()) : QString();
+}
+
 QString paramHelp(const LoadedProject& loaded, const std::string& path) {
     const SourceParam* param = declarationOf(loaded, path);
     if (!param || param->file >= loaded.trees.size()) return {};
     const Tree& tree = *loaded.trees[param->file];
     const SourceText& source = tree.source();
+    if (param->description && !param->description->property.help.empty())
+        return QString::fromStdString(param->description->property.help);
     // With a --set the value is not in the file; the comment then follows the declaration's name.
     const std::uint32_t from = param->valueFile == param->file ? param->value->range.end : param->name->range.end;
     const std::uint32_t end = behindComments(tree, from);

@@ -140,7 +140,7 @@ void PropertyRow::showLabel() {
     m_label->setText(QStringLiteral("<span style='font-weight:%1; color:%2'>%3</span>")
                          .arg(override ? 600 : 400)
                          .arg(ink(m_problem.isEmpty() ? Ink::Text : Ink::Error).name(), html));
-    const QString range = v.property ? QString::fromStdString(unitAndRange(*v.property)) : QString();
+    const QString range = rangeOf(v);
     const QString help = v.property ? QString::fromStdString(v.property->help) : paramHelp(*m_row.loaded, v.path);
     m_label->setToolTip(m_row.label + (range.isEmpty() ? QString() : QStringLiteral(" – ") + range) +
                         (help.isEmpty() ? QString() : QStringLiteral("\n") + help));

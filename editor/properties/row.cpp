@@ -17,12 +17,22 @@ bool oneByOne(const FieldValue& v, const Property& p) {
 }
 
 bool single(const Row& row) {
-    return row.property()->maxCount == 1 && std::none_of(row.values.begin(), row.values.end(), [](const FieldValue& v) {
+    const bool isOne = !row.property() || row.property()->maxCount == 1;
+    return isOne && std::none_of(row.values.begin(), row.values.end(), [](const FieldValue& v) {
                return v.formula || v.broken || v.elements.size() > 1;
            });
 }
 
 } // namespace
+
+std::vector<std::string> Row::choices() const {
+    if (property()) return property()->type == PropertyType::Choice ? property()->choices : std::vector<std::string>();
+    const ParamDescription* said = first().description;
+    const auto isOther = [&](const FieldValue& v) {
+        return !v.description || v.description->property.choices != said->property.choices;
+    };
+    return said && std::ranges::none_of(values, isOther) ? said->property.choices : std::vector<std::string>();
+}
 
 bool Row::mixed() const {
     return std::any_of(values.begin(), values.end(), [&](const FieldValue& v) { return v.text != first().text; });
@@ -45,6 +55,7 @@ std::size_t Row::fieldCount() const { return property() ? property()->maxCount :
 
 EditorKind Row::editor() const {
     const Property* p = property();
+    if (!p && !isLong() && !choices().empty() && single(*this)) return EditorKind::Choice;
     if (!p || isLong()) return EditorKind::Line;
     switch (p->type) {
     case PropertyType::Number:

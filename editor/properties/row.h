@@ -33,6 +33,8 @@ struct Row {
 
     [[nodiscard]] const FieldValue& first() const { return values.front(); }
     [[nodiscard]] const Property* property() const { return values.front().property; }
+    /// The words to choose from, of a property or a described Param; empty: none.
+    [[nodiscard]] std::vector<std::string> choices() const;
     [[nodiscard]] bool mixed() const;
     [[nodiscard]] bool mixedElement(std::size_t i) const;
     [[nodiscard]] bool given() const;  ///< set for at least one object

@@ -19,6 +19,7 @@ void collect(const std::vector<Item>& items, const std::string& inside, std::vec
     for (const Item& item : items) {
         if (const auto* assignment = item.as<AssignmentItem>())
             out.push_back({inside, {assignment->path.back().text, assignment->path.back().range}});
+        if (const auto* param = item.as<ParamItem>()) collect(param->items, "Param", out);
         if (const auto* block = item.as<BlockItem>()) {
             out.push_back({inside, {block->type.text, block->type.range}});
             collect(block->items, block->type.text, out);

@@ -50,6 +50,8 @@ private Q_SLOTS:
         row("comments", "A {\n// c\n/* d\n      e */ B=1\n}", "A {\n  // c\n  /* d\n      e */ B=1\n}\n");
         row("a value that goes on", "A {\nPos = 1,\n      2,\n      3\nB=1\n}",
             "A {\n  Pos = 1,\n        2,\n        3\n  B=1\n}\n");
+        row("a described Param", "A {\nParam r = 5 cm {\nMin=2 cm\n   Help=\"x\"\n}\nB=1\n}",
+            "A {\n  Param r = 5 cm {\n    Min=2 cm\n    Help=\"x\"\n  }\n  B=1\n}\n");
         row("tabs", "A {\n\tB=1\n\tC {\n\t\tD=1\n\t}\n}\n", "A {\n  B=1\n  C {\n    D=1\n  }\n}\n");
         row("tabs in a value that goes on", "A {\n\tPos = 1,\n\t\t  2\n}", "A {\n  Pos = 1,\n        2\n}\n");
         row("braces on a line of their own", "A {\nB {\n C {\nD=1\n} } \n E=2\n}",

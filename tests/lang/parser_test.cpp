@@ -51,7 +51,10 @@ std::string shown(const std::vector<Item>& items) {
     for (const Item& item : items) {
         if (const auto* i = item.as<ImportItem>()) out += "#import " + i->path;
         if (const auto* m = item.as<ModuleItem>()) out += "#loadModule " + m->path;
-        if (const auto* p = item.as<ParamItem>()) out += "Param " + p->name.text + "=" + shown(p->value);
+        if (const auto* p = item.as<ParamItem>()) {
+            out += "Param " + p->name.text + "=" + shown(p->value);
+            if (p->open.size()) out += "{" + shown(p->items) + "}";
+        }
         if (const auto* b = item.as<BlockItem>())
             out += b->type.text + (b->name ? " " + b->name->text : "") + "{" + shown(b->items) + "}";
         if (const auto* a = item.as<AssignmentItem>()) {
@@ -105,6 +108,11 @@ private Q_SLOTS:
         row("strings", "a = \"x y\" b = \"\\\"q\\\"\" c = \"1\\n2\" d = \"\\\\\" e = \"// no comment\"",
             "a=\"x y\";b=\"\"q\"\";c=\"1\n2\";d=\"\\\";e=\"// no comment\";");
         row("booleans", "a = true b = false c = True", "a=yes;b=no;c=True;");
+        row("a described param", "Param r = 5 cm { Min=2 cm Max=20 cm Help=\"wheel\" } x = 1",
+            "Param r=5 cm{Min=2 cm;Max=20 cm;Help=\"wheel\";};x=1;");
+        row("a described word", "Param look = red { Choices=red,blue }", "Param look=red{Choices=red,blue;};");
+        row("a described list", "Param l = a,b\n{\n  Help=\"x\"\n}\nBox c { }", "Param l=a,b{Help=\"x\";};Box c{};");
+        row("a block behind a param", "Param n = 3 Box { } Param m = 2 Box b { }", "Param n=3;Box{};Param m=2;Box b{};");
         row("params", "Param w = 0.25 x = $w y = 1, $w, 2 cm", "Param w=0.25;x=$w;y=1,$w,2 cm;");
         row("expressions", "x = $(a+2*b) y = $((a+2)*b) z = $(-a^2) w = $(2^3^2) v = $(2^-1)",
             "x=$(a+(2*b));y=$((a+2)*b);z=$(-(a^2));w=$(2^(3^2));v=$(2^(-1));");

@@ -16,7 +16,7 @@ struct Function {
     std::string_view name;
     std::size_t least, most;
 };
-constexpr std::array<Function, 15> kFunctions{{{"min", 2, 100},
+constexpr std::array<Function, 16> kFunctions{{{"min", 2, 100},
                                                {"max", 2, 100},
                                                {"abs", 1, 1},
                                                {"sqrt", 1, 1},
@@ -30,7 +30,8 @@ constexpr std::array<Function, 15> kFunctions{{{"min", 2, 100},
                                                {"ceil", 1, 1},
                                                {"round", 1, 1},
                                                {"mod", 2, 2},
-                                               {"if", 3, 3}}};
+                                               {"if", 3, 3},
+                                               {"element", 2, 2}}};
 
 constexpr std::array<std::string_view, 6> kComparisons{"<=", ">=", "==", "!=", "<", ">"};
 

@@ -46,7 +46,7 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
         return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace &&
                (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
     };
-    if (text() == "Param" && second == TokenKind::Word) return param(out);
+    if (text() == "Param" && second == TokenKind::Word) return param(out, depth);
     if (second == TokenKind::OpenBrace) return block(out, depth, 0);
     if (second == TokenKind::Word && kind(2) == TokenKind::OpenBrace) return block(out, depth, 1);
     for (std::size_t i = 1; i <= (second == TokenKind::Word ? 2u : 1u); ++i) {
@@ -56,7 +56,7 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
         return block(out, depth, i);
     }
     if (second == TokenKind::Equals || second == TokenKind::Dot || wrongEquals(1)) return assignment(out);
-    m_errors.strayWord(out, depth);
+    if (!m_otherLanguages.explain(out, depth)) m_errors.strayWord(out, depth);
 }
 
 void ItemParser::assignment(std::vector<Item>& out) {
@@ -100,7 +100,7 @@ void ItemParser::assignment(std::vector<Item>& out) {
     out.push_back({{begin, std::max(equals.end, node.value.range.end)}, std::move(node)});
 }
 
-void ItemParser::param(std::vector<Item>& out) {
+void ItemParser::param(std::vector<Item>& out, int depth) {
     ParamItem node;
     const std::uint32_t begin = range().begin;
     advance();
@@ -131,8 +131,30 @@ void ItemParser::param(std::vector<Item>& out) {
         }
     }
     const std::string key = node.name.text;
-    node.value = value(key, node.name.range, equals);
-    out.push_back({{begin, std::max(equals.end, node.value.range.end)}, std::move(node)});
+    node.value = m_values.paramValue(key, node.name.range, equals);
+    std::uint32_t end = std::max(equals.end, node.value.range.end);
+    if (kind() == TokenKind::OpenBrace && !node.value.elements.empty()) {
+        description(node, m_balance.indentOf(begin), depth);
+        end = std::max(node.open.end, node.close.end);
+    }
+    out.push_back({{begin, end}, std::move(node)});
+}
+
+/// `{ Min=2 cm Help="..." }` behind a Param.
+void ItemParser::description(ParamItem& param, int indent, int depth) {
+    OpenBlock open;
+    open.indent = indent;
+    open.name = param.name.range;
+    open.openAt = static_cast<std::uint32_t>(position());
+    BlockItem body;
+    body.open = range();
+    advance();
+    m_balance.open(open);
+    blockBody(body, depth);
+    m_balance.close();
+    param.open = body.open;
+    param.close = body.close;
+    param.items = std::move(body.items);
 }
 
 void ItemParser::block(std::vector<Item>& out, int depth, std::size_t extra) {

@@ -4,6 +4,7 @@
 #include "lang/parsing/brace_balance.h"
 #include "lang/parsing/directive_parser.h"
 #include "lang/parsing/item_errors.h"
+#include "lang/parsing/other_languages.h"
 #include "lang/parsing/value_parser.h"
 
 namespace trundle {
@@ -12,7 +13,8 @@ class ItemParser final : ParserPart, BlockGrammar {
 public:
     ItemParser(TokenCursor& tokens, SyntaxReporter& report, BraceBalance& balance)
         : ParserPart(tokens, report), m_balance(balance), m_values(tokens, report), m_directives(tokens, report),
-          m_errors(tokens, report, *this, balance) {}
+          m_errors(tokens, report, *this, balance),
+          m_otherLanguages(tokens, report, *this) {}
     ItemParser(const ItemParser&) = delete;
     ItemParser& operator=(const ItemParser&) = delete;
 
@@ -29,12 +31,14 @@ private:
     void rejectReserved(const Name& name, std::string_view use) override;
     void item(std::vector<Item>& out, int depth);
     void assignment(std::vector<Item>& out);
-    void param(std::vector<Item>& out);
+    void param(std::vector<Item>& out, int depth);
+    void description(ParamItem& param, int indent, int depth);
 
     BraceBalance& m_balance;
     ValueParser m_values;
     DirectiveParser m_directives;
     ItemErrors m_errors;
+    OtherLanguages m_otherLanguages;
 };
 
 } // namespace trundle

@@ -107,6 +107,13 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
     return v;
 }
 
+Value ValueParser::paramValue(std::string_view key, TextRange keyRange, TextRange equals) {
+    m_mayBeDescribed = true;
+    Value v = value(key, keyRange, equals);
+    m_mayBeDescribed = false;
+    return v;
+}
+
 /// True if another element follows. The current token is the one after an element.
 bool ValueParser::afterElement(Value& v, std::vector<TextRange>& gaps) {
     if (kind() == TokenKind::Comma) {
@@ -139,7 +146,7 @@ bool ValueParser::element(Value& v) {
         advance();
         break;
     case TokenKind::Word:
-        if (startsItem()) return false;
+        if (startsItem() && !(m_mayBeDescribed && !newLine() && kind(1) == TokenKind::OpenBrace)) return false;
         wordElement(e);
         break;
     case TokenKind::Plus:

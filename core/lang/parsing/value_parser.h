@@ -16,6 +16,8 @@ public:
 
     /// The elements after `=`. `equals` is the position of the first element if there is none.
     [[nodiscard]] Value value(std::string_view key, TextRange keyRange, TextRange equals);
+    /// The same for a Param, whose value may be followed by a description in braces.
+    [[nodiscard]] Value paramValue(std::string_view key, TextRange keyRange, TextRange equals);
     /// Parses one element into `v`; false if none begins here.
     [[nodiscard]] bool element(Value& v);
 
@@ -28,6 +30,7 @@ private:
 
     ExpressionParser m_expressions;
     ValueErrors m_errors;
+    bool m_mayBeDescribed = false; ///< a word before `{` is a value
 };
 
 } // namespace trundle

@@ -84,7 +84,8 @@ private:
 
     static SourceRange rangeOf(const SourceAssignment& a) { return {a.file, {a.path.front().range.begin, a.value->range.end}}; }
     static SourceRange rangeOf(const SourceParam& p) {
-        return {p.valueFile, p.valueFile == p.file ? TextRange{p.name->range.begin, p.value->range.end} : p.value->range};
+        if (p.valueFile != p.file) return {p.valueFile, p.value->range};
+        return {p.file, {p.name->range.begin, p.description ? p.description->range.range.end : p.value->range.end}};
     }
 
     std::vector<std::string> differences(const AssignmentList& was, const AssignmentList& is) const {
@@ -106,7 +107,8 @@ private:
 
     std::vector<std::string> differences(const std::vector<SourceParam>& was, const std::vector<SourceParam>& is) const {
         const auto textOf = [](const Outline& outline, const SourceParam& p) {
-            return outline.texts().slice(p.valueFile, p.value->range);
+            const std::string value(outline.texts().slice(p.valueFile, p.value->range));
+            return p.description ? value + std::string(outline.texts().slice(p.description->range)) : value;
         };
         std::map<std::string_view, const SourceParam*> before;
         for (const SourceParam& p : was) before.emplace(p.name->text, &p);

@@ -49,13 +49,13 @@ bool isUsedElsewhere(const Diagnostic& d) { return !d.notes.empty() && d.notes[0
 
 /// Removes repeated errors: a wrong Param is reported once, however many properties use it.
 std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
-    std::map<std::tuple<Code, SourceRange>, std::size_t> first; // index in kept
+    std::map<SourceRange, std::size_t> first; // index in kept
     std::vector<Diagnostic> kept;
     std::vector<std::size_t> others;
     for (Diagnostic& d : all) {
         const bool isAtUse = !d.notes.empty() && d.notes[0].first == kGivenHere, isAtValue = isUsedElsewhere(d);
         if (isAtUse || isAtValue) {
-            const auto [at, isNew] = first.emplace(std::tuple(d.code, isAtUse ? d.notes[0].second : d.range), kept.size());
+            const auto [at, isNew] = first.emplace(isAtUse ? d.notes[0].second : d.range, kept.size());
             if (!isNew) {
                 ++others[at->second];
                 continue;

@@ -140,6 +140,7 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
 FieldValue ObjectValues::readParam(const SourceParam& param) {
     FieldValue field;
     field.path = below(param.name->text);
+    field.description = param.description.get();
     const auto set = isInstance() ? m_scopes->overrideOf(param.name->text, true) : std::nullopt;
     if (set) {
         const bool isOurs = set->layer->instance == m_place.instance;

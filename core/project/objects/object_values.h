@@ -27,6 +27,7 @@ inline constexpr std::uint32_t kMaxShownValue = 64 * 1024;
 struct FieldValue {
     std::string path;                   ///< "robot0.leftMotor.Resistance"
     const Property* property = nullptr; ///< nullptr: a Param
+    const ParamDescription* description = nullptr; ///< of a Param; nullptr: nothing is said about it
     ValueOrigin origin = ValueOrigin::Default;
     SourceRange place;                  ///< range of the value's text; if it is not set, of the block that would contain it
     std::string text;                   ///< as written; a default as it would be written; empty: not set

@@ -51,7 +51,7 @@ QWidget* ChoiceEditor::focusField() const { return m_box; }
 void ChoiceEditor::refresh() {
     const QSignalBlocker quiet(m_box);
     QStringList words;
-    for (const std::string& word : m_row.property()->choices) words << QString::fromStdString(word);
+    for (const std::string& word : m_row.choices()) words << QString::fromStdString(word);
     QStringList there;
     for (int i = 0; i < m_box->count(); ++i) there << m_box->itemText(i);
     if (there != words) {

@@ -93,6 +93,7 @@ private:
     // --- statements ---
 
     void statement() {
+        if (const ParamItem* param = m_place.described()) return descriptionWords(*param);
         if (m_place.kind) {
             keys(*m_place.kind, {});
             if (m_place.instance && m_place.config) configKeys(*m_place.config);
@@ -103,6 +104,18 @@ private:
         param.select = 6;
         param.caret = 10;
         if (atLineBegin()) directiveNames();
+    }
+
+    /// Between the braces behind a Param.
+    void descriptionWords(const ParamItem& param) {
+        const auto isThere = [&](const std::string& key) {
+            return std::ranges::any_of(param.items, [&](const Item& item) {
+                const auto* a = item.as<AssignmentItem>();
+                return a && !touches(item.range, m_place.offset) && a->path.front().text == key;
+            });
+        };
+        for (const auto& [key, help] : descriptionKeys())
+            if (!isThere(key)) add(CompletionSort::Key, key, key + equals(), "", help);
     }
 
     [[nodiscard]] bool atLineBegin() const {
@@ -170,9 +183,16 @@ private:
             const std::string value(
                 m_loaded.outline->texts().slice(p.valueFile == kNoFile ? p.file : p.valueFile, p.value->range));
             add(CompletionSort::Param, p.name->text, p.name->text + equals(), "Param",
-                "Param of " + config.name + ", " + value + " where it is not given.");
+                paramText(p) + "Param of " + config.name + ", " + value + " where it is not given.");
         }
         parts(config);
+    }
+
+    /// What is said about a Param, a line each.
+    [[nodiscard]] static std::string paramText(const SourceParam& param) {
+        if (!param.description) return {};
+        const std::string help = param.description->property.help, limits = param.description->limits();
+        return help + (help.empty() ? "" : "\n") + limits + (limits.empty() ? "" : "\n");
     }
 
     void parts(const Part& owner) {
@@ -286,7 +306,16 @@ private:
                 c.select = c.caret = c.insert.size();
                 m_out.items.push_back(std::move(c));
             }
-        if (!m_context.quoted && m_context.before.empty()) params("$");
+        else if (const ParamDescription* said = p ? nullptr : description())
+            for (const std::string& word : said->property.choices) add(CompletionSort::Value, word, asWord(word), "", "");
+        if (!m_context.quoted && m_context.before.empty() && !m_place.described()) params("$");
+    }
+
+    /// What is said about the Param that an instance sets here.
+    [[nodiscard]] const ParamDescription* description() const {
+        const bool isOfInstance = m_place.instance && m_place.config && m_context.path.size() == 1;
+        const SourceParam* param = isOfInstance ? m_place.config->param(m_context.path[0]) : nullptr;
+        return param ? param->description.get() : nullptr;
     }
 
     void number() {
@@ -313,7 +342,7 @@ private:
             if (p->name->range.begin <= m_place.offset && p->value->range.end >= m_place.offset && p->file == m_place.file)
                 continue; // not the block itself
             add(CompletionSort::Param, sign + p->name->text, sign + p->name->text, value,
-                "Param " + p->name->text + " = " + value);
+                paramText(*p) + "Param " + p->name->text + " = " + value);
         }
         const auto hasMembers = [](const Part* part) { return part->isRepeat() || part->is(Role::Layout); };
         if (std::ranges::none_of(m_place.parts, hasMembers)) return;
@@ -325,7 +354,7 @@ private:
     void expression() {
         params({});
         for (const char* name :
-             {"abs", "acos", "asin", "atan2", "ceil", "cos", "floor", "if", "max", "min", "mod", "round", "sin", "sqrt", "tan"})
+             {"abs", "acos", "asin", "atan2", "ceil", "cos", "element", "floor", "if", "max", "min", "mod", "round", "sin", "sqrt", "tan"})
             add(CompletionSort::Word, name, std::string(name) + "(", "",
                 std::string(name) == "cos" || std::string(name) == "sin" || std::string(name) == "tan" ? "Of an angle in degrees."
                                                                                                        : "");

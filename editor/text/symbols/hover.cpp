@@ -131,7 +131,13 @@ private:
     std::optional<Hover> param(const ParamItem& p) {
         if (!isOn(p.name.range, m_at)) return value(p.value, nullptr);
         const std::string result = resultOf(p.value);
-        return Hover{p.name.range, "Param " + p.name.text, {result.empty() ? "has no value" : "= " + result}};
+        Hover hover{p.name.range, "Param " + p.name.text, {result.empty() ? "has no value" : "= " + result}};
+        Diagnostics silent;
+        if (const auto said = descriptionOf(p, m_place.file, silent)) {
+            if (!said->property.help.empty()) hover.lines.push_back(said->property.help);
+            if (const std::string limits = said->limits(); !limits.empty()) hover.lines.push_back(limits);
+        }
+        return hover;
     }
 
     std::optional<Hover> imported(const ImportItem& import) const {

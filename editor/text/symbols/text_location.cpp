@@ -68,6 +68,12 @@ TextLocation placeAt(const LoadedProject& loaded, FileId file, std::uint32_t off
     return place;
 }
 
+const ParamItem* TextLocation::described() const {
+    const auto* param = item ? item->as<ParamItem>() : nullptr;
+    const bool isInside = param && param->open.size() && param->open.end <= offset;
+    return isInside && (param->close.size() == 0 || offset <= param->close.begin) ? param : nullptr;
+}
+
 const Property* propertyOf(const TextLocation& place, std::span<const std::string> path) {
     if (path.empty()) return nullptr;
     if (path.size() == 1) {

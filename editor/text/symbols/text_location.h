@@ -21,6 +21,8 @@ struct TextLocation {
     const Part* instance = nullptr; ///< the innermost block if it is a Robot, Static, Grid or Scatter
 
     [[nodiscard]] const BlockItem* block() const { return blocks.empty() ? nullptr : blocks.back(); }
+    /// The Param between whose braces the offset is; nullptr: none.
+    [[nodiscard]] const ParamItem* described() const;
     [[nodiscard]] const std::vector<Item>& items(const LoadedProject& loaded) const {
         return block() ? block()->items : loaded.trees[file]->items();
     }

@@ -53,6 +53,29 @@ private Q_SLOTS:
                  QStringLiteral("Between the wheels, in metres."));
     }
 
+    void aDescribedParamHasItsHelpLimitsAndChoices() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open("RobotConfig Kit {\n  Param r = 5 cm { Min=2 cm Max=20 cm Help=\"of the ball\" }\n"
+                             "  Param mass = 1 { Choices=1,2,4 }  // kg\n"
+                             "  Body b { Sphere s { Radius=$r Mass=$mass Material=red Surface=rubber } }\n}\n"
+                             "Robot kit { Config=Kit Pos=0,0,1 }\n"));
+        fixture.selection.select("kit");
+        QCOMPARE(fixture.row("param.r")->findChild<QLabel*>(QStringLiteral("label"))->toolTip(),
+                 QStringLiteral("r – from 2 to 20 cm\nof the ball"));
+        fixture.type("param.r", QStringLiteral("0.1"));
+        QVERIFY2(fixture.text().find("Robot kit { Config=Kit Pos=0,0,1 r=0.1 }") != std::string::npos, fixture.text().c_str());
+        fixture.type("param.r", QStringLiteral("50 cm"));
+        QVERIFY(fixture.field("param.r")->refused());
+        auto* mass = fixture.field<QComboBox>("param.mass");
+        QVERIFY(mass);
+        QCOMPARE(mass->count(), 3);
+        mass->setFocus();
+        QTest::keyClick(mass, Qt::Key_Down);
+        QVERIFY2(fixture.text().find("r=0.1 mass=2 }") != std::string::npos, fixture.text().c_str());
+        fixture.selection.select("RobotConfig.Kit");
+        QVERIFY(fixture.field<QComboBox>("param.mass"));
+    }
+
     /// A row holds its value several times, so a long one is left out: it can be reset, and is edited in the text.
     void aLongValueIsLeftOutOfItsRow() {
         for (const std::size_t bytes : {std::size_t(kMaxShownValue), std::size_t(kMaxShownValue) + 1}) {

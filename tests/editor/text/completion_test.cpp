@@ -145,6 +145,9 @@ void CompletionTest::lists_data() {
     row("Params", "#import parts.sim\nParam speed = 2\nTick = $|", "$speed", "$wheelRadius");
     row("a Param in its own value", "Param a = 2\nParam b = $|", "$a", "$b");
     row("Params of the config", "RobotConfig A { Param r = 1\n Body b { Sphere s { Radius=$| } } }", "$r", "");
+    row("what describes a Param", "Param a = 2 { Min=1 | }", "Max Choices Help", "Min Box Tick");
+    row("choices of a Param", "RobotConfig A { Param look = red { Choices=red,blue } Body b { } }\nRobot r { Config=A look=| }",
+        "red blue", "");
     row("what a variant sets", "#import parts.sim\nRobotConfig Big { Config=Rover | }",
         "leftMotor wheelRadius SelfCollision Body", "Config");
     row("behind the dot in a variant", "#import parts.sim\nRobotConfig Big { Config=Rover leftMotor.| }", "Resistance", "Pos");

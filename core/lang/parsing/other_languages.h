@@ -1,0 +1,28 @@
+#pragma once
+// Diagnostics for what other languages say and this one says differently: one message each, with how it is said here. Private to
+// core/lang.
+
+#include "lang/parsing/item_errors.h"
+
+namespace trundle {
+
+class OtherLanguages : ParserPart {
+public:
+    OtherLanguages(TokenCursor& tokens, SyntaxReporter& report, BlockGrammar& grammar)
+        : ParserPart(tokens, report), m_grammar(grammar) {}
+
+    /// Reports and parses what begins here; false if it is nothing known.
+    [[nodiscard]] bool explain(std::vector<Item>& out, int depth) {
+        return loop() || inheritance(out, depth) || computedName(out, depth);
+    }
+
+private:
+    [[nodiscard]] bool loop();
+    [[nodiscard]] bool inheritance(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool computedName(std::vector<Item>& out, int depth);
+    [[nodiscard]] std::size_t braceInLine() const;
+
+    BlockGrammar& m_grammar;
+};
+
+} // namespace trundle
