@@ -33,6 +33,9 @@ void LightSensor::measure(Sensing& world, std::vector<double>& reading) {
     const Vec3 normal = eye.rotation * Vec3::UnitX();
     const double wide = 2 / (m_exponent + 1); // of light from everywhere, relative to a flat surface
     world.lights(m_lights);
+    m_rays.reserve(m_lights.size());
+    m_shares.reserve(m_lights.size());
+    m_distances.reserve(m_lights.size());
     m_rays.clear();
     m_shares.clear();
     double sum = 0;

@@ -37,10 +37,10 @@ struct LightCalls {
 
     static std::uint32_t lights(void* context, TrundleLight* out, std::uint32_t capacity) {
         const DeviceHost& host = *static_cast<const ServiceContext*>(context)->host;
-        std::vector<TrundleLight> all = host.objects.lights();
-        host.lamps.appendTo(all, host.engine);
-        if (out) std::copy_n(all.begin(), std::min<std::size_t>(all.size(), capacity), out);
-        return static_cast<std::uint32_t>(all.size());
+        const std::vector<TrundleLight>& fixed = host.objects.lights();
+        const std::size_t room = out ? capacity : 0, first = std::min(fixed.size(), room);
+        std::copy_n(fixed.begin(), first, out);
+        return static_cast<std::uint32_t>(fixed.size() + host.lamps.write({out + first, room - first}, host.engine));
     }
 
     static void emit(void* context, std::uint32_t body, const double point[3], double light) {

@@ -1,6 +1,7 @@
 #include "world/device_rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -66,11 +67,17 @@ struct RayCalls {
         const bool valid = rays && distances && count <= kMaxRays &&
                            std::all_of(rays, rays + count, [](const TrundleRay& r) { return isValid(r); });
         if (!valid) return refuse(call, "castRays");
-        std::vector<SingleRay> list;
-        list.reserve(count);
-        for (const TrundleRay& r : std::span(rays, count))
-            list.push_back({Vec3(r.origin), Vec3(r.direction).normalized(), r.range});
-        call.host->engine.rays().castRays(list, without(call, own), {distances, geoms, normals});
+        std::array<SingleRay, 32> part; // on the stack: a tick takes nothing from the heap
+        for (std::uint32_t begin = 0; begin < count; begin += part.size()) {
+            const std::size_t size = std::min<std::size_t>(part.size(), count - begin);
+            for (std::size_t i = 0; i < size; ++i) {
+                const TrundleRay& r = rays[begin + i];
+                part[i] = {Vec3(r.origin), Vec3(r.direction).normalized(), r.range};
+            }
+            call.host->engine.rays().castRays(
+                std::span(part).first(size), without(call, own),
+                {distances + begin, geoms ? geoms + begin : nullptr, normals ? normals + 3 * std::size_t{begin} : nullptr});
+        }
         return 0;
     }
 

@@ -16,13 +16,15 @@ void WorldLamps::set(std::uint32_t device, std::uint32_t body, const Vec3& point
     *at = {device, body, point, light};
 }
 
-void WorldLamps::appendTo(std::vector<TrundleLight>& lights, const Engine& engine) const {
+std::size_t WorldLamps::write(std::span<TrundleLight> out, const Engine& engine) const {
+    std::size_t count = 0;
     for (const Lamp& lamp : m_lamps) {
-        if (!(lamp.light > 0)) continue;
+        if (!(lamp.light > 0) || count++ >= out.size()) continue;
         const BodyState& body = engine.state({lamp.body});
         const Vec3 at = Pose{body.position, body.rotation} * lamp.point;
-        lights.push_back({{at.x(), at.y(), at.z()}, lamp.light, TRUNDLE_LAMP, 1});
+        out[count - 1] = {{at.x(), at.y(), at.z()}, lamp.light, TRUNDLE_LAMP, 1};
     }
+    return count;
 }
 
 } // namespace trundle

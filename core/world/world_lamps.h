@@ -2,6 +2,7 @@
 // The lamps that devices are, such as LEDs.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <trundle/abi_light.h>
@@ -15,8 +16,8 @@ class WorldLamps {
 public:
     /// The device is a lamp from now on, at a point of a body (m, in its frame); with a light of 0 it is dark.
     void set(std::uint32_t device, std::uint32_t body, const Vec3& point, double light);
-    /// Appends those that are not dark, where their bodies are, in the order of the devices.
-    void appendTo(std::vector<TrundleLight>& lights, const Engine& engine) const;
+    /// How many are not dark. Writes as many of them as there is room for, where their bodies are, in the order of the devices.
+    std::size_t write(std::span<TrundleLight> out, const Engine& engine) const;
 
 private:
     struct Lamp {

@@ -105,6 +105,7 @@ private Q_SLOTS:
         std::uniform_real_distribution<double> unit(0, 1);
         const Vec3 half(0.01, 0.15, 0.02);
         int measured = 0;
+        FlatPair pair;
         for (int i = 0; i < 2000; ++i) {
             const double heading = 2.8 * (unit(rng) - 0.5), deep = 0.018 * unit(rng) - 0.003, below = 0.02 + 0.01 * unit(rng);
             const double chord = std::sqrt(0.05 * 0.05 - (below - 0.02) * (below - 0.02));
@@ -118,7 +119,7 @@ private Q_SLOTS:
             if (std::abs(deep) < 2e-4) continue;
             QCOMPARE(overlap(wheel, bumper), deep > 0);
             if (deep < 0) continue;
-            const FlatTouch touch = cylinderOnBox(wheel, bumper);
+            const FlatTouch& touch = cylinderOnBox(wheel, bumper, pair);
             QVERIFY(!touch.apart);
             if (touch.normal.x() < 0.99) continue; // another face is nearer
             double deepest = 0;

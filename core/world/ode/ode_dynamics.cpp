@@ -59,6 +59,7 @@ void OdeDynamics::solve(double h) {
     m_plan.make(m_settings.solver, -m_settings.gravity.normalized(), m_contacts.all, m_objects.geoms);
     recordLargest();
     m_memory.recall(m_contacts.all);
+    m_contacts.feedbacks.reserve(m_contacts.all.capacity());
     m_contacts.feedbacks.resize(m_contacts.all.size()); // the solver fills every one; they must stay where they are until it has
     if (m_plan.hasOutside())
         m_heaps.apply(h, m_contacts.all, m_objects.bodies, m_objects.geoms, m_plan.clusters(), m_contacts.feedbacks);
@@ -81,9 +82,9 @@ void OdeDynamics::solve(double h) {
 
 /// The clusters of these contacts once more, with their rows made anew.
 void OdeDynamics::takeBack(std::span<const std::uint32_t> contacts, double h) {
-    std::vector<std::uint32_t> bodies;
-    for (const std::uint32_t i : contacts) bodies.push_back(m_objects.geoms[m_contacts.all[i].first].body);
-    m_solver.takeBack(m_plan, bodies);
+    m_again.clear();
+    for (const std::uint32_t i : contacts) m_again.push_back(m_objects.geoms[m_contacts.all[i].first].body);
+    m_solver.takeBack(m_plan, m_again);
     m_rows.remake(m_contacts, contacts, h);
 }
 

@@ -52,7 +52,8 @@ private:
     SolverPlan m_plan;
     HeapForces m_heaps;
     ClusterSolver m_solver;
-    std::size_t m_prepared = 0; ///< bodies
+    std::size_t m_prepared = 0;         ///< bodies
+    std::vector<std::uint32_t> m_again; ///< bodies
     std::size_t m_largestExactCluster = 0;
 };
 

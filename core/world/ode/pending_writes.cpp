@@ -2,11 +2,11 @@
 
 namespace trundle {
 
-std::vector<std::uint32_t> PendingWrites::apply(OdeObjects& objects) {
-    std::vector<std::uint32_t> moved;
+std::span<const std::uint32_t> PendingWrites::apply(OdeObjects& objects) {
+    m_moved.clear();
     for (const ActorMotion& motion : m_motions) {
         move(objects, motion);
-        moved.push_back(motion.actor);
+        m_moved.push_back(motion.actor);
     }
     for (const JointTorque& torque : m_torques) addTorque(objects, torque);
     for (const BodyForce& f : m_forces)
@@ -15,7 +15,7 @@ std::vector<std::uint32_t> PendingWrites::apply(OdeObjects& objects) {
     m_motions.clear();
     m_torques.clear();
     m_forces.clear();
-    return moved;
+    return m_moved;
 }
 
 void PendingWrites::addTorque(const OdeObjects& objects, const JointTorque& write) {

@@ -1,6 +1,7 @@
 #pragma once
 // Writes that wait for the next step.
 
+#include <span>
 #include <vector>
 
 #include "world/ode/objects/ode_objects.h"
@@ -15,7 +16,8 @@ public:
     void addMotion(std::uint32_t actor, const Pose& motion) { m_motions.push_back({actor, motion}); }
 
     /// Does all of them, first the motions, and gives the actors that were moved.
-    [[nodiscard]] std::vector<std::uint32_t> apply(OdeObjects& objects);
+    /// Valid until the next call.
+    [[nodiscard]] std::span<const std::uint32_t> apply(OdeObjects& objects);
 
 private:
     struct JointTorque {
@@ -36,6 +38,7 @@ private:
     std::vector<JointTorque> m_torques;
     std::vector<BodyForce> m_forces;
     std::vector<ActorMotion> m_motions;
+    std::vector<std::uint32_t> m_moved; ///< actors
 };
 
 } // namespace trundle

@@ -33,10 +33,15 @@ bool overlap(const PlacedCylinder& cylinder, const PlacedBox& box) {
     return false;
 }
 
-FlatTouch cylinderOnBox(const PlacedCylinder& cylinder, const PlacedBox& box) {
-    if (!overlap(cylinder, box)) return {true, Vec3::UnitZ(), {}};
-    return flatContacts(flatCylinder(cylinder.centre, cylinder.axes, cylinder.radius, cylinder.half),
-                        flatBox(box.centre, box.axes, box.half));
+const FlatTouch& cylinderOnBox(const PlacedCylinder& cylinder, const PlacedBox& box, FlatPair& pair) {
+    if (!overlap(cylinder, box)) {
+        pair.touch.apart = true;
+        pair.touch.contacts.clear();
+        return pair.touch;
+    }
+    pair.first.setCylinder(cylinder.centre, cylinder.axes, cylinder.radius, cylinder.half);
+    pair.second.setBox(box.centre, box.axes, box.half);
+    return pair.findContacts();
 }
 
 } // namespace trundle

@@ -20,7 +20,7 @@ struct PlacedBox {
 /// By more than 10 um; of two faces that are within 3 degrees of each other by more than 2 mm.
 [[nodiscard]] bool overlap(const PlacedCylinder& cylinder, const PlacedBox& box);
 
-/// The normal towards the cylinder; no contacts if they do not overlap, or if only edges cross.
-[[nodiscard]] FlatTouch cylinderOnBox(const PlacedCylinder& cylinder, const PlacedBox& box);
+/// The touch of the pair, which becomes these two. The normal towards the cylinder; no contacts if they do not overlap, or if only edges cross.
+[[nodiscard]] const FlatTouch& cylinderOnBox(const PlacedCylinder& cylinder, const PlacedBox& box, FlatPair& pair);
 
 } // namespace trundle

@@ -142,8 +142,9 @@ int GeomCollider::collide(std::uint32_t first, std::uint32_t second, dContactGeo
     if (count > 0 || (!cylinderFirst && (a.shape != GeomShape::Box || b.shape != GeomShape::Cylinder))) return count;
     const std::uint32_t cylinder = cylinderFirst ? first : second, box = cylinderFirst ? second : first;
     const OdeGeom &c = m_objects.geoms[cylinder], &o = m_objects.geoms[box];
-    FlatTouch touch = cylinderOnBox({m_objects.centres[cylinder], m_objects.axesOf(c), c.radius, c.half.z()},
-                                    {m_objects.centres[box], m_objects.axesOf(o), o.half});
+    (void)cylinderOnBox({m_objects.centres[cylinder], m_objects.axesOf(c), c.radius, c.half.z()},
+                                    {m_objects.centres[box], m_objects.axesOf(o), o.half}, m_flat);
+    FlatTouch& touch = m_flat.touch;
     std::ranges::sort(touch.contacts, std::greater(), &FlatContact::depth);
     const auto most = std::min<std::size_t>(touch.contacts.size(), kMaxFound);
     for (std::size_t i = 0; i < most; ++i) {
@@ -166,9 +167,9 @@ int GeomCollider::mostContacts(std::uint32_t first, std::uint32_t second) const 
 
 void GeomCollider::genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts) {
     const int most = mostContacts(first, second);
-    std::vector<SurfaceContact> hulls;
-    if (m_hulls.meet(first, second, most, hulls)) {
-        for (const SurfaceContact& c : hulls) addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
+    m_onHulls.clear();
+    if (m_hulls.meet(first, second, most, m_onHulls)) {
+        for (const SurfaceContact& c : m_onHulls) addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
         return;
     }
     dContactGeom found[kMaxFound];

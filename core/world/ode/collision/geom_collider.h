@@ -34,6 +34,8 @@ private:
 
     const OdeObjects& m_objects;
     HullCollider m_hulls;
+    std::vector<SurfaceContact> m_onHulls;
+    mutable FlatPair m_flat;
 };
 
 } // namespace trundle

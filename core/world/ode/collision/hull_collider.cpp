@@ -64,19 +64,18 @@ void addSpread(std::vector<SurfaceContact>& contacts, int most, std::vector<Surf
 
 } // namespace
 
-FlatBody HullCollider::flatBody(std::uint32_t index) const {
+void HullCollider::setBody(std::uint32_t index, FlatBody& body) const {
     const OdeGeom& g = m_objects.geoms[index];
     const Mat3 axes = m_objects.axesOf(g);
-    if (g.shape == GeomShape::Box) return flatBox(m_objects.centres[index], axes, g.half);
-    if (g.shape == GeomShape::Cylinder) return flatCylinder(m_objects.centres[index], axes, g.radius, g.half.z());
-    FlatBody body;
+    if (g.shape == GeomShape::Box) return body.setBox(m_objects.centres[index], axes, g.half);
+    if (g.shape == GeomShape::Cylinder) return body.setCylinder(m_objects.centres[index], axes, g.radius, g.half.z());
+    body.clear();
     for (std::size_t i = 0; i + 2 < g.data->points.size(); i += 3)
         body.points.push_back(m_objects.centres[index] + axes * Vec3(&g.data->points[i]));
     for (std::size_t f = 0; 4 * f < g.data->polygons.size(); ++f) { // 3, a, b, c
         const unsigned* polygon = &g.data->polygons[4 * f];
         body.addTriangle(polygon[1], polygon[2], polygon[3], axes * Vec3(&g.data->planes[4 * f]));
     }
-    return body;
 }
 
 bool HullCollider::meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts) {
@@ -84,11 +83,13 @@ bool HullCollider::meet(std::uint32_t first, std::uint32_t second, int most, std
 }
 
 /// False if the pair is not a hull and a shape with flat faces, if only edges cross, or if a cylinder's lateral surface touches.
-bool HullCollider::hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) const {
+bool HullCollider::hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) {
     const GeomShape a = m_objects.geoms[first].shape, b = m_objects.geoms[second].shape;
     const auto flat = [](GeomShape s) { return s == GeomShape::Convex || s == GeomShape::Box || s == GeomShape::Cylinder; };
     if ((a != GeomShape::Convex && b != GeomShape::Convex) || !flat(a) || !flat(b)) return false;
-    const FlatTouch touch = flatContacts(flatBody(first), flatBody(second));
+    setBody(first, m_pair.first);
+    setBody(second, m_pair.second);
+    const FlatTouch& touch = m_pair.findContacts();
     if (touch.apart) return true;
     if (touch.contacts.empty()) return false;
     for (const std::uint32_t g : {first, second})
@@ -124,7 +125,8 @@ bool HullCollider::hullOnMesh(std::uint32_t first, std::uint32_t second, int mos
     const std::uint32_t hull = hullFirst ? first : second, mesh = hullFirst ? second : first;
     if (m_objects.geoms[hull].shape != GeomShape::Convex || m_objects.geoms[mesh].shape != GeomShape::Mesh) return false;
     const std::vector<Triangle> near = trianglesNear(mesh, hull);
-    std::vector<SurfaceContact> contacts = contactsOnSurface(flatBody(hull), near);
+    setBody(hull, m_pair.first);
+    std::vector<SurfaceContact> contacts = contactsOnSurface(m_pair.first, near);
     if (contacts.empty()) return near.empty();
     sortByDepth(contacts);
     for (int round = 0; round < kMaxDirections && !contacts.empty(); ++round) {

@@ -19,13 +19,14 @@ public:
     [[nodiscard]] bool meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts);
 
 private:
-    [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) const;
+    [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
     [[nodiscard]] bool hullOnMesh(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
     [[nodiscard]] std::vector<Triangle> trianglesNear(std::uint32_t mesh, std::uint32_t hull);
-    [[nodiscard]] FlatBody flatBody(std::uint32_t geom) const;
+    void setBody(std::uint32_t geom, FlatBody& body) const;
 
     const OdeObjects& m_objects;
     std::vector<std::uint32_t> m_near; ///< triangles
+    FlatPair m_pair;
 };
 
 } // namespace trundle

@@ -33,22 +33,14 @@ ReferenceFace bestFace(const FlatBody& body, const FlatBody& other) {
     return best;
 }
 
-void clipFaces(const FlatBody& body, std::size_t reference, const FlatBody& other, std::vector<FlatContact>& contacts) {
-    const Vec3& normal = body.normals[reference];
-    double opposed = 1;
-    for (const Vec3& n : other.normals) opposed = std::min(opposed, n.dot(normal));
-    std::vector<Vec3> polygon, scratch;
-    for (std::size_t t = 0; t < other.triangles.size(); ++t) {
-        if (other.normals[t].dot(normal) > opposed + kAsOpposed) continue;
-        polygon.clear();
-        for (const std::uint32_t corner : other.triangles[t]) polygon.push_back(other.points[corner]);
-        for (std::size_t f = 0; f < body.normals.size() && !polygon.empty(); ++f)
-            clipPolygon(polygon, body.normals[f], body.offsets[f], scratch);
-        for (const Vec3& p : polygon) contacts.push_back({p, body.offsets[reference] - normal.dot(p)});
-    }
-}
-
 } // namespace
+
+void FlatBody::clear() {
+    points.clear();
+    triangles.clear();
+    normals.clear();
+    offsets.clear();
+}
 
 void FlatBody::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, const Vec3& normal) {
     triangles.push_back({a, b, c});
@@ -56,40 +48,38 @@ void FlatBody::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, co
     offsets.push_back(normal.dot(points[a]));
 }
 
-FlatBody flatBox(const Vec3& centre, const Mat3& axes, const Vec3& half) {
-    FlatBody body;
+void FlatBody::setBox(const Vec3& centre, const Mat3& axes, const Vec3& half) {
+    clear();
     for (int i = 0; i < 8; ++i)
-        body.points.push_back(centre + axes * half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+        points.push_back(centre + axes * half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
     for (int axis = 0; axis < 3; ++axis)
         for (const int side : {-1, 1}) {
             // The face's corners, round it: its other two axes in cyclic order.
             const std::uint32_t u = 1u << ((axis + 1) % 3), v = 1u << ((axis + 2) % 3), at = side > 0 ? 1u << axis : 0u;
             const Vec3 normal = side * axes.col(axis);
             const std::uint32_t b = side > 0 ? u : v, d = side > 0 ? v : u;
-            body.addTriangle(at, at | b, at | u | v, normal);
-            body.addTriangle(at, at | u | v, at | d, normal);
+            addTriangle(at, at | b, at | u | v, normal);
+            addTriangle(at, at | u | v, at | d, normal);
         }
-    return body;
 }
 
-FlatBody flatCylinder(const Vec3& centre, const Mat3& axes, double radius, double halfLength) {
+void FlatBody::setCylinder(const Vec3& centre, const Mat3& axes, double radius, double halfLength) {
     constexpr std::uint32_t kSides = 32;
     constexpr double kStep = 2 * std::numbers::pi / kSides;
     const double corner = radius / std::cos(kStep / 2);
-    FlatBody body;
+    clear();
     for (std::uint32_t i = 0; i < kSides; ++i) // even: below, odd: above
         for (const double z : {-halfLength, halfLength})
-            body.points.push_back(centre + axes * Vec3(corner * std::cos(i * kStep), corner * std::sin(i * kStep), z));
+            points.push_back(centre + axes * Vec3(corner * std::cos(i * kStep), corner * std::sin(i * kStep), z));
     for (std::uint32_t i = 0; i < kSides; ++i) {
         const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kSides);
         const Vec3 out = axes * Vec3(std::cos((i + 0.5) * kStep), std::sin((i + 0.5) * kStep), 0);
-        body.addTriangle(a, b, b + 1, out);
-        body.addTriangle(a, b + 1, a + 1, out);
+        addTriangle(a, b, b + 1, out);
+        addTriangle(a, b + 1, a + 1, out);
         if (i == 0 || i + 1 == kSides) continue;
-        body.addTriangle(1, a + 1, b + 1, axes.col(2));
-        body.addTriangle(0, b, a, -axes.col(2));
+        addTriangle(1, a + 1, b + 1, axes.col(2));
+        addTriangle(0, b, a, -axes.col(2));
     }
-    return body;
 }
 
 /// Sutherland-Hodgman.
@@ -104,17 +94,32 @@ void clipPolygon(std::vector<Vec3>& polygon, const Vec3& normal, double offset, 
     polygon.swap(scratch);
 }
 
-FlatTouch flatContacts(const FlatBody& first, const FlatBody& second) {
-    FlatTouch touch;
+void FlatPair::clipFaces(const FlatBody& body, std::size_t reference, const FlatBody& other) {
+    const Vec3& normal = body.normals[reference];
+    double opposed = 1;
+    for (const Vec3& n : other.normals) opposed = std::min(opposed, n.dot(normal));
+    for (std::size_t t = 0; t < other.triangles.size(); ++t) {
+        if (other.normals[t].dot(normal) > opposed + kAsOpposed) continue;
+        m_polygon.clear();
+        for (const std::uint32_t corner : other.triangles[t]) m_polygon.push_back(other.points[corner]);
+        for (std::size_t f = 0; f < body.normals.size() && !m_polygon.empty(); ++f)
+            clipPolygon(m_polygon, body.normals[f], body.offsets[f], m_scratch);
+        for (const Vec3& p : m_polygon) touch.contacts.push_back({p, body.offsets[reference] - normal.dot(p)});
+    }
+}
+
+const FlatTouch& FlatPair::findContacts() {
+    touch.contacts.clear();
     const ReferenceFace onSecond = bestFace(second, first), onFirst = bestFace(first, second);
     touch.apart = onSecond.above > 0 || onFirst.above > 0;
+    touch.normal = Vec3::UnitZ();
     if (touch.apart) return touch;
     if (onSecond.above >= onFirst.above - kPreferSecond) {
         touch.normal = second.normals[onSecond.face];
-        clipFaces(second, onSecond.face, first, touch.contacts);
+        clipFaces(second, onSecond.face, first);
     } else {
         touch.normal = -first.normals[onFirst.face];
-        clipFaces(first, onFirst.face, second, touch.contacts);
+        clipFaces(first, onFirst.face, second);
     }
     return touch;
 }

@@ -17,15 +17,14 @@ struct FlatBody {
     std::vector<Vec3> normals;
     std::vector<double> offsets;
 
+    void clear();
     void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, const Vec3& normal);
+    /// The box with these half sides, in place of what was there.
+    void setBox(const Vec3& centre, const Mat3& axes, const Vec3& half);
+    /// A cylinder about its z with flat sides, which lie outside its round ones by less than a half per cent of the radius: good for what
+    /// touches its ends.
+    void setCylinder(const Vec3& centre, const Mat3& axes, double radius, double halfLength);
 };
-
-/// The box with these half sides.
-[[nodiscard]] FlatBody flatBox(const Vec3& centre, const Mat3& axes, const Vec3& half);
-
-/// A cylinder about its z with flat sides, which lie outside its round ones by less than a half per cent of the radius: good for what
-/// touches its ends.
-[[nodiscard]] FlatBody flatCylinder(const Vec3& centre, const Mat3& axes, double radius, double halfLength);
 
 /// Keeps what lies below the plane normal . x = offset.
 void clipPolygon(std::vector<Vec3>& polygon, const Vec3& normal, double offset, std::vector<Vec3>& scratch);
@@ -35,13 +34,24 @@ struct FlatContact {
     double depth = 0;
 };
 
-/// What `flatContacts` found: all contacts share one normal, towards the first body.
+/// All contacts share one normal, towards the first body.
 struct FlatTouch {
     bool apart = false; ///< a face's plane lies between them
     Vec3 normal = Vec3::UnitZ();
     std::vector<FlatContact> contacts; ///< empty though not apart: edges cross, no face is inside
 };
 
-[[nodiscard]] FlatTouch flatContacts(const FlatBody& first, const FlatBody& second);
+/// Two bodies and where they touch. Kept from pair to pair, it takes nothing from the heap.
+struct FlatPair {
+    FlatBody first, second;
+    FlatTouch touch;
+
+    /// Fills `touch`.
+    const FlatTouch& findContacts();
+
+private:
+    void clipFaces(const FlatBody& body, std::size_t reference, const FlatBody& other);
+    std::vector<Vec3> m_polygon, m_scratch;
+};
 
 } // namespace trundle

@@ -11,7 +11,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kReach = 1e-5; // m
+constexpr double kReach = 1e-5;       // m
+constexpr std::size_t kExpected = 4; // contacts of a body
 
 } // namespace
 
@@ -23,6 +24,7 @@ void ContactSearch::findForStep(std::vector<OdeContact>& contacts) {
         m_placed.clear();
         return;
     }
+    contacts.reserve(kExpected * m_objects.bodies.size()); // so that it seldom grows later
     std::vector<double> lowered(m_objects.actors.size(), 0);
     for (const std::uint32_t actor : m_placed) {
         const double height = -down.dot(vec(m_objects.bodies[m_objects.actors[actor].bodies.begin].p));

@@ -22,6 +22,7 @@ ContactRows::ContactRows(const EngineSettings& settings, const OdeWorld& world, 
       m_group(dJointGroupCreate(0)) {}
 
 void ContactRows::make(TickContacts& contacts, double h) {
+    contacts.rows.reserve(contacts.all.capacity());
     contacts.rows.assign(contacts.all.size(), nullptr);
     for (std::size_t i = 0; i < contacts.all.size(); ++i) {
         const OdeContact& c = contacts.all[i];

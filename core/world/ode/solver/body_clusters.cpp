@@ -57,8 +57,8 @@ void BodyClusters::sortBodies() {
     }
     std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
     m_sortedBodies.resize(m_cluster.size());
-    std::vector<std::uint32_t> next(m_begin.begin(), m_begin.end() - 1);
-    for (std::uint32_t i = 0; i < m_cluster.size(); ++i) m_sortedBodies[next[m_cluster[i]]++] = i;
+    m_next.assign(m_begin.begin(), m_begin.end() - 1);
+    for (std::uint32_t i = 0; i < m_cluster.size(); ++i) m_sortedBodies[m_next[m_cluster[i]]++] = i;
 }
 
 std::span<const std::uint32_t> BodyClusters::bodies(std::uint32_t cluster) {

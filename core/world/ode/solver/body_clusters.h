@@ -40,7 +40,7 @@ private:
     std::vector<std::uint32_t> m_groups; ///< all of them
     std::vector<std::uint32_t> m_cluster, m_contacts, m_robots;
     bool m_sorted = false;
-    std::vector<std::uint32_t> m_names, m_begin, m_sortedBodies; ///< m_begin: by body, of the cluster that it names
+    std::vector<std::uint32_t> m_names, m_begin, m_next, m_sortedBodies; ///< m_begin: by body, of the cluster that it names
 };
 
 } // namespace trundle

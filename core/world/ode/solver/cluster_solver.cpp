@@ -94,12 +94,12 @@ void ClusterSolver::stepExactly(double h, SolverPlan& plan) {
     m_anyDisabled = !plan.iterated().empty();
     if (!tryExactly(h)) {
         plan.findClusters(m_contacts.all, m_objects.geoms);
-        std::vector<std::uint32_t> names;
-        std::ranges::set_difference(clusters.all(), plan.iterated(), std::back_inserter(names));
+        m_names.clear();
+        std::ranges::set_difference(clusters.all(), plan.iterated(), std::back_inserter(m_names));
         disableAll();
-        for (const std::uint32_t name : names)
+        for (const std::uint32_t name : m_names)
             for (const std::uint32_t body : clusters.bodies(name)) restore(body);
-        stepByThemselves(h, clusters, names);
+        stepByThemselves(h, clusters, m_names);
     }
     repeatBent(h, plan);
     for (const std::uint32_t name : plan.iterated()) {
@@ -181,19 +181,19 @@ void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
 void ClusterSolver::takeBack(SolverPlan& plan, std::span<const std::uint32_t> bodies) {
     plan.findClusters(m_contacts.all, m_objects.geoms);
     BodyClusters& clusters = plan.clusters();
-    std::vector<std::uint32_t> names;
+    m_names.clear();
     for (const std::uint32_t body : bodies)
-        if (!isQuick(body)) names.push_back(clusters.of(body));
-    std::ranges::sort(names);
-    names.erase(std::unique(names.begin(), names.end()), names.end());
+        if (!isQuick(body)) m_names.push_back(clusters.of(body));
+    std::ranges::sort(m_names);
+    m_names.erase(std::unique(m_names.begin(), m_names.end()), m_names.end());
     m_taken.clear();
     disableAll();
-    for (const std::uint32_t name : names)
+    for (const std::uint32_t name : m_names)
         for (const std::uint32_t body : clusters.bodies(name)) {
             m_taken.emplace_back(body, rawState(m_objects.bodies[body]));
             restore(body);
         }
-    enableOnly(clusters, names);
+    enableOnly(clusters, m_names);
 }
 
 void ClusterSolver::solveTaken(double h) {
@@ -225,9 +225,9 @@ bool ClusterSolver::isPlain(const BodyClusters& clusters, std::uint32_t name) co
 void ClusterSolver::whip(double h, BodyClusters& clusters, std::uint32_t name) {
     const double part = h / kWhipSteps;
     const auto bodies = clusters.bodies(name);
-    std::vector<RawState> whole, from;
+    m_whole.clear();
     for (const std::uint32_t body : bodies) {
-        whole.push_back(rawState(m_objects.bodies[body]));
+        m_whole.push_back(rawState(m_objects.bodies[body]));
         restore(body);
     }
     const auto putBack = [&](const std::vector<RawState>& states) {
@@ -236,21 +236,21 @@ void ClusterSolver::whip(double h, BodyClusters& clusters, std::uint32_t name) {
     enableOnly(clusters, std::span(&name, 1));
     bool solved = true;
     for (int k = 0; k < kWhipSteps && solved; ++k) {
-        from.clear();
+        m_from.clear();
         for (const std::uint32_t body : bodies) {
-            from.push_back(rawState(m_objects.bodies[body]));
-            std::memcpy(from.back().force, m_saved[body].force, sizeof from.back().force);
-            std::memcpy(from.back().torque, m_saved[body].torque, sizeof from.back().torque);
+            m_from.push_back(rawState(m_objects.bodies[body]));
+            std::memcpy(m_from.back().force, m_saved[body].force, sizeof m_from.back().force);
+            std::memcpy(m_from.back().torque, m_saved[body].torque, sizeof m_from.back().torque);
         }
         for (int again = 0; again <= kMaxRepeats && solved; ++again) {
             m_drift.expect(m_objects.bodies, bodies);
-            putBack(from);
+            putBack(m_from);
             solved = tryExactly(part);
             m_drift.findUnexpected(m_objects.bodies, m_objects.joints, part, m_unexpected);
             if (std::ranges::none_of(m_unexpected, [&](std::uint32_t body) { return clusters.of(body) == name; })) break;
         }
     }
-    if (!solved) putBack(whole);
+    if (!solved) putBack(m_whole);
     disableAll();
 }
 
@@ -258,25 +258,25 @@ void ClusterSolver::whip(double h, BodyClusters& clusters, std::uint32_t name) {
 void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
     const double part = h / kShortSteps;
     const auto isIn = [&](std::uint32_t body) { return std::ranges::binary_search(bodies, body); };
-    std::vector<std::size_t> contacts;
+    m_iterated.clear();
     for (std::size_t i = 0; i < m_contacts.all.size(); ++i)
-        if (!m_contacts.all[i].outside && isIn(m_objects.geoms[m_contacts.all[i].first].body)) contacts.push_back(i);
+        if (!m_contacts.all[i].outside && isIn(m_objects.geoms[m_contacts.all[i].first].body)) m_iterated.push_back(i);
     for (const OdeJoint& joint : m_objects.joints) // its spring is for the whole tick
         if (joint.type == JointType::Suspension && isIn(joint.child))
             dJointSetHinge2Param(joint.id, dParamSuspensionERP,
                                  dJointGetHinge2Param(joint.id, dParamSuspensionERP) / kShortSteps);
-    std::vector<OdeContact> moved; // they change from step to step, for the next tick they start as found
-    std::vector<dJointFeedback> felt(contacts.size());
-    for (const std::size_t i : contacts) {
+    m_moved.clear(); // they change from step to step, for the next tick they start as found
+    for (const std::size_t i : m_iterated) {
         m_contacts.feedbacks[i] = {};
         if (m_contacts.rows[i]) dJointDisable(m_contacts.rows[i]);
-        moved.push_back(m_contacts.all[i]);
+        m_moved.push_back(m_contacts.all[i]);
     }
+    m_felt.assign(m_iterated.size(), {});
     m_quick.insert(m_quick.end(), bodies.begin(), bodies.end());
     for (const std::uint32_t body : bodies) dBodyEnable(m_objects.bodies[body].id);
     seed();
     for (int k = 0; k < kShortSteps; ++k) {
-        for (std::size_t i = 0; i < contacts.size(); ++i) m_rows.add(moved[i], part, m_group.get(), &felt[i]);
+        for (std::size_t i = 0; i < m_iterated.size(); ++i) m_rows.add(m_moved[i], part, m_group.get(), &m_felt[i]);
         for (const std::uint32_t body : bodies) {
             const RawState& s = m_saved[body];
             dBodySetForce(m_objects.bodies[body].id, s.force[0], s.force[1], s.force[2]);
@@ -284,9 +284,9 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
         }
         dWorldQuickStep(m_world.id(), part);
         dJointGroupEmpty(m_group.get());
-        for (std::size_t i = 0; i < contacts.size(); ++i) {
-            OdeContact& c = moved[i];
-            for (int axis = 0; axis < 3; ++axis) m_contacts.feedbacks[contacts[i]].f1[axis] += felt[i].f1[axis] / kShortSteps;
+        for (std::size_t i = 0; i < m_iterated.size(); ++i) {
+            OdeContact& c = m_moved[i];
+            for (int axis = 0; axis < 3; ++axis) m_contacts.feedbacks[m_iterated[i]].f1[axis] += m_felt[i].f1[axis] / kShortSteps;
             c.depth -= part * vec(c.normal).dot(m_objects.contactSpeed(c));
             Vec3::Map(c.position) += part * m_objects.carriedBy(c);
         }

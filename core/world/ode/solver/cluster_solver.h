@@ -72,6 +72,11 @@ private:
     std::vector<std::uint32_t> m_bent, m_stumbles;           ///< m_stumbles: by body, of clusters that it named
     std::vector<std::pair<std::uint32_t, RawState>> m_taken; ///< bodies, as solved before
     std::vector<Aside> m_aside;
+    std::vector<std::uint32_t> m_names;     ///< of clusters
+    std::vector<RawState> m_whole, m_from;  ///< of what is whipped: by the whole tick, before a short step
+    std::vector<std::size_t> m_iterated;    ///< contacts; by these:
+    std::vector<OdeContact> m_moved;
+    std::vector<dJointFeedback> m_felt;
     std::vector<std::uint32_t> m_quick; ///< bodies iterated in this step, sorted
     bool m_rescued = false, m_allQuick = false, m_anyDisabled = false;
     bool m_countedQuick = false, m_countedRescue = false; ///< in this tick

@@ -259,7 +259,7 @@ void HeapForces::prepareFloor(Push& push, const OdeContact& c, double h) {
 /// What else accelerates a group will do so again: what it has done beyond its contacts. Where that is not known, all that presses
 /// steadily is at rest, and nothing else presses.
 void HeapForces::expectOthers(std::span<const OdeContact> contacts) {
-    const std::vector<Group> before = m_groups;
+    m_before = m_groups;
     const auto isKnown = [&](std::uint32_t group) { return m_expected[m_names[group]].tick + 1 == m_tick; };
     for (Push& push : m_pushes) {
         const OdeContact& c = contacts[push.contact];
@@ -271,7 +271,7 @@ void HeapForces::expectOthers(std::span<const OdeContact> contacts) {
     }
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
         Group& g = m_groups[i];
-        const Group& old = before[i];
+        const Group& old = m_before[i];
         const Expected& expected = m_expected[m_names[i]];
         if (isKnown(i)) {
             g.pushed = old.velocity - expected.velocity;

@@ -86,7 +86,7 @@ private:
 
     const EngineSettings& m_settings;
     std::uint64_t m_tick = 2; ///< above what is 0 by more than one
-    std::vector<Group> m_groups;
+    std::vector<Group> m_groups, m_before;
     std::vector<std::uint32_t> m_names, m_indexOf; ///< m_indexOf: by group name, of m_groups
     std::vector<Push> m_pushes;
     std::vector<Foot> m_feet;
