@@ -24,6 +24,7 @@ DriveStatistics::DriveStatistics(const World& world) {
                                              find("angularAmount")};
             const SignalEntry* sequence = find("sequence");
             const SignalEntry* done = find("done");
+            if (find("lateralVelocity")) continue; // its way is not that of its heading
             if (!pose || pose->count != 3 || !sequence || !done || std::ranges::count(commands, nullptr) > 0) continue;
             const std::uint32_t p = pose->offset;
             Drive drive;

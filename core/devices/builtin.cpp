@@ -4,6 +4,7 @@
 
 #include <trundle/device.h>
 
+#include "devices/ackermann_drive.h"
 #include "devices/battery.h"
 #include "devices/camera_device.h"
 #include "devices/compass.h"
@@ -15,6 +16,7 @@
 #include "devices/imu.h"
 #include "devices/lidar.h"
 #include "devices/light_sensor.h"
+#include "devices/omni_drive.h"
 #include "devices/range_sensor.h"
 #include "devices/rotary_motor.h"
 #include "devices/servo.h"
@@ -45,6 +47,9 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<Battery>(), "Battery");
     visit(std::type_identity<Gripper>(), "Gripper");
     visit(std::type_identity<SkidDrive>(), "SkidDrive");
+    visit(std::type_identity<OmniDrive>(), "OmniDrive");
+    visit(std::type_identity<MecanumDrive>(), "MecanumDrive");
+    visit(std::type_identity<AckermannDrive>(), "AckermannDrive");
 }
 
 } // namespace

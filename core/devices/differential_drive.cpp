@@ -1,7 +1,5 @@
 #include "devices/differential_drive.h"
 
-#include <algorithm>
-
 namespace trundle {
 
 void DifferentialDrive::describe(Describe<DifferentialDrive>& d) {
@@ -15,7 +13,7 @@ void DifferentialDrive::describe(Describe<DifferentialDrive>& d) {
 
 void DifferentialDrive::setup(Mount& mount) {
     if (m_leftMotor == m_rightMotor) return mount.fail("LeftMotor and RightMotor are the same motor");
-    mountWheels(mount, {m_leftMotor}, {m_rightMotor});
+    mountSides(mount, {m_leftMotor}, {m_rightMotor});
 }
 
 void SkidDrive::describe(Describe<SkidDrive>& d) {
@@ -30,13 +28,6 @@ void SkidDrive::describe(Describe<SkidDrive>& d) {
     DifferentialDriveSignals::describe(d);
 }
 
-void SkidDrive::setup(Mount& mount) {
-    std::vector<std::string> all = m_leftMotors;
-    all.insert(all.end(), m_rightMotors.begin(), m_rightMotors.end());
-    std::sort(all.begin(), all.end());
-    if (const auto twice = std::adjacent_find(all.begin(), all.end()); twice != all.end())
-        return mount.fail("the motor " + *twice + " is given twice");
-    mountWheels(mount, m_leftMotors, m_rightMotors);
-}
+void SkidDrive::setup(Mount& mount) { mountSides(mount, m_leftMotors, m_rightMotors); }
 
 } // namespace trundle

@@ -5,7 +5,7 @@
 // assumptions the tick length does not change while an amount is being driven
 // method      an amount has its own position P(t); the velocity of tick k is (P(t_k+1) - P(t_k)) / h, so that the ticks add up
 //             to the amount except for rounding, for any h
-// data        P = braking distance from the start velocity + remainder * S(t), S a trapezoid from 0 to 1 shared by both amounts
+// data        P = braking distance from the start velocity + remainder * S(t), S a trapezoid from 0 to 1 shared by all amounts
 
 #include <optional>
 #include <string>
@@ -33,9 +33,9 @@ struct DriveLimits {
 
 class DriveProfile {
 public:
-    /// Sets the velocity to ramp to; linear and angular arrive together, so the curvature is kept. Cancels an amount.
+    /// Sets the velocity to ramp to; all of it arrives together, so the curvature is kept. Cancels an amount.
     void aim(const ChassisMotion& velocity);
-    /// Starts an amount; an amount of 0 means no limit on its axis. Returns the reason if it is refused; then the base only
+    /// Starts an amount, in the plane along the velocity; an amount of 0 means no limit on its axis. Returns the reason if it is refused; then the base only
     /// brakes.
     [[nodiscard]] std::optional<std::string> start(const ChassisMotion& velocity, const ChassisMotion& amount,
                                                    const DriveLimits& limits);

@@ -4,9 +4,10 @@
 
 namespace trundle {
 
-/// Motion of the axle's centre: m/s and rad/s, or m and rad.
+/// Motion of the base's centre, in its own frame: m/s and rad/s, or m and rad.
 struct ChassisMotion {
     double linear = 0, angular = 0;
+    double lateral = 0; ///< to the left; 0 unless the base can move sideways
 };
 /// rad/s, or rad.
 struct WheelMotion {

@@ -10,6 +10,11 @@ constexpr ViewData kDriveData[] = {{"pos", "odometry"}, {"done", "done"}, {"busy
 constexpr ViewWrite kDriveVelocity[] = {
     {"linearVelocity", 0}, {"angularVelocity", 1}, {"linearAmount", -1, 0}, {"angularAmount", -1, 0}};
 constexpr ViewCommand kDriveCommands[] = {{"vel", 2, kDriveVelocity}};
+constexpr ViewWrite kOmniVelocity[] = {
+    {"linearVelocity", 0}, {"lateralVelocity", 1}, {"angularVelocity", 2}, {"linearAmount", -1, 0}, {"angularAmount", -1, 0}};
+constexpr ViewCommand kOmniCommands[] = {{"vel", 3, kOmniVelocity}};
+constexpr ViewWrite kCarVelocity[] = {{"linearVelocity", 0}, {"steeringAngle", 1}, {"linearAmount", -1, 0}};
+constexpr ViewCommand kCarCommands[] = {{"car", 2, kCarVelocity}};
 
 constexpr ViewData kServoData[] = {{"pos", "position"}, {"vel", "rate"}, {"saturated", "saturated"}};
 constexpr ViewWrite kTarget[] = {{"target", 0}};
@@ -25,7 +30,7 @@ constexpr ViewData kRangeData[] = {{"ranges", "range"}, {"time", "time"}};
 constexpr ViewData kLidarData[] = {{"ranges", "ranges"}, {"time", "time"}};
 constexpr ViewData kTouchData[] = {{"bumped", "pressed"}, {"force", "force"}, {"count", "count"}};
 constexpr ViewData kCameraData[] = {{"frame", "frame"}, {"time", "time"}};
-constexpr ViewData kRadioData[] = {{"address", "address"}, {"rssi", "rssi"},         {"lqi", "lqi"},     {"pending", "pending"},
+constexpr ViewData kRadioData[] = {{"address", "address"}, {"rssi", "rssi"},         {"lqi", "lqi"},      {"pending", "pending"},
                                    {"sent", "sent"},       {"received", "received"}, {"energy", "energy"}};
 constexpr ViewData kImuData[] = {
     {"angularVelocity", "angularVelocity"}, {"acceleration", "acceleration"}, {"orientation", "orientation"}, {"time", "time"}};
@@ -33,6 +38,10 @@ constexpr ViewData kGpsData[] = {{"pos", "position"}, {"vel", "velocity"}, {"tim
 
 constexpr DeviceView kViews[] = {
     {"DifferentialDrive", "position2d", kDriveData, kDriveCommands},
+    {"SkidDrive", "position2d", kDriveData, kDriveCommands},
+    {"OmniDrive", "position2d", kDriveData, kOmniCommands},
+    {"MecanumDrive", "position2d", kDriveData, kOmniCommands},
+    {"AckermannDrive", "position2d", kDriveData, kCarCommands},
     {"Servo", "position1d", kServoData, kServoCommands},
     {"LinearMotor", "position1d", kServoData, kServoCommands},
     {"RotaryMotor", "position1d", kMotorData, kMotorCommands},

@@ -9,9 +9,9 @@ namespace trundle {
 // Kinds that have an icon. Must be sorted, for the binary search.
 // clang-format off
 static constexpr auto kDrawn = std::to_array<std::string_view>({
-    "Ball", "Battery", "Body", "Box", "Camera", "Capsule", "Compass", "ContactLog", "Convex", "Cylinder",
+    "AckermannDrive", "Ball", "Battery", "Body", "Box", "Camera", "Capsule", "Compass", "ContactLog", "Convex", "Cylinder",
     "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
-    "Hinge", "Imu", "Lidar", "LightSensor", "LinearMotor", "Material", "Mesh", "Part", "PartConfig", "Plane",
+    "Hinge", "Imu", "Lidar", "LightSensor", "LinearMotor", "Material", "MecanumDrive", "Mesh", "OmniDrive", "Part", "PartConfig", "Plane",
     "PoseLog", "RangeSensor", "Robot", "RobotConfig", "RotaryMotor", "Scatter", "Servo", "SignalLog", "SkidDrive",
     "Slider", "Sphere", "Static", "StaticConfig", "Surface", "Suspension", "TouchSensor", "Transceiver", "Universal",
     "View"

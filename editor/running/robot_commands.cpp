@@ -1,6 +1,8 @@
 #include "editor/running/robot_commands.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "editor/document/document.h"
 #include "editor/document/structure_edits.h"
@@ -15,11 +17,33 @@
 namespace trundle {
 namespace {
 
+constexpr std::string_view kDrives[] = {"DifferentialDrive", "SkidDrive", "OmniDrive", "MecanumDrive", "AckermannDrive"};
+
 const ComponentSpec* driveOf(const RobotSpec& robot) {
     if (!robot.config) return nullptr;
     for (const ComponentSpec& device : robot.config->devices)
-        if (device.kind == "DifferentialDrive" || device.kind == "SkidDrive") return &device;
+        if (std::ranges::find(kDrives, device.kind) != std::end(kDrives)) return &device;
     return nullptr;
+}
+
+/// The angle at which a base with steered wheels turns as fast as asked; at rest, and in turns that are too narrow for it, its largest.
+double steeringFor(const ComponentSpec& drive, double linear, double angular) {
+    const double most = drive.number("MaxSteeringAngle");
+    return std::clamp(std::atan2(drive.number("WheelBase") * angular, std::abs(linear)), -most, most);
+}
+
+/// The signals that make a base move so; without the speeds they stop it.
+std::vector<SignalCommand> driveCommands(const std::string& robot, const ComponentSpec& drive, double linear, double angular) {
+    const std::string base = robot + "/" + drive.name + "/";
+    if (drive.kind == "AckermannDrive")
+        return {{base + "linearAmount", 0},
+                {base + "linearVelocity", linear},
+                {base + "steeringAngle", steeringFor(drive, linear, angular)}};
+    std::vector<SignalCommand> commands = {
+        {base + "linearAmount", 0}, {base + "angularAmount", 0}, {base + "linearVelocity", linear}};
+    if (drive.kind == "OmniDrive" || drive.kind == "MecanumDrive") commands.push_back({base + "lateralVelocity", 0});
+    commands.push_back({base + "angularVelocity", angular});
+    return commands;
 }
 
 } // namespace
@@ -74,7 +98,8 @@ QString RobotCommands::driveRefusal(const std::string& name) const {
     const RobotSpec* robot = m_run.robot(name);
     if (!robot) return tr("Select a robot to drive.");
     if (const QString why = endedRefusal(name); !why.isEmpty()) return why;
-    if (!driveOf(*robot)) return tr("%1 has no DifferentialDrive or SkidDrive to steer it by.").arg(QString::fromStdString(name));
+    if (!driveOf(*robot))
+        return tr("%1 has no drive to steer it by, such as a DifferentialDrive.").arg(QString::fromStdString(name));
     return {};
 }
 
@@ -86,11 +111,8 @@ bool RobotCommands::drive(const std::string& name, double linear, double angular
         m_run.live->command(HoldCommand{name, true});
         m_driven = name;
     }
-    const std::string base = name + "/" + driveOf(*m_run.robot(name))->name + "/";
-    m_run.live->command(SignalCommand{base + "linearAmount", 0});
-    m_run.live->command(SignalCommand{base + "angularAmount", 0});
-    m_run.live->command(SignalCommand{base + "linearVelocity", linear});
-    m_run.live->command(SignalCommand{base + "angularVelocity", angular});
+    for (const SignalCommand& command : driveCommands(name, *driveOf(*m_run.robot(name)), linear, angular))
+        m_run.live->command(command);
     return true;
 }
 
@@ -98,8 +120,7 @@ void RobotCommands::stopDriving() {
     const RobotSpec* robot = m_driven.empty() ? nullptr : m_run.robot(m_driven);
     const ComponentSpec* drive = robot ? driveOf(*robot) : nullptr;
     if (m_run.live && drive) {
-        for (const char* signal : {"/linearVelocity", "/angularVelocity"})
-            m_run.live->command(SignalCommand{m_driven + "/" + drive->name + signal, 0});
+        for (const SignalCommand& command : driveCommands(m_driven, *drive, 0, 0)) m_run.live->command(command);
         m_run.live->command(HoldCommand{m_driven, false});
     }
     m_driven.clear();

@@ -32,7 +32,7 @@ public:
     void endPush();
     /// Moves a robot to a pose (world frame), at rest. While paused it is shown there at once.
     bool place(const std::string& robot, const Pose& pose);
-    /// Drives a robot by its DifferentialDrive or SkidDrive, m/s and rad/s. Its controller is not called until stopDriving(); after that the
+    /// Drives a robot by its drive, m/s and rad/s. Its controller is not called until stopDriving(); after that the
     /// robot stops until the controller sends a new command.
     bool drive(const std::string& robot, double linear, double angular);
     void stopDriving();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <trundle/abi.h>
+#include <trundle/drive_ports.h>
 #include <trundle/equipment_ports.h>
 #include <trundle/port.h>
 #include <trundle/slot.h>
@@ -63,7 +64,7 @@ protected:
     bool m_missing = false;
 };
 
-/// Ports of what has its signals in equipment_signals.h.
+/// Ports of what has its signals in equipment_signals.h and drive_signals.h.
 class EquipmentPorts : public PortBinder {
 public:
     using PortBinder::PortBinder;
@@ -73,6 +74,11 @@ public:
     // since 1.8
     [[nodiscard]] BatteryPort battery(PortName name) { return bindPort<BatteryPort, BatterySignals>(name); }
     [[nodiscard]] GripperPort gripper(PortName name) { return bindPort<GripperPort, GripperSignals>(name); }
+    [[nodiscard]] OmniDrivePort omniDrive(PortName name) { return bindPort<OmniDrivePort, OmniDriveSignals>(name); }
+    [[nodiscard]] MecanumDrivePort mecanumDrive(PortName name) { return bindPort<MecanumDrivePort, MecanumDriveSignals>(name); }
+    [[nodiscard]] AckermannDrivePort ackermannDrive(PortName name) {
+        return bindPort<AckermannDrivePort, AckermannDriveSignals>(name);
+    }
 };
 
 } // namespace sdk1

@@ -9,6 +9,7 @@
 #include <trundle/abi.h>
 #include <trundle/camera.h>
 #include <trundle/device_signals.h>
+#include <trundle/drive_ports.h>
 #include <trundle/equipment_ports.h>
 #include <trundle/geometry.h>
 #include <trundle/port.h>
@@ -19,47 +20,6 @@
 
 namespace trundle {
 inline namespace sdk1 {
-
-/// A pose on the floor.
-struct Pose2 {
-    double x = 0, y = 0; ///< m
-    double heading = 0;  ///< rad, positive to the left
-};
-
-/// A base with driven wheels on both sides: a DifferentialDrive or, since 1.8, a SkidDrive.
-template <class S> class DrivePort : public Port<S> {
-public:
-    /// Drives at `linear` m/s and turns left at `angular` rad/s until the next command. Cancels a running drive().
-    void move(double linear, double angular) { command(linear, angular, 0, 0); }
-    void stop() { move(0, 0); }
-    /// Drives `linearAmount` m and turns `angularAmount` rad, at most at the given speeds (m/s, rad/s). An amount of 0 means no
-    /// limit: drive(0.3, 1, 0, pi) is a half circle of radius 0.3 m. Each amount must have the sign of its speed.
-    void drive(double linear, double angular, double linearAmount, double angularAmount) {
-        command(linear, angular, linearAmount, angularAmount);
-        m_number = this->m_signals.sequence.get() + 1;
-        this->m_signals.sequence.set(m_number);
-    }
-    /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle.
-    void turn(double speed, double angle) { drive(0, std::copysign(speed, angle), 0, angle); }
-    /// True once the last drive() or turn() of this port has finished or was refused.
-    [[nodiscard]] bool done() const { return this->m_signals.finished.get() >= m_number; }
-    /// Pose of the axle's centre from wheel odometry, relative to the start; m and rad.
-    [[nodiscard]] Pose2 odometry() const {
-        const Slot& now = this->m_signals.odometry;
-        return {now.get(0), now.get(1), now.get(2)};
-    }
-
-private:
-    void command(double linear, double angular, double linearAmount, double angularAmount) {
-        this->m_signals.linearVelocity.set(linear);
-        this->m_signals.angularVelocity.set(angular);
-        this->m_signals.linearAmount.set(linearAmount);
-        this->m_signals.angularAmount.set(angularAmount);
-    }
-    double m_number = 0;
-};
-class DifferentialDrivePort : public DrivePort<DifferentialDriveSignals> {};
-class SkidDrivePort : public DrivePort<SkidDriveSignals> {};
 
 class MotorPort : public Port<RotaryMotorSignals> {
 public:

@@ -6,8 +6,8 @@ from .camera import CameraPort, Picture
 from .controller import Controller, Log, fnv1a64, random_bits
 from .description import VERSION as __version__
 from .description import exactly_one_of, field, output
-from .ports import (CompassPort, DifferentialDrivePort, EncoderPort, GpsPort, GroundPort, GroundTruthPort, ImuPort, LidarPort,
-                    LightPort, MotorPort, Port, Pose, Pose2, RangePort, RobotPorts, ServoPort, TouchPort)
+from .ports import (AckermannDrivePort, CompassPort, DifferentialDrivePort, EncoderPort, GpsPort, GroundPort, GroundTruthPort, ImuPort,
+                    LidarPort, LightPort, MotorPort, OmniDrivePort, Port, Pose, Pose2, RangePort, RobotPorts, ServoPort, TouchPort)
 from .quantity import (Quantity, amperes, decibel_milliwatts, decibels, degrees, file, flag, hertz, kilograms, metres,
                        metres_per_second, metres_per_second_squared, milliseconds, newton_metres, newtons, number, ohms, one_of,
                        radians_per_second, radians_per_second_squared, reference, seconds, text, unit_of, volts)

@@ -44,10 +44,27 @@ class Port:
         self._slots[signal].set(value, element)
 
 
-class DifferentialDrivePort(Port):
-    """A DifferentialDrive or a SkidDrive."""
+class BasePort(Port):
+    """What the ports of all bases have: amounts with an end, and odometry."""
 
     _number = 0.0
+
+    def done(self):
+        """True once the last amount that this port commanded has finished or was refused."""
+        return self.get("finished") >= self._number
+
+    def odometry(self):
+        """Pose of the base's centre, as in `pose` of its kind, from wheel odometry, relative to the start."""
+        now = self._slots["odometry"]
+        return Pose2(now.get(0), now.get(1), now.get(2))
+
+    def _begin(self):
+        self._number = self.get("sequence") + 1
+        self.set("sequence", self._number)
+
+
+class DifferentialDrivePort(BasePort):
+    """A DifferentialDrive or a SkidDrive."""
 
     def move(self, linear, angular):
         """Drives at `linear` m/s and turns left at `angular` rad/s until the next command. Cancels a running drive()."""
@@ -60,27 +77,71 @@ class DifferentialDrivePort(Port):
         """Drives `linear_amount` m and turns `angular_amount` rad, at most at the given speeds. An amount of 0 means no limit. Each
         amount must have the sign of its speed."""
         self._command(linear, angular, linear_amount, angular_amount)
-        self._number = self.get("sequence") + 1
-        self.set("sequence", self._number)
+        self._begin()
 
     def turn(self, speed, angle):
         """Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle."""
         self.drive(0.0, math.copysign(speed, angle), 0.0, angle)
-
-    def done(self):
-        """True once the last drive() or turn() of this port has finished or was refused."""
-        return self.get("finished") >= self._number
-
-    def odometry(self):
-        """Pose of the axle's centre from wheel odometry, relative to the start."""
-        now = self._slots["odometry"]
-        return Pose2(now.get(0), now.get(1), now.get(2))
 
     def _command(self, linear, angular, linear_amount, angular_amount):
         self.set("linearVelocity", linear)
         self.set("angularVelocity", angular)
         self.set("linearAmount", linear_amount)
         self.set("angularAmount", angular_amount)
+
+
+class OmniDrivePort(BasePort):
+    """An OmniDrive or a MecanumDrive."""
+
+    def move(self, forward, left, angular):
+        """Moves at `forward` and `left` m/s, in its own frame, and turns left at `angular` rad/s until the next command. Cancels a
+        running drive()."""
+        self._command(forward, left, angular, 0.0, 0.0)
+
+    def stop(self):
+        self.move(0.0, 0.0, 0.0)
+
+    def drive(self, forward, left, angular, linear_amount, angular_amount):
+        """Goes `linear_amount` m along the velocity and turns `angular_amount` rad, at most at the given speeds. An amount of 0 means
+        no limit. The way is positive; the angle has the sign of its speed."""
+        self._command(forward, left, angular, linear_amount, angular_amount)
+        self._begin()
+
+    def turn(self, speed, angle):
+        """Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle."""
+        self.drive(0.0, 0.0, math.copysign(speed, angle), 0.0, angle)
+
+    def _command(self, forward, left, angular, linear_amount, angular_amount):
+        self.set("linearVelocity", forward)
+        self.set("lateralVelocity", left)
+        self.set("angularVelocity", angular)
+        self.set("linearAmount", linear_amount)
+        self.set("angularAmount", angular_amount)
+
+
+class AckermannDrivePort(BasePort):
+    def move(self, linear, steering_angle):
+        """Drives at `linear` m/s with the wheels steered by `steering_angle` rad, positive to the left, until the next command. Cancels
+        a running drive()."""
+        self._command(linear, steering_angle, 0.0)
+
+    def stop(self):
+        """Brakes, and keeps its wheels as they are steered."""
+        self.move(0.0, self.get("steeringAngle"))
+
+    def drive(self, linear, steering_angle, linear_amount):
+        """Drives `linear_amount` m, which has the sign of `linear`, at most at that speed."""
+        self._command(linear, steering_angle, linear_amount)
+        self._begin()
+
+    def steering(self):
+        """rad, the angle that it has."""
+        return self.get("steering")
+
+    def _command(self, linear, steering_angle, linear_amount):
+        self.set("linearVelocity", linear)
+        self.set("steeringAngle", steering_angle)
+        self.set("linearAmount", linear_amount)
 
 
 class MotorPort(Port):
@@ -330,6 +391,9 @@ class RobotPorts:
     battery = _binder("battery", BatteryPort, "Battery")
     gripper = _binder("gripper", GripperPort, "Gripper")
     skid_drive = _binder("skid_drive", DifferentialDrivePort, "SkidDrive")
+    omni_drive = _binder("omni_drive", OmniDrivePort, "OmniDrive")
+    mecanum_drive = _binder("mecanum_drive", OmniDrivePort, "MecanumDrive")
+    ackermann_drive = _binder("ackermann_drive", AckermannDrivePort, "AckermannDrive")
 
     def camera(self, device):
         """The port of a Camera."""
