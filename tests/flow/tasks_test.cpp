@@ -9,7 +9,8 @@ namespace {
 int seedsOf(int few) { return qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 20 : few; }
 
 QJsonObject run(const QString& experiment, int seed, const QStringList& more = {}) {
-    const Outcome outcome = cli(QStringList{"run", configPath("experiments/" + experiment), "--seed", QString::number(seed), "--json"} + more);
+    const Outcome outcome =
+        cli(QStringList{"run", configPath("experiments/" + experiment), "--seed", QString::number(seed), "--json"} + more);
     if (outcome.code != 0) qWarning("%s", shown(outcome).constData());
     return QJsonDocument::fromJson(outcome.out).object();
 }
@@ -27,7 +28,8 @@ struct Box {
     double x, y, sizeX, sizeY, heading; // m, deg
 };
 /// Of configs/arenas/furnished_room.sim, as far as it is in the plane of the lidar.
-constexpr Box kBoxes[] = {{0.7, 1.3, 0.1, 1.4, 0}, {-2.05, -1.7, 0.9, 0.6, 0}, {-2.3, 1.75, 0.04, 1, -45}, {0.3, -1.9, 0.6, 0.2, 0}};
+constexpr Box kBoxes[] = {
+    {0.7, 1.3, 0.1, 1.4, 0}, {-2.05, -1.7, 0.9, 0.6, 0}, {-2.3, 1.75, 0.04, 1, -45}, {0.3, -1.9, 0.6, 0.2, 0}};
 
 bool isOccupied(double x, double y) {
     if (std::abs(x) > 2.5 || std::abs(y) > 2 || std::hypot(x - 2.4, y + 0.5) < 0.25) return true;
@@ -45,7 +47,8 @@ struct Agreement {
 Agreement compare(const QByteArray& map, double cell, double startX, double startY, double heading) {
     Agreement result;
     const QList<QByteArray> parts = map.left(32).split('\n');
-    const int count = parts.value(1).split(' ').value(0).toInt(), header = int(parts[0].size() + parts[1].size() + parts[2].size()) + 3;
+    const int count = parts.value(1).split(' ').value(0).toInt(),
+              header = int(parts[0].size() + parts[1].size() + parts[2].size()) + 3;
     if (parts[0] != "P5" || map.size() != header + count * count) return result;
     for (int row = 0; row < count; ++row)
         for (int column = 0; column < count; ++column) {
@@ -67,8 +70,10 @@ private Q_SLOTS:
     void theControllersReadNothingButSensors_data() {
         QTest::addColumn<QString>("source");
         QTest::addColumn<QString>("sensor");
-        QTest::newRow("collect") << "collect/collect.cpp" << "robot.gripper(";
-        QTest::newRow("lidar_map") << "lidar_map/lidar_map.cpp" << "robot.lidar(";
+        QTest::newRow("collect") << "collect/collect.cpp"
+                                 << "robot.gripper(";
+        QTest::newRow("lidar_map") << "lidar_map/lidar_map.cpp"
+                                   << "robot.lidar(";
     }
     void theControllersReadNothingButSensors() {
         QFETCH(QString, source);
@@ -98,7 +103,8 @@ private Q_SLOTS:
     /// Its jaws carry 2 mu F: 2.4 N of the can's 4.9 N.
     void withWeakJawsNoCanIsBrought() {
         QTemporaryDir logs;
-        const QJsonObject done = run("collect.sim", 3011, {"--log-dir", logs.path(), "--duration", "120", "--set", "collector.gripper.Force=2"});
+        const QJsonObject done =
+            run("collect.sim", 3011, {"--log-dir", logs.path(), "--duration", "120", "--set", "collector.gripper.Force=2"});
         QVERIFY(!done.isEmpty());
         QCOMPARE(reasonOf(done), QString());
     }

@@ -35,12 +35,14 @@ struct Collect : trundle::Controller {
 
     static void describe(trundle::Describe<Collect>& d) {
         using C = Collect;
-        d.help("Finds cylinders with its lidar, grips them, puts them down in a row at home, and ends the run when all are there.");
+        d.help(
+            "Finds cylinders with its lidar, grips them, puts them down in a row at home, and ends the run when all are there.");
         d.field("Count", &C::count, trundle::number().within(1, 100), "Cylinders to bring.");
         d.field("Radius", &C::radius, trundle::metres().within(0.01, 0.5), "Of a cylinder.");
         d.field("Home", &C::home, trundle::metres(), "Middle of the row that it makes at home, seen from its start, x ahead.");
         d.field("Spacing", &C::spacing, trundle::metres().within(0.1, 10), "Between two cylinders in the row.");
-        d.field("Survey", &C::survey, trundle::metres().counted(2, 100), "x, y, and so on: where it looks around if it sees none.");
+        d.field("Survey", &C::survey, trundle::metres().counted(2, 100),
+                "x, y, and so on: where it looks around if it sees none.");
         d.field("Speed", &C::speed, trundle::metresPerSecond().above(0).atMost(10).live(), "At most.");
         d.field("TurnRate", &C::turnRate, trundle::radiansPerSecond().above(0).atMost(100).live(), "At most.");
         d.field("Grip", &C::grip, trundle::metres().within(0, 10), "From the axle to the middle of its jaws.");
@@ -178,11 +180,11 @@ private:
             if (lift.position() > 0.045) enter(State::Carry);
         } else if (elapsed() > 8) {
             print("gripped nothing");
-            letGo();
+            release();
         }
     }
 
-    void letGo() {
+    void release() {
         gripper.setOpening(0);
         lift.setTarget(0);
         enter(State::Open);
@@ -193,7 +195,7 @@ private:
         if (elapsed() < 0.2) row = 0;
         if (gripper.position() < -0.18) {
             print("lost it");
-            return letGo();
+            return release();
         }
         const Point to = slot();
         target = {to.x + grip + kRetreat, to.y};
@@ -233,14 +235,14 @@ private:
     trundle::LinearMotorPort lift;
     trundle::DifferentialDrivePort drive;
     State state = State::Search;
-    double since = 0;              ///< s, when this state began
-    trundle::Pose2 here, from;     ///< now, and when this state began
+    double since = 0;                   ///< s, when this state began
+    trundle::Pose2 here, from;          ///< now, and when this state began
     double turned = 0, lastHeading = 0; ///< rad, in this state
-    Point target;                  ///< in the odometry's frame
-    std::optional<Point> best;     ///< nearest cylinder seen in this turn
-    double bestFar = 0;            ///< m
+    Point target;                       ///< in the odometry's frame
+    std::optional<Point> best;          ///< nearest cylinder seen in this turn
+    double bestFar = 0;                 ///< m
     std::size_t surveyed = 0;
-    int row = 0;                   ///< 0: on the way to the row, 1: turns to it, 2: drives into it
+    int row = 0; ///< 0: on the way to the row, 1: turns to it, 2: drives into it
 };
 
 } // namespace

@@ -7,9 +7,9 @@ namespace collect {
 
 namespace {
 
-constexpr double kJump = 0.1;                        // m: between two beams, from one thing to the next
+constexpr double kJump = 0.1; // m: between two beams, from one thing to the next
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kMeanDepth = std::numbers::pi / 4;  // of a circle's front before its middle, averaged over its width, in radii
+constexpr double kMeanDepth = std::numbers::pi / 4; // of a circle's front before its middle, averaged over its width, in radii
 
 } // namespace
 

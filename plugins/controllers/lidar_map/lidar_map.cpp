@@ -32,7 +32,8 @@ struct LidarMap : trundle::Controller {
 
     static void describe(trundle::Describe<LidarMap>& d) {
         using C = LidarMap;
-        d.help("Drives to where its map ends until all that it can reach is known, saves the map as a picture, and ends the run.");
+        d.help(
+            "Drives to where its map ends until all that it can reach is known, saves the map as a picture, and ends the run.");
         d.field("CellSize", &C::cellSize, trundle::metres().within(0.005, 1), "Side of a cell of the map.");
         d.field("Side", &C::side, trundle::metres().within(1, 200), "Of the whole map; it begins in the middle.");
         d.field("Speed", &C::speed, trundle::metresPerSecond().above(0).atMost(10).live(), "At most.");
@@ -77,8 +78,8 @@ private:
         const double x = here.x + lidarAhead * std::cos(here.heading), y = here.y + lidarAhead * std::sin(here.heading);
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             const bool isHit = ranges[i] < usedRange;
-            map->addBeam(x, y, here.heading - fieldOfView / 2 + static_cast<double>(i) * beamStep(), std::min(ranges[i], usedRange), isHit,
-                         deviation + deviationPerMetre * ranges[i]);
+            map->addBeam(x, y, here.heading - fieldOfView / 2 + static_cast<double>(i) * beamStep(),
+                         std::min(ranges[i], usedRange), isHit, deviation + deviationPerMetre * ranges[i]);
         }
     }
 
