@@ -29,9 +29,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("module");
         for (const char* module :
              {"controllers/libarc_motion.so", "controllers/libblob_follow.so", "controllers/libbraitenberg.so",
-              "controllers/libbump_and_turn.so", "controllers/libline_follow.so", "controllers/liblinear_motion.so",
-              "controllers/libmote.so", "controllers/libnetwork_navigator.so", "controllers/librandom_drive.so",
-              "controllers/libwall_follow.so", "libMyRobotController.so", "libmy_controller.so"})
+              "controllers/libbump_and_turn.so", "controllers/libcollect.so", "controllers/libline_follow.so",
+              "controllers/liblinear_motion.so", "controllers/liblidar_map.so", "controllers/libmote.so",
+              "controllers/libnetwork_navigator.so", "controllers/librandom_drive.so", "controllers/libwall_follow.so",
+              "libMyRobotController.so", "libmy_controller.so"})
             QTest::newRow(module) << QString(module);
     }
     void theirFields() {

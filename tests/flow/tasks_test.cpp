@@ -1,0 +1,131 @@
+// Whole tasks, on seeds that no file contains: cans are brought home, a room is mapped.
+
+#include <numbers>
+
+#include "flow/cli.h"
+
+namespace {
+
+int seedsOf(int few) { return qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 20 : few; }
+
+QJsonObject run(const QString& experiment, int seed, const QStringList& more = {}) {
+    const Outcome outcome =
+        cli(QStringList{"run", configPath("experiments/" + experiment), "--seed", QString::number(seed), "--json"} + more);
+    if (outcome.code != 0) qWarning("%s", shown(outcome).constData());
+    return QJsonDocument::fromJson(outcome.out).object();
+}
+
+QString reasonOf(const QJsonObject& run) { return run["finished"].toObject()["reason"].toString(); }
+
+/// Numbers of a log's row without its texts; row 0 is the first after the header.
+QList<double> rowOf(const QString& path, int row) {
+    QList<double> numbers;
+    for (const QByteArray& cell : contentOf(path).split('\n').value(row + 1).split(',')) numbers << cell.toDouble();
+    return numbers;
+}
+
+struct Box {
+    double x, y, sizeX, sizeY, heading; // m, deg
+};
+/// Of configs/arenas/furnished_room.sim, as far as it is in the plane of the lidar.
+constexpr Box kBoxes[] = {
+    {0.7, 1.3, 0.1, 1.4, 0}, {-2.05, -1.7, 0.9, 0.6, 0}, {-2.3, 1.75, 0.04, 1, -45}, {0.3, -1.9, 0.6, 0.2, 0}};
+
+bool isOccupied(double x, double y) {
+    if (std::abs(x) > 2.5 || std::abs(y) > 2 || std::hypot(x - 2.4, y + 0.5) < 0.25) return true;
+    return std::any_of(std::begin(kBoxes), std::end(kBoxes), [&](const Box& b) {
+        const double c = std::cos(b.heading * std::numbers::pi / 180), s = std::sin(b.heading * std::numbers::pi / 180);
+        return std::abs(c * (x - b.x) + s * (y - b.y)) < b.sizeX / 2 && std::abs(c * (y - b.y) - s * (x - b.x)) < b.sizeY / 2;
+    });
+}
+
+struct Agreement {
+    int cells = 0, right = 0;
+};
+
+/// Of the map's cells in the room and up to 5 cm in its walls: free where the room is, else not free. The map's frame is that of the start.
+Agreement compare(const QByteArray& map, double cell, double startX, double startY, double heading) {
+    Agreement result;
+    const QList<QByteArray> parts = map.left(32).split('\n');
+    const int count = parts.value(1).split(' ').value(0).toInt(),
+              header = int(parts[0].size() + parts[1].size() + parts[2].size()) + 3;
+    if (parts[0] != "P5" || map.size() != header + count * count) return result;
+    for (int row = 0; row < count; ++row)
+        for (int column = 0; column < count; ++column) {
+            const double mx = (column + 0.5 - count / 2) * cell, my = (count - row - 0.5 - count / 2) * cell;
+            const double x = startX + std::cos(heading) * mx - std::sin(heading) * my,
+                         y = startY + std::sin(heading) * mx + std::cos(heading) * my;
+            if (std::abs(x) > 2.55 || std::abs(y) > 2.05) continue;
+            ++result.cells;
+            result.right += (std::uint8_t(map[header + row * count + column]) == 254) != isOccupied(x, y);
+        }
+    return result;
+}
+
+} // namespace
+
+class TasksTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theControllersReadNothingButSensors_data() {
+        QTest::addColumn<QString>("source");
+        QTest::addColumn<QString>("sensor");
+        QTest::newRow("collect") << "collect/collect.cpp"
+                                 << "robot.gripper(";
+        QTest::newRow("lidar_map") << "lidar_map/lidar_map.cpp"
+                                   << "robot.lidar(";
+    }
+    void theControllersReadNothingButSensors() {
+        QFETCH(QString, source);
+        QFETCH(QString, sensor);
+        const QByteArray text = contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/plugins/controllers/") + source);
+        QVERIFY(text.contains(sensor.toUtf8()));
+        for (const char* word : {"groundTruth", "signal(", "gps(", "compass("}) QVERIFY2(!text.contains(word), word);
+    }
+
+    void allCansAreBroughtHome_data() {
+        QTest::addColumn<int>("seed");
+        for (int i = 0; i < seedsOf(3); ++i) QTest::addRow("seed %d", 3011 + 67 * i) << 3011 + 67 * i;
+    }
+    void allCansAreBroughtHome() {
+        QFETCH(int, seed);
+        QTemporaryDir logs;
+        const QJsonObject done = run("collect.sim", seed, {"--log-dir", logs.path()});
+        QCOMPARE(reasonOf(done), QString("all are home"));
+        for (int i = 0; i < 6; ++i) {
+            const QJsonArray at = done["robots"].toObject()[QString("cans_%1").arg(i)].toObject()["pos"].toArray();
+            const double x = at[0].toDouble(), y = at[1].toDouble(), z = at[2].toDouble();
+            QVERIFY2(at.size() == 3 && std::abs(x + 2.25) < 0.5 && std::abs(y) < 1.25 && std::abs(z - 0.11) < 0.005,
+                     qPrintable(QString("can %1 at %2,%3,%4").arg(i).arg(x).arg(y).arg(z)));
+        }
+    }
+
+    /// Its jaws carry 2 mu F: 2.4 N of the can's 4.9 N.
+    void withWeakJawsNoCanIsBrought() {
+        QTemporaryDir logs;
+        const QJsonObject done =
+            run("collect.sim", 3011, {"--log-dir", logs.path(), "--duration", "120", "--set", "collector.gripper.Force=2"});
+        QVERIFY(!done.isEmpty());
+        QCOMPARE(reasonOf(done), QString());
+    }
+
+    void aMapAgreesWithItsRoom_data() {
+        QTest::addColumn<int>("seed");
+        for (int i = 0; i < seedsOf(3); ++i) QTest::addRow("seed %d", 5003 + 71 * i) << 5003 + 71 * i;
+    }
+    void aMapAgreesWithItsRoom() {
+        QFETCH(int, seed);
+        QTemporaryDir logs;
+        QCOMPARE(reasonOf(run("lidar_map.sim", seed, {"--log-dir", logs.path()})), QString("mapped"));
+        const QList<double> start = rowOf(logs.filePath("lidar_map.csv"), 0); // time, name, x, y, z, heading
+        const Agreement all =
+            compare(contentOf(logs.filePath("map.pgm")), 0.05, start[2], start[3], start[5] * std::numbers::pi / 180);
+        qInfo("%d of %d cells agree: %.2f %%", all.right, all.cells, 100. * all.right / std::max(1, all.cells));
+        QVERIFY(all.cells > 8000);
+        QVERIFY(all.right >= 0.97 * all.cells);
+        QVERIFY(contentOf(logs.filePath("map.yaml")).contains("image: map.pgm\nresolution: 0.05\norigin: [-7, -7, 0]\n"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TasksTest)
+#include "tasks_test.moc"
