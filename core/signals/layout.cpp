@@ -1,12 +1,14 @@
 #include "signals/layout.h"
 
-#include <cstring>
+#include <algorithm>
 
 #include "base/rng.h"
 
 namespace trundle {
 
 namespace {
+
+constexpr std::uint32_t kGap = 0xffffffffu;
 
 /// Continues an FNV hash with a number, independently of the machine's byte order.
 std::uint64_t hashNumber(std::uint64_t value, std::uint64_t start) {
@@ -25,7 +27,9 @@ void SignalLayout::beginRobot(std::string name) { m_images.push_back({std::move(
 std::uint32_t SignalLayout::add(std::string path, std::string unit, SignalType type, SignalDirection direction,
                                 std::uint32_t count) {
     const std::uint32_t offset = m_slots;
-    m_byPath.emplace(path, static_cast<std::uint32_t>(m_entries.size())); // of two equal paths the first is kept
+    if (2 * (m_entries.size() + 1) > m_index.size()) enlargeIndex();
+    std::uint32_t& place = m_index[placeOf(path)];
+    if (place == kGap) place = static_cast<std::uint32_t>(m_entries.size()); // of two equal paths the first is kept
     m_entries.push_back({std::move(path), std::move(unit), type, direction, offset, count});
     m_slots += count;
     if (!m_images.empty()) m_images.back().count += count;
@@ -33,8 +37,23 @@ std::uint32_t SignalLayout::add(std::string path, std::string unit, SignalType t
 }
 
 const SignalEntry* SignalLayout::find(std::string_view path) const {
-    const auto it = m_byPath.find(path);
-    return it == m_byPath.end() ? nullptr : &m_entries[it->second];
+    if (m_index.empty()) return nullptr;
+    const std::uint32_t index = m_index[placeOf(path)];
+    return index == kGap ? nullptr : &m_entries[index];
+}
+
+/// Where the path is in the index, or the gap where it would be: from its hash on, one place after the other.
+std::size_t SignalLayout::placeOf(std::string_view path) const {
+    const std::size_t mask = m_index.size() - 1;
+    std::size_t at = fnv1a64(path) & mask;
+    while (m_index[at] != kGap && m_entries[m_index[at]].path != path) at = (at + 1) & mask;
+    return at;
+}
+
+void SignalLayout::enlargeIndex() {
+    m_index.assign(std::max<std::size_t>(16, 2 * m_index.size()), kGap);
+    for (std::uint32_t i = 0; i < m_entries.size(); ++i)
+        if (std::uint32_t& place = m_index[placeOf(m_entries[i].path)]; place == kGap) place = i;
 }
 
 std::uint64_t SignalLayout::hash() const {

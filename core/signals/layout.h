@@ -2,7 +2,6 @@
 // The layout of all signals of a world in one flat block, versioned and self-describing.
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,9 +44,12 @@ public:
     [[nodiscard]] std::uint64_t hash() const;
 
 private:
+    [[nodiscard]] std::size_t placeOf(std::string_view path) const;
+    void enlargeIndex();
+
     std::vector<SignalEntry> m_entries;
     std::vector<ImageSpan> m_images;
-    std::map<std::string, std::uint32_t, std::less<>> m_byPath;
+    std::vector<std::uint32_t> m_index; ///< of m_entries, by the hash of the path, with gaps; for lookup only
     std::uint32_t m_slots = 0;
 };
 

@@ -137,12 +137,14 @@ def starting(programs, options):
     first = os.path.join(HERE, "..", "..", "configs", "experiments", "linear_motion.sim")
     logs = os.path.join(programs.folder, "logs")
     large = programs.write("crowd1000", experiments.crowd(1000, 10))
+    largest = programs.write("crowd10000", experiments.crowd(10000, 10))
     times = interleaved(options.repetitions if options.quick else 20, {
         "program start alone (--version)": lambda: programs.seconds("--version"),
         "linear_motion: start to end after the first tick": lambda: programs.seconds("run", first, "--duration", "0.01", "--quiet", "--log-dir", logs)})
     times |= interleaved(options.repetitions, {
         "1,000 robots: check": lambda: programs.seconds("check", large),
-        "1,000 robots: start to end after the first tick": lambda: programs.seconds("run", large, "--duration", "0.01", "--quiet")})
+        "1,000 robots: start to end after the first tick": lambda: programs.seconds("run", large, "--duration", "0.01", "--quiet"),
+        "10,000 robots: start to end after the first tick": lambda: programs.seconds("run", largest, "--duration", "0.01", "--quiet")})
     rows = [[name, round(1000 * min(values), 1), round(1000 * median(values), 1)] for name, values in times.items()]
     header = ["what", "best [ms]", "median [ms]"]
     report.write_csv(os.path.join(RESULTS, "start.csv"), header, rows)

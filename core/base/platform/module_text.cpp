@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include <sys/uio.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace trundle {
@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t kLongestName = 4096, kLongestWords = 8u << 20, kShownOfName = 32;
 
-/// Asks the kernel whether a byte is readable, since reading it directly could crash. Returns true where the check is not
-/// permitted.
+/// Asks the kernel whether a byte is readable, since reading it directly could crash. Method: a call that reads eight bytes and then
+/// fails, as no signal mask is changed in a way that is not one; much cheaper than reading memory as another process would.
 bool isReadable(const char* byte) {
-    char copy = 0;
-    const iovec here{&copy, 1}, there{const_cast<char*>(byte), 1};
-    return process_vm_readv(getpid(), &here, 1, &there, 1, 0) == 1 || errno != EFAULT;
+    constexpr std::uintptr_t kBytes = 8;
+    const std::uintptr_t from = reinterpret_cast<std::uintptr_t>(byte) / kBytes * kBytes; // all in one page
+    return syscall(SYS_rt_sigprocmask, -1, from, nullptr, kBytes) == 0 || errno != EFAULT;
 }
 
 struct Span {

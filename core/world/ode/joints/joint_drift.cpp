@@ -40,10 +40,10 @@ void JointDrift::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint
         reached[body] = true;
         m_jointed.push_back(body);
     };
-    const auto grow = [&] { // a pass over all joints finds most of a tree
+    const auto grow = [&](std::uint32_t begin, std::uint32_t end) { // a pass over the joints finds most of a tree
         for (bool more = true; more;) {
             more = false;
-            for (std::uint32_t i = 0; i < joints.size(); ++i) {
+            for (std::uint32_t i = begin; i < end; ++i) {
                 const std::uint32_t child = joints[i].child, parent = joints[i].parent;
                 const bool childIn = reached[child], parentIn = parent == kNone || reached[parent];
                 if (used[i] || childIn == parentIn) continue;
@@ -53,11 +53,15 @@ void JointDrift::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint
             }
         }
     };
-    grow();
-    for (const OdeJoint& joint : joints) {
+    const auto count = static_cast<std::uint32_t>(joints.size());
+    grow(0, count); // what hangs on the world
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const OdeJoint& joint = joints[i];
         if (reached[joint.child]) continue;
         reach(joint.parent == kNone ? joint.child : joint.parent);
-        grow();
+        std::uint32_t end = i + 1; // of its actor: no joint connects two
+        while (end < count && bodies[joints[end].child].actor == bodies[joint.child].actor) ++end;
+        grow(i, end);
     }
     m_whole.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) m_whole[i] = dBodyGetFiniteRotationMode(bodies[i].id) != 0;
