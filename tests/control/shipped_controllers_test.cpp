@@ -31,7 +31,7 @@ private Q_SLOTS:
              {"controllers/libarc_motion.so", "controllers/libblob_follow.so", "controllers/libbraitenberg.so",
               "controllers/libbump_and_turn.so", "controllers/libline_follow.so", "controllers/liblinear_motion.so",
               "controllers/libmote.so", "controllers/libnetwork_navigator.so", "controllers/librandom_drive.so",
-              "controllers/libwall_follow.so", "libMyRobotController.so", "libmy_controller.so"})
+              "controllers/libstriker.so", "controllers/libwall_follow.so", "libMyRobotController.so", "libmy_controller.so"})
             QTest::newRow(module) << QString(module);
     }
     void theirFields() {
