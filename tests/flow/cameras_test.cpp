@@ -52,6 +52,27 @@ private Q_SLOTS:
         QVERIFY(contentOf(logs.filePath(pictures.last())).startsWith("\xff\xd8\xff"));
     }
 
+    /// On omni wheels around the ball and to the goal with it, whose line is at x = 2.25 m, from different kick-offs.
+    void scoresGoals() {
+        for (const int seed : {1, 2, 3}) {
+            QTemporaryDir logs;
+            const Outcome run =
+                cli({"run", configPath("experiments/soccer.sim"), "--seed", QString::number(seed), "--log-dir", logs.path()});
+            QVERIFY2(run.code == 0, shown(run));
+            QVERIFY2(run.err.contains("kicks"), shown(run));
+            const QList<QByteArray> rows = contentOf(logs.filePath("soccer.csv")).trimmed().split('\n');
+            const auto place = [&rows](const char* name) {
+                for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+                    if (const QList<QByteArray> cells = row->split(','); cells.value(1) == name)
+                        return std::pair(cells.value(2).toDouble(), cells.value(3).toDouble());
+                return std::pair(0., 9.);
+            };
+            const auto [x, y] = place("ball_0");
+            QVERIFY2(x > 2.25 && x < 2.45 && std::abs(y) < 0.36, qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+            QVERIFY(place("striker").first < 2.1); // which stops before the goal
+        }
+    }
+
     void twoRunsKeepTheSamePictures() {
         QTemporaryDir one, two;
         for (const QTemporaryDir* logs : {&one, &two})
