@@ -66,7 +66,7 @@ private:
 class DifferentialDrivePort : public DrivePort<DifferentialDriveSignals> {};
 class SkidDrivePort : public DrivePort<SkidDriveSignals> {};
 
-/// A base that moves in any direction: an OmniDrive or a MecanumDrive. Since 1.8.
+/// A base that moves in any direction: an OmniDrive or a MecanumDrive. Since 1.9.
 template <class S> class HolonomicPort : public BasePort<S> {
 public:
     /// Moves at `forward` and `left` m/s, in its own frame, and turns left at `angular` rad/s until the next command. Cancels a running
@@ -94,7 +94,7 @@ private:
 class OmniDrivePort : public HolonomicPort<OmniDriveSignals> {};
 class MecanumDrivePort : public HolonomicPort<MecanumDriveSignals> {};
 
-/// A base that steers its front wheels. Since 1.8.
+/// A base that steers its front wheels. Since 1.9.
 class AckermannDrivePort : public BasePort<AckermannDriveSignals> {
 public:
     /// Drives at `linear` m/s with the wheels steered by `steeringAngle` rad, positive to the left, until the next command. Cancels a

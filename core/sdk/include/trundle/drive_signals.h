@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// Signals as in device_signals.h: of bases that move in any direction, or steer their wheels. Since 1.8.
+// Signals as in device_signals.h: of bases that move in any direction, or steer their wheels. Since 1.9.
 
 #include <array>
 #include <cstdint>
