@@ -89,6 +89,7 @@ private:
         turned = 0;
         lastHeading = here.heading;
         from = here;
+        row = 0;
     }
     [[nodiscard]] double elapsed() const { return time() - since; } // s in this state
 
@@ -109,7 +110,7 @@ private:
         for (const Point& seen : scan.cylinders(radius)) {
             const Point p = outside(seen);
             if (std::abs(p.x - home[0]) < spacing && std::abs(p.y - home[1]) < spacing * (count + 1) / 2.0) continue;
-            const double far = std::hypot(p.x - to.x, p.y - to.y);
+            const double far = collect::length(p.x - to.x, p.y - to.y);
             if (far < within) within = far, best = p;
         }
         return best;
@@ -119,7 +120,7 @@ private:
     void search(const ScanPoints& scan) {
         if (const auto seen = nearest(scan, {here.x, here.y}, best ? bestFar : maxRange)) {
             best = seen;
-            bestFar = std::hypot(seen->x - here.x, seen->y - here.y);
+            bestFar = collect::length(seen->x - here.x, seen->y - here.y);
         }
         turned += std::abs(wrapped(here.heading - lastHeading));
         lastHeading = here.heading;
@@ -192,7 +193,6 @@ private:
 
     /// To a place before its slot in the row, there turned to it, and to the slot.
     void carry(const ScanPoints& scan) {
-        if (elapsed() < 0.2) row = 0;
         if (gripper.position() < -0.18) {
             print("lost it");
             return release();
@@ -224,7 +224,7 @@ private:
     }
 
     void retreat() {
-        if (std::hypot(here.x - from.x, here.y - from.y) < kRetreat && elapsed() < 10) return drive.move(-0.25, 0);
+        if (collect::length(here.x - from.x, here.y - from.y) < kRetreat && elapsed() < 10) return drive.move(-0.25, 0);
         drive.stop();
         if (delivered.get() >= count) return finish("all are home");
         enter(State::Search);

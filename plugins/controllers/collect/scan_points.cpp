@@ -13,7 +13,8 @@ constexpr double kMeanDepth = std::numbers::pi / 4; // of a circle's front befor
 
 } // namespace
 
-double Point::range() const { return std::hypot(x, y); }
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+double Point::range() const { return length(x, y); }
 double Point::bearing() const { return std::atan2(y, x); }
 
 ScanPoints::ScanPoints(std::span<const double> ranges, double fieldOfView, double ahead, double maxRange)
@@ -51,7 +52,7 @@ bool ScanPoints::isFree(double bearing, double reach, double width, Point ignore
     for (const Point& p : m_points) {
         const double along = c * p.x + s * p.y, aside = c * p.y - s * p.x;
         if (along < 0 || along > reach || std::abs(aside) > width / 2) continue;
-        if (std::hypot(p.x - ignored.x, p.y - ignored.y) >= ignoredRadius) return false;
+        if (length(p.x - ignored.x, p.y - ignored.y) >= ignoredRadius) return false;
     }
     return true;
 }

@@ -6,6 +6,9 @@
 
 namespace collect {
 
+/// The root of x^2 + y^2, in the same bits as in Python.
+[[nodiscard]] double length(double x, double y);
+
 /// A point on the floor in the robot's frame: m, x ahead, y to the left.
 struct Point {
     double x = 0, y = 0;
