@@ -36,18 +36,6 @@ bool isKindName(const std::string& name) {
     return !name.empty() && name.size() <= kLongestName && isCapital(name[0]) && std::ranges::all_of(name, isIdent);
 }
 
-/// "wall_follow" for "WallFollow", "led_ring" for "LEDRing".
-std::string moduleName(const std::string& kind) {
-    std::string name;
-    for (std::size_t i = 0; i < kind.size(); ++i) {
-        const bool begins = i > 0 && isCapital(kind[i]) && kind[i - 1] != '_' &&
-                            (!isCapital(kind[i - 1]) || (i + 1 < kind.size() && kind[i + 1] >= 'a' && kind[i + 1] <= 'z'));
-        if (begins) name += '_';
-        name += isCapital(kind[i]) ? static_cast<char>(kind[i] - 'A' + 'a') : kind[i];
-    }
-    return name;
-}
-
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
@@ -68,13 +56,27 @@ Error failure(const std::string& path, const std::string& why) {
 
 } // namespace
 
+std::string kindNameFault(const std::string& kind) {
+    if (isKindName(kind)) return {};
+    return "a kind cannot be named " + cleanLine(kind) + ": its name is a capital letter and then letters and digits, like WallFollow";
+}
+
+std::string moduleNameFor(const std::string& kind) {
+    std::string name;
+    for (std::size_t i = 0; i < kind.size(); ++i) {
+        const bool begins = i > 0 && isCapital(kind[i]) && kind[i - 1] != '_' &&
+                            (!isCapital(kind[i - 1]) || (i + 1 < kind.size() && kind[i + 1] >= 'a' && kind[i + 1] <= 'z'));
+        if (begins) name += '_';
+        name += isCapital(kind[i]) ? static_cast<char>(kind[i] - 'A' + 'a') : kind[i];
+    }
+    return name;
+}
+
 Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const std::string& parent,
                              const Locations& locations) {
-    if (!isKindName(kind))
-        return Error{Code::FileUnreadable, "a kind cannot be named " + cleanLine(kind) +
-                                               ": its name is a capital letter and then letters and digits, like WallFollow"};
+    if (const std::string fault = kindNameFault(kind); !fault.empty()) return Error{Code::FileUnreadable, fault};
     const Template from = templateOf(what);
-    const std::string module = moduleName(kind);
+    const std::string module = moduleNameFor(kind);
     const fs::path source = fs::path(locations.templates) / from.folder, folder = fs::path(parent) / module;
     std::error_code ec;
     std::vector<std::pair<std::string, std::string>> files; // name, text
@@ -93,7 +95,11 @@ Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const
 
     if (!fs::create_directory(folder, ec))
         return failure(folder.string(), ec ? ec.message() : std::string("it exists; choose another name or folder"));
-    NewModule made{folder.string(), {}, {}, {}, "#loadModule " + module + "/build/" + module};
+    NewModule made;
+    made.folder = folder.string();
+    made.load = "#loadModule " + module + "/build/" + module;
+    made.source = (folder / (module + ".cpp")).string();
+    made.library = (folder / "build" / ("lib" + module + ".so")).string();
     for (const auto& [name, text] : files) {
         if (const Status written = writeFileAtomically((folder / name).string(), text); !written) {
             fs::remove_all(folder, ec); // made above, so all in it is ours
@@ -103,6 +109,7 @@ Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const
     }
     if (what == ModuleTemplate::PythonController) {
         made.load = "#loadModule " + module + '/' + module + ".py";
+        made.source = made.library = (folder / (module + ".py")).string();
         return made;
     }
     const std::string shown = quoted(folder.string());

@@ -15,9 +15,16 @@ enum class ModuleTemplate { Controller, PythonController, Component };
 struct NewModule {
     std::string folder;             ///< as given, with the module's own folder
     std::vector<std::string> files; ///< in that folder
+    std::string source;             ///< of the files, the one to edit
+    std::string library;            ///< path of what a #loadModule loads, once it is built
     std::string configure, build;   ///< command lines for a shell; empty in Python
     std::string load;               ///< the line of an experiment beside the folder
 };
+
+/// Why a kind cannot have this name; empty if it can.
+[[nodiscard]] std::string kindNameFault(const std::string& kind);
+/// The name of a module with this kind: "wall_follow" for "WallFollow", "led_ring" for "LEDRing".
+[[nodiscard]] std::string moduleNameFor(const std::string& kind);
 
 /// Writes the template for a kind of that name into a new folder below `parent`: WallFollow becomes wall_follow/wall_follow.cpp.
 /// Fails, and writes nothing, if the name cannot be a kind's, if that folder exists, or if it cannot be written.

@@ -77,6 +77,8 @@ public:
     [[nodiscard]] virtual std::string module() const { return {}; }
     /// Wall time of the last update, s, where the call of tick() does not give it.
     [[nodiscard]] virtual std::optional<double> updateS() const { return {}; }
+    /// The process that it runs in; 0: this one, or one that has ended.
+    [[nodiscard]] virtual int processId() const { return 0; }
     /// Set if a fault has stopped this controller alone: the run continues, and start() starts it again.
     [[nodiscard]] virtual const ControllerFault* fault() const { return nullptr; }
     [[nodiscard]] virtual std::string describe() const = 0; ///< "LinearMotion from liblinear_motion.so, in process"

@@ -48,11 +48,16 @@ struct ReloadCommand {
     std::string module; ///< empty: all modules
 };
 
+/// The controller of a robot is not called any more, and the robot's commands become 0, until a RestartCommand or new code.
+struct StopCommand {
+    std::string robot;
+};
+
 /// Applied before the controllers are called in tick `tick + 1`: `tick` is the number of completed ticks.
 struct Command {
     std::uint64_t tick = 0;
     std::variant<PushCommand, PlaceCommand, SignalCommand, HoldCommand, SurfaceCommand, PropertyCommand, RestartCommand,
-                 ReloadCommand>
+                 ReloadCommand, StopCommand>
         what;
 };
 

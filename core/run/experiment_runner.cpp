@@ -1,7 +1,6 @@
 #include "run/experiment_runner.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -9,6 +8,7 @@
 
 #include "base/clean_text.h"
 #include "control/medium_radios.h"
+#include "run/command_signals.h"
 #include "run/logs/log_kinds.h"
 #include "schema/value_words.h"
 
@@ -22,22 +22,6 @@ constexpr std::size_t kLongestReason = 1000; // bytes
 CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
     const std::string& kind = robot.controller->kind;
     return {"the controller " + kind + " of " + robot.name, robot.name, kind, {}, static_cast<std::uint32_t>(index)};
-}
-
-Status setSignal(World& world, const SignalCommand& signal) {
-    const SignalEntry* entry = world.layout().find(signal.path);
-    if (!entry) return Error{Code::NoSuchPath, "there is no signal " + signal.path};
-    if (entry->direction != SignalDirection::Command || entry->count != 1)
-        return Error{Code::WrongPlace, signal.path + " is no command"};
-    if (!std::isfinite(signal.value)) return Error{Code::OutOfRange, "the value for " + signal.path + " is not a finite number"};
-    world.block().slots()[entry->offset] = signal.value;
-    return {};
-}
-
-void setCommandsToZero(World& world, const RobotSpec& robot) {
-    for (const SignalEntry& entry : world.layout().entries())
-        if (entry.direction == SignalDirection::Command && entry.path.starts_with(robot.name + "/"))
-            std::fill_n(world.block().slots().begin() + entry.offset, entry.count, 0.0);
 }
 
 /// The number of a log that a controller opens; -1: refused, with a message.
@@ -67,6 +51,10 @@ Diagnostic faultDiagnostic(Severity severity, double time, const std::string& te
     return {severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, range, {}, {}, {}};
 }
 
+std::string droppedText(std::size_t lines) {
+    return codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) + (lines == 1 ? " line dropped" : " lines dropped");
+}
+
 std::string slowText(const RobotSpec& robot, double seconds, double budget) {
     return "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
            " ms; its Budget is " + numberText(1e3 * budget) + " ms";
@@ -91,11 +79,7 @@ void ExperimentRunner::addMessage(const std::string& who, int severity, const st
 }
 
 void ExperimentRunner::reportDropped() {
-    for (const auto& [who, lines] : m_console.takeDropped()) {
-        const std::string text = codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) +
-                                 (lines == 1 ? " line dropped" : " lines dropped");
-        say(who, TRUNDLE_WARNING, text);
-    }
+    for (const auto& [who, lines] : m_console.takeDropped()) say(who, TRUNDLE_WARNING, droppedText(lines));
 }
 
 Status ExperimentRunner::fail(const Error& error, SourceRange range) {
@@ -182,6 +166,7 @@ Status ExperimentRunner::apply(const Command& command) {
     if (const auto* hold = std::get_if<HoldCommand>(&command.what)) return apply(*hold);
     if (const auto* restart = std::get_if<RestartCommand>(&command.what)) return apply(*restart);
     if (const auto* reload = std::get_if<ReloadCommand>(&command.what)) return apply(*reload);
+    if (const auto* stop = std::get_if<StopCommand>(&command.what)) return apply(*stop);
     if (const auto* surface = std::get_if<SurfaceCommand>(&command.what)) return m_world->setSurface(surface->surface);
     return apply(std::get<PropertyCommand>(command.what));
 }
@@ -225,10 +210,21 @@ Status ExperimentRunner::apply(const RestartCommand& restart) {
     return {};
 }
 
+Status ExperimentRunner::apply(const StopCommand& stop) {
+    const Controller* controller = controllerOf(stop.robot);
+    if (!controller || isStopped(*controller)) return {};
+    const RobotSpec& robot = experiment().robots[controller->robot];
+    m_stopped.push_back({controller->robot, m_world->time(), {}, true});
+    say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was stopped");
+    setCommandsToZero(*m_world, robot);
+    return {};
+}
+
 /// From its setup, in a new process if the old one has ended.
 bool ExperimentRunner::startAgain(Controller& controller) {
     std::erase_if(m_stopped, [&](const StoppedController& stopped) { return stopped.robot == controller.robot; });
     controller.called = controller.slow = false;
+    ++controller.cost.restarts;
     const RobotSpec& robot = experiment().robots[controller.robot];
     const MonitoredCall call(*m_options.calls, controller.target, "setup");
     const Status started = controller.backend->start(m_world->layout(), m_world->block(), outputsFor(robot));
@@ -272,30 +268,16 @@ void ExperimentRunner::prepareUpdates(std::uint64_t tick, double time) {
     for (Controller& controller : m_controllers) {
         controller.due = controller.schedule.due(tick) && !controller.held && !hasEnded(*m_world, controller.robot) &&
                          !isStopped(controller);
-        if (controller.due) controller.backend->prepare(tick, time, controller.called ? time - controller.lastTime : 0);
+        if (controller.due) controller.prepare(tick, time);
     }
 }
 
 Status ExperimentRunner::update(Controller& controller, std::uint64_t tick, double time) {
-    using Clock = std::chrono::steady_clock;
-    const double sinceLast = controller.called ? time - controller.lastTime : 0;
-    controller.lastTime = time;
-    controller.called = true;
-    const MonitoredCall call(*m_options.calls, controller.target, "update");
-    if (!(controller.budget > 0) || controller.slow) return controller.backend->tick(tick, time, sinceLast);
-    const Clock::time_point begin = Clock::now();
-    Status done = controller.backend->tick(tick, time, sinceLast);
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    reportSlow(controller, controller.backend->updateS().value_or(seconds));
-    return done;
-}
-
-/// Once for each controller. The time depends on the machine, so it goes to the console and affects nothing.
-void ExperimentRunner::reportSlow(Controller& controller, double seconds) {
+    const Status done = controller.update(tick, time, *m_options.calls, m_options.measuresControllers);
+    // Once for each controller. The time depends on the machine, so it goes to the console and affects nothing.
     const RobotSpec& robot = experiment().robots[controller.robot];
-    if (seconds <= controller.budget) return;
-    controller.slow = true;
-    say(robot.name, TRUNDLE_WARNING, slowText(robot, seconds, controller.budget));
+    if (const auto slow = controller.takeSlow()) say(robot.name, TRUNDLE_WARNING, slowText(robot, *slow, controller.budget));
+    return done;
 }
 
 /// After a fault of one controller: its robot gets commands of 0. Those whose controllers shared its process continue in a new one.
@@ -413,6 +395,12 @@ Status ExperimentRunner::finish() {
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
     m_folder.settle();
     return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
+}
+
+std::vector<ControllerCost> ExperimentRunner::controllerCosts() const {
+    std::vector<ControllerCost> costs;
+    for (const Controller& controller : m_controllers) costs.push_back(controller.costNow());
+    return costs;
 }
 
 std::vector<std::string> ExperimentRunner::logFiles() const { return writtenFiles(m_folder); }

@@ -10,6 +10,7 @@
 #include "run/logs/log_folder.h"
 #include "run/run_pictures.h"
 #include "run/runner.h"
+#include "run/running_controller.h"
 #include "run/schedule.h"
 #include "run/world_warnings.h"
 
@@ -30,6 +31,7 @@ public:
     const std::vector<Diagnostic>& warnings() const override { return m_warnings; }
     const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
     const std::vector<StoppedController>& stoppedControllers() const override { return m_stopped; }
+    std::vector<ControllerCost> controllerCosts() const override;
     const RunFinish* finished() const override { return m_finish ? &*m_finish : nullptr; }
     void flushLogs() override;
     Status finish() override;
@@ -38,16 +40,7 @@ public:
     std::vector<std::string> logFiles() const override;
 
 private:
-    struct Controller {
-        std::size_t robot;
-        std::unique_ptr<ControllerBackend> backend;
-        Schedule schedule;
-        const CallTarget* target; ///< for monitoring its calls
-        double budget;            ///< s, for an update; 0: any
-        double lastTime = 0;
-        bool called = false, held = false;
-        bool due = false, slow = false; ///< in this tick; a slow update was reported
-    };
+    using Controller = RunningController;
     struct OpenLog {
         std::unique_ptr<Log> log;
         LogFile* file;
@@ -72,11 +65,11 @@ private:
     Status apply(const PropertyCommand& command);
     Status apply(const RestartCommand& command);
     Status apply(const ReloadCommand& command);
+    Status apply(const StopCommand& command);
     [[nodiscard]] Controller* controllerOf(const std::string& robot);
     Status think();
     void prepareUpdates(std::uint64_t tick, double time);
     Status update(Controller& controller, std::uint64_t tick, double time);
-    void reportSlow(Controller& controller, double seconds);
     void stopFaulty();
     void stopControllers();
     void reportFault(const Controller& controller);

@@ -27,6 +27,7 @@ struct RunOptions {
     std::function<void(double time, const std::string& robot, int severity, const std::string& text)> console;
     ImageSourceFactory pictures;        ///< none: cameras give no images
     std::shared_ptr<CallMonitor> calls; ///< for monitoring from other threads; created by the run if null
+    bool measuresControllers = false;   ///< see Runner::controllerCosts()
     std::shared_ptr<void> keeps;        ///< released after controllers and devices: the libraries with their code
 };
 
@@ -36,12 +37,30 @@ struct RunFinish {
     double time = 0; ///< s, simulated, at the end of the tick of the call
 };
 
-/// A controller that a fault of its own stopped while the run continues: it is not called any more, and the commands of its robot
+/// A controller that a fault of its own, or a StopCommand, stopped while the run continues: it is not called any more, and the commands of its robot
 /// are 0. A RestartCommand removes it.
 struct StoppedController {
     std::size_t robot = 0; ///< index in the experiment
     double time = 0;       ///< s, simulated
     ControllerFault fault;
+    bool byCommand = false; ///< a StopCommand; there was no fault
+};
+
+/// What a controller cost since the start of the run. The wall times depend on the machine and affect nothing.
+struct ControllerCost {
+    std::size_t robot = 0;          ///< index in the experiment
+    std::uint64_t calls = 0;        ///< completed updates that were measured
+    double totalS = 0, worstS = 0;  ///< wall time of these, s
+    double lastCall = 0;            ///< s, simulated; valid if calls > 0
+    std::size_t restarts = 0;       ///< by a command, in a new process after a fault of another controller, with new code
+    std::int64_t process = 0;       ///< identifier of its host process; 0: it runs inside the program, or its host has ended
+
+    void add(double time, double seconds) {
+        ++calls;
+        totalS += seconds;
+        worstS = seconds > worstS ? seconds : worstS;
+        lastCall = time;
+    }
 };
 
 class Runner {
@@ -63,6 +82,9 @@ public:
     [[nodiscard]] virtual const Diagnostic* failure() const = 0;
     /// Controllers that are stopped now, in the order of their faults. A run that ends with any has failed in part.
     [[nodiscard]] virtual const std::vector<StoppedController>& stoppedControllers() const = 0;
+    /// One entry for each controller, in the order of the robots. Calls are counted and measured only with
+    /// RunOptions::measuresControllers.
+    [[nodiscard]] virtual std::vector<ControllerCost> controllerCosts() const = 0;
     /// Set if a controller called finish(), in the first such tick or in setup during create(): the run is over.
     [[nodiscard]] virtual const RunFinish* finished() const = 0;
     /// Writes buffered log data to the files, so that it survives a crash of the program.

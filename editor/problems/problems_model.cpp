@@ -78,6 +78,15 @@ void ProblemsModel::setRun(std::vector<Diagnostic> problems, std::shared_ptr<con
     Q_EMIT countsChanged(m_errors, m_warnings);
 }
 
+void ProblemsModel::setBuild(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> sources) {
+    beginResetModel();
+    m_build = std::move(problems);
+    m_buildTexts = std::move(sources);
+    rebuild();
+    endResetModel();
+    Q_EMIT countsChanged(m_errors, m_warnings);
+}
+
 void ProblemsModel::setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> texts) {
     const std::shared_ptr<const LoadedProject> kept = std::exchange(m_modelTexts, std::move(texts));
     if (m_modelProblems.empty() && problems.empty()) return;
@@ -86,7 +95,13 @@ void ProblemsModel::setModelProblems(std::vector<Diagnostic> problems, std::shar
 }
 
 const std::shared_ptr<const LoadedProject>& ProblemsModel::textsOf(const Entry& entry) const {
-    return entry.source == Source::Run ? m_runTexts : entry.source == Source::Model ? m_modelTexts : m_loaded;
+    switch (entry.source) {
+    case Source::Run: return m_runTexts;
+    case Source::Model: return m_modelTexts;
+    case Source::Build: return m_buildTexts;
+    case Source::Texts: break;
+    }
+    return m_loaded;
 }
 
 void ProblemsModel::setFilter(bool errors, bool warnings, const QString& words) {
@@ -119,6 +134,7 @@ void ProblemsModel::rebuild() {
         else ++m_warnings;
         if (!wanted(d)) return;
         m_entries.push_back({&d, source, {}});
+        if (source == Source::Build) return; // without fixes
         if (const auto& texts = textsOf(m_entries.back())) m_entries.back().fixes = applicableFixes(*texts, d);
     };
     const auto refuses = [](const Diagnostic& d) { return d.severity == Severity::Error && d.code == Code::DeviceSetup; };
@@ -127,6 +143,7 @@ void ProblemsModel::rebuild() {
     const bool known = m_runTexts && m_runTexts == m_modelTexts && std::ranges::any_of(m_modelProblems, refuses);
     for (const Diagnostic& d : m_run)
         if (!known || !refuses(d)) take(d, Source::Run);
+    for (const Diagnostic& d : m_build) take(d, Source::Build);
     const std::size_t ofRun = m_entries.size();
     if (m_loaded)
         for (const Diagnostic& d : m_loaded->diagnostics.all()) take(d, Source::Texts);
@@ -211,13 +228,14 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::DecorationRole && index.column() == Message) return severityIcon(d.severity);
     if (role == Qt::ForegroundRole && index.column() != Message) return ink(Ink::Faint);
     if (role == Qt::ToolTipRole && index.column() == Place) return placeText(d.range, *entry);
-    if (role == Qt::ToolTipRole) return QStringLiteral("%1  %2").arg(toQString(codeName(d.code)), toQString(d.message));
+    const QString code = entry->source == Source::Build ? tr("build") : toQString(codeName(d.code)); // a compiler has codes of its own
+    if (role == Qt::ToolTipRole) return QStringLiteral("%1  %2").arg(code, toQString(d.message));
     if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
     if (role == Qt::AccessibleTextRole && index.column() == Message)
         return severityWord(d.severity) + QStringLiteral(": ") + toQString(d.message);
     switch (index.column()) {
     case Message: return toQString(d.message);
-    case CodeColumn: return toQString(codeName(d.code));
+    case CodeColumn: return code;
     default: return placeText(d.range, *entry);
     }
 }

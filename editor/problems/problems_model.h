@@ -25,6 +25,8 @@ public:
     /// Sets the diagnostics of the model check and the project that it checked. They are shown until the next call or until the
     /// texts change.
     void setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> texts);
+    /// Sets the messages of a build of modules and the sources that they are about.
+    void setBuild(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> sources);
     void setFilter(bool errors, bool warnings, const QString& words);
     void setOrder(ProblemOrder order);
 
@@ -50,7 +52,7 @@ Q_SIGNALS:
     void countsChanged(int errors, int warnings);
 
 private:
-    enum class Source { Texts, Model, Run };
+    enum class Source { Texts, Model, Run, Build };
     struct Entry {
         const Diagnostic* diagnostic = nullptr;
         Source source = Source::Texts;
@@ -66,8 +68,8 @@ private:
     [[nodiscard]] QVariant childData(const Diagnostic& d, const Entry& entry, int row, int column, int role) const;
     [[nodiscard]] QString placeText(const SourceRange& place, const Entry& entry) const;
 
-    std::shared_ptr<const LoadedProject> m_loaded, m_runTexts, m_modelTexts;
-    std::vector<Diagnostic> m_run, m_modelProblems;
+    std::shared_ptr<const LoadedProject> m_loaded, m_runTexts, m_modelTexts, m_buildTexts;
+    std::vector<Diagnostic> m_run, m_modelProblems, m_build;
     std::vector<Entry> m_entries; ///< shown, in order
     int m_errors = 0, m_warnings = 0;
     bool m_showErrors = true, m_showWarnings = true;

@@ -80,6 +80,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
     connect(m_model, &ProblemsModel::countsChanged, this, &ProblemsPanel::countsChanged);
     connect(&document, &Document::changed, this, &ProblemsPanel::follow);
     connect(&document, &Document::opened, this, &ProblemsPanel::clearRunProblems);
+    connect(&document, &Document::opened, this, [this] { setBuildProblems({}, nullptr); });
     connect(m_checker, &ModelChecker::checked, this,
             [this](const std::shared_ptr<const LoadedProject>& loaded, const std::vector<Diagnostic>& found) {
                 m_model->setModelProblems(found, loaded);
@@ -251,6 +252,11 @@ void ProblemsPanel::setRunProblems(const std::vector<Diagnostic>& problems, cons
     m_run = own;
     m_runTexts = texts;
     m_model->setRun(std::move(own), texts);
+    showCounts();
+}
+
+void ProblemsPanel::setBuildProblems(const std::vector<Diagnostic>& problems, const std::shared_ptr<const LoadedProject>& sources) {
+    m_model->setBuild(problems, sources);
     showCounts();
 }
 

@@ -40,6 +40,9 @@ public Q_SLOTS:
     void setRunProblems(const std::vector<trundle::Diagnostic>& problems,
                         const std::shared_ptr<const trundle::LoadedProject>& texts);
     void clearRunProblems();
+    /// Replaces the messages of a build of modules. `sources`: the texts that they are about.
+    void setBuildProblems(const std::vector<trundle::Diagnostic>& problems,
+                          const std::shared_ptr<const trundle::LoadedProject>& sources);
     void fixCurrent();
 
 Q_SIGNALS:

@@ -126,16 +126,26 @@ void RobotCommands::stopDriving() {
     m_driven.clear();
 }
 
-bool RobotCommands::restartControllers(const std::vector<std::string>& robots) {
-    if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A controller can be restarted while the experiment runs."));
-    std::size_t restarted = 0;
+/// Gives one command for each of the robots that has a controller. Returns how many.
+template <class Order> std::size_t RobotCommands::order(const std::vector<std::string>& robots) {
+    std::size_t ordered = 0;
     for (const std::string& name : robots) {
         const RobotSpec* robot = m_run.robot(name);
         if (!robot || !robot->controller) continue;
-        m_run.live->command(RestartCommand{name});
-        ++restarted;
+        m_run.live->command(Order{name});
+        ++ordered;
     }
-    return restarted > 0 || m_messages.refuse(tr("Select a robot with a controller."));
+    return ordered;
+}
+
+bool RobotCommands::restartControllers(const std::vector<std::string>& robots) {
+    if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A controller can be restarted while the experiment runs."));
+    return order<RestartCommand>(robots) > 0 || m_messages.refuse(tr("Select a robot with a controller."));
+}
+
+bool RobotCommands::stopControllers(const std::vector<std::string>& robots) {
+    if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A controller can be stopped while the experiment runs."));
+    return order<StopCommand>(robots) > 0 || m_messages.refuse(tr("Select a robot with a controller."));
 }
 
 bool RobotCommands::reloadModules(const std::string& library) {

@@ -41,6 +41,8 @@ public:
     /// Starts the controllers of these robots again, from their setup, where they are. A controller that was stopped with others
     /// of its process is started with them.
     bool restartControllers(const std::vector<std::string>& robots);
+    /// The controllers of these robots are not called any more until they are restarted; the robots' commands become 0.
+    bool stopControllers(const std::vector<std::string>& robots);
     [[nodiscard]] std::string driven() const { return m_driven; } ///< robot, or empty
     /// Why a robot cannot be driven; empty if it can.
     [[nodiscard]] QString driveRefusal(const std::string& robot) const;
@@ -64,6 +66,7 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] StartPoses posesNow() const;
+    template <class Order> [[nodiscard]] std::size_t order(const std::vector<std::string>& robots);
     [[nodiscard]] QString endedRefusal(std::string_view robot) const;
 
     const ActiveRun& m_run;

@@ -124,12 +124,19 @@ static constexpr ActionRow kTable[] = {
 
     {"sim.openLogs",   "Simulation",  "Open Lo&g Folder",          "open",        "",               "Show the folder with the logs of this run or the last one."},
 
-    {"controllers.load", "Controllers", "&Load Module…",         "module",      "",               "Use a library of controllers or components in this experiment."},
+    {"controllers.new", "Controllers",  "&New Controller…",       "new",         "",               "Start a controller of your own, in C++ or Python, and edit its source here."},
+    {"controllers.newComponent", "Controllers", "New &Component…", "",          "",               "Start a sensor or actuator of your own in C++, and edit its source here."},
+    {"controllers.build", "Controllers", "&Build",                "fix",         "Ctrl+B",         "Save, and build the module of the source that is shown, or all that the experiment loads."},
+    {"controllers.cancelBuild", "Controllers", "Cancel B&uild",   "",            "",               "Stop the build in progress."},
+    {"controllers.load", "|Controllers", "&Load Module…",         "module",      "",               "Use a library of controllers or components in this experiment."},
     {"controllers.assign", "Controllers", "&Assign to Selected Robots…", "",    "",               "Choose the controller of the selected robots."},
     {"controllers.remove", "Controllers", "&Remove from Selected Robots", "delete", "",              "Take the controller out of the selected robots."},
     {"controllers.restart", "|Controllers", "Re&start Controller", "restart",  "",               "Start the controllers of the selected robots again, from their setup, without a reset of the run."},
+    {"controllers.stop", "Controllers", "S&top Controller",     "pause",       "",               "The controllers of the selected robots are not called any more, and the robots stop, until Restart."},
+    {"controllers.isolate", "Controllers", "In a Process of Its O&wn", "lock",   "",               "The controllers of the selected robots share their process with no other: Isolation = robot, from the next run on.", true},
+    {"controllers.debug", "Controllers", "Copy &Debugger Command", "copy",      "",               "Copy the command that attaches a debugger to the controller of the selected robot."},
     {"controllers.reload", "Controllers", "Rel&oad Modules",    "",            "Ctrl+Shift+R",   "Give the running robots the code as built now, where they are; outside a run, read the libraries again."},
-    {"controllers.follow", "Controllers", "Reload Re&built Modules", "",       "",               "Give the running robots the new code of a module as soon as it is built.", true},
+    {"controllers.follow", "Controllers", "Reload Rebu&ilt Modules", "",       "",               "Give the running robots the new code of a module as soon as it is built.", true},
 
     {"help.guide",     "Help",        "&Guide",                  "help",        "F1",             "The page of what is selected or at the caret; else how to work with this window."},
     {"help.about",     "Help",        "&About Trundle",          "info",        "",               "Version, licence and libraries."},

@@ -30,6 +30,7 @@
 #include "editor/shell/commands/file_commands.h"
 #include "editor/shell/commands/help_commands.h"
 #include "editor/shell/commands/model_commands.h"
+#include "editor/shell/commands/module_commands.h"
 #include "editor/shell/commands/part_commands.h"
 #include "editor/shell/commands/project_questions.h"
 #include "editor/shell/commands/run_commands.h"
@@ -259,6 +260,9 @@ void MainWindow::makeCommands(Application& application, RenderService* render, c
     new RunCommands(*this, *m_actions, {*m_session, *m_selection, *m_viewport, *m_problems, *m_layouts, *m_status});
     new ModelCommands(*this, *m_actions,
                       {*m_document, *m_selection, *m_session, *m_edits, *m_viewport, *m_work, *m_layouts, *m_status});
+    m_modules = new ModuleCommands(*this, *m_actions,
+                                   {application, *m_document, *m_selection, *m_session, *m_files, *m_controllers, *m_problems, *m_text,
+                                    *m_work, *m_layouts, *m_status});
     new CameraCommands(*this, *m_actions, {application, *m_document, *m_session, *m_viewport, *m_status, render});
     new HelpCommands(*this, *m_actions, {*m_document, *m_selection, *m_text, *m_help, *m_layouts});
 }

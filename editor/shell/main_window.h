@@ -23,6 +23,7 @@ class FileCommands;
 class HelpPanel;
 class HistoryPanel;
 class LibraryPanel;
+class ModuleCommands;
 class ObjectEdits;
 class OutlinePanel;
 class ProblemsPanel;
@@ -55,6 +56,7 @@ public:
     [[nodiscard]] TextPanel& text() { return *m_text; }
     [[nodiscard]] WorkArea& work() { return *m_work; }
     [[nodiscard]] ProjectQuestions& questions() { return *m_questions; }
+    [[nodiscard]] ModuleCommands& modules() { return *m_modules; }
 
     /// Asks about unsaved changes, then opens. False if the user cancelled.
     bool open(const QString& path);
@@ -100,6 +102,7 @@ private:
     ObjectEdits* m_edits;
     FileCommands* m_files = nullptr;
     ProjectQuestions* m_questions = nullptr;
+    ModuleCommands* m_modules = nullptr;
     Layouts* m_layouts = nullptr;
 
     QStackedWidget* m_pages = nullptr;

@@ -10,6 +10,7 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/text/code/code_edit.h"
+#include "editor/text/code/code_language.h"
 #include "editor/text/completion/completion_session.h"
 #include "editor/text/pages/file_page.h"
 #include "editor/text/pages/text_pages.h"
@@ -149,6 +150,10 @@ void TextPanel::setModelProblems(const std::shared_ptr<const LoadedProject>& tex
     m_pages->setModelProblems(std::make_shared<const ModelProblems>(ModelProblems{texts, found}));
 }
 
+void TextPanel::setBuildProblems(const std::vector<Diagnostic>& found, const std::shared_ptr<const LoadedProject>& sources) {
+    m_pages->setBuildProblems(found, sources);
+}
+
 // --- the selection ---
 
 void TextPanel::selectAtCaret() {
@@ -266,7 +271,9 @@ void TextPanel::addLineCommands() {
     m_commands->inText("edit.duplicate", changeLines([this](auto text, auto anchor, auto caret) {
                            return duplicateLines(text, anchor, caret, page()->edit().lineEnd());
                        }));
-    m_commands->own("text.comment", changeLines(toggleComment));
+    m_commands->own("text.comment", changeLines([this](auto text, auto anchor, auto caret) {
+                        return toggleComment(text, anchor, caret, lineComment(page()->edit().styling().language()));
+                    }));
     m_commands->own("text.lineUp",
                     changeLines([](auto text, auto anchor, auto caret) { return moveLines(text, anchor, caret, -1); }));
     m_commands->own("text.lineDown",

@@ -66,6 +66,9 @@ public Q_SLOTS:
     /// Shows the diagnostics of the model check while the document has these texts.
     void setModelProblems(const std::shared_ptr<const trundle::LoadedProject>& texts,
                           const std::vector<trundle::Diagnostic>& found);
+    /// Marks the messages of a build in the sources that are shown; see TextPages.
+    void setBuildProblems(const std::vector<trundle::Diagnostic>& found,
+                          const std::shared_ptr<const trundle::LoadedProject>& sources);
     FilePage* openFile(const std::string& file);
 
 Q_SIGNALS:

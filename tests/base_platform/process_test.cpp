@@ -43,6 +43,21 @@ private Q_SLOTS:
         QCOMPARE(describeEnd(shell(""), result.value()), std::string("exited with code 3"));
     }
 
+    void passesOnWhatComes() {
+        ProcessRequest request = shell("echo out; echo err >&2; exec sleep 600");
+        std::string received;
+        std::stop_source stop;
+        request.stop = stop.get_token();
+        request.seconds = 60;
+        request.received = [&](std::string_view bytes) {
+            received += bytes;
+            if (received.size() >= 8) stop.request_stop(); // while the process still runs
+        };
+        const auto result = runProcess(request);
+        QVERIFY(result.ok() && result.value().end == ProcessEnd::TimedOut);
+        QVERIFY(received == "out\nerr\n" || received == "err\nout\n");
+    }
+
     void itsTimeIsInSeconds() {
         QElapsedTimer clock;
         clock.start();

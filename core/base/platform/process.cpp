@@ -103,14 +103,17 @@ struct ChildPlan {
     ::_exit(127);
 }
 
+using Receiver = std::function<void(std::string_view)>;
+
 /// Reads the available bytes. False at the end of the stream.
-bool drain(const Descriptor& from, std::string& into, std::uint64_t most, bool& overflow) {
+bool drain(const Descriptor& from, std::string& into, std::uint64_t most, const Receiver& received, bool& overflow) {
     char buffer[65536];
     for (;;) {
         const ssize_t got = ::read(from.file(), buffer, sizeof buffer);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return errno == EAGAIN;
         if (got == 0) return false;
+        if (received) received({buffer, static_cast<std::size_t>(got)});
         const std::size_t room = most > into.size() ? static_cast<std::size_t>(most - into.size()) : 0;
         into.append(buffer, std::min(room, static_cast<std::size_t>(got)));
         overflow = overflow || static_cast<std::size_t>(got) > room;
@@ -150,12 +153,12 @@ void transfer(const ProcessRequest& request, Channel& in, Channel& out, Channel&
         }
         if (::poll(waits, 3, wait) < 0 && errno != EINTR) return;
         if (waits[0].revents != 0 && !feed(in.ours, rest)) in.ours.close();
-        if (waits[1].revents != 0 && !drain(out.ours, result.output, request.outputBytes, tooMuch)) out.ours.close();
+        if (waits[1].revents != 0 && !drain(out.ours, result.output, request.outputBytes, request.received, tooMuch)) out.ours.close();
         if (tooMuch) {
             result.end = ProcessEnd::TooMuchOutput;
             return;
         }
-        if (waits[2].revents != 0 && !drain(err.ours, result.errors, request.errorBytes, ignored)) err.ours.close();
+        if (waits[2].revents != 0 && !drain(err.ours, result.errors, request.errorBytes, request.received, ignored)) err.ours.close();
     }
 }
 

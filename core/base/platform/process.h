@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/platform/limits.h"
@@ -19,6 +21,8 @@ struct ProcessRequest {
     std::uint64_t outputBytes = 64u << 20; ///< limit of standard output, then it is killed
     std::uint64_t errorBytes = 64u << 10;  ///< limit of standard error; the rest is dropped
     ResourceLimits limits{.coreDumps = false};
+    /// Called in the calling thread with what the process writes to either output, as it comes.
+    std::function<void(std::string_view bytes)> received;
     std::stop_token stop; ///< kills it soon after a request, as if its time were over
 };
 

@@ -48,6 +48,7 @@ public:
     [[nodiscard]] const ControllerFault* fault(std::size_t member) const;
     [[nodiscard]] double updateS(std::size_t member) const { return m_members[member].seconds; }
 
+    [[nodiscard]] int processId() const { return m_host && m_host->alive() ? m_host->processId() : 0; }
     /// Hands the announced updates to the host.
     void beginUpdates();
     [[nodiscard]] const std::string& library() const { return m_library; }

@@ -32,6 +32,7 @@ public:
     std::string module() const override { return m_group.library(); }
     const ControllerFault* fault() const override { return m_group.fault(m_member); }
     std::optional<double> updateS() const override { return m_group.updateS(m_member); }
+    int processId() const override { return m_group.processId(); }
     std::string describe() const override {
         return m_kind + " from " + std::filesystem::path(m_group.library()).filename().string() + ", in a process of its own";
     }

@@ -37,7 +37,8 @@ struct LiveSnapshot {
     double stepMs = 0;         ///< mean wall time per tick since the previous snapshot
     std::size_t contactCount = 0;
     std::vector<RobotEnd> ended;       ///< robots that ended by a fault of their own while the run continues; only grows
-    std::vector<StoppedController> stopped; ///< controllers that a fault of their own stopped
+    std::vector<StoppedController> stopped; ///< controllers that a fault of their own or a command stopped
+    std::vector<ControllerCost> costs;      ///< of all controllers
     std::optional<std::uint64_t> hash; ///< World::stateHash(); set only while paused or ended
     RunImages images;                  ///< the newest image of each camera that a controller or a log has used so far
 };

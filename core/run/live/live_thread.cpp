@@ -72,6 +72,7 @@ void LiveThread::build(const RunnerMaker& maker) {
     RunOptions options;
     options.logFolder = m_logFolder;
     options.calls = m_shared->calls;
+    options.measuresControllers = true;
     // `this` outlives the runner, which is used on this thread only.
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         addMessage({time, who, severity, text});
@@ -244,6 +245,7 @@ std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts)
     shot->contactCount = touching.size();
     shot->ended = world.robotFaults().ends;
     shot->stopped = m_runner->stoppedControllers();
+    shot->costs = m_runner->controllerCosts();
     shot->images = m_runner->cameras().images();
     if (contacts) shot->contacts = copied(touching);
     if (stands) shot->hash = world.stateHash();

@@ -36,6 +36,10 @@ function(trundle_module name)
   # Lines of functions, for the report of a crash.
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug,RelWithDebInfo>>:-g1>)
 
+  # GCC counts a tab as eight columns otherwise, so that editors would show the wrong place.
+  target_compile_options(${target} PRIVATE
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,11>>:-fdiagnostics-column-unit=byte>)
+
   # GNU unique symbols would be shared between two modules, or two versions of one, and prevent unloading.
   check_cxx_compiler_flag(-fno-gnu-unique TRUNDLE_HAS_NO_GNU_UNIQUE)
   if(TRUNDLE_HAS_NO_GNU_UNIQUE)

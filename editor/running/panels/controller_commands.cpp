@@ -1,5 +1,7 @@
 #include "editor/running/panels/controller_commands.h"
 
+#include <algorithm>
+
 #include <QFileInfo>
 #include <QSettings>
 
@@ -87,13 +89,30 @@ bool ControllerCommands::load(const QString& library) {
     if (!found) return reject(QString::fromStdString(found.error().message));
     const std::string& path = found.value().library;
     if (!isTrusted(QString::fromStdString(path))) return false;
-    const std::string written =
-        writtenFor(path, *m_document.loaded(), m_session.source().application().locations().modules, m_given);
+    const std::string written = writtenPath(path);
     for (const ModuleInfo& module : modules())
         if (module.library == path) return reject(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
     if (!edit(tr("Load Module %1").arg(QString::fromStdString(written)), planLoadModule(*m_document.loaded(), written)))
         return false;
     remember(QString::fromStdString(path));
+    return true;
+}
+
+std::string ControllerCommands::writtenPath(const std::string& library) const {
+    return writtenFor(library, *m_document.loaded(), m_session.source().application().locations().modules, m_given);
+}
+
+bool ControllerCommands::trustFolder(const QString& file, const QString& folder) {
+    const OpenOptions& options = m_document.options();
+    const auto isBelow = [&folder](const std::string& trusted) {
+        const QString top = QFileInfo(QString::fromStdString(trusted)).canonicalFilePath();
+        const QString real = QFileInfo(folder).canonicalFilePath();
+        return !top.isEmpty() && (real == top || real.startsWith(top + QLatin1Char('/')));
+    };
+    if (options.trust || TrustedFolders::covers(folder) || std::ranges::any_of(m_given, isBelow)) return true;
+    if (!m_ask || !m_ask(file, folder)) return false;
+    TrustedFolders::add(folder);
+    applyTrust();
     return true;
 }
 

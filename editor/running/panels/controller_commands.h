@@ -27,6 +27,10 @@ public:
     /// Asks to trust the folder of a module that the text already loads.
     bool trust(const ModuleInfo& module);
     bool unload(const ModuleInfo& module);
+    /// Whether code of a folder may run, for `file` in it; asks if the folder is not trusted.
+    bool trustFolder(const QString& file, const QString& folder);
+    /// The path that a #loadModule of the experiment uses for a library.
+    [[nodiscard]] std::string writtenPath(const std::string& library) const;
     /// Gives the robots of a run the code as built now, where they are, if controllers have processes of their own; else ends the
     /// run, which unloads its libraries, and reads their descriptions again.
     void reload();

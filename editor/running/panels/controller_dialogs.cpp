@@ -30,6 +30,11 @@ bool askForTrust(const QString& library, const QString& folder, QWidget* parent)
            "from "
            "now on; Preferences list the trusted folders.")
             .arg(QFileInfo(library).fileName()));
+    if (QFileInfo(library).fileName() == QLatin1String("CMakeLists.txt"))
+        box.setInformativeText(
+            tr("A build runs the commands in CMakeLists.txt, with all your rights: they can read and change your files. What is built "
+               "runs with Trundle. Trust the folder only if you know who made its contents. Folders below it are trusted too, from now "
+               "on; Preferences list the trusted folders."));
     QPushButton* trust = box.addButton(tr("Trust This Folder"), QMessageBox::AcceptRole);
     trust->setObjectName(QStringLiteral("trustAccept"));
     box.setDefaultButton(box.addButton(QMessageBox::Cancel));

@@ -3,20 +3,27 @@
 #include <algorithm>
 
 #include <QAction>
+#include <QClipboard>
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QSplitter>
 #include <QStyledItemDelegate>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "control/isolation.h"
+#include "control/python_kinds.h"
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/panels/controller_commands.h"
+#include "editor/running/panels/controller_details.h"
 #include "editor/running/panels/controller_dialogs.h"
 #include "editor/running/panels/module_reload.h"
 #include "editor/running/panels/robot_states.h"
@@ -29,6 +36,7 @@
 namespace trundle {
 namespace {
 
+enum Column { kRobot, kController, kState, kMean, kWorst, kLastCall, kRestarts }; ///< of the robots
 constexpr int kIsPathRole = Qt::UserRole + 1; ///< true: the end of the text matters most
 
 /// Adds space between the columns, keeps the ends of paths, and keeps long texts from using the room of the other columns.
@@ -45,6 +53,12 @@ public:
         return {std::min(size.width(), kMostCharacters * option.fontMetrics.averageCharWidth()) + kGap, size.height()};
     }
 };
+
+/// As the block of the controller says; the setting of the experiment is not considered.
+bool isIsolated(const ExperimentSpec& experiment, const ControlledRobot& robot) {
+    const auto named = std::ranges::find(experiment.robots, robot.path, &RobotSpec::name);
+    return named != experiment.robots.end() && named->controller && isolationOf(*named, {}, Isolation::Module) == Isolation::Robot;
+}
 
 QTreeWidget* table(const char* name, const QStringList& columns) {
     auto* made = new QTreeWidget;
@@ -115,7 +129,9 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
     halves->setChildrenCollapsible(false);
     halves->addWidget(makeModules());
     halves->addWidget(makeRobots());
-    for (int half : {0, 1}) halves->setStretchFactor(half, 1);
+    m_details = new ControllerDetails(session, this);
+    halves->addWidget(m_details);
+    for (int half : {0, 1, 2}) halves->setStretchFactor(half, half == 1 ? 3 : 2);
     column->addWidget(halves, 1);
 
     m_commands->setAsk([this](const QString& library, const QString& folder) { return askForTrust(library, folder, this); });
@@ -165,9 +181,12 @@ QWidget* ControllersPanel::makeModules() {
 }
 
 QWidget* ControllersPanel::makeRobots() {
-    m_robots = table("robotControllers", {tr("Robot"), tr("Controller"), tr("State")});
+    m_robots = table("robotControllers", {tr("Robot"), tr("Controller"), tr("State"), tr("Mean"), tr("Worst"), tr("Last call"), tr("Restarts")});
+    const QStringList tips{tr("Mean time of a call, on this machine"), tr("The longest call, on this machine"),
+                           tr("How long ago the last call was, in simulated time"), tr("How often it was started again in this run")};
+    for (int column = kMean; column <= kRestarts; ++column) m_robots->headerItem()->setToolTip(column, tips[column - kMean]);
     m_robots->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    for (const int column : {0, 1}) m_robots->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    for (const int column : {0, 1, 2, 3, 4, 5}) m_robots->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     m_robots->header()->setResizeContentsPrecision(0); // measures only visible rows, since a swarm has many
     connect(m_robots, &QTreeWidget::itemSelectionChanged, this, [this] {
         std::vector<std::string> paths;
@@ -180,9 +199,12 @@ QWidget* ControllersPanel::makeRobots() {
     });
     connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
     QToolButton* restart = actionButton(m_actions.at("controllers.restart"), tr("Restart"));
+    QToolButton* stop = actionButton(m_actions.at("controllers.stop"), tr("Stop"));
     QToolButton* remove = actionButton(m_actions.at("controllers.remove"), tr("Remove"));
-    for (QToolButton* button : {restart, remove}) button->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows
-    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, remove});
+    QToolButton* alone = actionButton(m_actions.at("controllers.isolate"), tr("Isolate"));
+    QToolButton* debugger = actionButton(m_actions.at("controllers.debug"), tr("Debugger"));
+    for (QToolButton* button : {restart, stop, remove}) button->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows
+    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, stop, remove, alone, debugger});
 }
 
 void ControllersPanel::connectActions() {
@@ -191,6 +213,14 @@ void ControllersPanel::connectActions() {
     connect(&m_actions.at("controllers.remove"), &QAction::triggered, this, [this] { m_commands->unassign(chosenRobots()); });
     connect(&m_actions.at("controllers.restart"), &QAction::triggered, this,
             [this] { m_session.robots().restartControllers(controlledMembers()); });
+    connect(&m_actions.at("controllers.stop"), &QAction::triggered, this,
+            [this] { m_session.robots().stopControllers(controlledMembers()); });
+    connect(&m_actions.at("controllers.isolate"), &QAction::triggered, this, &ControllersPanel::isolate);
+    connect(&m_actions.at("controllers.debug"), &QAction::triggered, this, &ControllersPanel::copyDebuggerCommand);
+    auto* numbers = new QTimer(this);
+    numbers->setInterval(250);
+    connect(numbers, &QTimer::timeout, this, &ControllersPanel::showNumbers);
+    numbers->start();
     connect(&m_actions.at("controllers.reload"), &QAction::triggered, m_commands, &ControllerCommands::reload);
     new ModuleReload(m_session, m_actions.at("controllers.follow"), this);
 }
@@ -308,10 +338,61 @@ void ControllersPanel::showStates() {
     for (std::size_t i = 0; i < m_listed.size() && !m_stale; ++i) {
         const ControllerState state = controllerState(m_session, m_listed[i]);
         QTreeWidgetItem* item = m_robots->topLevelItem(static_cast<int>(i));
-        item->setText(2, state.text);
-        item->setToolTip(2, state.detail.isEmpty() ? state.text : state.detail);
-        item->setForeground(2, ink(state.failed ? Ink::Error : state.active ? Ink::Good : Ink::Faint));
+        item->setText(kState, state.text);
+        item->setToolTip(kState, state.detail.isEmpty() ? state.text : state.detail);
+        item->setForeground(kState, ink(state.failed ? Ink::Error : state.active ? Ink::Good : Ink::Faint));
     }
+}
+
+/// Several times a second while it is visible: the values change in every tick.
+void ControllersPanel::showNumbers() {
+    if (!isVisible() || m_stale) return;
+    const RunResults& results = m_session.results();
+    const double now = results.snapshot ? results.snapshot->time : 0;
+    for (int i = 0; i < m_robots->topLevelItemCount(); ++i) {
+        const ControllerNumbers numbers = controllerNumbers(m_session, m_listed[static_cast<std::size_t>(i)]);
+        const bool called = numbers.calls > 0;
+        const QStringList texts{called ? callTimeText(numbers.meanS) : QString(), called ? callTimeText(numbers.worstS) : QString(),
+                                called ? tr("%1 s ago").arg(std::max(0.0, now - numbers.lastCall), 0, 'f', 2) : QString(),
+                                numbers.isKnown ? QString::number(numbers.restarts) : QString()};
+        for (int column = kMean; column <= kRestarts; ++column) {
+            m_robots->topLevelItem(i)->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+            m_robots->topLevelItem(i)->setText(column, texts[column - kMean]);
+        }
+    }
+}
+
+/// The first chosen robot that has a controller.
+const ControlledRobot* ControllersPanel::chosenController() const {
+    const std::vector<std::string> chosen = chosenRobots();
+    const auto found = std::ranges::find_if(m_listed, [&](const ControlledRobot& robot) {
+        return !robot.kind.empty() && std::ranges::find(chosen, robot.path) != chosen.end();
+    });
+    return found == m_listed.end() ? nullptr : &*found;
+}
+
+/// Sets or resets the property of the controllers' blocks, as one edit.
+void ControllersPanel::isolate(bool alone) {
+    std::vector<ValueEdit> values;
+    const std::vector<std::string> chosen = chosenRobots();
+    for (const ControlledRobot& robot : m_listed)
+        if (!robot.kind.empty() && std::ranges::find(chosen, robot.path) != chosen.end())
+            values.push_back({robot.path + "." + robot.controller + ".Isolation", alone ? "robot" : "module"});
+    if (values.empty()) return Q_EMIT refused(tr("Select a robot with a controller."));
+    (void)m_document.structure().setValues(alone ? tr("Isolate Controller") : tr("Share the Process of the Module"), values);
+    showButtons(); // also after a refusal, which the document reports
+}
+
+void ControllersPanel::copyDebuggerCommand() {
+    const ControlledRobot* robot = chosenController();
+    const ControllerNumbers numbers = robot ? controllerNumbers(m_session, *robot) : ControllerNumbers();
+    if (!numbers.isKnown) return Q_EMIT refused(tr("Start a run and select a robot with a controller: a debugger attaches to its process."));
+    if (numbers.process == 0)
+        return Q_EMIT refused(tr("This controller has no process of its own, or that has ended; set Isolation = module."));
+    const Kind* kind = m_document.loaded()->registry->find(robot->kind);
+    const QString command = kind && isPythonModule(kind->module) ? QStringLiteral("py-spy dump --pid %1") : QStringLiteral("gdb -p %1");
+    QGuiApplication::clipboard()->setText(command.arg(numbers.process));
+    Q_EMIT refused(tr("Copied: %1").arg(command.arg(numbers.process)));
 }
 
 /// A restart removes stopped controllers without a message.
@@ -333,7 +414,12 @@ void ControllersPanel::showButtons() {
         any = any || (!robot.kind.empty() && std::ranges::find(robots, robot.path) != robots.end());
     m_actions.at("controllers.remove").setEnabled(any);
     const RunState state = m_session.state();
-    m_actions.at("controllers.restart").setEnabled(any && (state == RunState::Running || state == RunState::Paused));
+    const bool runs = state == RunState::Running || state == RunState::Paused;
+    for (const char* id : {"controllers.restart", "controllers.stop", "controllers.debug"}) m_actions.at(id).setEnabled(any && runs);
+    const ControlledRobot* chosen = chosenController();
+    m_actions.at("controllers.isolate").setEnabled(chosen != nullptr);
+    m_actions.at("controllers.isolate").setChecked(chosen && isIsolated(*m_document.loaded()->experiment, *chosen));
+    m_details->show(chosen ? *chosen : ControlledRobot());
     if (m_choosing) return;
     const QSignalBlocker quiet(m_robots);
     for (int i = 0; i < m_robots->topLevelItemCount(); ++i)

@@ -15,11 +15,12 @@ namespace trundle {
 
 class Actions;
 class ControllerCommands;
+class ControllerDetails;
 class Document;
 class RunSession;
 class Selection;
 
-/// The modules of the experiment and the controller of each robot. Implements controllers.load, assign, remove and reload.
+/// The modules of the experiment and the controller of each robot. Implements the actions controllers.load and those behind it.
 class ControllersPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -50,6 +51,10 @@ private:
     void showStates();
     void showStopped();
     void showButtons();
+    void showNumbers();
+    void isolate(bool alone);
+    void copyDebuggerCommand();
+    [[nodiscard]] const ControlledRobot* chosenController() const;
     void showRecent();
     void loadByDialog();
     [[nodiscard]] const ModuleInfo* currentModule() const;
@@ -66,6 +71,7 @@ private:
     QLabel* m_notice = nullptr;
     QTreeWidget* m_modules = nullptr;
     QTreeWidget* m_robots = nullptr;
+    ControllerDetails* m_details = nullptr;
     QToolButton* m_unload = nullptr;
     QToolButton* m_trust = nullptr;
     QMenu* m_recent = nullptr;

@@ -13,24 +13,23 @@ namespace {
 
 QString trState(const char* text) { return QCoreApplication::translate("ControllersPanel", text); }
 
-bool isOf(const RunSession& session, const std::string& built, const ControlledRobot& robot) {
-    if (built == robot.path) return true;
-    const Part* layout = session.results().built ? layoutOfMember(*session.results().built->outline, built) : nullptr;
-    return layout && layout->name == robot.path;
-}
-
 /// The stopped controllers of a robot, or of the members of a Grid or Scatter.
 std::vector<const StoppedController*> stoppedOf(const RunSession& session, const ControlledRobot& robot) {
     std::vector<const StoppedController*> found;
     const RunResults& results = session.results();
     if (!results.snapshot) return found;
     for (const StoppedController& stopped : results.snapshot->stopped)
-        if (isOf(session, results.experiment->robots[stopped.robot].name, robot)) found.push_back(&stopped);
+        if (isRobotOf(session, results.experiment->robots[stopped.robot].name, robot)) found.push_back(&stopped);
     return found;
 }
 
 ControllerState stoppedState(const std::vector<const StoppedController*>& stopped, const ControlledRobot& robot) {
     const StoppedController& first = *stopped.front();
+    const bool byCommand = std::ranges::all_of(stopped, &StoppedController::byCommand);
+    if (byCommand)
+        return {robot.members == 1 ? trState("stopped") : trState("%1 of %2 stopped").arg(QString::number(stopped.size()),
+                                                                                            QString::number(robot.members)),
+                false, false, trState("Stopped at t = %1 s; Restart starts it again").arg(QString::number(first.time))};
     QString detail = trState("At t = %1 s %2").arg(QString::number(first.time), toQString(first.fault.reason));
     for (const std::string& line : first.fault.backtrace) detail += QStringLiteral("\n  ") + toQString(line);
     const QString text = robot.members == 1 ? trState("stopped by a fault, see Problems")
@@ -41,13 +40,19 @@ ControllerState stoppedState(const std::vector<const StoppedController*>& stoppe
 
 } // namespace
 
+bool isRobotOf(const RunSession& session, const std::string& built, const ControlledRobot& robot) {
+    if (built == robot.path) return true;
+    const Part* layout = session.results().built ? layoutOfMember(*session.results().built->outline, built) : nullptr;
+    return layout && layout->name == robot.path;
+}
+
 ControllerState controllerState(const RunSession& session, const ControlledRobot& robot) {
     const auto experiment = session.results().experiment;
     if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
     const auto& robots = experiment->robots;
     auto built = std::ranges::find(robots, robot.path, &RobotSpec::name);
     if (built == robots.end()) // a Grid or Scatter: its first member represents it
-        built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isOf(session, spec.name, robot); });
+        built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isRobotOf(session, spec.name, robot); });
     if (built == robots.end()) return {trState("not in this run"), false, false};
     if (const std::size_t ended = session.robots().ended().countOf(robot.path); ended > 0)
         return {
@@ -65,7 +70,7 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
     switch (session.state()) {
     case RunState::Building: return {trState("is created"), true, false};
     case RunState::Running:
-        return {isOf(session, session.robots().driven(), robot) && !session.robots().driven().empty()
+        return {isRobotOf(session, session.robots().driven(), robot) && !session.robots().driven().empty()
                     ? trState("paused: driven from the keyboard")
                     : trState("runs"),
                 true, false};

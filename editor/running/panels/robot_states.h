@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include <QString>
 
 namespace trundle {
@@ -12,6 +14,8 @@ struct ControllerState {
     bool active = false, failed = false;
     QString detail = {}; ///< for a tool tip; or empty
 };
+/// Whether a robot of the run, by its name there, is this one or a member of it.
+[[nodiscard]] bool isRobotOf(const RunSession& session, const std::string& built, const ControlledRobot& robot);
 [[nodiscard]] ControllerState controllerState(const RunSession& session, const ControlledRobot& robot);
 
 } // namespace trundle

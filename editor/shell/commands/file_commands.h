@@ -26,6 +26,8 @@ public:
     void tryOut(const QString& path);
     /// True if nothing is unsaved any more, or the user discards it.
     [[nodiscard]] bool confirmClose();
+    /// Writes every changed file; asks where to if the experiment has no file of its own yet. False if something is not saved.
+    bool save();
     /// A menu of recent files.
     [[nodiscard]] QMenu* makeRecentMenu();
     /// Called before texts are saved or their state is queried: panels must pass pending text to the document.
@@ -41,7 +43,6 @@ private:
     void choose();
     void showOpening(const QString& path);
     void endOpening();
-    bool save();
     bool saveAs();
     void report(const QString& title, const Status& status);
 

@@ -15,27 +15,22 @@ namespace {
 
 using Sci = QsciScintillaBase;
 
-struct Look {
-    TextStyle style;
-    Ink ink;
-    bool bold = false, italic = false;
-};
-constexpr Look kLooks[] = {
-    {TextStyle::Plain, Ink::Text},
-    {TextStyle::Kind, Ink::Type, true},
-    {TextStyle::Name, Ink::Text, true},
-    {TextStyle::Key, Ink::Text},
-    {TextStyle::Keyword, Ink::Keyword},
-    {TextStyle::Number, Ink::Number},
-    {TextStyle::Unit, Ink::Number, false, true},
-    {TextStyle::Word, Ink::String},
-    {TextStyle::String, Ink::String},
-    {TextStyle::Param, Ink::Keyword},
-    {TextStyle::Comment, Ink::Comment, false, true},
-    {TextStyle::Directive, Ink::Keyword, true},
-    {TextStyle::Path, Ink::String},
-    {TextStyle::Mark, Ink::Faint},
-    {TextStyle::Wrong, Ink::Error},
+constexpr LanguageStyle kLooks[] = {
+    {static_cast<int>(TextStyle::Plain), Ink::Text},
+    {static_cast<int>(TextStyle::Kind), Ink::Type, true},
+    {static_cast<int>(TextStyle::Name), Ink::Text, true},
+    {static_cast<int>(TextStyle::Key), Ink::Text},
+    {static_cast<int>(TextStyle::Keyword), Ink::Keyword},
+    {static_cast<int>(TextStyle::Number), Ink::Number},
+    {static_cast<int>(TextStyle::Unit), Ink::Number, false, true},
+    {static_cast<int>(TextStyle::Word), Ink::String},
+    {static_cast<int>(TextStyle::String), Ink::String},
+    {static_cast<int>(TextStyle::Param), Ink::Keyword},
+    {static_cast<int>(TextStyle::Comment), Ink::Comment, false, true},
+    {static_cast<int>(TextStyle::Directive), Ink::Keyword, true},
+    {static_cast<int>(TextStyle::Path), Ink::String},
+    {static_cast<int>(TextStyle::Mark), Ink::Faint},
+    {static_cast<int>(TextStyle::Wrong), Ink::Error},
 };
 
 QColor mixed(const QColor& a, const QColor& b, double share) {
@@ -169,7 +164,7 @@ void buildMargins(QsciScintilla& edit) {
         edit.SendScintilla(Sci::SCI_MARKERDEFINE, static_cast<unsigned long>(marker), static_cast<long>(Sci::SC_MARK_EMPTY));
 }
 
-void applyAppearance(QsciScintilla& edit) {
+void applyAppearance(QsciScintilla& edit, CodeLanguage language) {
     const QColor base = edit.palette().color(QPalette::Base), text = ink(Ink::Text), accent = ink(Ink::Accent);
     const QFont font = monospaceFont();
     const qreal points = font.pointSizeF() > 0 ? font.pointSizeF() : font.pixelSize() * 72.0 / std::max(1, edit.logicalDpiY());
@@ -185,9 +180,10 @@ void applyAppearance(QsciScintilla& edit) {
     edit.SendScintilla(Sci::SCI_STYLECLEARALL);
     edit.setColor(text);
     edit.setPaper(base);
-    for (const Look& look : kLooks) {
+    const std::span<const LanguageStyle> others = stylesOf(language);
+    for (const LanguageStyle& look : others.empty() ? std::span<const LanguageStyle>(kLooks) : others) {
         const auto style = static_cast<unsigned long>(look.style);
-        styleFont(static_cast<int>(look.style));
+        styleFont(look.style);
         edit.SendScintilla(Sci::SCI_STYLESETFORE, style, ink(look.ink));
         edit.SendScintilla(Sci::SCI_STYLESETBACK, style, base);
         edit.SendScintilla(Sci::SCI_STYLESETBOLD, style, static_cast<long>(look.bold));

@@ -1,6 +1,8 @@
 #pragma once
 // Keys, margins, fonts and colours of the editor widget.
 
+#include "editor/text/code/code_language.h"
+
 class QsciScintilla;
 
 namespace trundle {
@@ -9,7 +11,7 @@ namespace trundle {
 /// and undo belongs to the document.
 void chooseKeys(QsciScintilla& edit);
 void buildMargins(QsciScintilla& edit);
-/// Fonts and colours of the theme.
-void applyAppearance(QsciScintilla& edit);
+/// Fonts and colours of the theme, for a text in this language.
+void applyAppearance(QsciScintilla& edit, CodeLanguage language);
 
 } // namespace trundle

@@ -71,6 +71,13 @@ void CodeEdit::setPlain(bool plain) {
     m_wrapping.setPlain(plain);
 }
 
+void CodeEdit::setLanguage(CodeLanguage language, bool plain) {
+    setPlain(plain);
+    m_styling.setLanguage(language);
+    m_marks.setBlocksShown(!m_styling.isPlain() && language == CodeLanguage::Trundle);
+    applyStyle();
+}
+
 std::uint32_t CodeEdit::bring(std::string_view bytes) {
     const QScopedValueRollback<bool> own(m_own, true);
     const std::vector<Splice> splices = splicesBetween(m_text.view(), m_text.hideBom(bytes));
@@ -189,7 +196,7 @@ void CodeEdit::fitNumberMargin() {
 }
 
 void CodeEdit::applyStyle() {
-    applyAppearance(*this);
+    applyAppearance(*this, m_styling.language());
     fitNumberMargin();
 }
 
@@ -201,7 +208,7 @@ void CodeEdit::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const auto at = static_cast<std::size_t>(m_text.caret()), anchor = static_cast<std::size_t>(m_text.anchor());
     if (plain && enter && !isReadOnly()) {
-        apply(newLine(m_text.view(), anchor, at, m_lineEnd, m_step));
+        apply(newLine(m_text.view(), anchor, at, m_lineEnd, m_step, m_styling.language() == CodeLanguage::Python));
     } else if (const auto closed = event->text() == QLatin1String("}") && at == anchor && !isReadOnly()
                                        ? closeBrace(m_text.view(), at)
                                        : std::nullopt) {

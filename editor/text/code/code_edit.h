@@ -25,8 +25,8 @@ public:
     std::uint32_t bring(std::string_view bytes);
     /// Sets the file's line end and indentation step.
     void setWays(const std::string& lineEnd, const std::string& step);
-    /// For large texts: no colours, folds or line wrapping, so that the widget stores no style per byte. Clears the text.
-    void setPlain(bool plain);
+    /// Plain, for large texts: no colours, folds or line wrapping, so that the widget stores no style per byte. Clears the text then.
+    void setLanguage(CodeLanguage language, bool plain);
 
     [[nodiscard]] std::uint32_t caret() const { return m_text.offset(m_text.caret()); }
     [[nodiscard]] TextRange selection() const { return m_text.selection(); }
@@ -73,6 +73,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void setPlain(bool plain);
     void applyStyle();
     void fitNumberMargin();
     void onModified(int at, int what, const char* text, int length);

@@ -15,10 +15,16 @@ void CodeStyling::setPlain(bool plain) {
     m_styles = {};
 }
 
+void CodeStyling::setLanguage(CodeLanguage language) {
+    m_language = language;
+    m_stale = true;
+    useLexer(m_edit, m_plain ? CodeLanguage::None : language);
+}
+
 void CodeStyling::update() {
     if (!m_stale) return;
     m_stale = false;
-    if (m_plain) return;
+    if (m_plain || m_language != CodeLanguage::Trundle) return;
     const std::string_view text = m_text.view();
     const std::vector<Token> tokens = Lexer(text).lex();
     m_styles = stylesOf(text, tokens);
@@ -33,6 +39,7 @@ void CodeStyling::update() {
 
 void CodeStyling::styleUpTo(int position) {
     constexpr long kLinesBefore = 3; // the style of a word may depend on the next line
+    if (m_language != CodeLanguage::Trundle) return;
     update();
     const long styled = m_edit.SendScintilla(Sci::SCI_GETENDSTYLED);
     const long line =

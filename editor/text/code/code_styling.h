@@ -1,8 +1,10 @@
 #pragma once
-// Colours and folds of a text, from the tokens of the language's own lexer. They are computed when the widget needs them.
+// Colours and folds of a text, from the tokens of the language's own lexer, computed when the widget needs them; for other languages
+// the widget's lexer makes them.
 
 #include <string>
 
+#include "editor/text/code/code_language.h"
 #include "editor/text/code/code_text.h"
 #include "editor/text/code/token_styles.h"
 
@@ -16,6 +18,9 @@ public:
     void textChanged() { m_stale = true; }
     void setPlain(bool plain); ///< no colours and no folds: for large texts
     [[nodiscard]] bool isPlain() const { return m_plain; }
+    /// Of a text that is not plain. Other languages than Trundle's are coloured and folded by the widget itself.
+    void setLanguage(CodeLanguage language);
+    [[nodiscard]] CodeLanguage language() const { return m_language; }
 
     void update(); ///< reads the tokens of a changed text, and folds it by them
     void styleUpTo(int position);
@@ -26,6 +31,7 @@ private:
     QsciScintilla& m_edit;
     const CodeText& m_text;
     std::string m_styles; ///< of the text without the BOM
+    CodeLanguage m_language = CodeLanguage::Trundle;
     bool m_plain = false;
     bool m_stale = true; ///< m_styles must be recomputed
 };

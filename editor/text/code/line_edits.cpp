@@ -45,8 +45,8 @@ Lines linesOf(std::string_view text, std::size_t anchor, std::size_t caret) {
     return {begin, lineStop(text, std::max(to, begin))};
 }
 
-/// Adds or removes `//` at the start of each line.
-std::string commented(std::string_view lines, bool on) {
+/// Adds or removes the mark of a comment at the start of each line.
+std::string commented(std::string_view lines, std::string_view mark, bool on) {
     std::size_t column = std::string_view::npos;
     for (std::size_t at = 0; at < lines.size(); at = lineNext(lines, at)) {
         const std::size_t blanks = blanksAt(lines, at).size();
@@ -59,9 +59,9 @@ std::string commented(std::string_view lines, bool on) {
         std::string_view line = lines.substr(at, next - at);
         const std::size_t blanks = blanksAt(lines, at).size();
         if (at + blanks >= stop) result += line;
-        else if (on) result.append(line.substr(0, column)).append("// ").append(line.substr(column));
+        else if (on) result.append(line.substr(0, column)).append(mark).append(" ").append(line.substr(column));
         else {
-            std::size_t end = blanks + 2;
+            std::size_t end = blanks + mark.size();
             if (end < line.size() && line[end] == ' ') ++end;
             result.append(line.substr(0, blanks)).append(line.substr(end));
         }
@@ -70,12 +70,12 @@ std::string commented(std::string_view lines, bool on) {
     return result;
 }
 
-bool allCommented(std::string_view lines) {
+bool allCommented(std::string_view lines, std::string_view mark) {
     bool any = false;
     for (std::size_t at = 0; at < lines.size(); at = lineNext(lines, at)) {
         const std::size_t first = at + blanksAt(lines, at).size();
         if (first >= lineStop(lines, at)) continue;
-        if (lines.substr(first, 2) != "//") return false;
+        if (!lines.substr(first).starts_with(mark)) return false;
         any = true;
     }
     return any;
@@ -83,10 +83,10 @@ bool allCommented(std::string_view lines) {
 
 } // namespace
 
-std::optional<LineEdit> toggleComment(std::string_view text, std::size_t anchor, std::size_t caret) {
+std::optional<LineEdit> toggleComment(std::string_view text, std::size_t anchor, std::size_t caret, std::string_view mark) {
     const Lines lines = linesOf(text, anchor, caret);
     const std::string_view before = text.substr(lines.begin, lines.stop - lines.begin);
-    const std::string after = commented(before, !allCommented(before));
+    const std::string after = commented(before, mark, !allCommented(before, mark));
     if (before == after) return std::nullopt;
     const std::vector<Splice> parts = splicesBetween(before, after);
     const auto moved = [&](std::size_t offset) { // maps an offset across the added or removed characters
@@ -136,7 +136,8 @@ std::optional<LineEdit> moveLines(std::string_view text, std::size_t anchor, std
     return LineEdit{{first.begin, second.stop - first.begin, swapped}, moved(anchor), moved(caret)};
 }
 
-LineEdit newLine(std::string_view text, std::size_t anchor, std::size_t caret, std::string_view lineEnd, std::string_view step) {
+LineEdit newLine(std::string_view text, std::size_t anchor, std::size_t caret, std::string_view lineEnd, std::string_view step,
+                 bool colonOpens) {
     const std::size_t from = std::min(anchor, caret), to = std::max(anchor, caret);
     const std::size_t begin = lineBegin(text, from);
     std::string_view blanks = blanksAt(text, begin);
@@ -146,7 +147,9 @@ LineEdit newLine(std::string_view text, std::size_t anchor, std::size_t caret, s
         if (token.kind == TokenKind::OpenBrace) ++depth;
         if (token.kind == TokenKind::CloseBrace && depth > 0) --depth;
     }
-    const bool opens = depth > 0;
+    std::size_t last = from;
+    while (last > begin && isBlank(text[last - 1])) --last;
+    const bool opens = depth > 0 || (colonOpens && last > begin && text[last - 1] == ':');
     std::string inserted(lineEnd);
     inserted += blanks;
     if (opens) inserted += step;

@@ -9,6 +9,7 @@
 
 #include "editor/document/document.h"
 #include "editor/text/code/code_edit.h"
+#include "editor/text/code/code_language.h"
 #include "editor/text/code/splice.h"
 #include "editor/text/pages/edit_name.h"
 #include "editor/text/pages/large_text.h"
@@ -16,6 +17,17 @@
 
 namespace trundle {
 namespace {
+
+/// One level of indentation of a program: that of its first indented line, 4 spaces if there is none.
+std::string indentStep(std::string_view text) {
+    for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) {
+        if (at + 1 < text.size() && text[at + 1] == '\t') return "\t";
+        const std::size_t first = text.find_first_not_of(' ', at + 1);
+        if (first != std::string_view::npos && first > at + 2 && text[first] != '\n' && text[first] != '*')
+            return std::string(std::min<std::size_t>(first - at - 1, 8), ' ');
+    }
+    return "    ";
+}
 
 constexpr int kWait = 10, kLongestWait = 400; ///< ms from a key press to the update of the document
 
@@ -93,8 +105,8 @@ void FilePage::showText() {
         });
     }
     if (m_notice) m_notice->setSize(QString::fromStdString(m_document.texts().shown(m_file)), size);
-    const bool experiment = id() != kNoFile || m_file.ends_with(".sim") || m_file.ends_with(".txt"); // or a module's source
-    m_edit->setPlain(size.isLarge() || !experiment);
+    const CodeLanguage language = id() != kNoFile ? CodeLanguage::Trundle : languageOf(m_file);
+    m_edit->setLanguage(language, size.isLarge() || language == CodeLanguage::None);
     m_edit->load(m_shown ? text : std::string_view());
     m_edit->setReadOnly(!m_shown);
     m_edit->setVisible(m_shown);
@@ -122,7 +134,10 @@ void FilePage::setFile(const std::string& file) {
 
 void FilePage::readWays() {
     const FileId file = id();
-    if (file == kNoFile) return;
+    if (file == kNoFile) {
+        const std::string_view text = m_base ? std::string_view(*m_base) : std::string_view();
+        return m_edit->setWays(text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n", indentStep(text));
+    }
     const EditStyle style = editStyle(*m_document.loaded()->trees[file]);
     m_edit->setWays(style.lineEnd, style.step);
 }
@@ -190,6 +205,7 @@ void FilePage::follow() {
 
 void FilePage::showProblems() {
     const FileId file = id();
+    if (file == kNoFile) return; // its marks are those of a build, and move with the text
     m_problems.clear();
     if (file != kNoFile && !m_typing.pending()) {
         for (const Diagnostic& d : m_document.loaded()->diagnostics.all())
@@ -204,6 +220,12 @@ void FilePage::showProblems() {
 void FilePage::setModelProblems(std::shared_ptr<const ModelProblems> problems) {
     m_modelProblems = std::move(problems);
     showProblems();
+}
+
+void FilePage::setBuildProblems(std::vector<Diagnostic> problems) {
+    if (id() != kNoFile) return;
+    m_problems = std::move(problems);
+    if (m_shown) m_edit->marks().showProblems(m_problems);
 }
 
 void FilePage::endWord(const QString& name) {

@@ -53,6 +53,8 @@ public:
     void follow();
     void showProblems();
     void setModelProblems(std::shared_ptr<const ModelProblems> problems); ///< shown while the document has these texts
+    /// Of a source outside the experiment: the messages of its last build, marked until the next one.
+    void setBuildProblems(std::vector<Diagnostic> problems);
     /// The next typing becomes a separate entry of the history, with this name if given.
     void endWord(const QString& name = {});
 

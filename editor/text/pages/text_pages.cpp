@@ -127,6 +127,7 @@ FilePage* TextPages::addPage(const std::string& file) {
     auto* page = new FilePage(m_document, file, this);
     page->setObjectName(QStringLiteral("page:") + nameOf(file));
     page->setModelProblems(m_modelProblems);
+    showBuild(*page);
     connectPage(*page);
     Q_EMIT pageAdded(page);
     addTab(page, withoutMnemonics(nameOf(file)));
@@ -236,6 +237,22 @@ void TextPages::reveal(const SourceRange& place, bool focus) {
 void TextPages::setModelProblems(std::shared_ptr<const ModelProblems> problems) {
     m_modelProblems = std::move(problems);
     for (FilePage* page : pages()) page->setModelProblems(m_modelProblems);
+}
+
+void TextPages::setBuildProblems(const std::vector<Diagnostic>& found, const std::shared_ptr<const LoadedProject>& sources) {
+    m_build = std::make_shared<const ModelProblems>(ModelProblems{sources, found});
+    for (FilePage* page : pages()) showBuild(*page);
+}
+
+/// Only if the source has not changed since.
+void TextPages::showBuild(FilePage& page) const {
+    std::vector<Diagnostic> own;
+    if (m_build && m_build->texts)
+        for (const Diagnostic& d : m_build->found)
+            if (d.range.known() && m_build->texts->paths[d.range.file] == page.file() &&
+                m_build->texts->sources[d.range.file].text->bytes() == page.edit().bytes())
+                own.push_back(d);
+    page.setBuildProblems(std::move(own));
 }
 
 } // namespace trundle

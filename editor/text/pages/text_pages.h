@@ -15,6 +15,8 @@ namespace trundle {
 
 class Document;
 class FilePage;
+struct Diagnostic;
+struct LoadedProject;
 struct ModelProblems;
 
 class TextPages final : public QTabWidget {
@@ -39,6 +41,9 @@ public:
     void reveal(const SourceRange& place, bool focus);
     void setModelProblems(std::shared_ptr<const ModelProblems> problems);
 
+    /// The messages of a build, and the texts that they are about.
+    void setBuildProblems(const std::vector<Diagnostic>& found, const std::shared_ptr<const LoadedProject>& sources);
+
     void closeAll();     ///< the document is another one
     void showOpened();   ///< shows the document's opened file; others follow on demand
     void follow();       ///< the document changed
@@ -60,9 +65,11 @@ private:
     void closePage(int index);
     void removePage(FilePage& page);
     void showTitles();
+    void showBuild(FilePage& page) const;
 
     Document& m_document;
     std::shared_ptr<const ModelProblems> m_modelProblems;
+    std::shared_ptr<const ModelProblems> m_build; ///< of the last build
     std::string m_opened;                ///< path of the opened file at the last update
     std::vector<std::string> m_modified; ///< modified files at the last update
     std::size_t m_historyAt = 0, m_historySize = 0;

@@ -1,5 +1,8 @@
 // The Controllers panel with controllers in processes of their own: restart after a fault, new code in a running experiment.
 #include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QPlainTextEdit>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QtTest>
@@ -20,6 +23,9 @@ constexpr ActionRow kRows[] = {
     {"controllers.assign", "", "Assign…", "", "", "Assign."},
     {"controllers.remove", "", "Remove", "delete", "", "Remove."},
     {"controllers.restart", "", "Restart", "restart", "", "Restart."},
+    {"controllers.stop", "", "Stop", "pause", "", "Stop."},
+    {"controllers.isolate", "", "Isolate", "", "", "Isolate.", true},
+    {"controllers.debug", "", "Debugger", "", "", "Debugger."},
     {"controllers.reload", "", "Reload", "", "", "Reload."},
     {"controllers.follow", "", "Follow", "", "", "Follow.", true},
 };
@@ -100,6 +106,50 @@ private Q_SLOTS:
         QTest::mouseClick(button, Qt::LeftButton);
         EVENTUALLY(stopped() > first); // it has run again, for as many turns, and time went on
         QVERIFY(reported("was started again"));
+        o.session.reset();
+        QVERIFY(o.session.endRuns());
+    }
+
+    /// Cost, process, stop, restart and isolation of a controller that works.
+    void aControllerIsMeasuredStoppedAndIsolated() {
+        SessionFixture o;
+        QVERIFY(build(o, QStringLiteral("zoo/libzoo")));
+        QVERIFY(o.open(text("Zoo brain { At=1000000 }")));
+        Selection selection;
+        Actions actions(kRows);
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        panel.resize(900, 300);
+        panel.show();
+        listen(o);
+        selection.select("leader");
+        o.session.run();
+        auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
+        EVENTUALLY(!robots->topLevelItem(0)->text(3).isEmpty() && robots->topLevelItem(0)->text(6) == QLatin1String("0"));
+        auto* details = panel.findChild<QPlainTextEdit*>(QStringLiteral("controllerDetails"));
+        EVENTUALLY(details->toPlainText().contains(QStringLiteral("calls, mean ")));
+        const auto costs = [&] { return o.session.results().snapshot->costs.at(0); };
+        QVERIFY(costs().process > 0 && costs().worstS > 0 && costs().totalS >= costs().worstS);
+        QGuiApplication::clipboard()->clear();
+        actions.at("controllers.debug").trigger();
+        QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("gdb -p %1").arg(costs().process));
+
+        actions.at("controllers.stop").trigger();
+        EVENTUALLY_EQUAL(robots->topLevelItem(0)->text(2), QStringLiteral("stopped"));
+        const std::uint64_t calls = costs().calls;
+        const std::uint64_t tick = o.tick();
+        EVENTUALLY(o.tick() > tick + 10); // the run continues
+        QCOMPARE(costs().calls, calls);
+        actions.at("controllers.restart").trigger();
+        EVENTUALLY(costs().calls > calls && costs().restarts == 1);
+        EVENTUALLY_EQUAL(robots->topLevelItem(0)->text(2), QStringLiteral("runs"));
+
+        const std::string before = *o.document.texts().text(o.document.path());
+        actions.at("controllers.isolate").trigger();
+        const std::string alone = *o.document.texts().text(o.document.path());
+        QVERIFY2(alone.find("Isolation") != std::string::npos && alone.find("robot") != std::string::npos, alone.c_str());
+        QVERIFY(actions.at("controllers.isolate").isChecked());
+        o.document.edits().undo();
+        QCOMPARE(*o.document.texts().text(o.document.path()), before);
         o.session.reset();
         QVERIFY(o.session.endRuns());
     }

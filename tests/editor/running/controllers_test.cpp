@@ -25,6 +25,9 @@ constexpr ActionRow kRows[] = {
     {"controllers.assign", "", "Assign…", "", "", "Assign."},
     {"controllers.remove", "", "Remove", "", "", "Remove."},
     {"controllers.restart", "", "Restart", "reset", "", "Restart."},
+    {"controllers.stop", "", "Stop", "pause", "", "Stop."},
+    {"controllers.isolate", "", "Isolate", "", "", "Isolate.", true},
+    {"controllers.debug", "", "Debugger", "", "", "Debugger."},
     {"controllers.reload", "", "Reload", "", "", "Reload."},
     {"controllers.follow", "", "Follow", "", "", "Follow.", true},
 };

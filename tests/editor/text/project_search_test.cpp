@@ -77,7 +77,7 @@ void ProjectSearchTest::findsInTheProjectsFolder() {
     QVERIFY(!w.document.texts().isModified());
     QTest::keyClick(list, Qt::Key_Home);
     QTest::keyClick(list, Qt::Key_Return);
-    QVERIFY(w.page().edit().styling().isPlain()); // not part of the experiment
+    QCOMPARE(w.page().edit().styling().language(), CodeLanguage::Cpp); // not part of the experiment
 }
 
 void ProjectSearchTest::findsWhatIsNotSaved() {

@@ -1,0 +1,36 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "control/backend.h"
+#include "run/runner.h"
+#include "run/schedule.h"
+
+namespace trundle {
+
+/// A controller of a run: when it is called, and what that cost.
+struct RunningController {
+    std::size_t robot; ///< index in the experiment
+    std::unique_ptr<ControllerBackend> backend;
+    Schedule schedule;
+    const CallTarget* target; ///< for monitoring its calls
+    double budget;            ///< s, for an update; 0: any
+    double lastTime = 0;
+    bool called = false, held = false;
+    bool due = false, slow = false; ///< in this tick; an update took longer than the budget
+    ControllerCost cost;
+
+    /// Announces an update.
+    void prepare(std::uint64_t tick, double time) { backend->prepare(tick, time, sinceLast(time)); }
+    /// Calls it. With `measures` all calls are measured, else only those that have a budget to keep.
+    [[nodiscard]] Status update(std::uint64_t tick, double time, CallMonitor& calls, bool measures);
+    /// The time of the first update that took longer than the budget, s, once; else none.
+    [[nodiscard]] std::optional<double> takeSlow() { return std::exchange(newlySlow, std::nullopt); }
+    [[nodiscard]] ControllerCost costNow() const;
+    [[nodiscard]] double sinceLast(double time) const { return called ? time - lastTime : 0; }
+
+    std::optional<double> newlySlow = {};
+};
+
+} // namespace trundle

@@ -1,0 +1,127 @@
+// Modules of the user's own: where their sources are, how they are built, and what the output of a build says.
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/compiler_messages.h"
+#include "app/module_build.h"
+#include "app/module_template.h"
+#include "project/loading/loaded_project.h"
+
+using namespace trundle;
+
+class ModuleBuildTest final : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void readsLines_data() {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QByteArray>("read"); // kind file line column text; empty: no message
+        QTest::newRow("gcc") << QByteArray("/p/wall.cpp:12:5: error: 'x' was not declared in this scope")
+                             << QByteArray("0 /p/wall.cpp 12 5 'x' was not declared in this scope");
+        QTest::newRow("clang warning") << QByteArray("../wall.cpp:3:1: warning: unused variable 'a' [-Wunused-variable]")
+                                       << QByteArray("1 ../wall.cpp 3 1 unused variable 'a' [-Wunused-variable]");
+        QTest::newRow("fatal") << QByteArray("a b.cpp:1:10: fatal error: none.h: No such file or directory")
+                               << QByteArray("0 a b.cpp 1 10 none.h: No such file or directory");
+        QTest::newRow("note") << QByteArray("a.cpp:7:3: note: declared here") << QByteArray("2 a.cpp 7 3 declared here");
+        QTest::newRow("linker with a line") << QByteArray("/usr/bin/ld: /p/a.cpp:9: undefined reference to `f()'")
+                                            << QByteArray("0 /p/a.cpp 9 0 undefined reference to `f()'");
+        QTest::newRow("linker") << QByteArray("a.cpp:(.text+0x12): undefined reference to `f()'")
+                                << QByteArray("0  0 0 undefined reference to `f()'");
+        QTest::newRow("lld") << QByteArray("ld.lld: error: undefined symbol: f()") << QByteArray("0  0 0 undefined symbol: f()");
+        QTest::newRow("cmake") << QByteArray("CMake Error at CMakeLists.txt:4 (find_package):") << QByteArray("0 CMakeLists.txt 4 0 ");
+        QTest::newRow("cmake warning") << QByteArray("CMake Warning (dev) at CMakeLists.txt:2 (x):")
+                                       << QByteArray("1 CMakeLists.txt 2 0 ");
+        QTest::newRow("progress") << QByteArray("[ 50%] Building CXX object CMakeFiles/module_wall.dir/wall.cpp.o") << QByteArray();
+        QTest::newRow("context") << QByteArray("   12 |     x = 3;") << QByteArray();
+        QTest::newRow("in function") << QByteArray("/p/wall.cpp: In function 'int f()':") << QByteArray();
+        QTest::newRow("time") << QByteArray("ended at 12:13:14: error") << QByteArray();
+        QTest::newRow("huge number") << QByteArray("a.cpp:99999999999999:1: error: x")
+                                     << QByteArray("0 a.cpp:99999999999999 1 0 x"); // of a file that does not exist
+        QTest::newRow("empty") << QByteArray() << QByteArray();
+    }
+    void readsLines() {
+        QFETCH(QByteArray, line);
+        const auto message = compilerMessage(line.toStdString());
+        const QByteArray read = message ? QByteArray::number(int(message->kind)) + ' ' + message->file.c_str() + ' ' +
+                                              QByteArray::number(message->line) + ' ' + QByteArray::number(message->column) + ' ' +
+                                              message->text.c_str()
+                                        : QByteArray();
+        QTEST(read, "read");
+    }
+
+    void givesPlaces() {
+        write("m/a.cpp", "int a;\n\tint b = colour;\n");
+        write("m/CMakeLists.txt", "project(m)\nfind_package(None REQUIRED)\n");
+        const std::string project = path(""), output = "../a.cpp:2:10: error: 'colour' was not declared\n"
+                                                       "../a.cpp:1:5: note: 'a' declared here\n"
+                                                       "../a.cpp:2:10: error: 'colour' was not declared\n"
+                                                       "/usr/include/stdio.h:1:1: error: elsewhere\n"
+                                                       "../a.cpp:900:1: warning: beyond the end\n"
+                                                       "CMake Error at ../CMakeLists.txt:2 (find_package):\n"
+                                                       "\n"
+                                                       "  None is not found\n";
+        const BuildMessages made =
+            readBuildOutput(output, path("m/build"), project, [&](const std::string& file) { return file.starts_with(project); });
+        QCOMPARE(made.found.size(), std::size_t(4));
+        const Diagnostic& first = made.found[0];
+        QCOMPARE(made.sources->paths.at(first.range.file), path("m/a.cpp"));
+        QCOMPARE(made.sources->sources.slice(first.range), std::string_view("colour"));
+        QCOMPARE(first.notes.size(), std::size_t(1));
+        QCOMPARE(made.sources->sources.slice(first.notes[0].second), std::string_view("a"));
+        QVERIFY(!made.found[1].range.known() && made.found[1].message == "elsewhere");
+        QVERIFY(!made.found[2].range.known() && made.found[2].severity == Severity::Warning);
+        QCOMPARE(made.found[3].message, std::string("None is not found"));
+        QCOMPARE(made.sources->paths.at(made.found[3].range.file), path("m/CMakeLists.txt"));
+        QCOMPARE(made.sources->sources[made.found[3].range.file].text->position(made.found[3].range.range.begin).line, 2u);
+    }
+
+    void findsTheFolderOfASource() {
+        write("mods/wall/CMakeLists.txt", "");
+        write("mods/wall/build/CMakeCache.txt", "");
+        const std::string project = path("").substr(0, path("").size() - 1);
+        QCOMPARE(moduleFolderOf(path("mods/wall/src/deep/a.cpp"), project), path("mods/wall"));
+        QCOMPARE(moduleFolderOf(path("mods/wall/build/libwall.so"), project), path("mods/wall"));
+        QCOMPARE(moduleFolderOf(path("mods/a.cpp"), project), std::string());
+        QCOMPARE(moduleFolderOf(path("mods/wall/a.cpp"), path("mods/other")), std::string()); // of another project
+        QCOMPARE(moduleFolderOf(path("mods/wall/a.cpp"), path("mods/wal")), std::string());
+        QCOMPARE(moduleFolderOf(std::string(), project), std::string());
+    }
+
+    void configuresOnce() {
+        const Locations places = findLocations();
+        QCOMPARE(buildSteps(path("new"), places).size(), std::size_t(2));
+        write("new/build/CMakeCache.txt", ""); // as an interrupted configuration leaves it
+        QCOMPARE(buildSteps(path("new"), places).size(), std::size_t(2));
+        write("new/build/Makefile", "");
+        QCOMPARE(buildSteps(path("new"), places).size(), std::size_t(1));
+    }
+
+    void namesModules() {
+        QCOMPARE(moduleNameFor("WallFollow"), std::string("wall_follow"));
+        QCOMPARE(moduleNameFor("LEDRing"), std::string("led_ring"));
+        for (const char* bad : {"", "wall", "2D", "Wall Follow", "Wänd", "A/B"}) QVERIFY2(!kindNameFault(bad).empty(), bad);
+        QVERIFY(kindNameFault("WallFollow2").empty());
+        const auto made = makeModule(ModuleTemplate::PythonController, "Wander", path(""), findLocations());
+        QVERIFY(made.ok() && made.value().source == path("wander/wander.py") && QFile::exists(QString::fromStdString(made.value().source)));
+        QVERIFY(!makeModule(ModuleTemplate::Controller, "Wander", path(""), findLocations()).ok()); // nothing is replaced
+    }
+
+private:
+    [[nodiscard]] std::string path(const char* name) const {
+        return (QDir(m_folder.path()).canonicalPath() + u'/' + QLatin1String(name)).toStdString();
+    }
+    void write(const char* name, const QByteArray& bytes) const {
+        const QString file = QString::fromStdString(path(name));
+        QVERIFY(QDir().mkpath(QFileInfo(file).path()));
+        QFile out(file);
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write(bytes);
+    }
+
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(ModuleBuildTest)
+#include "module_build_test.moc"

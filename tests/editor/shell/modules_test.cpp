@@ -1,0 +1,251 @@
+// Controllers of the user's own, from the menu to the running robot: new, edited, built, used. With CMake and the compiler of the machine.
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTreeView>
+#include <QtTest>
+
+#include "editor/problems/problems_model.h"
+#include "editor/problems/problems_panel.h"
+#include "editor/running/panels/controller_commands.h"
+#include "editor/running/panels/controllers_panel.h"
+#include "editor/running/panels/trust.h"
+#include "editor/shell/commands/module_commands.h"
+#include "editor/shell/window_fixture.h"
+#include "editor/text/code/code_edit.h"
+#include "editor/text/pages/file_page.h"
+#include "editor/text/text_panel.h"
+#include "eventually.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kMain = "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nTick = 0.01\n"
+                         "Static floor { Config=OpenFloor }\nRobot rover { Config=SimpleRobot }\n";
+double valueOf(const RunResults& results, const char* signal) {
+    const SignalEntry* entry = results.layout ? results.layout->find(signal) : nullptr;
+    return entry && results.snapshot ? results.snapshot->block->slots()[entry->offset] : 0;
+}
+
+constexpr int kBuildMs = 120'000; // of a slow machine
+
+} // namespace
+
+class ModulesTest final : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        applyTheme(*qApp, ThemeKind::Light);
+        m_application = makeApplication(findLocations(), Isolation::Module); // as the program does
+    }
+    void init() {
+        QSettings().clear();
+        m_folder = std::make_unique<QTemporaryDir>();
+        write("main.sim", kMain);
+        m_window = std::make_unique<MainWindow>(*m_application, nullptr, findLocations());
+        m_window->show();
+        QVERIFY(m_window->open(path("main.sim")));
+        EVENTUALLY(m_window->document().isOpen());
+        m_result.reset();
+        connect(&m_window->modules().builder(), &ModuleBuilder::ended, this, [this](const BuildResult& result) { m_result = result; });
+    }
+    void cleanup() { m_window.reset(); }
+
+    /// The whole way in C++: the dialog, the first build, the run, a mistake, its place, the repair, the new code in the running robot.
+    void aControllerInCpp() {
+        m_window->selection().select("rover");
+        makeNew("Circler", false);
+        QVERIFY(TrustedFolders::covers(path("circler")));
+        QCOMPARE(QFileInfo(QString::fromStdString(page()->file())).fileName(), QStringLiteral("circler.cpp"));
+        QCOMPARE(page()->edit().styling().language(), CodeLanguage::Cpp);
+        awaitBuild();
+        QVERIFY2(m_result->succeeded, qPrintable(m_result->failure));
+        QVERIFY(m_result->messages.found.empty()); // no warning
+        QVERIFY2(text().find("#loadModule circler/build/circler\n") != std::string::npos, text().c_str());
+        QVERIFY2(text().find("Circler brain") != std::string::npos, text().c_str());
+        QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
+
+        m_window->session().run();
+        EVENTUALLY(value("rover/base/linearVelocity") > 0.1); // the template's Speed
+        const std::string source = bytes();
+        replace("drive.move(speed, turnRate);", "drive.move(-sped, turnRate);");
+        QVERIFY(m_window->document().texts().isModified(page()->file()));
+        build();
+        QVERIFY(!m_result->succeeded && m_result->messages.found.size() == 1);
+        const Diagnostic& wrong = m_result->messages.found[0];
+        QCOMPARE(m_result->messages.sources->sources.slice(wrong.range), std::string_view("sped"));
+        m_window->text().reveal(m_window->document().path(), {}, true);
+        clickProblem();
+        QCOMPARE(QFileInfo(QString::fromStdString(page()->file())).fileName(), QStringLiteral("circler.cpp"));
+        QCOMPARE(selectedText(), std::string("sped"));
+        QVERIFY(value("rover/base/linearVelocity") > 0.1); // the old code goes on
+
+        replace("-sped", "-speed");
+        build();
+        QVERIFY(m_result->succeeded);
+        EVENTUALLY(value("rover/base/linearVelocity") < -0.1);
+        QVERIFY(m_window->session().results().time() > 0);
+        QCOMPARE(problems().rowCount(), 0);
+        QFile saved(path("circler/circler.cpp"));
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        QCOMPARE(saved.readAll().toStdString(), bytes()); // a build saves first
+
+        m_window->document().edits().undo(); // typing in a source is in the same history
+        m_window->document().edits().undo();
+        QCOMPARE(bytes(), source);
+        m_window->document().edits().undo(); // the use of the controller
+        QCOMPARE(text(), kMain.toStdString());
+        m_window->session().reset();
+    }
+
+    void aControllerInPython() {
+        m_window->selection().select("rover");
+        makeNew("Wander", true);
+        QCOMPARE(page()->edit().styling().language(), CodeLanguage::Python);
+        QVERIFY2(text().find("#loadModule wander/wander\n") != std::string::npos, text().c_str());
+        QVERIFY2(text().find("Wander brain") != std::string::npos, text().c_str());
+        m_window->session().run();
+        EVENTUALLY(value("rover/base/linearVelocity") > 0.1);
+        replace("self.drive.move(self.speed,", "self.drive.move(-self.speed,");
+        m_window->actions().at("controllers.build").trigger(); // saves; there is nothing to build
+        QVERIFY(!m_window->modules().builder().isRunning());
+        QVERIFY(!m_window->document().texts().isModified());
+        EVENTUALLY(value("rover/base/linearVelocity") < -0.1);
+        m_window->session().reset();
+    }
+
+    void aComponent() {
+        m_window->actions().at("controllers.newComponent").trigger();
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
+        QVERIFY(dialog && !dialog->findChild<QRadioButton*>(QStringLiteral("modulePython")));
+        dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"))->setText(QStringLiteral("Feeler"));
+        dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
+        awaitBuild();
+        QVERIFY2(m_result->succeeded, qPrintable(m_result->failure));
+        QVERIFY2(text().find("#loadModule feeler/build/feeler\n") != std::string::npos, text().c_str());
+        QVERIFY(m_window->document().loaded()->registry->find("Feeler"));
+    }
+
+    void namesThatCannotBe() {
+        write("taken/x", "");
+        m_window->actions().at("controllers.new").trigger();
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
+        QVERIFY(dialog);
+        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"));
+        auto* create = dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"));
+        for (const char* bad : {"", "wall", "Wall Follow", "RotaryMotor", "LinearMotion", "Taken"}) {
+            name->setText(QLatin1String(bad));
+            QVERIFY2(!create->isEnabled(), bad);
+        }
+        name->setText(QStringLiteral("WallFollow2"));
+        QVERIFY(create->isEnabled());
+        dialog->findChild<QLineEdit*>(QStringLiteral("moduleFolder"))->setText(QStringLiteral("/tmp"));
+        QVERIFY(!create->isEnabled());
+        dialog->reject();
+    }
+
+    /// Its commands would write a file.
+    void anUntrustedFolderIsNotBuilt() {
+        write("evil/CMakeLists.txt", "cmake_minimum_required(VERSION 3.25)\nproject(evil NONE)\nfile(WRITE ${CMAKE_SOURCE_DIR}/ran \"\")\n");
+        write("evil/evil.cpp", "int a;\n");
+        int asked = 0;
+        bool answer = false;
+        m_window->findChild<ControllersPanel*>()->commands().setAsk([&](const QString&, const QString& folder) {
+            ++asked;
+            return answer && folder == path("evil");
+        });
+        QVERIFY(m_window->text().openFile(path("evil/evil.cpp").toStdString()));
+        m_window->actions().at("controllers.build").trigger();
+        QVERIFY(asked == 1 && !m_window->modules().builder().isRunning() && !QFile::exists(path("evil/ran")));
+        answer = true;
+        build();
+        QVERIFY(asked == 2 && QFile::exists(path("evil/ran")));
+        build();
+        QCOMPARE(asked, 2);
+    }
+
+    void cancels() {
+        write("slow/CMakeLists.txt",
+              "cmake_minimum_required(VERSION 3.25)\nproject(slow NONE)\nexecute_process(COMMAND sleep 600)\n");
+        write("slow/slow.cpp", "int a;\n");
+        TrustedFolders::add(path("slow"));
+        m_window->findChild<ControllersPanel*>()->commands().applyTrust();
+        QVERIFY(m_window->text().openFile(path("slow/slow.cpp").toStdString()));
+        m_window->actions().at("controllers.build").trigger();
+        QVERIFY(m_window->modules().builder().isRunning() && !m_window->actions().at("controllers.build").isEnabled());
+        m_window->actions().at("controllers.cancelBuild").trigger();
+        awaitBuild();
+        QVERIFY(m_result->cancelled && !m_result->succeeded);
+        QVERIFY(m_window->actions().at("controllers.build").isEnabled());
+    }
+
+private:
+    [[nodiscard]] QString path(const char* name) const {
+        return QDir(m_folder->path()).canonicalPath() + u'/' + QLatin1String(name);
+    }
+    void write(const char* name, const QByteArray& bytes) const {
+        QVERIFY(QDir().mkpath(QFileInfo(path(name)).path()));
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+    [[nodiscard]] FilePage* page() const { return m_window->text().page(); }
+    [[nodiscard]] std::string bytes() const { return *m_window->document().texts().text(page()->file()); }
+    [[nodiscard]] std::string text() const { return *m_window->document().texts().text(m_window->document().path()); }
+    [[nodiscard]] std::string selectedText() const {
+        const TextRange range = page()->edit().selection();
+        return page()->edit().bytes().substr(range.begin, range.size());
+    }
+    [[nodiscard]] QAbstractItemModel& problems() const {
+        return *m_window->findChild<ProblemsPanel*>()->findChild<QTreeView*>()->model();
+    }
+    void clickProblem() {
+        auto* view = m_window->findChild<ProblemsPanel*>()->findChild<QTreeView*>();
+        const QModelIndex first = view->model()->index(0, 0);
+        QVERIFY(first.isValid());
+        QCOMPARE(view->model()->index(0, ProblemsModel::CodeColumn).data().toString(), QStringLiteral("build"));
+        Q_EMIT view->clicked(first);
+    }
+    void makeNew(const char* kind, bool python) {
+        m_window->actions().at("controllers.new").trigger();
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
+        QVERIFY(dialog);
+        dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"))->setText(QLatin1String(kind));
+        if (python) dialog->findChild<QRadioButton*>(QStringLiteral("modulePython"))->click();
+        QVERIFY(dialog->findChild<QCheckBox*>(QStringLiteral("moduleUse"))->text().contains(QStringLiteral("rover")));
+        dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
+        QVERIFY(page());
+    }
+    /// Types over the first place of a text.
+    void replace(const char* from, const char* to) {
+        const std::string now = page()->edit().bytes();
+        const auto at = static_cast<std::uint32_t>(now.find(from));
+        QVERIFY(at < now.size());
+        page()->endWord();
+        page()->edit().type({at, at + static_cast<std::uint32_t>(strlen(from))}, to, at);
+        m_window->text().flush();
+    }
+    void awaitBuild() { QTRY_VERIFY_WITH_TIMEOUT(m_result.has_value(), kBuildMs); }
+    void build() {
+        m_result.reset();
+        m_window->actions().at("controllers.build").trigger();
+        awaitBuild();
+    }
+    [[nodiscard]] double value(const char* signal) const {
+        return valueOf(m_window->session().results(), signal);
+    }
+
+    std::unique_ptr<Application> m_application;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+    std::optional<BuildResult> m_result;
+};
+
+QTEST_MAIN(ModulesTest)
+#include "modules_test.moc"
