@@ -161,6 +161,7 @@ private Q_SLOTS:
         const Kind kind = *fixture.application.builtIn()->find(name.toStdString());
         if (kind.role != Role::Settings) {
             for (int i = 0; i < 2 && kind.name == "LinearMotor"; ++i) QCOMPARE(insert(fixture, "Slider"), QString()); // to choose from
+            for (int i = 0; i < 2 && kind.name == "OmniDrive"; ++i) QCOMPARE(insert(fixture, "RotaryMotor"), QString());
             QCOMPARE(insert(fixture, kind.name), QString());
             QCOMPARE(faults(fixture), QString());
             QVERIFY(!fixture.selection.empty());
