@@ -45,7 +45,8 @@ ControllerDetails::ControllerDetails(RunSession& session, QWidget* parent) : QPl
     setFrameStyle(QFrame::NoFrame);
     setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     setPlaceholderText(tr("Select a robot to see what its controller does."));
-    setMinimumWidth(160);
+    setMinimumWidth(0); // it takes no room from the lists in narrow windows
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
     auto* timer = new QTimer(this);
     timer->setInterval(250);
     connect(timer, &QTimer::timeout, this, &ControllerDetails::refresh);

@@ -131,6 +131,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
     halves->addWidget(makeRobots());
     m_details = new ControllerDetails(session, this);
     halves->addWidget(m_details);
+    halves->setCollapsible(2, true);
     for (int half : {0, 1, 2}) halves->setStretchFactor(half, half == 1 ? 3 : 2);
     column->addWidget(halves, 1);
 
@@ -203,7 +204,7 @@ QWidget* ControllersPanel::makeRobots() {
     QToolButton* remove = actionButton(m_actions.at("controllers.remove"), tr("Remove"));
     QToolButton* alone = actionButton(m_actions.at("controllers.isolate"), tr("Isolate"));
     QToolButton* debugger = actionButton(m_actions.at("controllers.debug"), tr("Debugger"));
-    for (QToolButton* button : {restart, stop, remove}) button->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows
+    for (QToolButton* button : {restart, stop, remove, alone, debugger}) button->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows
     return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, stop, remove, alone, debugger});
 }
 

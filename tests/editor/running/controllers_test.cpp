@@ -25,9 +25,7 @@ constexpr ActionRow kRows[] = {
     {"controllers.assign", "", "Assign…", "", "", "Assign."},
     {"controllers.remove", "", "Remove", "", "", "Remove."},
     {"controllers.restart", "", "Restart", "reset", "", "Restart."},
-    {"controllers.stop", "", "Stop", "pause", "", "Stop."},
-    {"controllers.isolate", "", "Isolate", "", "", "Isolate.", true},
-    {"controllers.debug", "", "Debugger", "", "", "Debugger."},
+    {"controllers.stop", "", "Stop", "pause", "", "Stop."}, {"controllers.isolate", "", "Isolate", "", "", "Isolate.", true}, {"controllers.debug", "", "Debugger", "", "", "Debugger."},
     {"controllers.reload", "", "Reload", "", "", "Reload."},
     {"controllers.follow", "", "Follow", "", "", "Follow.", true},
 };
