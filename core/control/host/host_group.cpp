@@ -18,6 +18,12 @@ constexpr double kLongestCallS = 10, kLongestEndS = 3, kShortestLimitS = 1, kBud
 
 bool isEnd(HostPhase phase) { return phase == HostPhase::Destructor || phase == HostPhase::Unload; }
 
+/// That of a Python file also has the times of its sources, which differ after each change.
+bool isSameDescription(const std::string& a, const std::string& b, const std::string& library) {
+    const Result<std::vector<Kind>> kinds = kindsFromJson(a, library), others = kindsFromJson(b, library);
+    return kinds && others && kindsToJson(kinds.value()) == kindsToJson(others.value());
+}
+
 } // namespace
 
 std::size_t HostGroup::add(std::size_t robot) {
@@ -95,7 +101,7 @@ Status HostGroup::replaceHost() {
     if (!host) return host.error();
     const Result<std::string> json = loadInto(*host.value());
     if (!json) return json.error();
-    if (json.value() != m_json)
+    if (!isSameDescription(json.value(), m_json, m_library))
         return Error{Code::ControllerFailed, m_library + " has other properties or published values now: reset the run to use it"};
     for (std::size_t i = 0; i < m_members.size(); ++i) stop(i);
     m_host = std::move(host).value();
