@@ -200,12 +200,19 @@ QWidget* ControllersPanel::makeRobots() {
     });
     connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
     QToolButton* restart = actionButton(m_actions.at("controllers.restart"), tr("Restart"));
-    QToolButton* stop = actionButton(m_actions.at("controllers.stop"), tr("Stop"));
-    QToolButton* remove = actionButton(m_actions.at("controllers.remove"), tr("Remove"));
-    QToolButton* alone = actionButton(m_actions.at("controllers.isolate"), tr("Isolate"));
-    QToolButton* debugger = actionButton(m_actions.at("controllers.debug"), tr("Debugger"));
-    for (QToolButton* button : {restart, stop, remove, alone, debugger}) button->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows
-    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, stop, remove, alone, debugger});
+    restart->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows, as is the menu
+    auto* more = new QToolButton;
+    more->setObjectName(QStringLiteral("controllersMore"));
+    more->setText(QStringLiteral("…"));
+    more->setAccessibleName(tr("More for the selected robots"));
+    more->setToolTip(more->accessibleName());
+    more->setAutoRaise(true);
+    more->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(more);
+    for (const char* action : {"controllers.stop", "controllers.remove", "controllers.isolate", "controllers.debug"})
+        menu->addAction(&m_actions.at(action));
+    more->setMenu(menu);
+    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, more});
 }
 
 void ControllersPanel::connectActions() {
