@@ -165,7 +165,7 @@ Static arena { Config=Arena }
             "RobotConfig Rover {\n  #import parts/wheel.sim\n  #import parts\\wheel.sim\n}\nRobot robot0 { Config=Rover }\n");
         QVERIFY(loaded);
         // `../common` from parts/ is outside parts/ but inside the project folder
-        SAYS(loaded, "");
+        SAYS(loaded, "E331 parts\\wheel.sim is imported twice in one block; once is enough\n");
         QCOMPARE(loaded->experiment->robots.at(0).config->bodies.at(0).name, "wheel");
         QCOMPARE(loaded->experiment->robots[0].config->bodies[0].geoms[0].material, 1u);
         QCOMPARE(loaded->trees.size(), 3u);
@@ -180,7 +180,8 @@ Static arena { Config=Arena }
         }
         fixture.write("end.sim", "Tick = 0.02\n");
         const auto loaded = fixture.open("#import f1.sim\n#import f1.sim\n");
-        SAYS(loaded, "");
+        QCOMPARE(loaded->diagnostics.all().size(), 31u); // one for each of the files that import twice
+        for (const Diagnostic& d : loaded->diagnostics.all()) QCOMPARE(d.code, Code::ImportedTwice);
         QCOMPARE(loaded->trees.size(), 32u);
         QCOMPARE(loaded->experiment->settings.tick, 0.02);
     }

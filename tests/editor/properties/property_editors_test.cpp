@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY(fixture.open("RobotConfig Kit {\n  Param r = 5 cm { Min=2 cm Max=20 cm Help=\"of the ball\" }\n"
                              "  Param mass = 1 { Choices=1,2,4 }  // kg\n"
                              "  Body b { Sphere s { Radius=$r Mass=$mass Material=red Surface=rubber } }\n}\n"
-                             "Robot kit { Config=Kit Pos=0,0,1 }\n"));
+                             "Robot kit { Config=Kit Pos=0,0,1 }\nRobot other { Config=Kit Pos=1,0,1 }\n"));
         fixture.selection.select("kit");
         QCOMPARE(fixture.row("param.r")->findChild<QLabel*>(QStringLiteral("label"))->toolTip(),
                  QStringLiteral("r – from 2 to 20 cm\nof the ball"));
