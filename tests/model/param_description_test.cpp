@@ -14,7 +14,7 @@ const char* const kLooks = "Material red { ColorRGB=1,0,0 }\nSurface rubber { Fr
 Resolved resolved(const std::string& text) { return sample::resolved(kLooks + text); }
 
 /// The messages, each once: a config is resolved for itself and for its instances.
-QString said(const Resolved& read) {
+QString messagesOf(const Resolved& read) {
     QStringList lines = QString::fromStdString(read.messages()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     lines.removeDuplicates();
     return lines.join(QLatin1Char('\n'));
@@ -57,7 +57,7 @@ private Q_SLOTS:
         QFETCH(QString, value);
         const std::string robot = "Robot a { Config=Kit Pos=0,0,1 " + value.toStdString() + " }";
         const Resolved read = resolved(kit(kParams, robot));
-        QTEST(said(read), "said");
+        QTEST(messagesOf(read), "said");
         for (const Diagnostic& d : read.diagnostics.all()) // at the instance, which names the description
             QVERIFY(read.texts->slice(d.range).size() < 12 && d.range.range.begin > (kLooks + kit(kParams, "")).size());
         for (const Diagnostic& d : read.diagnostics.all()) QCOMPARE(d.notes.back().first, std::string(kDescribedHere));
@@ -67,17 +67,17 @@ private Q_SLOTS:
         const std::string text = kit(kParams, "RobotConfig Big { Config=Kit r=0.3 }\nGrid g { Config=Kit Count=2,1 Spacing=1,1 "
                                               "Pos=0,0,1 r=$(0.15+0.1*index) }");
         const Resolved read = resolved(text);
-        QCOMPARE(said(read),
+        QCOMPARE(messagesOf(read),
                  QStringLiteral("E203 r is 0.3, it must be from 2 to 20 cm\nE203 r is 0.25, it must be from 2 to 20 cm"));
     }
 
     void ownValuesAreCompared() {
         const Resolved read = resolved("Param n = 7 { Min=1 Max=4 }");
-        QCOMPARE(said(read), QStringLiteral("E203 n is 7, it must be from 1 to 4"));
+        QCOMPARE(messagesOf(read), QStringLiteral("E203 n is 7, it must be from 1 to 4"));
     }
 
     void lists() {
-        QCOMPARE(said(resolved("Param l = 1,5,2 { Max=4 }")),
+        QCOMPARE(messagesOf(resolved("Param l = 1,5,2 { Max=4 }")),
                  QStringLiteral("E203 l is 5, it must be at most 4"));
     }
 
@@ -101,7 +101,7 @@ private Q_SLOTS:
     void mistakes() {
         QFETCH(QString, description);
         const Resolved read = resolved("Param n = 3 " + description.toStdString());
-        QTEST(said(read), "said");
+        QTEST(messagesOf(read), "said");
     }
 
     void aDescribedParamHoldsLimitsAndHelp() {
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QCOMPARE(config->param("m")->description->limits(), std::string("1, 2 or 4"));
     }
 
-    /// A value that is wrong where it is used, of a Param without description, is told at the instance that gives it.
+    /// A value that is wrong where it is used, of a Param without description, is reported at the instance that gives it.
     void wrongValuesInExpressionsAreReportedAtTheInstance_data() {
         QTest::addColumn<QString>("value");
         QTest::addColumn<QString>("said");
@@ -128,7 +128,7 @@ private Q_SLOTS:
         const std::string config = "RobotConfig Kit { Param r = 1 Param half = $(r/2) "
                                    "Body b { Sphere s { Radius=$half Mass=1 Material=red Surface=rubber } } }\n";
         const Resolved read = resolved(config + "Robot a { Config=Kit Pos=0,0,1 " + value.toStdString() + " }");
-        QTEST(said(read), "said");
+        QTEST(messagesOf(read), "said");
         const Diagnostic& d = read.diagnostics.all().front();
         QCOMPARE(read.texts->slice(d.range), std::string_view(value.toStdString()).substr(2));
     }
@@ -157,7 +157,7 @@ private Q_SLOTS:
                                        "Radius=" +
                                        value.toStdString() +
                                        " Mass=1 Material=$(element(colours, 1)) Surface=rubber } } }\nRobot a { Config=Kit Pos=0,0,1 }");
-        const QString first = said(read).section(QLatin1Char('\n'), 0, 0);
+        const QString first = messagesOf(read).section(QLatin1Char('\n'), 0, 0);
         QTEST(first, "message");
         if (!first.isEmpty()) return;
         const GeomSpec& ball = read.config().bodies.at(0).geoms.at(0);

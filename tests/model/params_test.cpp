@@ -176,7 +176,7 @@ private Q_SLOTS:
         row("x = $(mod(1))", "E113 `mod` takes two arguments\n");
         row("x = $(abs(1, 2))", "E113 `abs` takes one argument\n");
         row("x = $(sine(30))",
-            "E113 there is no function `sine`; there are min max abs sqrt sin cos tan asin acos atan2 floor ceil round mod if\n");
+            "E113 there is no function `sine`; there are min max abs sqrt sin cos tan asin acos atan2 floor ceil round mod if element\n");
         row("Param list = 1, 2\nx = $(list + 1)", "E213 Param list is a list of 2, an expression takes numbers\n");
         row("Param word = hi\nx = $(word + 1)", "E213 Param word is hi, an expression takes numbers\n");
         row("Param odd = 3 furlong\nx = $(odd + 1)", "E213 Param odd is 3 furlong: there is no unit furlong\n");

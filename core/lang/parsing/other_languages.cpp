@@ -21,7 +21,7 @@ bool OtherLanguages::loop() {
     const std::size_t brace = braceInLine();
     error(Code::UnexpectedText, range(),
           word == "if" ? "a block cannot depend on a condition, a value can: $(if(a > b, x, y))"
-                       : "there is no `" + word + "`: blocks that are there several times stand in `Repeat name { Count=4 ... }`, " +
+                       : "there is no `" + word + "`: blocks that are there several times belong in `Repeat name { Count=4 ... }`, " +
                              "with $(index) in their values");
     if (brace == 0) {
         do advance();

@@ -93,6 +93,19 @@ QToolButton* actionButton(QAction& action, const QString& text) {
     return made;
 }
 
+/// What is needed less often for the selected robots.
+QToolButton* moreButton(Actions& actions) {
+    QToolButton* more =
+        textButton("controllersMore", QStringLiteral("…"), ControllersPanel::tr("More for the selected robots"));
+    more->setAccessibleName(more->toolTip());
+    more->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(more);
+    for (const char* action : {"controllers.stop", "controllers.remove", "controllers.isolate", "controllers.debug"})
+        menu->addAction(&actions.at(action));
+    more->setMenu(menu);
+    return more;
+}
+
 /// Without a dock title: the list's header describes it, and the title's room is needed for the buttons.
 QWidget* withTools(QTreeWidget* list, const QList<QWidget*>& tools) {
     auto* box = new QWidget;
@@ -201,18 +214,7 @@ QWidget* ControllersPanel::makeRobots() {
     connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
     QToolButton* restart = actionButton(m_actions.at("controllers.restart"), tr("Restart"));
     restart->setToolButtonStyle(Qt::ToolButtonIconOnly); // for narrow windows, as is the menu
-    auto* more = new QToolButton;
-    more->setObjectName(QStringLiteral("controllersMore"));
-    more->setText(QStringLiteral("…"));
-    more->setAccessibleName(tr("More for the selected robots"));
-    more->setToolTip(more->accessibleName());
-    more->setAutoRaise(true);
-    more->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(more);
-    for (const char* action : {"controllers.stop", "controllers.remove", "controllers.isolate", "controllers.debug"})
-        menu->addAction(&m_actions.at(action));
-    more->setMenu(menu);
-    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, more});
+    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")), restart, moreButton(m_actions)});
 }
 
 void ControllersPanel::connectActions() {
