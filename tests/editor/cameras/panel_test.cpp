@@ -84,20 +84,24 @@ private Q_SLOTS:
             return made != images.end() && tile->picture.shot.made && tile->picture.frame == tile->picture.shot.made;
         };
         EVENTUALLY(m_window->session.results().snapshot && fromTheRun());
-        const int drawn = m_window->cameras.drawnCount();
+        // Eight in a row, without one rendered: on a slow machine an image of the run may be overdue.
+        int before = m_window->cameras.drawnCount();
         QSet<const CameraImage*> seen;
-        QObject::connect(&m_window->cameras, &CamerasPanel::pictureShown, &m_window->document,
-                         [&] { seen.insert(m_window->tile("robot0/eye")->picture.frame.get()); });
+        const auto watched = QObject::connect(&m_window->cameras, &CamerasPanel::pictureShown, &m_window->document, [&] {
+            if (std::exchange(before, m_window->cameras.drawnCount()) != m_window->cameras.drawnCount()) seen.clear();
+            else if (seen.size() < 8) seen.insert(m_window->tile("robot0/eye")->picture.frame.get());
+        });
         EVENTUALLY(seen.size() >= 8);
-        QCOMPARE(m_window->cameras.drawnCount(), drawn);
-        QVERIFY(fromTheRun());
+        QObject::disconnect(watched);
+        EVENTUALLY(fromTheRun());
+        const int drawn = m_window->cameras.drawnCount();
         // Another mode is not what the run made.
         m_window->cameras.setMode(CameraMode::Segmentation);
         EVENTUALLY(m_window->cameras.drawnCount() > drawn && !m_window->tile("robot0/eye")->picture.frame->objects.empty());
         m_window->cameras.setMode(std::nullopt);
         EVENTUALLY(fromTheRun());
         // While it is paused the image is that of the state shown in the views: rendered once.
-        const int before = m_window->cameras.drawnCount();
+        before = m_window->cameras.drawnCount();
         m_window->session.pause();
         EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->cameras.isSettled());
         QCOMPARE(m_window->tile("robot0/eye")->picture.frame->tick, m_window->session.results().snapshot->tick);
