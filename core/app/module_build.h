@@ -9,7 +9,7 @@
 namespace trundle {
 
 /// The folder with the CMakeLists.txt of a source or of a built library: the nearest one above the file that is inside `project`, or is
-/// that folder. Empty: there is none. Absolute paths.
+/// that folder. Empty: none found. Absolute paths.
 [[nodiscard]] std::string moduleFolderOf(const std::string& file, const std::string& project);
 
 /// One call of cmake, by its arguments.

@@ -38,7 +38,7 @@ std::optional<std::string> refusal(double velocity, double amount, const char* a
     return {};
 }
 
-/// The amount along the velocity; where there is none, its length.
+/// The amount along the velocity; without a velocity, its length.
 double along(const ChassisMotion& velocity, const ChassisMotion& amount) {
     const double speed = sizeOf(velocity);
     return speed > 0 ? dot(velocity, amount) / speed : sizeOf(amount);

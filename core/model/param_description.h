@@ -32,7 +32,7 @@ struct DescriptionKey {
 /// What a description may say, in the order in which it is offered.
 [[nodiscard]] const std::vector<DescriptionKey>& descriptionKeys();
 
-/// The description of a Param with its mistakes reported; null: there is none.
+/// The description of a Param with its mistakes reported; null: it has none.
 [[nodiscard]] std::shared_ptr<const ParamDescription> descriptionOf(const ParamItem& param, FileId file, Diagnostics& diagnostics);
 
 /// Whether a value is one that the description allows; if not, reports it where the value is given.

@@ -136,7 +136,7 @@ bool Evaluator::addPicked(const Expression& e, FileId file, ParamScope& scope, S
     return true;
 }
 
-/// The element of a Param that `element(list, number)` names; nullptr, with a diagnostic, if there is none.
+/// The element of a Param that `element(list, number)` names; nullptr, with a diagnostic, if the list is shorter.
 const GivenElement* Evaluator::picked(const Expression& e, FileId file, ParamScope& scope) {
     const GivenValue* list = paramValue(e.arguments[0].name, {file, e.arguments[0].range}, scope);
     const std::optional<Amount> at = amount(e.arguments[1], file, scope);

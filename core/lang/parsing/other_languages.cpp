@@ -5,7 +5,7 @@
 
 namespace trundle {
 
-/// How many tokens ahead the first `{` of this line is; 0: there is none.
+/// How many tokens ahead the first `{` of this line is; 0: it has none.
 std::size_t OtherLanguages::braceInLine() const {
     constexpr std::size_t kFar = 40;
     for (std::size_t i = 1; i < kFar && !newLine(i) && kind(i) != TokenKind::End; ++i)

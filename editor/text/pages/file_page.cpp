@@ -18,7 +18,7 @@
 namespace trundle {
 namespace {
 
-/// One level of indentation of a program: that of its first indented line, 4 spaces if there is none.
+/// One level of indentation of a program: that of its first indented line, 4 spaces if no line is indented.
 std::string indentStep(std::string_view text) {
     for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) {
         if (at + 1 < text.size() && text[at + 1] == '\t') return "\t";
