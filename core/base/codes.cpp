@@ -93,6 +93,7 @@ constexpr CodeEntry kCodes[] = {
     {Code::PictureFailed, "picture that cannot be drawn"},
     {Code::SystemRefused, "a process or thread that the system does not start"},
     {Code::PassedThrough, "two fast bodies passed through each other"},
+    {Code::NotInEngine, "not possible in the chosen engine"},
     {Code::Internal, "internal error"},
     {Code::EditRefused, "an edit that is not possible"},
     {Code::NoDocument, "no open experiment"},

@@ -103,6 +103,7 @@ enum class Code : int {
     PictureFailed,
     SystemRefused,
     PassedThrough,
+    NotInEngine,
     Internal = 599,
     // edits and documents
     EditRefused = 601,

@@ -72,6 +72,7 @@ struct StaticSpec {
 };
 
 enum class SolverChoice { Auto, Exact, Quick };
+enum class EngineChoice { General, Wheeled, Auto };
 
 struct SettingsSpec {
     double tick = 0.01;  ///< s
@@ -80,6 +81,8 @@ struct SettingsSpec {
     Vec3 gravity{0, 0, -9.81};
     SolverChoice solver = SolverChoice::Auto;
     SourceRange solverRange; ///< of its value; unknown if it is the default
+    EngineChoice engine = EngineChoice::General;
+    SourceRange engineRange; ///< of its value; unknown if it is the default
     int iterations = 20;
     double errorReduction = 0.8; ///< error reduction parameter of joints, per tick
     std::string isolation = "none", title, description;

@@ -1,14 +1,32 @@
 #include "world/built_world.h"
 #include "world/validate.h"
+#include "world/wheeled/wheeled.h"
 
 namespace trundle {
+
+namespace {
+
+/// Whether the experiment is for the wheeled engine; an error for what it cannot hold, if that was asked for.
+bool isWheeled(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
+    switch (experiment.settings.engine) {
+    case EngineChoice::General: return false;
+    case EngineChoice::Auto: return fitsWheeled(experiment, nullptr);
+    case EngineChoice::Wheeled: return fitsWheeled(experiment, &diagnostics);
+    }
+    return false;
+}
+
+} // namespace
 
 std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
                                     Diagnostics& diagnostics, std::shared_ptr<CallMonitor> calls) {
     if (!calls) calls = std::make_shared<CallMonitor>();
     if (!isBuildable(*experiment, diagnostics)) return nullptr;
     const SettingsSpec& s = experiment->settings;
-    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get()});
+    const bool wheeled = isWheeled(*experiment, diagnostics);
+    if (s.engine == EngineChoice::Wheeled && !wheeled) return nullptr;
+    const EngineSettings settings{s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get()};
+    auto engine = wheeled ? makeWheeledEngine(settings) : makeOdeEngine(settings);
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return nullptr;

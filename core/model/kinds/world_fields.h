@@ -17,7 +17,7 @@ struct SettingsFields {
     double tick = 0.01, duration = 0;
     double seed = 1; ///< integer, below 2^53
     Triple gravity{0, 0, -9.81};
-    std::string solver = "auto";
+    std::string solver = "auto", engine = "general";
     int iterations = 20;
     double errorReduction = 0.8;
     std::optional<std::string> isolation;

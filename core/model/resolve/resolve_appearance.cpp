@@ -45,6 +45,8 @@ SettingsSpec resolveSettings(ResolveContext& context) {
     s.gravity = vec3(f.gravity);
     s.solver = f.solver == "exact" ? SolverChoice::Exact : f.solver == "quick" ? SolverChoice::Quick : SolverChoice::Auto;
     s.solverRange = record.rangeOf("Solver", {});
+    s.engine = f.engine == "wheeled" ? EngineChoice::Wheeled : f.engine == "auto" ? EngineChoice::Auto : EngineChoice::General;
+    s.engineRange = record.rangeOf("Engine", {});
     s.iterations = f.iterations;
     s.errorReduction = f.errorReduction;
     s.isolation = f.isolation.value_or("");

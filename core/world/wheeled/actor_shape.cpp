@@ -1,0 +1,362 @@
+#include "world/wheeled/actor_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trundle {
+
+namespace {
+
+constexpr double kLevelAxis = 1e-6;   // sine of the angle that still counts as level
+constexpr double kNear = 0.005;       // m: what is to stand on the ground is that near to it
+constexpr double kLowest = 0.02;      // m: lower scenery is a kerb
+constexpr double kTouching = 1e-4;    // m
+constexpr double kStiffness = 2e5;    // N/m, as the general engine's
+constexpr double kDamping = 1100;     // N s/m
+constexpr double kMostSag = 1e-4;     // m, under an actor's own weight
+constexpr double kLeastShare = 3;     // supports that share it
+constexpr double kSlick = 1e-9;
+
+bool isUpright(const Mat3& axes) { return std::abs(axes(2, 2)) > 1 - kLevelAxis; }
+
+std::string named(const char* kind, const std::string& name, const char* reason) {
+    return std::string(kind) + " " + name + " " + reason;
+}
+
+const char* nameOf(JointType type) {
+    switch (type) {
+    case JointType::Hinge: return "the Hinge";
+    case JointType::Slider: return "the Slider";
+    case JointType::Ball: return "the Ball";
+    case JointType::Universal: return "the Universal";
+    case JointType::Fixed: return "the Fixed";
+    case JointType::Suspension: return "the Suspension";
+    }
+    return "the joint";
+}
+
+} // namespace
+
+void GroundFinder::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose) {
+    const Mat3 axes = pose.rotation.toRotationMatrix();
+    if (!isUpright(axes)) return;
+    if (spec.shape == GeomShape::Plane) {
+        if (!m_isPlane || !m_ground || pose.position.z() > m_ground->height) m_ground = LevelGround{pose.position.z(), geom, spec.surface};
+        m_isPlane = true;
+    } else if (spec.shape == GeomShape::Box && !m_isPlane) {
+        const double area = spec.size.x() * spec.size.y();
+        if (area <= m_area) return;
+        m_area = area;
+        m_ground = LevelGround{pose.position.z() + spec.size.z() / 2, geom, spec.surface};
+    }
+}
+
+std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, const LevelGround& ground) {
+    const auto no = [&](const char* reason) { return NotWheeled{named("geom", geom.name, reason), geom.nameRange}; };
+    const Mat3 axes = pose.rotation.toRotationMatrix();
+    switch (geom.shape) {
+    case GeomShape::Plane:
+        if (!isUpright(axes)) return no("is a plane that slopes");
+        return {};
+    case GeomShape::Heightfield: return no("is a height map");
+    case GeomShape::Mesh:
+        if (!geom.collideAsHull) return no("is a mesh that collides as such");
+        break;
+    case GeomShape::Capsule: return no("is a capsule");
+    default: break;
+    }
+    const auto footprint = footprintOf(geom, pose);
+    if (!footprint) return no("has no footprint");
+    if (footprint.value().high <= ground.height + kTouching) return {};
+    const bool leans = geom.shape != GeomShape::Sphere && !isUpright(axes) && footprint.value().low < ground.height + kNear;
+    if (leans) return no("leans: a robot could drive up on it");
+    if (footprint.value().high < ground.height + kLowest && footprint.value().low < ground.height + kNear)
+        return no("is so low that wheels climb it");
+    return {};
+}
+
+bool ActorReader::refuse(std::string reason, SourceRange range) {
+    if (m_why->reason.empty()) *m_why = {std::move(reason), range};
+    return false;
+}
+
+Pose ActorReader::inActor(std::uint32_t index) const { return m_actor->frame.inverse() * m_actor->bodies[index].pose; }
+
+std::shared_ptr<const ActorShape> ActorReader::read(const ActorDef& actor, NotWheeled& why) {
+    m_actor = &actor;
+    m_why = &why;
+    m_anchored = false;
+    why = {};
+    m_shape = std::make_shared<ActorShape>();
+    const bool upright = actor.frame.rotation.toRotationMatrix()(2, 2) > 1 - kLevelAxis;
+    if (!upright && !refuse("it does not stand upright at the start", {})) return nullptr;
+    if (!findRoles()) return nullptr;
+    addMasses();
+    if (!addFootprints()) return nullptr;
+    setStiffness();
+    if (m_anchored) m_shape->kind = ActorKind::Fixed;
+    else if (m_shape->wheels.empty() && std::ranges::find(m_roles, Role::Caster) == m_roles.end()) {
+        if (!readLoose()) return nullptr;
+    } else {
+        m_shape->kind = ActorKind::Vehicle;
+        if (!addSupports() || !standsOnSupports()) return nullptr;
+    }
+    return m_shape;
+}
+
+/// Which bodies are one with the first one, which are its wheels and casters.
+bool ActorReader::findRoles() {
+    m_roles.assign(m_actor->bodies.size(), Role::Unknown);
+    if (m_actor->joints)
+        for (std::uint32_t j = 0; j < m_actor->joints->size(); ++j)
+            if (!readJoint(j)) return false;
+    return isWhole();
+}
+
+bool ActorReader::readJoint(std::uint32_t index) {
+    const JointSpec& joint = (*m_actor->joints)[index];
+    const auto child = static_cast<std::size_t>(joint.child);
+    if (joint.type == JointType::Fixed) {
+        if (joint.parent == kWorldBody) m_anchored = true;
+        return true;
+    }
+    const bool free = m_roles[child] == Role::Unknown && joint.parent != kWorldBody;
+    if (free && joint.type == JointType::Hinge && isWheel(joint)) m_roles[child] = Role::Wheel;
+    else if (free && joint.type == JointType::Ball && isCaster(joint)) m_roles[child] = Role::Caster;
+    if (m_roles[child] == Role::Wheel || m_roles[child] == Role::Caster) {
+        if (m_roles[child] == Role::Wheel) m_shape->wheels.push_back({index, static_cast<std::uint32_t>(joint.child), joint.axis, Vec3::Zero(), 0, joint.damping});
+        return true;
+    }
+    return refuse(named(nameOf(joint.type), joint.name, "is not the axle of a wheel on the ground"), joint.nameRange);
+}
+
+/// The colliding one, if there is only one.
+const GeomSpec* ActorReader::onlyGeom(std::uint32_t index) const {
+    const GeomSpec* found = nullptr;
+    for (const GeomSpec& geom : body(index).geoms)
+        if (geom.collide) {
+            if (found) return nullptr;
+            found = &geom;
+        }
+    return found;
+}
+
+/// A level axle through the middle of one cylinder or ball.
+bool ActorReader::isWheel(const JointSpec& joint) {
+    const auto index = static_cast<std::uint32_t>(joint.child);
+    const GeomSpec* geom = onlyGeom(index);
+    if (!geom || (geom->shape != GeomShape::Cylinder && geom->shape != GeomShape::Sphere)) return false;
+    if (joint.lowStop || joint.highStop || joint.friction > 0 || joint.stiffness > 0 || std::abs(joint.axis.z()) > kLevelAxis) return false;
+    const Pose pose = inActor(index) * geom->pose;
+    const Vec3 off = pose.position - joint.anchor;
+    if ((off - off.dot(joint.axis) * joint.axis).norm() > kTouching) return false;
+    if (geom->shape == GeomShape::Cylinder && std::abs((pose.rotation * Vec3::UnitZ()).dot(joint.axis)) < 1 - kLevelAxis) return false;
+    const double low = m_actor->frame.position.z() + pose.position.z() - geom->radius;
+    return std::abs(low - m_ground.height) < kNear;
+}
+
+/// A ball in a socket on the ground.
+bool ActorReader::isCaster(const JointSpec& joint) {
+    const auto index = static_cast<std::uint32_t>(joint.child);
+    const GeomSpec* geom = onlyGeom(index);
+    if (!geom || geom->shape != GeomShape::Sphere) return false;
+    const Vec3 centre = inActor(index) * geom->pose.position;
+    return (centre - joint.anchor).norm() < kTouching &&
+           std::abs(m_actor->frame.position.z() + centre.z() - geom->radius - m_ground.height) < kNear;
+}
+
+/// Every other body is fixed to the first one.
+bool ActorReader::isWhole() {
+    m_roles[0] = m_roles[0] == Role::Unknown ? Role::Rigid : m_roles[0];
+    const auto first = std::ranges::find(m_roles, Role::Unknown);
+    if (m_roles[0] != Role::Rigid && first != m_roles.end()) *first = Role::Rigid;
+    for (bool more = true; more && m_actor->joints;) {
+        more = false;
+        for (const JointSpec& joint : *m_actor->joints) {
+            if (joint.type != JointType::Fixed || joint.parent == kWorldBody) continue;
+            Role& a = m_roles[static_cast<std::size_t>(joint.parent)];
+            Role& b = m_roles[static_cast<std::size_t>(joint.child)];
+            if ((a == Role::Rigid) == (b == Role::Rigid)) continue;
+            Role& other = a == Role::Rigid ? b : a;
+            if (other != Role::Unknown) continue;
+            other = Role::Rigid;
+            more = true;
+        }
+    }
+    for (std::uint32_t i = 0; i < m_roles.size(); ++i)
+        if (m_roles[i] == Role::Unknown) return refuse(named("body", body(i).name, "is not fixed to the rest"), body(i).nameRange);
+    if (m_actor->joints)
+        for (const JointSpec& joint : *m_actor->joints)
+            if (joint.type != JointType::Fixed && m_roles[static_cast<std::size_t>(joint.parent)] != Role::Rigid)
+                return refuse(named(nameOf(joint.type), joint.name, "has a wheel for its parent"), joint.nameRange);
+    return true;
+}
+
+void ActorReader::addMasses() {
+    ActorShape& s = *m_shape;
+    for (std::uint32_t i = 0; i < m_roles.size(); ++i) {
+        s.bodies.push_back(inActor(i));
+        s.bodyCentres.push_back(body(i).mass.centre);
+        s.mass += body(i).mass.mass;
+        s.centre += body(i).mass.mass * (s.bodies[i] * body(i).mass.centre);
+    }
+    s.centre /= s.mass;
+    s.inertia = Mat3::Zero();
+    for (std::uint32_t i = 0; i < m_roles.size(); ++i) {
+        const Mat3 axes = s.bodies[i].rotation.toRotationMatrix();
+        const Vec3 arm = s.bodies[i] * body(i).mass.centre - s.centre;
+        s.inertia += axes * body(i).mass.inertia * axes.transpose() +
+                     body(i).mass.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+        s.bodies[i].position -= s.centre;
+    }
+    for (WheelShape& wheel : s.wheels) {
+        const Vec3 axis = s.bodies[wheel.body].rotation.conjugate() * wheel.axis;
+        const Vec3 from = s.bodies[wheel.body].position + s.centre - (*m_actor->joints)[wheel.joint].anchor;
+        wheel.offset = from - from.dot(wheel.axis) * wheel.axis;
+        wheel.inertia = axis.dot(body(wheel.body).mass.inertia * axis);
+    }
+}
+
+bool ActorReader::addFootprints() {
+    ActorShape& s = *m_shape;
+    for (std::uint32_t i = 0; i < m_roles.size(); ++i) {
+        std::uint32_t count = 0;
+        for (const GeomSpec& geom : body(i).geoms) {
+            if (!geom.collide) continue;
+            auto made = footprintOf(geom, s.bodies[i] * geom.pose);
+            if (!made) return refuse(named("geom", geom.name, "has no footprint"), geom.nameRange);
+            const Footprint& f = made.value();
+            s.bound = std::max(s.bound, f.centre.norm() + f.bound);
+            s.footprints.push_back(std::move(made).value());
+            s.footprintBody.push_back(i);
+            ++count;
+        }
+        s.geomCounts.push_back(count);
+    }
+    return true;
+}
+
+/// Height over the ground at the start.
+double ActorReader::bottom(const Footprint& footprint) const {
+    return m_actor->frame.position.z() + m_shape->centre.z() + footprint.low - m_ground.height;
+}
+
+bool ActorReader::addSupports() {
+    for (std::uint32_t w = 0; w < m_shape->wheels.size(); ++w)
+        if (!addWheel((*m_actor->joints)[m_shape->wheels[w].joint], w)) return false;
+    std::uint32_t geom = 0;
+    for (std::uint32_t i = 0; i < m_roles.size(); ++i)
+        for (const GeomSpec& spec : body(i).geoms) {
+            if (!spec.collide) continue;
+            const std::uint32_t index = geom++;
+            if (m_roles[i] == Role::Wheel || bottom(m_shape->footprints[index]) > kNear) continue;
+            if (spec.shape != GeomShape::Sphere)
+                return refuse(named("geom", spec.name, "slides on the ground; only a Sphere can"), spec.nameRange);
+            addSlider(i, index, spec, m_shape->bodies[i] * spec.pose.position);
+        }
+    return true;
+}
+
+bool ActorReader::addWheel(const JointSpec& joint, std::uint32_t index) {
+    const WheelShape& wheel = m_shape->wheels[index];
+    const GeomSpec& geom = *onlyGeom(wheel.body);
+    const SurfaceSpec &own = m_surfaces[geom.surface], &floor = m_surfaces[m_ground.surface];
+    Support s;
+    s.body = wheel.body;
+    for (std::uint32_t i = 0; i < wheel.body; ++i) s.geom += m_shape->geomCounts[i];
+    s.centre = m_shape->bodies[wheel.body] * geom.pose.position;
+    s.radius = geom.radius;
+    s.surface = geom.surface;
+    s.wheel = index;
+    const Vec2 rolls(wheel.axis.y(), -wheel.axis.x()); // axis x up
+    s.way = rolls;
+    if (own.rollingFriction > 0 || floor.rollingFriction > 0)
+        return refuse(named("wheel", body(wheel.body).name, "has rolling friction"), joint.nameRange);
+    if (own.friction2) {
+        if (*own.friction2 > kSlick) return refuse(named("wheel", body(wheel.body).name, "has a Friction2 other than 0"), joint.nameRange);
+        s.round = false;
+        const double c = std::cos(own.frictionHeading), t = std::sin(own.frictionHeading);
+        s.way = {c * rolls.x() - t * rolls.y(), t * rolls.x() + c * rolls.y()};
+    }
+    s.lever = s.radius * s.way.dot(rolls);
+    m_shape->supports.push_back(s);
+    return true;
+}
+
+void ActorReader::addSlider(std::uint32_t index, std::uint32_t geom, const GeomSpec& spec, const Vec3& centre) {
+    Support s;
+    s.body = index;
+    s.geom = geom;
+    s.centre = centre;
+    s.radius = spec.radius;
+    s.surface = spec.surface;
+    m_shape->supports.push_back(s);
+}
+
+/// The centre of mass is inside what the supports span.
+bool ActorReader::standsOnSupports() {
+    const std::vector<Support>& supports = m_shape->supports;
+    if (supports.size() > kMostSupports) return refuse("it has more than 24 wheels and casters", {});
+    const SourceRange range = body(0).nameRange;
+    if (supports.size() < 3) return refuse("it needs at least three wheels and casters on the ground", range);
+    for (const Support& a : supports)
+        for (const Support& b : supports) {
+            const Vec2 from = a.centre.head<2>(), way = b.centre.head<2>() - from;
+            if (way.norm() < kNear) continue;
+            const auto side = [&](const Vec2& p) { return way.x() * (p.y() - from.y()) - way.y() * (p.x() - from.x()); };
+            const bool outside = side(Vec2::Zero()) < 0 && std::ranges::all_of(supports, [&](const Support& s) {
+                                     return side(s.centre.head<2>()) > -1e-9;
+                                 });
+            if (outside) return refuse("its centre of mass is not between its wheels and casters: it tips over", range);
+        }
+    return true;
+}
+
+/// A box, a cylinder on its end or a ball, or several that are one body.
+bool ActorReader::readLoose() {
+    ActorShape& s = *m_shape;
+    s.kind = ActorKind::Loose;
+    if (s.footprints.empty()) return refuse(named("body", body(0).name, "has nothing that collides"), body(0).nameRange);
+    const auto lowest = std::ranges::min_element(s.footprints, {}, &Footprint::low);
+    const Footprint& base = *lowest;
+    if (std::abs(bottom(base)) > kNear)
+        return refuse(named("body", body(0).name, "does not stand on the ground at the start"), body(0).nameRange);
+    s.surface = base.surface;
+    const GeomSpec* only = s.bodies.size() == 1 ? onlyGeom(0) : nullptr;
+    if (only && only->shape == GeomShape::Sphere) {
+        s.kind = ActorKind::Ball;
+        s.spinRadius = only->radius;
+        return true;
+    }
+    for (std::size_t i = 0; i < s.footprints.size(); ++i) {
+        const bool flat = s.footprints[i].low < base.low + kTouching;
+        const std::uint32_t owner = s.footprintBody[i];
+        std::uint32_t k = static_cast<std::uint32_t>(i);
+        for (std::uint32_t b = 0; b < owner; ++b) k -= s.geomCounts[b];
+        for (const GeomSpec& geom : body(owner).geoms) {
+            if (!geom.collide || k-- != 0) continue;
+            const bool rolls = geom.shape == GeomShape::Sphere || geom.shape == GeomShape::Capsule ||
+                               (geom.shape == GeomShape::Cylinder && !s.footprints[i].isCircle());
+            if (flat && rolls) return refuse(named("geom", geom.name, "can roll and is no ball of its own"), geom.nameRange);
+        }
+    }
+    // Mean distance from the middle: exact 2/3 R for a disc, 0.3826 a for a square of side a.
+    if (base.isCircle()) s.spinRadius = base.radius * 2 / 3;
+    else {
+        double area = 0;
+        for (std::size_t i = 0; i < base.corners.size(); ++i) {
+            const Vec2 &a = base.corners[i], &b = base.corners[(i + 1) % base.corners.size()];
+            area += (a.x() * b.y() - a.y() * b.x()) / 2;
+        }
+        s.spinRadius = 0.3826 * std::sqrt(area);
+    }
+    return true;
+}
+
+/// As the general engine's: nothing sags by more than kMostSag under its weight.
+void ActorReader::setStiffness() {
+    m_shape->stiffness = std::max(kStiffness, m_shape->mass * 9.81 / (kLeastShare * kMostSag));
+    m_shape->damping = kDamping * m_shape->stiffness / kStiffness;
+}
+
+} // namespace trundle

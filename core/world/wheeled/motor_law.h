@@ -1,0 +1,38 @@
+#pragma once
+// What a motor gives a wheel in one tick, as a function of the wheel's angular momentum without it.
+//
+// Method: a motor is a line, torque = slope (rate - spin), between two limits; a servo is a steep line between the lines of the motor at
+// full voltage forwards and backwards. Each piece is linear in the spin at the end of the tick (implicit Euler), so the spin is linear in
+// the momentum piece by piece, and falls nowhere.
+
+#include "world/wheeled/wheeled_objects.h"
+
+namespace trundle {
+
+class MotorLaw {
+public:
+    /// Over a tick of h seconds; `load`: the largest inertia that it may move, kg m^2.
+    MotorLaw(const WheelState& wheel, double damping, double load, double h);
+
+    /// One linear piece: spin = (momentum + offset) * mobility.
+    struct Piece {
+        double offset = 0, mobility = 0;
+        [[nodiscard]] double spin(double momentum) const { return (momentum + offset) * mobility; }
+    };
+    /// That holds at this momentum.
+    [[nodiscard]] Piece at(double momentum) const;
+    /// N m s.
+    [[nodiscard]] double impulse(double momentum) const { return at(momentum).spin(momentum) / m_rest - momentum; }
+    [[nodiscard]] double spin(double momentum) const { return at(momentum).spin(momentum); }
+
+private:
+    [[nodiscard]] Piece line(double slope, double rate) const { return {slope * rate, 1 / (1 / m_rest + slope)}; }
+    [[nodiscard]] Piece constant(double impulse) const { return {impulse, m_rest}; }
+
+    double m_rest;                  ///< 1 / (inertia and damping over a tick)
+    Piece m_line;
+    Piece m_most[2], m_least[2];    ///< of torque
+    int m_limits = 0;               ///< of each of the two
+};
+
+} // namespace trundle

@@ -1,0 +1,17 @@
+#pragma once
+// The wheeled engine from outside: whether it can hold an experiment, and the engine.
+
+#include <memory>
+
+#include "base/diagnostic.h"
+#include "world/engine.h"
+
+namespace trundle {
+
+/// True if all of it can. Else an error for each kind of thing that cannot, at its place; with `out` null nothing is written.
+[[nodiscard]] bool fitsWheeled(const ExperimentSpec& experiment, Diagnostics* out);
+
+/// An actor that it cannot hold is an error, NotInEngine.
+[[nodiscard]] Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings);
+
+} // namespace trundle

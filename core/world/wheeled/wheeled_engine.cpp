@@ -1,0 +1,234 @@
+#include "world/wheeled/wheeled_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/wheeled/wheeled.h"
+#include "world/wheeled/wheeled_motion.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kFarthest = 1e5;  // m
+constexpr double kFastest = 200;   // m/s
+constexpr double kFastestTurn = 1e4;
+constexpr double kLeastUpright = 0.94; // cosine of 20 degrees: a robot that is bumped may lift a wheel for a moment
+
+} // namespace
+
+Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings) {
+    return std::unique_ptr<Engine>(std::make_unique<WheeledEngine>(settings));
+}
+
+WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(settings)) {
+    m_objects.surfaces = m_settings.surfaces;
+    m_objects.weight = -m_settings.gravity.z();
+}
+
+Result<GeomHandle> WheeledEngine::addStatic(const GeomSpec& geom, const Pose& pose) {
+    const auto index = static_cast<std::uint32_t>(m_objects.geoms.size());
+    m_finder.add(index, geom, pose);
+    m_objects.ground = m_finder.ground();
+    m_objects.geoms.push_back({kNoGeom, rayGeomOf(geom, pose, kNoGeom)});
+    if (geom.shape != GeomShape::Plane)
+        if (auto footprint = footprintOf(geom, pose)) m_objects.scenery.push_back({std::move(footprint).value(), index});
+    m_rays.markMoved();
+    return GeomHandle{index};
+}
+
+std::shared_ptr<const ActorShape> WheeledEngine::shapeOf(const ActorDef& actor, NotWheeled& why) {
+    const double height = actor.frame.position.z();
+    const void* bodies = actor.bodies[0].spec;
+    for (const KnownShape& known : m_shapes)
+        if (known.bodies == bodies && known.joints == actor.joints && known.height == height) return known.shape;
+    auto shape = ActorReader(m_objects.surfaces, *m_objects.ground).read(actor, why);
+    if (shape) m_shapes.push_back({bodies, actor.joints, height, shape});
+    return shape;
+}
+
+Result<ActorHandles> WheeledEngine::addActor(const ActorDef& actor) {
+    if (!m_objects.ground) return Error{Code::NotInEngine, "there is no level ground to stand on"};
+    if (m_objects.units.empty()) { // what is the ground, or in it, is nothing to run into
+        const double height = m_objects.ground->height + 1e-4;
+        std::erase_if(m_objects.scenery, [&](const WheeledScenery& s) { return s.footprint.high <= height; });
+    }
+    NotWheeled why;
+    auto shape = shapeOf(actor, why);
+    if (!shape) return Error{Code::NotInEngine, why.reason};
+    m_rays.markMoved();
+    return addUnit(actor, std::move(shape));
+}
+
+ActorHandles WheeledEngine::addUnit(const ActorDef& actor, std::shared_ptr<const ActorShape> shape) {
+    ActorHandles handles;
+    const auto index = static_cast<std::uint32_t>(m_objects.units.size());
+    handles.actor = {index};
+    WheeledUnit unit;
+    unit.position = actor.frame * shape->centre;
+    unit.rotation = actor.frame.rotation;
+    unit.bodies = static_cast<std::uint32_t>(m_objects.states.size());
+    unit.geoms = static_cast<std::uint32_t>(m_objects.geoms.size());
+    unit.joints = static_cast<std::uint32_t>(m_objects.wheelOf.size());
+    unit.supports = static_cast<std::uint32_t>(m_objects.supports.size());
+    unit.wheels = static_cast<std::uint32_t>(m_objects.wheels.size());
+    m_objects.supports.resize(unit.supports + shape->supports.size());
+    unit.shape = std::move(shape);
+    unit.setPlane();
+    m_objects.units.push_back(std::move(unit));
+    addGeoms(actor, handles);
+    addWheels(actor, handles);
+    publishStates(m_objects, index);
+    return handles;
+}
+
+void WheeledEngine::addGeoms(const ActorDef& actor, ActorHandles& handles) {
+    for (const BodyDef& body : actor.bodies) {
+        const auto index = static_cast<std::uint32_t>(m_objects.states.size());
+        handles.bodies.push_back({index});
+        m_objects.states.emplace_back();
+        m_objects.unitOf.push_back(handles.actor.index);
+        auto& geoms = handles.geoms.emplace_back();
+        for (const GeomSpec& geom : body.spec->geoms) {
+            geoms.push_back(geom.collide ? GeomHandle{static_cast<std::uint32_t>(m_objects.geoms.size())} : GeomHandle{});
+            if (geom.collide) m_objects.geoms.push_back({index, rayGeomOf(geom, geom.pose, handles.actor.index)});
+        }
+    }
+}
+
+void WheeledEngine::addWheels(const ActorDef& actor, ActorHandles& handles) {
+    const std::uint32_t first = m_objects.units.back().wheels;
+    const auto& wheels = m_objects.units.back().shape->wheels;
+    for (const WheelShape& wheel : wheels) {
+        WheelState state;
+        state.inertia = wheel.inertia;
+        m_objects.wheels.push_back(state);
+    }
+    if (!actor.joints) return;
+    for (std::uint32_t j = 0; j < actor.joints->size(); ++j) {
+        const auto wheel = std::ranges::find(wheels, j, &WheelShape::joint);
+        handles.joints.push_back({static_cast<std::uint32_t>(m_objects.wheelOf.size())});
+        m_objects.wheelOf.push_back(wheel == wheels.end() ? kNoGeom : first + static_cast<std::uint32_t>(wheel - wheels.begin()));
+    }
+}
+
+void WheeledEngine::setMotor(JointHandle joint, const MotorConstraint& row) {
+    if (const std::uint32_t wheel = m_objects.wheelOf[joint.index]; wheel != kNoGeom) m_objects.wheels[wheel].motor = row;
+}
+
+void WheeledEngine::addJointTorque(JointHandle joint, double torque) {
+    if (const std::uint32_t wheel = m_objects.wheelOf[joint.index]; wheel != kNoGeom) m_objects.wheels[wheel].torque += torque;
+}
+
+void WheeledEngine::addForce(BodyHandle body, const Vec3& force, const Vec3& point) {
+    WheeledUnit& unit = m_objects.units[m_objects.unitOf[body.index]];
+    unit.force += force;
+    unit.moment += (point - unit.position).cross(force);
+}
+
+void WheeledEngine::setSurfaceVelocity(GeomHandle, const Vec3& velocity) {
+    if (!velocity.isZero(0)) m_fault = EngineFault{{}, "a surface moves by itself, which Engine = wheeled does not have; use general"};
+}
+
+void WheeledEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
+    if (surface < m_objects.surfaces.size()) m_objects.surfaces[surface] = values;
+}
+
+Status WheeledEngine::addAxialInertia(JointHandle joint, double inertia) {
+    const std::uint32_t wheel = m_objects.wheelOf[joint.index];
+    if (wheel == kNoGeom) return Error{Code::NotInEngine, "its joint turns no wheel"};
+    m_objects.wheels[wheel].inertia += inertia;
+    return {};
+}
+
+void WheeledEngine::findContacts() {
+    m_contacts.find();
+    m_list.clear(1);
+}
+
+std::optional<EngineFault> WheeledEngine::step(double h) {
+    if (m_fault) return m_fault;
+    m_h = h;
+    applyMotions();
+    m_contacts.find();
+    m_solver.step(m_settings.gravity, h);
+    clearForces();
+    for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
+        if (!m_objects.units[i].isMovable()) continue;
+        moveOn(m_objects.units[i], h);
+    }
+    endFaulty();
+    for (std::uint32_t i = 0; i < m_objects.units.size(); ++i)
+        if (m_objects.units[i].isMovable()) publishStates(m_objects, i);
+    m_list.clear(h);
+    m_rays.markMoved();
+    return m_fault;
+}
+
+/// What was moved is at rest and touches nothing yet.
+void WheeledEngine::applyMotions() {
+    for (const Motion& m : m_motions) {
+        WheeledUnit& unit = m_objects.units[m.unit];
+        if (unit.ended) continue;
+        unit.position = m.motion * unit.position;
+        unit.rotation = (m.motion.rotation * unit.rotation).normalized();
+        unit.linear = unit.angular = unit.grip = Vec3::Zero();
+        unit.setPlane();
+        for (std::size_t i = 0; i < unit.shape->supports.size(); ++i) m_objects.supports[unit.supports + i] = {};
+        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
+            m_objects.wheels[unit.wheels + i].spin = m_objects.wheels[unit.wheels + i].impulse = 0;
+        m_contacts.forget(m.unit);
+        if (unit.shape->kind == ActorKind::Fixed) publishStates(m_objects, m.unit);
+    }
+    m_motions.clear();
+}
+
+void WheeledEngine::clearForces() {
+    for (WheeledUnit& unit : m_objects.units) unit.force = unit.moment = Vec3::Zero();
+    for (WheelState& wheel : m_objects.wheels) wheel.torque = 0;
+}
+
+/// Empty: it has none.
+std::string WheeledEngine::faultOf(const WheeledUnit& unit) const {
+    const auto within = [](const Vec3& v, double most) { return v.squaredNorm() <= most * most; }; // false for NaN
+    const Quat& q = unit.rotation;
+    const double up = 1 - 2 * (q.x() * q.x() + q.y() * q.y());
+    if (!within(unit.position, kFarthest) || !std::isfinite(up)) return "it is farther than 100000 m from the origin, or its state is no number";
+    if (!within(unit.linear, kFastest)) return "it moves faster than 200 m/s";
+    if (!within(unit.angular, kFastestTurn)) return "it turns faster than 10000 rad/s";
+    if (unit.shape->kind != ActorKind::Ball && up < kLeastUpright)
+        return "it leans by more than 20 degrees, which Engine = wheeled cannot follow; use Engine = general";
+    return {};
+}
+
+/// It stays as it was published last.
+void WheeledEngine::endFaulty() {
+    for (WheeledUnit& unit : m_objects.units) {
+        if (!unit.isMovable()) continue;
+        std::string fault = faultOf(unit);
+        if (fault.empty()) continue;
+        unit.ended = true;
+        m_ended.push_back({{unit.bodies}, std::move(fault)});
+        for (std::size_t i = 0; i < unit.shape->bodies.size(); ++i)
+            m_objects.states[unit.bodies + i].linear = m_objects.states[unit.bodies + i].angular = Vec3::Zero();
+        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
+            m_objects.wheels[unit.wheels + i].spin = m_objects.wheels[unit.wheels + i].impulse = 0;
+    }
+}
+
+double WheeledEngine::jointPosition(JointHandle joint) const {
+    const std::uint32_t wheel = m_objects.wheelOf[joint.index];
+    return wheel == kNoGeom ? 0 : m_objects.wheels[wheel].angle;
+}
+
+double WheeledEngine::jointRate(JointHandle joint) const {
+    const std::uint32_t wheel = m_objects.wheelOf[joint.index];
+    return wheel == kNoGeom ? 0 : m_objects.wheels[wheel].spin;
+}
+
+double WheeledEngine::jointMotorEffort(JointHandle joint) const {
+    const std::uint32_t wheel = m_objects.wheelOf[joint.index];
+    return wheel == kNoGeom || m_h == 0 ? 0 : m_objects.wheels[wheel].impulse / m_h;
+}
+
+} // namespace trundle

@@ -1,0 +1,73 @@
+#include "world/wheeled/wheeled.h"
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "world/wheeled/actor_shape.h"
+
+namespace trundle {
+
+namespace {
+
+class Fit {
+public:
+    Fit(const ExperimentSpec& experiment, Diagnostics* out) : m_experiment(experiment), m_out(out) {}
+
+    bool check() {
+        const SettingsSpec& s = m_experiment.settings;
+        if (std::hypot(s.gravity.x(), s.gravity.y()) > 1e-9 || !(s.gravity.z() < 0))
+            refuse("Gravity does not point straight down", s.engineRange);
+        findGround();
+        if (!m_finder.ground()) refuse("there is no level ground: no Plane or Box to stand on", s.engineRange);
+        if (!m_fits) return false;
+        checkScenery();
+        for (const RobotSpec& robot : m_experiment.robots) checkRobot(robot);
+        return m_fits;
+    }
+
+private:
+    void refuse(const std::string& reason, SourceRange range) {
+        m_fits = false;
+        if (m_out && m_told.insert({range, reason}).second)
+            m_out->error(Code::NotInEngine, range, "Engine = wheeled is not possible: " + reason + "; use Engine = general");
+    }
+
+    template <class Use> void eachStatic(Use use) const {
+        for (const StaticSpec& s : m_experiment.statics)
+            if (s.geoms)
+                for (const GeomSpec& g : *s.geoms)
+                    if (g.collide) use(s, g);
+    }
+    void findGround() {
+        eachStatic([&](const StaticSpec& s, const GeomSpec& g) { m_finder.add(0, g, s.pose * g.pose); });
+    }
+    void checkScenery() {
+        eachStatic([&](const StaticSpec& s, const GeomSpec& g) {
+            if (const auto why = whyNotScenery(g, s.pose * g.pose, *m_finder.ground())) refuse(s.name + ": " + why->reason, why->range);
+        });
+    }
+    void checkRobot(const RobotSpec& spec) {
+        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
+        const auto key = std::tuple(static_cast<const void*>(spec.config.get()), spec.pose.position.z(), spec.pose.rotation.x(),
+                                    spec.pose.rotation.y());
+        if (!m_known.insert(key).second) return;
+        for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
+        NotWheeled why;
+        if (!ActorReader(m_experiment.surfaces, *m_finder.ground()).read(def, why))
+            refuse(spec.name + ": " + why.reason, why.range.known() ? why.range : spec.nameRange);
+    }
+
+    const ExperimentSpec& m_experiment;
+    Diagnostics* m_out;
+    GroundFinder m_finder;
+    bool m_fits = true;
+    std::set<std::pair<SourceRange, std::string>> m_told;
+    std::set<std::tuple<const void*, double, double, double>> m_known;
+};
+
+} // namespace
+
+bool fitsWheeled(const ExperimentSpec& experiment, Diagnostics* out) { return Fit(experiment, out).check(); }
+
+} // namespace trundle
