@@ -10,27 +10,29 @@ const std::vector<EngineContact>& ContactList::all() const {
     return m_all;
 }
 
+/// Unit by unit, with those among units first.
 void ContactList::make() const {
     m_ready = true;
     m_all.clear();
-    for (const UnitContact& c : m_contacts.all()) addUnit(c);
-    if (m_objects.ground)
-        for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
-            if (!m_objects.units[i].isMovable()) continue;
-            if (m_objects.units[i].isVehicle()) addSupports(i);
-            else addGround(i);
-        }
-    std::ranges::sort(m_all, {}, [](const EngineContact& c) { return std::tuple(c.actor, c.partner, c.first, c.second, c.depth); });
+    auto next = m_contacts.all().begin();
+    for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
+        for (; next != m_contacts.all().end() && next->a == i && next->b != kNoActor; ++next) addUnit(*next);
+        const std::size_t first = m_all.size();
+        for (; next != m_contacts.all().end() && next->a == i; ++next) addUnit(*next);
+        if (!m_objects.units[i].isMovable()) continue;
+        if (m_objects.units[i].isVehicle()) addSupports(i);
+        else addGround(i);
+        std::sort(m_all.begin() + static_cast<std::ptrdiff_t>(first), m_all.end(), [](const EngineContact& x, const EngineContact& y) {
+            return std::tuple(x.first, x.second) < std::tuple(y.first, y.second);
+        });
+    }
 }
 
 void ContactList::addUnit(const UnitContact& c) const {
-    const Vec3 normal(c.touch.normal.x(), c.touch.normal.y(), 0), tangent(-normal.y(), normal.x(), 0);
-    for (std::size_t p = 0; p < static_cast<std::size_t>(c.touch.count); ++p) {
-        const double depth = -c.touch.gaps[p];
-        if (depth < 0 && c.normal[p] == 0) continue;
-        const Vec3 at(c.touch.points[p].x(), c.touch.points[p].y(), c.height);
-        m_all.push_back({c.a, c.b, c.geomA, c.geomB, at, -normal, std::max(depth, 0.), c.normal[p] / m_h, -c.tangent[p] / m_h * tangent});
-    }
+    const Vec3 normal(c.normal.x(), c.normal.y(), 0), tangent(-normal.y(), normal.x(), 0);
+    for (const UnitContactPoint& p : c.points())
+        if (p.gap <= 0 || p.normal > 0)
+            m_all.push_back({c.a, c.b, c.geomA, c.geomB, p.at, -normal, std::max(-p.gap, 0.), p.normal / m_h, -p.tangent / m_h * tangent});
 }
 
 void ContactList::addSupports(std::uint32_t index) const {

@@ -70,16 +70,21 @@ void makeCircle(Footprint& out, double radius, double half, double height) {
 }
 
 struct Edges {
-    std::vector<Vec2> corners, outwards;
+    std::array<Vec2, kMostCorners> cornerList, outwardList; // not set beyond count
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<const Vec2> corners() const { return {cornerList.data(), count}; }
+    [[nodiscard]] std::span<const Vec2> outwards() const { return {outwardList.data(), count}; }
 };
 
 /// The second shape in the frame of the first.
-Edges seenFrom(const Footprint& b, const PlanarPose& atB, const PlanarPose& atA) {
+void seeFrom(const Footprint& b, const PlanarPose& atB, const PlanarPose& atA, Edges& out) {
     const PlanarPose in{atA.turnBack(atB.at - atA.at), atA.c * atB.c + atA.s * atB.s, atA.c * atB.s - atA.s * atB.c};
-    Edges out;
-    for (const Vec2& p : b.corners) out.corners.push_back(in.at + in.turn(p));
-    for (const Vec2& n : b.outwards) out.outwards.push_back(in.turn(n));
-    return out;
+    out.count = b.corners.size();
+    for (std::size_t i = 0; i < out.count; ++i) {
+        out.cornerList[i] = in.at + in.turn(b.corners[i]);
+        out.outwardList[i] = in.turn(b.outwards[i]);
+    }
 }
 
 struct Separation {
@@ -120,15 +125,15 @@ bool clip(Segment& s, const Vec2& origin, const Vec2& along, double length) {
 /// In the frame of `a`.
 FootprintTouch polygons(const Footprint& a, const Edges& b, double margin) {
     FootprintTouch out;
-    const Separation mine = separation(a.corners, a.outwards, b.corners);
+    const Separation mine = separation(a.corners, a.outwards, b.corners());
     if (mine.gap > margin) return out;
-    const Separation theirs = separation(b.corners, b.outwards, a.corners);
+    const Separation theirs = separation(b.corners(), b.outwards(), a.corners);
     if (theirs.gap > margin) return out;
     const bool flip = theirs.gap > mine.gap + kClearlyFar;
-    const std::span<const Vec2> reference = flip ? b.corners : a.corners, incident = flip ? a.corners : b.corners,
-                                facing = flip ? a.outwards : b.outwards;
+    const std::span<const Vec2> reference = flip ? b.corners() : a.corners, incident = flip ? a.corners : b.corners(),
+                                facing = flip ? a.outwards : b.outwards();
     const std::size_t edge = flip ? theirs.edge : mine.edge;
-    const Vec2 normal = flip ? b.outwards[edge] : a.outwards[edge];
+    const Vec2 normal = flip ? b.outwards()[edge] : a.outwards[edge];
     const Segment face = edgeOf(reference, edge);
     const double length = (face.to - face.from).norm();
     std::size_t most = 0;
@@ -203,8 +208,10 @@ Result<Footprint> footprintOf(const GeomSpec& geom, const Pose& pose) {
     const Vec3 axis = pose.rotation * Vec3::UnitZ();
     if (geom.shape == GeomShape::Cylinder && std::abs(axis.z()) > 1 - kSame) {
         makeCircle(out, geom.radius, geom.length / 2, pose.position.z());
+        out.upright = true;
         return out;
     }
+    out.upright = geom.shape == GeomShape::Box && pose.rotation.toRotationMatrix().cwiseAbs()(2, 2) > 1 - kSame;
     std::vector<Vec2> points;
     out.low = 1e300;
     out.high = -1e300;
@@ -215,7 +222,7 @@ Result<Footprint> footprintOf(const GeomSpec& geom, const Pose& pose) {
         out.high = std::max(out.high, at.z());
     }
     out.corners = hullOf(std::move(points));
-    if (out.corners.size() < 3) return Error{Code::NotInEngine, "its shape has no footprint"};
+    if (out.corners.size() < 3 || out.corners.size() > kMostCorners) return Error{Code::NotInEngine, "its shape has no footprint"};
     for (std::size_t i = 0; i < out.corners.size(); ++i) {
         const Segment edge = edgeOf(out.corners, i);
         const Vec2 way = (edge.to - edge.from).normalized();
@@ -236,7 +243,9 @@ FootprintTouch touchOf(const Footprint& a, const PlanarPose& atA, const Footprin
         return touch;
     }
     if (b.isCircle()) return inWorld(circleOnPolygon(a, atA.turnBack(centreB - atA.at), b.radius, margin), atA);
-    return inWorld(polygons(a, seenFrom(b, atB, atA), margin), atA);
+    Edges seen;
+    seeFrom(b, atB, atA, seen);
+    return inWorld(polygons(a, seen, margin), atA);
 }
 
 } // namespace trundle

@@ -21,12 +21,15 @@ struct PlanarPose {
     [[nodiscard]] Vec2 turnBack(const Vec2& v) const { return {c * v.x() + s * v.y(), c * v.y() - s * v.x()}; }
 };
 
+inline constexpr std::size_t kMostCorners = 64;
+
 struct Footprint {
     Vec2 centre = Vec2::Zero();          ///< in the frame of its owner
     double radius = 0;                   ///< of a circle; 0: a polygon
-    std::vector<Vec2> corners, outwards; ///< of a polygon, counter-clockwise; normals of the edges from one corner to the next
+    std::vector<Vec2> corners, outwards; ///< of a polygon, counter-clockwise, at most kMostCorners; normals of the edges from each corner on
     double bound = 0;                    ///< farthest point from the centre
     double low = 0, high = 0;            ///< heights, m
+    bool upright = false;                ///< its sides are the same at all heights
     std::uint32_t surface = 0;
 
     [[nodiscard]] bool isCircle() const { return corners.empty(); }

@@ -188,26 +188,25 @@ VehicleRows::Push IslandSolver::pushOf(std::uint32_t unit, const Vec3& point, co
 }
 
 void IslandSolver::addRows(UnitContact& c) {
-    const Vec2 normal = c.touch.normal, tangent(-normal.y(), normal.x());
-    for (std::size_t p = 0; p < static_cast<std::size_t>(c.touch.count); ++p) {
+    const Vec2 normal = c.normal, tangent(-normal.y(), normal.x());
+    for (const UnitContactPoint& point : c.points()) {
         ContactRow row;
-        const Vec3 point(c.touch.points[p].x(), c.touch.points[p].y(), c.height);
         row.va = velocitiesOf(c.a);
         row.vb = velocitiesOf(c.b);
-        row.normalA = pushOf(c.a, point, normal);
-        row.normalB = pushOf(c.b, point, normal);
-        row.tangentA = pushOf(c.a, point, tangent);
-        row.tangentB = pushOf(c.b, point, tangent);
+        row.normalA = pushOf(c.a, point.at, normal);
+        row.normalB = pushOf(c.b, point.at, normal);
+        row.tangentA = pushOf(c.a, point.at, tangent);
+        row.tangentB = pushOf(c.b, point.at, tangent);
         for (std::size_t i = 0; i < 5; ++i) {
             row.normalMass += row.normalA.row[i] * row.normalA.change[i] + row.normalB.row[i] * row.normalB.change[i];
             row.tangentMass += row.tangentA.row[i] * row.tangentA.change[i] + row.tangentB.row[i] * row.tangentB.change[i];
         }
-        const double depth = -c.touch.gaps[p], closing = -row.speed(row.normalA, row.normalB);
+        const double depth = -point.gap, closing = -row.speed(row.normalA, row.normalB);
         row.bias = depth > 0 ? std::min(kPushShare * std::max(depth - kSlop, 0.) / m_h, kFastestPush) : depth / m_h;
         if (c.restitution > 0 && closing > kLeastBounce && closing * m_h > -depth) row.bias = std::max(row.bias, c.restitution * closing);
         row.friction = c.friction;
-        row.normal = c.normal[p];
-        row.tangent = c.tangent[p];
+        row.normal = point.normal;
+        row.tangent = point.tangent;
         m_rows.push_back(row);
     }
 }
@@ -244,13 +243,11 @@ void IslandSolver::finish(std::span<const std::uint32_t> contacts) {
     for (std::size_t k = 0; k < m_vehicleCount; ++k) m_vehicles[k].finish(m_objects);
     for (const Loose& loose : m_loose) writeBack(loose);
     auto row = m_rows.begin();
-    for (const std::uint32_t c : contacts) {
-        UnitContact& contact = m_contacts.all()[c];
-        for (std::size_t p = 0; p < static_cast<std::size_t>(contact.touch.count); ++p, ++row) {
-            contact.normal[p] = row->normal;
-            contact.tangent[p] = row->tangent;
+    for (const std::uint32_t c : contacts)
+        for (UnitContactPoint& point : m_contacts.all()[c].points()) {
+            point.normal = row->normal;
+            point.tangent = row++->tangent;
         }
-    }
 }
 
 } // namespace trundle

@@ -26,21 +26,4 @@ MotorLaw::MotorLaw(const WheelState& wheel, double damping, double load, double 
     m_least[m_limits++] = line(motor.damping * h, -most);
 }
 
-/// More spin is more torque at the same momentum.
-MotorLaw::Piece MotorLaw::at(double momentum) const {
-    Piece piece = m_line;
-    double spin = piece.spin(momentum);
-    for (int i = 0; i < m_limits; ++i)
-        if (const double most = m_most[i].spin(momentum); spin > most) {
-            piece = m_most[i];
-            spin = most;
-        }
-    for (int i = 0; i < m_limits; ++i)
-        if (const double least = m_least[i].spin(momentum); spin < least) {
-            piece = m_least[i];
-            spin = least;
-        }
-    return piece;
-}
-
 } // namespace trundle

@@ -13,6 +13,7 @@ class MotorLaw {
 public:
     /// Over a tick of h seconds; `load`: the largest inertia that it may move, kg m^2.
     MotorLaw(const WheelState& wheel, double damping, double load, double h);
+    MotorLaw() = default;
 
     /// One linear piece: spin = (momentum + offset) * mobility.
     struct Piece {
@@ -20,7 +21,21 @@ public:
         [[nodiscard]] double spin(double momentum) const { return (momentum + offset) * mobility; }
     };
     /// That holds at this momentum.
-    [[nodiscard]] Piece at(double momentum) const;
+    [[nodiscard]] Piece at(double momentum) const { // more spin is more torque at the same momentum
+        Piece piece = m_line;
+        double spin = piece.spin(momentum);
+        for (int i = 0; i < m_limits; ++i)
+            if (const double most = m_most[i].spin(momentum); spin > most) {
+                piece = m_most[i];
+                spin = most;
+            }
+        for (int i = 0; i < m_limits; ++i)
+            if (const double least = m_least[i].spin(momentum); spin < least) {
+                piece = m_least[i];
+                spin = least;
+            }
+        return piece;
+    }
     /// N m s.
     [[nodiscard]] double impulse(double momentum) const { return at(momentum).spin(momentum) / m_rest - momentum; }
     [[nodiscard]] double spin(double momentum) const { return at(momentum).spin(momentum); }
@@ -29,7 +44,7 @@ private:
     [[nodiscard]] Piece line(double slope, double rate) const { return {slope * rate, 1 / (1 / m_rest + slope)}; }
     [[nodiscard]] Piece constant(double impulse) const { return {impulse, m_rest}; }
 
-    double m_rest;                  ///< 1 / (inertia and damping over a tick)
+    double m_rest = 1;              ///< 1 / (inertia and damping over a tick)
     Piece m_line;
     Piece m_most[2], m_least[2];    ///< of torque
     int m_limits = 0;               ///< of each of the two

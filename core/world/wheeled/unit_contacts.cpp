@@ -9,6 +9,7 @@ namespace {
 constexpr double kLookAhead = 0.005;  // m: what is nearer than that has a row, which lets it come as near as it likes and no nearer
 constexpr double kSamePoint = 0.02;   // m
 constexpr double kLeastOverlap = 1e-4; // m, of heights
+constexpr double kTall = 0.005;        // m
 
 Box3 boxOf(const WheeledUnit& unit) {
     const double x = unit.position.x(), y = unit.position.y(), r = unit.shape->bound + kLookAhead;
@@ -16,8 +17,12 @@ Box3 boxOf(const WheeledUnit& unit) {
 }
 
 Box3 boxOf(const Footprint& f) {
-    const double x = f.centre.x(), y = f.centre.y();
-    return {{x - f.bound, y - f.bound, 0}, {x + f.bound, y + f.bound, 0}};
+    Vec2 low = f.centre - Vec2::Constant(f.radius), high = f.centre + Vec2::Constant(f.radius);
+    for (const Vec2& p : f.corners) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    return {{low.x(), low.y(), 0}, {high.x(), high.y(), 0}};
 }
 
 } // namespace
@@ -50,40 +55,50 @@ void UnitContacts::forget(std::uint32_t unit) {
     std::erase_if(m_now, [unit](const UnitContact& c) { return c.a == unit || c.b == unit; });
 }
 
-bool UnitContacts::overlap(const Footprint& a, double atA, const Footprint& b, double atB, double& height) const {
-    const double low = std::max(atA + a.low, atB + b.low), high = std::min(atA + a.high, atB + b.high);
-    height = (low + high) / 2;
-    return high - low > kLeastOverlap;
+UnitContacts::Side UnitContacts::sideOf(const WheeledUnit& unit, std::size_t footprint) const {
+    const Quat& q = unit.rotation;
+    const Vec2 lean(2 * (q.x() * q.z() + q.w() * q.y()), 2 * (q.y() * q.z() - q.w() * q.x()));
+    return {unit.shape->footprints[footprint], unit.plane, unit.position.z(), lean};
 }
 
 void UnitContacts::meet(std::uint32_t a, std::uint32_t b) {
     const WheeledUnit &ua = m_objects.units[a], &ub = m_objects.units[b];
     if (ua.ended || ub.ended || (!ua.isMovable() && !ub.isMovable())) return;
     for (std::uint32_t i = 0; i < ua.shape->footprints.size(); ++i)
-        for (std::uint32_t k = 0; k < ub.shape->footprints.size(); ++k) {
-            const Footprint &fa = ua.shape->footprints[i], &fb = ub.shape->footprints[k];
-            UnitContact contact{a, b, ua.geoms + i, ub.geoms + k, {}, 0, 0, 0};
-            if (overlap(fa, ua.position.z(), fb, ub.position.z(), contact.height)) add(contact, fa, ua.plane, fb, ub.plane);
-        }
+        for (std::uint32_t k = 0; k < ub.shape->footprints.size(); ++k)
+            add({a, b, ua.geoms + i, ub.geoms + k}, sideOf(ua, i), sideOf(ub, k));
 }
 
 void UnitContacts::meetScenery(std::uint32_t a, const WheeledScenery& scenery) {
     const WheeledUnit& unit = m_objects.units[a];
-    for (std::uint32_t i = 0; i < unit.shape->footprints.size(); ++i) {
-        const Footprint& f = unit.shape->footprints[i];
-        UnitContact contact{a, kNoActor, unit.geoms + i, scenery.geom, {}, 0, 0, 0};
-        if (overlap(f, unit.position.z(), scenery.footprint, 0, contact.height)) add(contact, f, unit.plane, scenery.footprint, {});
-    }
+    for (std::uint32_t i = 0; i < unit.shape->footprints.size(); ++i)
+        add({a, kNoActor, unit.geoms + i, scenery.geom}, sideOf(unit, i), {scenery.footprint, {}});
 }
 
-void UnitContacts::add(UnitContact contact, const Footprint& fa, const PlanarPose& pa, const Footprint& fb, const PlanarPose& pb) {
-    contact.touch = touchOf(fa, pa, fb, pb, kLookAhead);
-    if (contact.touch.count == 0) return;
-    const SurfaceSpec &a = m_objects.surfaces[fa.surface], &b = m_objects.surfaces[fb.surface];
-    contact.friction = std::min(a.friction, b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
-    for (int i = 0; i < contact.touch.count; ++i)
-        contact.local[static_cast<std::size_t>(i)] = pa.turnBack(contact.touch.points[i] - pa.at);
+void UnitContacts::add(UnitContact contact, const Side& a, const Side& b) {
+    const double low = std::max(a.low(), b.low()), high = std::min(a.high(), b.high());
+    if (high - low < kLeastOverlap) return;
+    const FootprintTouch touch = touchOf(a.footprint, a.pose, b.footprint, b.pose, kLookAhead);
+    if (touch.count == 0) return;
+    contact.normal = touch.normal;
+    const SurfaceSpec &sa = m_objects.surfaces[a.footprint.surface], &sb = m_objects.surfaces[b.footprint.surface];
+    contact.friction = std::min(sa.friction, sb.friction);
+    contact.restitution = std::max(sa.restitution, sb.restitution);
+    const auto addAt = [&](double height) {
+        const double lean = contact.normal.dot((height - b.height) * b.lean - (height - a.height) * a.lean);
+        for (int i = 0; i < touch.count; ++i) {
+            const Vec2& p = touch.points[i];
+            contact.list[contact.count++] = {{p.x(), p.y(), height}, a.pose.turnBack(p - a.pose.at), touch.gaps[i] + lean};
+        }
+    };
+    if (a.footprint.upright && b.footprint.upright && high - low > kTall) {
+        addAt(low);
+        addAt(high);
+    } else if (a.footprint.upright == b.footprint.upright) addAt((low + high) / 2);
+    else { // a ball or what leans touches with its middle
+        const Side& round = a.footprint.upright ? b : a;
+        addAt(std::clamp((round.low() + round.high()) / 2, low, high));
+    }
     m_now.push_back(contact);
 }
 
@@ -93,19 +108,21 @@ void UnitContacts::takeOver() {
     for (UnitContact& c : m_now) {
         while (old != m_last.end() && old->key() < c.key()) ++old;
         if (old == m_last.end() || old->key() != c.key()) continue;
-        bool used[2] = {false, false};
-        for (std::size_t p = 0; p < static_cast<std::size_t>(c.touch.count); ++p) {
-            std::size_t best = 2;
+        std::array<bool, 4> used{};
+        for (UnitContactPoint& p : c.points()) {
+            std::size_t best = used.size();
             double least = kSamePoint * kSamePoint;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(old->touch.count); ++k)
-                if (const double square = (old->local[k] - c.local[p]).squaredNorm(); !used[k] && square < least) {
-                    best = k;
-                    least = square;
-                }
-            if (best == 2) continue;
+            for (std::size_t k = 0; k < old->count; ++k) {
+                const UnitContactPoint& before = old->list[k];
+                const double rise = before.at.z() - p.at.z(), square = (before.local - p.local).squaredNorm() + rise * rise;
+                if (used[k] || square >= least) continue;
+                best = k;
+                least = square;
+            }
+            if (best == used.size()) continue;
             used[best] = true;
-            c.normal[p] = old->normal[best];
-            c.tangent[p] = old->tangent[best];
+            p.normal = old->list[best].normal;
+            p.tangent = old->list[best].tangent;
         }
     }
 }

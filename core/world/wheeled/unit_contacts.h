@@ -5,6 +5,7 @@
 // take over the impulses of the same points in the tick before.
 
 #include <array>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -13,16 +14,25 @@
 
 namespace trundle {
 
+/// A point of a contact. Upright sides touch at the lower and at the upper end of what they share, so that what leans is held.
+struct UnitContactPoint {
+    Vec3 at = Vec3::Zero();   ///< in the world
+    Vec2 local = Vec2::Zero(); ///< in the frame of `a`
+    double gap = 0;            ///< m, negative where they overlap
+    double normal = 0, tangent = 0; ///< impulses, N s
+};
+
 struct UnitContact {
     std::uint32_t a = 0, b = 0;         ///< units; `b`: kNoActor for scenery
     std::uint32_t geomA = 0, geomB = 0; ///< of the engine
-    FootprintTouch touch;
-    double height = 0; ///< m, in the world
+    Vec2 normal{1, 0};                  ///< from `a` to `b`
     double friction = 0, restitution = 0;
-    std::array<Vec2, 2> local{Vec2::Zero(), Vec2::Zero()}; ///< points in the frame of `a`
-    std::array<double, 2> normal{}, tangent{};             ///< impulses, N s
+    std::uint32_t count = 0; ///< of points
+    std::array<UnitContactPoint, 4> list;
 
     [[nodiscard]] auto key() const { return std::tuple(a, b, geomA, geomB); }
+    [[nodiscard]] std::span<UnitContactPoint> points() { return {list.data(), count}; }
+    [[nodiscard]] std::span<const UnitContactPoint> points() const { return {list.data(), count}; }
 };
 
 class UnitContacts {
@@ -36,10 +46,19 @@ public:
     [[nodiscard]] const std::vector<UnitContact>& all() const { return m_now; }
 
 private:
+    /// A footprint where it is now.
+    struct Side {
+        const Footprint& footprint;
+        PlanarPose pose;
+        double height = 0;              ///< of the origin of its heights
+        Vec2 lean = Vec2::Zero();       ///< m that it is displaced per metre above that
+        [[nodiscard]] double low() const { return height + footprint.low; }
+        [[nodiscard]] double high() const { return height + footprint.high; }
+    };
     void meet(std::uint32_t a, std::uint32_t b);
     void meetScenery(std::uint32_t a, const WheeledScenery& scenery);
-    void add(UnitContact contact, const Footprint& fa, const PlanarPose& pa, const Footprint& fb, const PlanarPose& pb);
-    [[nodiscard]] bool overlap(const Footprint& a, double atA, const Footprint& b, double atB, double& height) const;
+    [[nodiscard]] Side sideOf(const WheeledUnit& unit, std::size_t footprint) const;
+    void add(UnitContact contact, const Side& a, const Side& b);
     void takeOver();
 
     const WheeledObjects& m_objects;

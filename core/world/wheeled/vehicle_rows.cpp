@@ -66,11 +66,10 @@ void VehicleRows::prepare(const WheeledObjects& objects, std::uint32_t index, co
 
 void VehicleRows::addWheels(const WheeledObjects& objects, const WheeledUnit& unit, double h) {
     m_wheelCount = m_shape->wheels.size();
-    m_motors.clear();
     for (std::size_t i = 0; i < m_wheelCount; ++i) {
         const WheelState& wheel = objects.wheels[unit.wheels + i];
         const double radius = m_shape->supports[i].radius;
-        m_motors.emplace_back(wheel, m_shape->wheels[i].damping, m_shape->mass * radius * radius, h);
+        m_motors[i] = MotorLaw(wheel, m_shape->wheels[i].damping, m_shape->mass * radius * radius, h);
         m_momenta[i] = wheel.inertia * wheel.spin + h * wheel.torque;
     }
 }

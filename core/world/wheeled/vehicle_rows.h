@@ -66,7 +66,7 @@ private:
     std::array<Normal, kMostSupports> m_normals;
     std::array<Friction, kMostSupports> m_frictions;
     std::array<double, kMostSupports> m_momenta{}; ///< of wheels, without their motors
-    std::vector<MotorLaw> m_motors;
+    std::array<MotorLaw, kMostSupports> m_motors;
 };
 
 } // namespace trundle
