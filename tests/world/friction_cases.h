@@ -16,6 +16,7 @@ struct Figures {
 struct Conditions {
     double tick = 0.01;
     SolverChoice solver = SolverChoice::Exact;
+    EngineChoice engine = EngineChoice::General;
 };
 using Measure = std::function<Figures(const Conditions&)>;
 
@@ -24,19 +25,23 @@ struct Case {
     Measure measure;
     double most = 0.02, mostAt30 = 0.04; ///< relative
     double quickUpTo = 1;                ///< s: longest tick at which the quick solver also keeps the bounds
+    bool wheeled = false;                ///< the wheeled engine keeps the bounds too
 };
 
 inline void addCases(const std::vector<Case>& cases) {
     QTest::addColumn<int>("index");
     QTest::addColumn<double>("tick");
     QTest::addColumn<int>("solver");
+    QTest::addColumn<bool>("wheeled");
     int index = 0;
     for (const Case& c : cases) {
+        for (const double tick : {0.005, 0.01, 0.03})
+            if (c.wheeled) QTest::addRow("%s, %g ms, wheeled", c.name.c_str(), 1e3 * tick) << index << tick << 0 << true;
         for (const double tick : {0.005, 0.01, 0.03})
             for (const SolverChoice solver : {SolverChoice::Exact, SolverChoice::Quick})
                 if (solver == SolverChoice::Exact || tick <= c.quickUpTo)
                     QTest::addRow("%s, %g ms, %s", c.name.c_str(), 1e3 * tick, solver == SolverChoice::Quick ? "quick" : "exact")
-                        << index << tick << int(solver);
+                        << index << tick << int(solver) << false;
         ++index;
     }
 }
@@ -50,6 +55,7 @@ inline void check(const Case& c, const Conditions& conditions) {
 inline Scene sceneOf(const Conditions& c) {
     Scene scene(c.tick);
     scene.spec->settings.solver = c.solver;
+    scene.spec->settings.engine = c.engine;
     return scene;
 }
 

@@ -237,7 +237,7 @@ Measure mecanumDrives(double direction, double speed) {
     };
 }
 
-std::vector<Case> cases() {
+std::vector<Case> allCases() {
     return {
         {"front drive starts off, mu 1", startsOff(r0Like(1), 0, 1), 0.02, 0.04, 0},
         {"front drive backwards, mu .2", startsOff(r0Like(0.2), 0, -1), 0.02, 0.04, 0},
@@ -288,6 +288,14 @@ std::vector<Case> cases() {
     };
 }
 
+/// Those that stay on level ground, with nothing but wheels and sliders, are for the wheeled engine too.
+std::vector<Case> cases() {
+    std::vector<Case> all = allCases();
+    for (Case& c : all)
+        c.wheeled = !c.name.starts_with("lands") && !c.name.starts_with("tracks") && !c.name.starts_with("tows") && !c.name.starts_with("climbs");
+    return all;
+}
+
 } // namespace
 
 class FrictionVehiclesTest : public QObject {
@@ -299,7 +307,9 @@ private Q_SLOTS:
         QFETCH(int, index);
         QFETCH(double, tick);
         QFETCH(int, solver);
-        check(cases()[static_cast<std::size_t>(index)], {tick, static_cast<SolverChoice>(solver)});
+        QFETCH(bool, wheeled);
+        check(cases()[static_cast<std::size_t>(index)],
+              {tick, static_cast<SolverChoice>(solver), wheeled ? EngineChoice::Wheeled : EngineChoice::General});
     }
 };
 

@@ -7,7 +7,8 @@ namespace trundle {
 
 namespace {
 
-constexpr int kSweepsAlone = 6, kSweeps = 10;
+constexpr int kMostAlone = 300, kMostTogether = 20;
+constexpr double kSettledAlone = 1e-6, kSettledTogether = 1e-3; // of the weight's impulse in a tick: less change of any impulse ends the sweeps
 constexpr double kSlop = 1e-4;         // m
 constexpr double kPushShare = 0.2;     // of the depth, per tick
 constexpr double kFastestPush = 0.1;   // m/s
@@ -82,7 +83,9 @@ void IslandSolver::solveAlone(std::uint32_t unit) {
     if (m_objects.units[unit].isVehicle()) {
         VehicleRows& rows = m_vehicles[0];
         rows.prepare(m_objects, unit, m_gravity, m_h);
-        for (int i = 0; i < kSweepsAlone; ++i) rows.sweep(i % 2 != 0);
+        const double settled = kSettledAlone * m_objects.weight * m_h * m_objects.units[unit].shape->mass;
+        for (int i = 0; i < kMostAlone; ++i)
+            if (rows.sweep(i % 2 != 0) < settled && i > 0) break;
         rows.finish(m_objects);
         return;
     }
@@ -91,7 +94,7 @@ void IslandSolver::solveAlone(std::uint32_t unit) {
     u.grip.setZero();
     if (rests && m_gravity.head<2>().isZero(0)) return;
     Loose loose = looseOf(unit);
-    for (int i = 0; i < 2; ++i) hold(loose, u.grip);
+    for (int i = 0; i < 2; ++i) (void)hold(loose, u.grip);
     writeBack(loose);
 }
 
@@ -115,7 +118,7 @@ IslandSolver::Loose IslandSolver::looseOf(std::uint32_t unit) const {
 
 /// Friction of the ground: translation and turning share one ellipsoid (S. Goyal et al., Planar sliding with dry friction, Wear 143, 1991);
 /// the turning is scaled by `reach`.
-void IslandSolver::hold(Loose& loose, Vec3& grip) {
+double IslandSolver::hold(Loose& loose, Vec3& grip) {
     const bool turns = loose.reach > 0;
     const double k = 1 / loose.mass, kw = turns ? loose.reach * loose.reach / loose.inertia : 1;
     double x = grip.x() - loose.v[0] / k, y = grip.y() - loose.v[1] / k, w = turns ? grip.z() - loose.v[4] * loose.reach / kw : 0;
@@ -139,7 +142,9 @@ void IslandSolver::hold(Loose& loose, Vec3& grip) {
     loose.v[0] += (x - grip.x()) * k;
     loose.v[1] += (y - grip.y()) * k;
     if (turns) loose.v[4] += (w - grip.z()) * kw / loose.reach;
+    const double change = (Vec3(x, y, w) - grip).cwiseAbs().maxCoeff();
     grip = {x, y, w};
+    return change;
 }
 
 void IslandSolver::writeBack(const Loose& loose) {
@@ -211,14 +216,17 @@ void IslandSolver::addRows(UnitContact& c) {
     }
 }
 
-void IslandSolver::solveContact(ContactRow& row) {
-    const double normal = std::max(row.normal + (row.bias - row.speed(row.normalA, row.normalB)) / row.normalMass, 0.);
+double IslandSolver::solveContact(ContactRow& row) {
+    const double before = row.normal, normal = std::max(before + (row.bias - row.speed(row.normalA, row.normalB)) / row.normalMass, 0.);
     if (normal != row.normal) row.push(row.normalA, row.normalB, normal - row.normal);
     row.normal = normal;
+    double change = std::abs(normal - before);
     const double limit = row.friction * normal;
     const double tangent = std::clamp(row.tangent - row.speed(row.tangentA, row.tangentB) / row.tangentMass, -limit, limit);
     if (tangent != row.tangent) row.push(row.tangentA, row.tangentB, tangent - row.tangent);
+    change = std::max(change, std::abs(tangent - row.tangent));
     row.tangent = tangent;
+    return change;
 }
 
 void IslandSolver::solve(std::span<const std::uint32_t> units, std::span<const std::uint32_t> contacts) {
@@ -229,14 +237,21 @@ void IslandSolver::solve(std::span<const std::uint32_t> units, std::span<const s
         row.push(row.normalA, row.normalB, row.normal);
         row.push(row.tangentA, row.tangentB, row.tangent);
     }
-    for (int i = 0; i < kSweeps; ++i) {
-        const bool backwards = i % 2 != 0;
-        for (std::size_t k = 0; k < m_vehicleCount; ++k) m_vehicles[k].sweep(backwards);
-        for (Loose& loose : m_loose) hold(loose, m_objects.units[loose.unit].grip);
-        if (backwards) std::for_each(m_rows.rbegin(), m_rows.rend(), solveContact);
-        else std::for_each(m_rows.begin(), m_rows.end(), solveContact);
-    }
+    double lightest = 1e300;
+    for (const std::uint32_t unit : units) lightest = std::min(lightest, m_objects.units[unit].shape->mass);
+    const double settled = kSettledTogether * m_objects.weight * m_h * lightest;
+    for (int i = 0; i < kMostTogether; ++i)
+        if (sweep(i % 2 != 0) < settled && i > 0) break;
     finish(contacts);
+}
+
+/// The largest change of an impulse, N s.
+double IslandSolver::sweep(bool backwards) {
+    double change = 0;
+    for (std::size_t k = 0; k < m_vehicleCount; ++k) change = std::max(change, m_vehicles[k].sweep(backwards));
+    for (Loose& loose : m_loose) change = std::max(change, hold(loose, m_objects.units[loose.unit].grip));
+    for (std::size_t k = 0; k < m_rows.size(); ++k) change = std::max(change, solveContact(m_rows[backwards ? m_rows.size() - 1 - k : k]));
+    return change;
 }
 
 void IslandSolver::finish(std::span<const std::uint32_t> contacts) {

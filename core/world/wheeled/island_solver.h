@@ -46,8 +46,9 @@ private:
     void addRows(UnitContact& contact);
     [[nodiscard]] VehicleRows::Push pushOf(std::uint32_t unit, const Vec3& point, const Vec2& way) const;
     [[nodiscard]] double* velocitiesOf(std::uint32_t unit);
-    static void hold(Loose& loose, Vec3& grip);
-    static void solveContact(ContactRow& row);
+    [[nodiscard]] static double hold(Loose& loose, Vec3& grip);
+    [[nodiscard]] static double solveContact(ContactRow& row);
+    [[nodiscard]] double sweep(bool backwards);
     void finish(std::span<const std::uint32_t> contacts);
     void writeBack(const Loose& loose);
 

@@ -30,12 +30,15 @@ void ontoCone(double& along, double& across, double k1, double k2, double b1, do
 
 } // namespace
 
+/// Rows act along the heading in the middle of the tick, so that wheels go round a circle and not along its tangents.
 void VehicleRows::setAxes(const WheeledUnit& unit) {
-    m_c = unit.plane.c;
-    m_s = unit.plane.s;
+    const double c = unit.plane.c, s = unit.plane.s;
     Mat3 back;
-    back << m_c, m_s, 0, -m_s, m_c, 0, 0, 0, 1;
+    back << c, s, 0, -s, c, 0, 0, 0, 1;
     m_axes = back * unit.rotation.toRotationMatrix();
+    const double t = m_h * unit.angular.z() / 4, n = 1 / (1 + t * t), dc = (1 - t * t) * n, ds = 2 * t * n; // half of the turn
+    m_c = c * dc - s * ds;
+    m_s = s * dc + c * ds;
     m_inverse = m_axes * m_shape->inertia.inverse() * m_axes.transpose();
 }
 
@@ -128,7 +131,7 @@ void VehicleRows::apply(const Way& way, double impulse) {
     m_v[WZ] += impulse * way.change.z();
 }
 
-void VehicleRows::solveNormal(Normal& row) {
+double VehicleRows::solveNormal(Normal& row) {
     const double rises = m_v[VZ] + row.ay * m_v[WX] - row.ax * m_v[WY];
     const double change = std::max((row.bias - row.soft * row.impulse - rises) * row.inverse, -row.impulse);
     row.impulse += change;
@@ -136,6 +139,7 @@ void VehicleRows::solveNormal(Normal& row) {
     m_v[WX] += change * row.change.x();
     m_v[WY] += change * row.change.y();
     m_v[WZ] += change * row.change.z();
+    return std::abs(change);
 }
 
 /// The change of the impulse along after which the tread does not slip, with the motor's answer; `mass`: inverse, of both.
@@ -156,7 +160,7 @@ double VehicleRows::solveAlong(const Friction& row, double speed, double& mass) 
     return change;
 }
 
-void VehicleRows::solveFriction(Friction& row, double load) {
+double VehicleRows::solveFriction(Friction& row, double load) {
     const double limit = row.limit * load;
     double mass = 0, along = solveAlong(row, speed(row.along), mass), across = 0;
     if (row.round) {
@@ -175,14 +179,17 @@ void VehicleRows::solveFriction(Friction& row, double load) {
     row.alongImpulse += along;
     apply(row.along, along);
     if (row.lever != 0) m_momenta[row.wheel] -= row.lever * along;
+    return std::max(std::abs(along), std::abs(across));
 }
 
-void VehicleRows::sweep(bool backwards) {
-    for (std::size_t q = 0; q < m_count; ++q) solveNormal(m_normals[backwards ? m_count - 1 - q : q]);
+double VehicleRows::sweep(bool backwards) {
+    double change = 0;
+    for (std::size_t q = 0; q < m_count; ++q) change = std::max(change, solveNormal(m_normals[backwards ? m_count - 1 - q : q]));
     for (std::size_t q = 0; q < m_count; ++q) {
         const std::size_t i = backwards ? m_count - 1 - q : q;
-        if (m_frictions[i].limit > 0) solveFriction(m_frictions[i], m_normals[i].impulse);
+        if (m_frictions[i].limit > 0) change = std::max(change, solveFriction(m_frictions[i], m_normals[i].impulse));
     }
+    return change;
 }
 
 void VehicleRows::finish(WheeledObjects& objects) const {

@@ -17,7 +17,8 @@ namespace trundle {
 class VehicleRows {
 public:
     void prepare(const WheeledObjects& objects, std::uint32_t unit, const Vec3& gravity, double h);
-    void sweep(bool backwards);
+    /// The largest change of an impulse, N s.
+    double sweep(bool backwards);
     void finish(WheeledObjects& objects) const;
 
     /// Speed of a point of the vehicle along a level direction, and what an impulse there does. Vectors from the centre of mass, world axes.
@@ -52,8 +53,8 @@ private:
     [[nodiscard]] Way wayOf(const Vec3& arm, double x, double y) const;
     [[nodiscard]] double speed(const Way& way) const;
     void apply(const Way& way, double impulse);
-    void solveNormal(Normal& row);
-    void solveFriction(Friction& row, double load);
+    [[nodiscard]] double solveNormal(Normal& row);
+    [[nodiscard]] double solveFriction(Friction& row, double load);
     [[nodiscard]] double solveAlong(const Friction& row, double speed, double& mass) const;
 
     const ActorShape* m_shape = nullptr;
