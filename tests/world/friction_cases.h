@@ -25,7 +25,7 @@ struct Case {
     Measure measure;
     double most = 0.02, mostAt30 = 0.04; ///< relative
     double quickUpTo = 1;                ///< s: longest tick at which the quick solver also keeps the bounds
-    bool wheeled = false;                ///< the wheeled engine keeps the bounds too
+    double wheeledUpTo = 0;              ///< s: longest tick at which the wheeled engine keeps the bounds too
 };
 
 inline void addCases(const std::vector<Case>& cases) {
@@ -36,7 +36,7 @@ inline void addCases(const std::vector<Case>& cases) {
     int index = 0;
     for (const Case& c : cases) {
         for (const double tick : {0.005, 0.01, 0.03})
-            if (c.wheeled) QTest::addRow("%s, %g ms, wheeled", c.name.c_str(), 1e3 * tick) << index << tick << 0 << true;
+            if (tick <= c.wheeledUpTo) QTest::addRow("%s, %g ms, wheeled", c.name.c_str(), 1e3 * tick) << index << tick << 0 << true;
         for (const double tick : {0.005, 0.01, 0.03})
             for (const SolverChoice solver : {SolverChoice::Exact, SolverChoice::Quick})
                 if (solver == SolverChoice::Exact || tick <= c.quickUpTo)

@@ -65,7 +65,7 @@ std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, 
     case GeomShape::Capsule: return no("is a capsule");
     default: break;
     }
-    const auto footprint = footprintOf(geom, pose);
+    const auto footprint = planarShapeOf(geom, pose);
     if (!footprint) return no("has no footprint");
     if (footprint.value().high <= ground.height + kTouching) return {};
     const bool leans = geom.shape != GeomShape::Sphere && !isUpright(axes) && footprint.value().low < ground.height + kNear;
@@ -223,9 +223,9 @@ bool ActorReader::addFootprints() {
         std::uint32_t count = 0;
         for (const GeomSpec& geom : body(i).geoms) {
             if (!geom.collide) continue;
-            auto made = footprintOf(geom, s.bodies[i] * geom.pose);
+            auto made = planarShapeOf(geom, s.bodies[i] * geom.pose);
             if (!made) return refuse(named("geom", geom.name, "has no footprint"), geom.nameRange);
-            const Footprint& f = made.value();
+            const PlanarShape& f = made.value();
             s.bound = std::max(s.bound, f.centre.norm() + f.bound);
             s.footprints.push_back(std::move(made).value());
             s.footprintBody.push_back(i);
@@ -237,7 +237,7 @@ bool ActorReader::addFootprints() {
 }
 
 /// Height over the ground at the start.
-double ActorReader::bottom(const Footprint& footprint) const {
+double ActorReader::bottom(const PlanarShape& footprint) const {
     return m_actor->frame.position.z() + m_shape->centre.z() + footprint.low - m_ground.height;
 }
 
@@ -317,8 +317,8 @@ bool ActorReader::readLoose() {
     ActorShape& s = *m_shape;
     s.kind = ActorKind::Loose;
     if (s.footprints.empty()) return refuse(named("body", body(0).name, "has nothing that collides"), body(0).nameRange);
-    const auto lowest = std::ranges::min_element(s.footprints, {}, &Footprint::low);
-    const Footprint& base = *lowest;
+    const auto lowest = std::ranges::min_element(s.footprints, {}, &PlanarShape::low);
+    const PlanarShape& base = *lowest;
     if (std::abs(bottom(base)) > kNear)
         return refuse(named("body", body(0).name, "does not stand on the ground at the start"), body(0).nameRange);
     s.surface = base.surface;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "world/engine.h"
-#include "world/wheeled/footprint.h"
+#include "world/wheeled/planar_shape.h"
 
 namespace trundle {
 
@@ -50,7 +50,7 @@ struct ActorShape {
     std::vector<Pose> bodies;       ///< at the start
     std::vector<Vec3> bodyCentres;  ///< of mass, in the bodies' frames
     std::vector<std::uint32_t> geomCounts; ///< of bodies: geoms that collide
-    std::vector<Footprint> footprints;     ///< in the order of the geoms that collide
+    std::vector<PlanarShape> footprints;     ///< in the order of the geoms that collide
     std::vector<std::uint32_t> footprintBody;
     std::vector<Support> supports;
     std::vector<WheelShape> wheels;
@@ -106,7 +106,7 @@ private:
     [[nodiscard]] bool refuse(std::string reason, SourceRange range);
     [[nodiscard]] const BodySpec& body(std::uint32_t index) const { return *m_actor->bodies[index].spec; }
     [[nodiscard]] const GeomSpec* onlyGeom(std::uint32_t index) const;
-    [[nodiscard]] double bottom(const Footprint& footprint) const;
+    [[nodiscard]] double bottom(const PlanarShape& footprint) const;
     [[nodiscard]] Pose inActor(std::uint32_t index) const;
 
     enum class Role { Unknown, Rigid, Wheel, Caster };

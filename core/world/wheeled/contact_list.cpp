@@ -54,7 +54,7 @@ void ContactList::addSupports(std::uint32_t index) const {
 void ContactList::addGround(std::uint32_t index) const {
     const WheeledUnit& unit = m_objects.units[index];
     const auto& footprints = unit.shape->footprints;
-    const auto base = std::ranges::min_element(footprints, {}, &Footprint::low);
+    const auto base = std::ranges::min_element(footprints, {}, &PlanarShape::low);
     const auto geom = static_cast<std::uint32_t>(base - footprints.begin());
     const Vec3 at(unit.position.x(), unit.position.y(), m_objects.ground->height);
     m_all.push_back({index, kNoActor, unit.geoms + geom, m_objects.ground->geom, at, Vec3::UnitZ(), 0, unit.shape->mass * m_objects.weight,

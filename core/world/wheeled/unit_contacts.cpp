@@ -16,7 +16,7 @@ Box3 boxOf(const WheeledUnit& unit) {
     return {{x - r, y - r, 0}, {x + r, y + r, 0}};
 }
 
-Box3 boxOf(const Footprint& f) {
+Box3 boxOf(const PlanarShape& f) {
     Vec2 low = f.centre - Vec2::Constant(f.radius), high = f.centre + Vec2::Constant(f.radius);
     for (const Vec2& p : f.corners) {
         low = low.cwiseMin(p);
@@ -78,7 +78,7 @@ void UnitContacts::meetScenery(std::uint32_t a, const WheeledScenery& scenery) {
 void UnitContacts::add(UnitContact contact, const Side& a, const Side& b) {
     const double low = std::max(a.low(), b.low()), high = std::min(a.high(), b.high());
     if (high - low < kLeastOverlap) return;
-    const FootprintTouch touch = touchOf(a.footprint, a.pose, b.footprint, b.pose, kLookAhead);
+    const PlanarTouch touch = touchOf(a.footprint, a.pose, b.footprint, b.pose, kLookAhead);
     if (touch.count == 0) return;
     contact.normal = touch.normal;
     const SurfaceSpec &sa = m_objects.surfaces[a.footprint.surface], &sb = m_objects.surfaces[b.footprint.surface];

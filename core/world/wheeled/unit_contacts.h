@@ -48,7 +48,7 @@ public:
 private:
     /// A footprint where it is now.
     struct Side {
-        const Footprint& footprint;
+        const PlanarShape& footprint;
         PlanarPose pose;
         double height = 0;              ///< of the origin of its heights
         Vec2 lean = Vec2::Zero();       ///< m that it is displaced per metre above that

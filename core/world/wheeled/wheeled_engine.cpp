@@ -32,7 +32,7 @@ Result<GeomHandle> WheeledEngine::addStatic(const GeomSpec& geom, const Pose& po
     m_objects.ground = m_finder.ground();
     m_objects.geoms.push_back({kNoGeom, rayGeomOf(geom, pose, kNoGeom)});
     if (geom.shape != GeomShape::Plane)
-        if (auto footprint = footprintOf(geom, pose)) m_objects.scenery.push_back({std::move(footprint).value(), index});
+        if (auto footprint = planarShapeOf(geom, pose)) m_objects.scenery.push_back({std::move(footprint).value(), index});
     m_rays.markMoved();
     return GeomHandle{index};
 }

@@ -49,7 +49,7 @@ struct WheeledUnit {
 };
 
 struct WheeledScenery {
-    Footprint footprint; ///< in the world
+    PlanarShape footprint; ///< in the world
     std::uint32_t geom = 0;
 };
 

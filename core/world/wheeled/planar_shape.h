@@ -23,7 +23,7 @@ struct PlanarPose {
 
 inline constexpr std::size_t kMostCorners = 64;
 
-struct Footprint {
+struct PlanarShape {
     Vec2 centre = Vec2::Zero();          ///< in the frame of its owner
     double radius = 0;                   ///< of a circle; 0: a polygon
     std::vector<Vec2> corners, outwards; ///< of a polygon, counter-clockwise, at most kMostCorners; normals of the edges from each corner on
@@ -37,17 +37,17 @@ struct Footprint {
 
 /// Of a geom at a pose in the frame of its owner, z upwards. What leans is projected: its footprint is all that is below it. Error: a shape
 /// that has none (planes, height maps, open meshes).
-[[nodiscard]] Result<Footprint> footprintOf(const GeomSpec& geom, const Pose& pose);
+[[nodiscard]] Result<PlanarShape> planarShapeOf(const GeomSpec& geom, const Pose& pose);
 
 /// Where two footprints touch or nearly do. Heights are not looked at.
-struct FootprintTouch {
+struct PlanarTouch {
     int count = 0;           ///< of the points, at most 2
     Vec2 normal{1, 0};       ///< from the first to the second
     Vec2 points[2];          ///< world
     double gaps[2] = {0, 0}; ///< m, negative where they overlap
 };
 /// Points with a gap of at most `margin`. Method: separating axes, then clipping of the facing edges (E. Catto, Contact Manifolds, GDC 2007).
-[[nodiscard]] FootprintTouch touchOf(const Footprint& a, const PlanarPose& atA, const Footprint& b, const PlanarPose& atB,
+[[nodiscard]] PlanarTouch touchOf(const PlanarShape& a, const PlanarPose& atA, const PlanarShape& b, const PlanarPose& atB,
                                      double margin);
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-#include "world/wheeled/footprint.h"
+#include "world/wheeled/planar_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +63,7 @@ std::vector<Vec3> pointsOf(const GeomSpec& geom) {
     return points;
 }
 
-void makeCircle(Footprint& out, double radius, double half, double height) {
+void makeCircle(PlanarShape& out, double radius, double half, double height) {
     out.radius = out.bound = radius;
     out.low = height - half;
     out.high = height + half;
@@ -78,7 +78,7 @@ struct Edges {
 };
 
 /// The second shape in the frame of the first.
-void seeFrom(const Footprint& b, const PlanarPose& atB, const PlanarPose& atA, Edges& out) {
+void seeFrom(const PlanarShape& b, const PlanarPose& atB, const PlanarPose& atA, Edges& out) {
     const PlanarPose in{atA.turnBack(atB.at - atA.at), atA.c * atB.c + atA.s * atB.s, atA.c * atB.s - atA.s * atB.c};
     out.count = b.corners.size();
     for (std::size_t i = 0; i < out.count; ++i) {
@@ -123,8 +123,8 @@ bool clip(Segment& s, const Vec2& origin, const Vec2& along, double length) {
 }
 
 /// In the frame of `a`.
-FootprintTouch polygons(const Footprint& a, const Edges& b, double margin) {
-    FootprintTouch out;
+PlanarTouch polygons(const PlanarShape& a, const Edges& b, double margin) {
+    PlanarTouch out;
     const Separation mine = separation(a.corners, a.outwards, b.corners());
     if (mine.gap > margin) return out;
     const Separation theirs = separation(b.corners(), b.outwards(), a.corners);
@@ -158,8 +158,8 @@ FootprintTouch polygons(const Footprint& a, const Edges& b, double margin) {
 }
 
 /// A circle at `centre` in the frame of the polygon; the normal is from the polygon to the circle.
-FootprintTouch circleOnPolygon(const Footprint& polygon, const Vec2& centre, double radius, double margin) {
-    FootprintTouch out;
+PlanarTouch circleOnPolygon(const PlanarShape& polygon, const Vec2& centre, double radius, double margin) {
+    PlanarTouch out;
     const Vec2 only[1] = {centre};
     const Separation s = separation(polygon.corners, polygon.outwards, only);
     if (s.gap > radius + margin) return out;
@@ -177,8 +177,8 @@ FootprintTouch circleOnPolygon(const Footprint& polygon, const Vec2& centre, dou
     return out;
 }
 
-FootprintTouch circles(const Vec2& a, double radiusA, const Vec2& b, double radiusB, double margin) {
-    FootprintTouch out;
+PlanarTouch circles(const Vec2& a, double radiusA, const Vec2& b, double radiusB, double margin) {
+    PlanarTouch out;
     const Vec2 way = b - a;
     const double distance = way.norm(), gap = distance - radiusA - radiusB;
     if (gap > margin) return out;
@@ -189,7 +189,7 @@ FootprintTouch circles(const Vec2& a, double radiusA, const Vec2& b, double radi
     return out;
 }
 
-FootprintTouch inWorld(FootprintTouch touch, const PlanarPose& frame) {
+PlanarTouch inWorld(PlanarTouch touch, const PlanarPose& frame) {
     touch.normal = frame.turn(touch.normal);
     for (int i = 0; i < touch.count; ++i) touch.points[i] = frame.at + frame.turn(touch.points[i]);
     return touch;
@@ -197,8 +197,8 @@ FootprintTouch inWorld(FootprintTouch touch, const PlanarPose& frame) {
 
 } // namespace
 
-Result<Footprint> footprintOf(const GeomSpec& geom, const Pose& pose) {
-    Footprint out;
+Result<PlanarShape> planarShapeOf(const GeomSpec& geom, const Pose& pose) {
+    PlanarShape out;
     out.surface = geom.surface;
     out.centre = pose.position.head<2>();
     if (geom.shape == GeomShape::Sphere) {
@@ -232,13 +232,13 @@ Result<Footprint> footprintOf(const GeomSpec& geom, const Pose& pose) {
     return out;
 }
 
-FootprintTouch touchOf(const Footprint& a, const PlanarPose& atA, const Footprint& b, const PlanarPose& atB, double margin) {
+PlanarTouch touchOf(const PlanarShape& a, const PlanarPose& atA, const PlanarShape& b, const PlanarPose& atB, double margin) {
     const Vec2 centreA = atA.at + atA.turn(a.centre), centreB = atB.at + atB.turn(b.centre);
     const double reach = a.bound + b.bound + margin;
     if ((centreB - centreA).squaredNorm() > reach * reach) return {};
     if (a.isCircle() && b.isCircle()) return circles(centreA, a.radius, centreB, b.radius, margin);
     if (a.isCircle()) {
-        FootprintTouch touch = inWorld(circleOnPolygon(b, atB.turnBack(centreA - atB.at), a.radius, margin), atB);
+        PlanarTouch touch = inWorld(circleOnPolygon(b, atB.turnBack(centreA - atB.at), a.radius, margin), atB);
         touch.normal = -touch.normal;
         return touch;
     }
