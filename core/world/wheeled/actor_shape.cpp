@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <functional>
 
 namespace trundle {
 
@@ -37,18 +39,43 @@ const char* nameOf(JointType type) {
 
 } // namespace
 
+bool LevelGround::isEndless() const {
+    return std::ranges::any_of(slabs, [](const Slab& slab) { return slab.half.isZero(0); });
+}
+
+bool LevelGround::isBelow(const Vec2& point) const {
+    return std::ranges::any_of(slabs, [&](const Slab& slab) {
+        const Vec2 at = slab.pose.turnBack(point - slab.pose.at);
+        return slab.half.isZero(0) || (std::abs(at.x()) <= slab.half.x() && std::abs(at.y()) <= slab.half.y());
+    });
+}
+
 void GroundFinder::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose) {
     const Mat3 axes = pose.rotation.toRotationMatrix();
-    if (!isUpright(axes)) return;
-    if (spec.shape == GeomShape::Plane) {
-        if (!m_isPlane || !m_ground || pose.position.z() > m_ground->height) m_ground = LevelGround{pose.position.z(), geom, spec.surface};
-        m_isPlane = true;
-    } else if (spec.shape == GeomShape::Box && !m_isPlane) {
-        const double area = spec.size.x() * spec.size.y();
-        if (area <= m_area) return;
-        m_area = area;
-        m_ground = LevelGround{pose.position.z() + spec.size.z() / 2, geom, spec.surface};
-    }
+    const bool plane = spec.shape == GeomShape::Plane;
+    if (!isUpright(axes) || (!plane && spec.shape != GeomShape::Box)) return;
+    const double height = pose.position.z() + (plane ? 0 : spec.size.z() / 2);
+    const PlanarPose at{pose.position.head<2>(), axes(0, 0), axes(1, 0)};
+    const LevelGround::Slab slab{geom, spec.surface, at, plane ? Vec2(0, 0) : Vec2(spec.size.head<2>() / 2)};
+    for (LevelGround& level : m_levels)
+        if (std::abs(level.height - height) < kTouching) return level.slabs.push_back(slab);
+    m_levels.push_back({height, {slab}});
+    std::ranges::sort(m_levels, std::greater{}, &LevelGround::height);
+}
+
+std::optional<LevelGround> GroundFinder::under(double bottom) const {
+    const auto level = std::ranges::find_if(m_levels, [&](const LevelGround& l) { return l.height < bottom + kNear; });
+    return level == m_levels.end() ? std::nullopt : std::optional(*level);
+}
+
+double lowestOf(const ActorDef& actor) {
+    double lowest = 1e300;
+    for (const BodyDef& body : actor.bodies)
+        for (const GeomSpec& geom : body.spec->geoms) {
+            if (!geom.collide) continue;
+            if (const auto shape = planarShapeOf(geom, body.pose * geom.pose)) lowest = std::min(lowest, shape.value().low);
+        }
+    return lowest;
 }
 
 std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, const LevelGround& ground) {
@@ -151,8 +178,7 @@ bool ActorReader::isWheel(const JointSpec& joint) {
     const Vec3 off = pose.position - joint.anchor;
     if ((off - off.dot(joint.axis) * joint.axis).norm() > kTouching) return false;
     if (geom->shape == GeomShape::Cylinder && std::abs((pose.rotation * Vec3::UnitZ()).dot(joint.axis)) < 1 - kLevelAxis) return false;
-    const double low = m_actor->frame.position.z() + pose.position.z() - geom->radius;
-    return std::abs(low - m_ground.height) < kNear;
+    return isOnGround("wheel", joint, m_actor->frame.position.z() + pose.position.z() - geom->radius);
 }
 
 /// A ball in a socket on the ground.
@@ -162,7 +188,15 @@ bool ActorReader::isCaster(const JointSpec& joint) {
     if (!geom || geom->shape != GeomShape::Sphere) return false;
     const Vec3 centre = inActor(index) * geom->pose.position;
     return (centre - joint.anchor).norm() < kTouching &&
-           std::abs(m_actor->frame.position.z() + centre.z() - geom->radius - m_ground.height) < kNear;
+           isOnGround("caster", joint, m_actor->frame.position.z() + centre.z() - geom->radius);
+}
+
+bool ActorReader::isOnGround(const char* kind, const JointSpec& joint, double bottom) {
+    const double gap = bottom - m_ground.height;
+    if (std::abs(gap) < kNear) return true;
+    char text[64];
+    std::snprintf(text, sizeof text, "is %.1f mm %s the ground at the start", 1e3 * std::abs(gap), gap > 0 ? "above" : "in");
+    return refuse(named(kind, body(static_cast<std::uint32_t>(joint.child)).name, text), joint.nameRange);
 }
 
 /// Every other body is fixed to the first one.
@@ -260,7 +294,7 @@ bool ActorReader::addSupports() {
 bool ActorReader::addWheel(const JointSpec& joint, std::uint32_t index) {
     const WheelShape& wheel = m_shape->wheels[index];
     const GeomSpec& geom = *onlyGeom(wheel.body);
-    const SurfaceSpec &own = m_surfaces[geom.surface], &floor = m_surfaces[m_ground.surface];
+    const SurfaceSpec &own = m_surfaces[geom.surface], &floor = m_surfaces[m_ground.surface()];
     Support s;
     s.body = wheel.body;
     for (std::uint32_t i = 0; i < wheel.body; ++i) s.geom += m_shape->geomCounts[i];

@@ -14,10 +14,20 @@ namespace trundle {
 
 inline constexpr std::size_t kMostSupports = 24; ///< of a vehicle
 
-/// The ground that everything stands on.
+/// The level ground that everything stands on: planes and boxes with their tops at one height.
 struct LevelGround {
-    double height = 0;   ///< z of its top, m
-    std::uint32_t geom = 0, surface = 0;
+    struct Slab {
+        std::uint32_t geom = 0, surface = 0;
+        PlanarPose pose;
+        Vec2 half = Vec2::Zero(); ///< 0: endless
+    };
+    double height = 0; ///< m
+    std::vector<Slab> slabs;
+
+    [[nodiscard]] std::uint32_t geom() const { return slabs[0].geom; }
+    [[nodiscard]] std::uint32_t surface() const { return slabs[0].surface; }
+    [[nodiscard]] bool isEndless() const;
+    [[nodiscard]] bool isBelow(const Vec2& point) const;
 };
 
 /// Where a vehicle stands: a wheel, or a ball or slider under it. Vectors from the centre of mass, in the vehicle's axes.
@@ -66,17 +76,19 @@ struct NotWheeled {
     SourceRange range;   ///< of the part in the text
 };
 
-/// The ground of an experiment's scenery; nothing where there is none. Of several the highest.
+/// Finds the ground among an experiment's scenery.
 class GroundFinder {
 public:
     void add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose);
-    [[nodiscard]] const std::optional<LevelGround>& ground() const { return m_ground; }
+    /// The highest on which an actor can stand whose lowest point is at `bottom`; nothing where there is none.
+    [[nodiscard]] std::optional<LevelGround> under(double bottom) const;
 
 private:
-    std::optional<LevelGround> m_ground;
-    bool m_isPlane = false;
-    double m_area = 0;
+    std::vector<LevelGround> m_levels; ///< by height, from above
 };
+
+/// The lowest point of what collides of an actor, m.
+[[nodiscard]] double lowestOf(const ActorDef& actor);
 
 /// Of scenery at a pose, above that ground; nothing for what is the ground or below it.
 [[nodiscard]] std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, const LevelGround& ground);
@@ -94,6 +106,7 @@ private:
     [[nodiscard]] bool readJoint(std::uint32_t index);
     [[nodiscard]] bool isWheel(const JointSpec& joint);
     [[nodiscard]] bool isCaster(const JointSpec& joint);
+    [[nodiscard]] bool isOnGround(const char* kind, const JointSpec& joint, double bottom);
     [[nodiscard]] bool isWhole();
     void addMasses();
     [[nodiscard]] bool addFootprints();

@@ -45,7 +45,7 @@ void ContactList::addSupports(std::uint32_t index) const {
         if (depth < 0 && state.normal == 0) continue;
         const Vec2 way = unit.plane.turn(s.way);
         const Vec3 friction(state.along * way.x() - state.across * way.y(), state.along * way.y() + state.across * way.x(), 0);
-        m_all.push_back({index, kNoActor, unit.geoms + s.geom, m_objects.ground->geom, at, Vec3::UnitZ(), std::max(depth, 0.),
+        m_all.push_back({index, kNoActor, unit.geoms + s.geom, m_objects.ground->geom(), at, Vec3::UnitZ(), std::max(depth, 0.),
                          state.normal / m_h, friction / m_h});
     }
 }
@@ -57,7 +57,7 @@ void ContactList::addGround(std::uint32_t index) const {
     const auto base = std::ranges::min_element(footprints, {}, &PlanarShape::low);
     const auto geom = static_cast<std::uint32_t>(base - footprints.begin());
     const Vec3 at(unit.position.x(), unit.position.y(), m_objects.ground->height);
-    m_all.push_back({index, kNoActor, unit.geoms + geom, m_objects.ground->geom, at, Vec3::UnitZ(), 0, unit.shape->mass * m_objects.weight,
+    m_all.push_back({index, kNoActor, unit.geoms + geom, m_objects.ground->geom(), at, Vec3::UnitZ(), 0, unit.shape->mass * m_objects.weight,
                      Vec3(unit.grip.x(), unit.grip.y(), 0) / m_h});
 }
 

@@ -102,7 +102,7 @@ void IslandSolver::solveAlone(std::uint32_t unit) {
 IslandSolver::Loose IslandSolver::looseOf(std::uint32_t unit) const {
     const WheeledUnit& u = m_objects.units[unit];
     const ActorShape& s = *u.shape;
-    const SurfaceSpec &own = m_objects.surfaces[s.surface], &floor = m_objects.surfaces[m_objects.ground->surface];
+    const SurfaceSpec &own = m_objects.surfaces[s.surface], &floor = m_objects.surfaces[m_objects.ground->surface()];
     Loose out;
     out.unit = unit;
     const bool ball = s.kind == ActorKind::Ball;

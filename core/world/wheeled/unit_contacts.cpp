@@ -56,6 +56,7 @@ void UnitContacts::forget(std::uint32_t unit) {
 }
 
 UnitContacts::Side UnitContacts::sideOf(const WheeledUnit& unit, std::size_t footprint) const {
+    if (!unit.isVehicle()) return {unit.shape->footprints[footprint], unit.plane, unit.position.z()};
     const Quat& q = unit.rotation;
     const Vec2 lean(2 * (q.x() * q.z() + q.w() * q.y()), 2 * (q.y() * q.z() - q.w() * q.x()));
     return {unit.shape->footprints[footprint], unit.plane, unit.position.z(), lean};

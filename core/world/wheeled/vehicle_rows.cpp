@@ -63,7 +63,7 @@ void VehicleRows::prepare(const WheeledObjects& objects, std::uint32_t index, co
         Normal& row = m_normals[m_count];
         const Vec3 centre = m_axes * s.centre;
         row.bias = s.radius - (height + centre.z()); // depth
-        addSupport(s, objects.supports[unit.supports + i], objects.friction(s.surface, objects.ground->surface), h);
+        addSupport(s, objects.supports[unit.supports + i], objects.friction(s.surface, objects.ground->surface()), h);
     }
 }
 

@@ -29,7 +29,6 @@ WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(set
 Result<GeomHandle> WheeledEngine::addStatic(const GeomSpec& geom, const Pose& pose) {
     const auto index = static_cast<std::uint32_t>(m_objects.geoms.size());
     m_finder.add(index, geom, pose);
-    m_objects.ground = m_finder.ground();
     m_objects.geoms.push_back({kNoGeom, rayGeomOf(geom, pose, kNoGeom)});
     if (geom.shape != GeomShape::Plane)
         if (auto footprint = planarShapeOf(geom, pose)) m_objects.scenery.push_back({std::move(footprint).value(), index});
@@ -48,6 +47,7 @@ std::shared_ptr<const ActorShape> WheeledEngine::shapeOf(const ActorDef& actor, 
 }
 
 Result<ActorHandles> WheeledEngine::addActor(const ActorDef& actor) {
+    if (!m_objects.ground) m_objects.ground = m_finder.under(lowestOf(actor));
     if (!m_objects.ground) return Error{Code::NotInEngine, "there is no level ground to stand on"};
     if (m_objects.units.empty()) { // what is the ground, or in it, is nothing to run into
         const double height = m_objects.ground->height + 1e-4;
@@ -196,6 +196,8 @@ std::string WheeledEngine::faultOf(const WheeledUnit& unit) const {
     if (!within(unit.position, kFarthest) || !std::isfinite(up)) return "it is farther than 100000 m from the origin, or its state is no number";
     if (!within(unit.linear, kFastest)) return "it moves faster than 200 m/s";
     if (!within(unit.angular, kFastestTurn)) return "it turns faster than 10000 rad/s";
+    if (!m_objects.ground->isEndless() && !m_objects.ground->isBelow(unit.position.head<2>()))
+        return "it leaves the ground, which Engine = wheeled cannot follow; use Engine = general";
     if (unit.shape->kind != ActorKind::Ball && up < kLeastUpright)
         return "it leans by more than 20 degrees, which Engine = wheeled cannot follow; use Engine = general";
     return {};

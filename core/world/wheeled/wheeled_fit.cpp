@@ -17,7 +17,7 @@ public:
         const SettingsSpec& s = m_experiment.settings;
         if (!(s.gravity.z() < 0)) refuse("Gravity does not pull down", s.engineRange);
         findGround();
-        if (!m_finder.ground()) refuse("there is no level ground: no Plane or Box to stand on", s.engineRange);
+        if (!m_ground) refuse("there is no level ground: no Plane or Box to stand on", s.engineRange);
         if (!m_fits) return false;
         checkScenery();
         for (const RobotSpec& robot : m_experiment.robots) checkRobot(robot);
@@ -37,28 +37,34 @@ private:
                 for (const GeomSpec& g : *s.geoms)
                     if (g.collide) use(s, g);
     }
+    /// Below the first robot.
     void findGround() {
-        eachStatic([&](const StaticSpec& s, const GeomSpec& g) { m_finder.add(0, g, s.pose * g.pose); });
+        GroundFinder finder;
+        eachStatic([&](const StaticSpec& s, const GeomSpec& g) { finder.add(0, g, s.pose * g.pose); });
+        m_ground = finder.under(m_experiment.robots.empty() ? 1e300 : lowestOf(actorOf(m_experiment.robots[0])));
+    }
+    static ActorDef actorOf(const RobotSpec& spec) {
+        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
+        for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
+        return def;
     }
     void checkScenery() {
         eachStatic([&](const StaticSpec& s, const GeomSpec& g) {
-            if (const auto why = whyNotScenery(g, s.pose * g.pose, *m_finder.ground())) refuse(s.name + ": " + why->reason, why->range);
+            if (const auto why = whyNotScenery(g, s.pose * g.pose, *m_ground)) refuse(s.name + ": " + why->reason, why->range);
         });
     }
     void checkRobot(const RobotSpec& spec) {
-        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
         const auto key = std::tuple(static_cast<const void*>(spec.config.get()), spec.pose.position.z(), spec.pose.rotation.x(),
                                     spec.pose.rotation.y());
         if (!m_known.insert(key).second) return;
-        for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
         NotWheeled why;
-        if (!ActorReader(m_experiment.surfaces, *m_finder.ground()).read(def, why))
+        if (!ActorReader(m_experiment.surfaces, *m_ground).read(actorOf(spec), why))
             refuse(spec.name + ": " + why.reason, why.range.known() ? why.range : spec.nameRange);
     }
 
     const ExperimentSpec& m_experiment;
     Diagnostics* m_out;
-    GroundFinder m_finder;
+    std::optional<LevelGround> m_ground;
     bool m_fits = true;
     std::set<std::pair<SourceRange, std::string>> m_told;
     std::set<std::tuple<const void*, double, double, double>> m_known;
