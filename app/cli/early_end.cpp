@@ -86,7 +86,7 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
     out.add(",\n  \"wall_s\": ").add(wall);
     out.add(",\n  \"real_time_factor\": ").add(wall > 0 ? simulated / wall : 0);
     out.add(",\n  \"peak_memory_kb\": ").add(static_cast<std::uint64_t>(used.ru_maxrss));
-    out.add(",\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  \"rescued_ticks\": null,\n  \"finished\": null,\n  "
+    out.add(",\n  \"engine\": null,\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  \"rescued_ticks\": null,\n  \"finished\": null,\n  "
             "\"interrupted\": ");
     out.add(end.kind == EarlyEndKind::NotResponding || end.kind == EarlyEndKind::Interrupted ? "true" : "false");
     out.add(",\n  \"robots\": {");

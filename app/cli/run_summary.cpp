@@ -120,13 +120,14 @@ std::string stoppedRows(const Runner& runner, const ExperimentSpec& experiment) 
 
 std::string solverRows(const World& world) {
     std::string text;
+    if (world.engine() == EngineChoice::Wheeled) text += row("engine", "wheeled");
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)
         text += row("solver", counted(world.quickTicks(), "tick") + " solved by the quick solver (" +
                                   (asked ? "Solver = quick" : "piles of more than 60 contacts, in short steps") +
                                   (world.rescuedTicks() > 0 ? ", or the exact one could not" : "") + ")");
     if (world.rescuedTicks() > 0)
-        text += row(text.empty() ? "solver" : "",
+        text += row(world.quickTicks() == 0 ? "solver" : "",
                     counted(world.rescuedTicks(), "tick") + " repeated with softer constraints (the exact solver failed)");
     return text;
 }

@@ -1,4 +1,5 @@
 #include "world/validate.h"
+#include "world/wheeled/wheeled.h"
 
 #include <cmath>
 #include <set>
@@ -206,6 +207,9 @@ bool isSurface(const SurfaceSpec& s) {
            isIn(s.restitution, 0, 1) && isIn(s.rollingFriction, 0, 1e3) && isIn(s.softness, 0, 1e3);
 }
 
-bool isBuildable(const ExperimentSpec& experiment, Diagnostics& diagnostics) { return Check(experiment, diagnostics).all(); }
+bool isBuildable(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
+    if (!Check(experiment, diagnostics).all()) return false;
+    return experiment.settings.engine != EngineChoice::Wheeled || fitsWheeled(experiment, &diagnostics);
+}
 
 } // namespace trundle

@@ -78,6 +78,8 @@ public:
     virtual ~World() = default;
 
     [[nodiscard]] virtual const ExperimentSpec& experiment() const = 0;
+    /// The engine that it has; never EngineChoice::Auto.
+    [[nodiscard]] virtual EngineChoice engine() const { return EngineChoice::General; }
     [[nodiscard]] virtual const SignalLayout& layout() const = 0;
     [[nodiscard]] virtual SignalBlock& block() = 0;
     [[nodiscard]] virtual const SignalBlock& block() const = 0;

@@ -6,14 +6,9 @@ namespace trundle {
 
 namespace {
 
-/// Whether the experiment is for the wheeled engine; an error for what it cannot hold, if that was asked for.
-bool isWheeled(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
-    switch (experiment.settings.engine) {
-    case EngineChoice::General: return false;
-    case EngineChoice::Auto: return fitsWheeled(experiment, nullptr);
-    case EngineChoice::Wheeled: return fitsWheeled(experiment, &diagnostics);
-    }
-    return false;
+bool isWheeled(const ExperimentSpec& experiment) {
+    const EngineChoice asked = experiment.settings.engine;
+    return asked == EngineChoice::Wheeled || (asked == EngineChoice::Auto && fitsWheeled(experiment, nullptr));
 }
 
 } // namespace
@@ -23,23 +18,23 @@ std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experi
     if (!calls) calls = std::make_shared<CallMonitor>();
     if (!isBuildable(*experiment, diagnostics)) return nullptr;
     const SettingsSpec& s = experiment->settings;
-    const bool wheeled = isWheeled(*experiment, diagnostics);
-    if (s.engine == EngineChoice::Wheeled && !wheeled) return nullptr;
+    const bool wheeled = isWheeled(*experiment);
     const EngineSettings settings{s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get()};
     auto engine = wheeled ? makeWheeledEngine(settings) : makeOdeEngine(settings);
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return nullptr;
     }
-    auto world = std::make_unique<BuiltWorld>(std::move(experiment), std::move(calls), std::move(engine).value());
+    const EngineChoice kind = wheeled ? EngineChoice::Wheeled : EngineChoice::General;
+    auto world = std::make_unique<BuiltWorld>(std::move(experiment), std::move(calls), kind, std::move(engine).value());
     if (!world->build(devices, diagnostics)) return nullptr;
     return world;
 }
 
-BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
+BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls, EngineChoice kind,
                        std::unique_ptr<Engine> engine)
     : m_experiment(std::move(experiment)), m_calls(std::move(calls)), m_solver(m_calls->add({"the solver", {}, {}, {}})),
-      m_engine(std::move(engine)) {}
+      m_kind(kind), m_engine(std::move(engine)) {}
 
 BuiltWorld::~BuiltWorld() = default;
 

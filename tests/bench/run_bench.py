@@ -110,6 +110,31 @@ def beside_peer(programs, options):
     return failed
 
 
+def engines(programs, options):
+    """Both engines and the bare loop on the same crowd, by processor time; 60 s at 100 robots, so that many of them crowd at walls."""
+    rows = []
+    for count in [1, 10, 100] if options.quick else [1, 10, 100, 1000]:
+        progress(f"engines, {count} robots")
+        columns, lines = experiments.pattern(count)
+        seconds = crowded_seconds(count, options.quick)
+        ticks = round(100 * seconds)
+        text = experiments.crowd(count, seconds)
+        paths = {name: programs.write(f"{name}{count}", f"Engine = {name}\n" + text) for name in ["general", "wheeled"]}
+        values = interleaved(options.repetitions, {"general": lambda: programs.tick_cost(paths["general"], ticks, count)[0],
+                                                   "wheeled": lambda: programs.tick_cost(paths["wheeled"], ticks, count)[0],
+                                                   "bare": lambda: programs.bare_cost(count, columns, lines, ticks)[0]})
+        cost = {name: median(value) for name, value in values.items()}
+        factor = {name: 1e6 * 0.01 / count / value for name, value in cost.items()}
+        ratio = pairs_ratio(values["general"], values["wheeled"])
+        rows.append([count, seconds] + [round(cost[name], 2) for name in ["general", "wheeled", "bare"]] +
+                    [f"{factor[name]:.3g}" for name in ["general", "wheeled", "bare"]] + [round(ratio, 1)])
+    header = ["robots", "simulated [s]", "general [us per robot and tick]", "wheeled [us]", "bare ODE [us]", "general [x real time]",
+              "wheeled [x real time]", "bare ODE [x real time]", "wheeled / general, speed"]
+    report.write_csv(os.path.join(RESULTS, "engines.csv"), header, rows)
+    report.put_table(PAGE, "engines", header, rows)
+    return []
+
+
 def crowds(programs, options):
     """Moving robots against real-time factor and memory (the thesis's Tables 4.5 and 4.7)."""
     rows = []
@@ -253,7 +278,7 @@ def rays(programs, options):
     return ray_tables.measure(programs, options, RESULTS, PAGE)
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds,
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "engines": engines, "crowds": crowds,
             "controllers": controllers, "radios": radios, "rays": rays}
 
 

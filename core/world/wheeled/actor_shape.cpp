@@ -9,14 +9,14 @@ namespace trundle {
 
 namespace {
 
-constexpr double kLevelAxis = 1e-6;   // sine of the angle that still counts as level
-constexpr double kNear = 0.005;       // m: what is to stand on the ground is that near to it
-constexpr double kLowest = 0.02;      // m: lower scenery is a kerb
-constexpr double kTouching = 1e-4;    // m
-constexpr double kStiffness = 2e5;    // N/m, as the general engine's
-constexpr double kDamping = 1100;     // N s/m
-constexpr double kMostSag = 1e-4;     // m, under an actor's own weight
-constexpr double kLeastShare = 3;     // supports that share it
+constexpr double kLevelAxis = 1e-6; // sine of the angle that still counts as level
+constexpr double kNear = 0.005;     // m: what is to stand on the ground is that near to it
+constexpr double kLowest = 0.02;    // m: lower scenery is a kerb
+constexpr double kTouching = 1e-4;  // m
+constexpr double kStiffness = 2e5;  // N/m, as the general engine's
+constexpr double kDamping = 1100;   // N s/m
+constexpr double kMostSag = 1e-4;   // m, under an actor's own weight
+constexpr double kLeastShare = 3;   // supports that share it
 constexpr double kSlick = 1e-9;
 
 bool isUpright(const Mat3& axes) { return std::abs(axes(2, 2)) > 1 - kLevelAxis; }
@@ -151,7 +151,9 @@ bool ActorReader::readJoint(std::uint32_t index) {
     if (free && joint.type == JointType::Hinge && isWheel(joint)) m_roles[child] = Role::Wheel;
     else if (free && joint.type == JointType::Ball && isCaster(joint)) m_roles[child] = Role::Caster;
     if (m_roles[child] == Role::Wheel || m_roles[child] == Role::Caster) {
-        if (m_roles[child] == Role::Wheel) m_shape->wheels.push_back({index, static_cast<std::uint32_t>(joint.child), joint.axis, Vec3::Zero(), 0, joint.damping});
+        if (m_roles[child] == Role::Wheel)
+            m_shape->wheels.push_back(
+                {index, static_cast<std::uint32_t>(joint.child), joint.axis, Vec3::Zero(), 0, joint.damping});
         return true;
     }
     return refuse(named(nameOf(joint.type), joint.name, "is not the axle of a wheel on the ground"), joint.nameRange);
@@ -173,11 +175,13 @@ bool ActorReader::isWheel(const JointSpec& joint) {
     const auto index = static_cast<std::uint32_t>(joint.child);
     const GeomSpec* geom = onlyGeom(index);
     if (!geom || (geom->shape != GeomShape::Cylinder && geom->shape != GeomShape::Sphere)) return false;
-    if (joint.lowStop || joint.highStop || joint.friction > 0 || joint.stiffness > 0 || std::abs(joint.axis.z()) > kLevelAxis) return false;
+    if (joint.lowStop || joint.highStop || joint.friction > 0 || joint.stiffness > 0 || std::abs(joint.axis.z()) > kLevelAxis)
+        return false;
     const Pose pose = inActor(index) * geom->pose;
     const Vec3 off = pose.position - joint.anchor;
     if ((off - off.dot(joint.axis) * joint.axis).norm() > kTouching) return false;
-    if (geom->shape == GeomShape::Cylinder && std::abs((pose.rotation * Vec3::UnitZ()).dot(joint.axis)) < 1 - kLevelAxis) return false;
+    if (geom->shape == GeomShape::Cylinder && std::abs((pose.rotation * Vec3::UnitZ()).dot(joint.axis)) < 1 - kLevelAxis)
+        return false;
     return isOnGround("wheel", joint, m_actor->frame.position.z() + pose.position.z() - geom->radius);
 }
 
@@ -218,7 +222,8 @@ bool ActorReader::isWhole() {
         }
     }
     for (std::uint32_t i = 0; i < m_roles.size(); ++i)
-        if (m_roles[i] == Role::Unknown) return refuse(named("body", body(i).name, "is not fixed to the rest"), body(i).nameRange);
+        if (m_roles[i] == Role::Unknown)
+            return refuse(named("body", body(i).name, "is not fixed to the rest"), body(i).nameRange);
     if (m_actor->joints)
         for (const JointSpec& joint : *m_actor->joints)
             if (joint.type != JointType::Fixed && m_roles[static_cast<std::size_t>(joint.parent)] != Role::Rigid)
@@ -307,7 +312,8 @@ bool ActorReader::addWheel(const JointSpec& joint, std::uint32_t index) {
     if (own.rollingFriction > 0 || floor.rollingFriction > 0)
         return refuse(named("wheel", body(wheel.body).name, "has rolling friction"), joint.nameRange);
     if (own.friction2) {
-        if (*own.friction2 > kSlick) return refuse(named("wheel", body(wheel.body).name, "has a Friction2 other than 0"), joint.nameRange);
+        if (*own.friction2 > kSlick)
+            return refuse(named("wheel", body(wheel.body).name, "has a Friction2 other than 0"), joint.nameRange);
         s.round = false;
         const double c = std::cos(own.frictionHeading), t = std::sin(own.frictionHeading);
         s.way = {c * rolls.x() - t * rolls.y(), t * rolls.x() + c * rolls.y()};

@@ -54,26 +54,26 @@ enum class ActorKind { Vehicle, Loose, Ball, Fixed };
 /// Shared by equal actors. The frame has its origin in the centre of mass of the whole and the axes of the actor's frame at the start.
 struct ActorShape {
     ActorKind kind = ActorKind::Fixed;
-    Vec3 centre = Vec3::Zero();     ///< of mass, in the actor's frame
-    double mass = 0;                ///< kg
-    Mat3 inertia = Mat3::Identity(); ///< of all, wheels included, kg m^2
-    std::vector<Pose> bodies;       ///< at the start
-    std::vector<Vec3> bodyCentres;  ///< of mass, in the bodies' frames
+    Vec3 centre = Vec3::Zero();            ///< of mass, in the actor's frame
+    double mass = 0;                       ///< kg
+    Mat3 inertia = Mat3::Identity();       ///< of all, wheels included, kg m^2
+    std::vector<Pose> bodies;              ///< at the start
+    std::vector<Vec3> bodyCentres;         ///< of mass, in the bodies' frames
     std::vector<std::uint32_t> geomCounts; ///< of bodies: geoms that collide
-    std::vector<PlanarShape> footprints;     ///< in the order of the geoms that collide
+    std::vector<PlanarShape> footprints;   ///< in the order of the geoms that collide
     std::vector<std::uint32_t> footprintBody;
     std::vector<Support> supports;
     std::vector<WheelShape> wheels;
     double stiffness = 0, damping = 0; ///< of the ground under each support, N/m, N s/m
     double bound = 0;                  ///< farthest point over x and y from the centre of mass, m
-    double spinRadius = 0;             ///< of something loose: moment of friction over its force when it only turns; of a ball its radius
-    std::uint32_t surface = 0;         ///< of what something loose stands on
+    double spinRadius = 0;     ///< of something loose: moment of friction over its force when it only turns; of a ball its radius
+    std::uint32_t surface = 0; ///< of what something loose stands on
 };
 
 /// Why something cannot be in this engine.
 struct NotWheeled {
-    std::string reason;  ///< names the part, without the actor
-    SourceRange range;   ///< of the part in the text
+    std::string reason; ///< names the part, without the actor
+    SourceRange range;  ///< of the part in the text
 };
 
 /// Finds the ground among an experiment's scenery.

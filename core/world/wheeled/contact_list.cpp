@@ -22,9 +22,10 @@ void ContactList::make() const {
         if (!m_objects.units[i].isMovable()) continue;
         if (m_objects.units[i].isVehicle()) addSupports(i);
         else addGround(i);
-        std::sort(m_all.begin() + static_cast<std::ptrdiff_t>(first), m_all.end(), [](const EngineContact& x, const EngineContact& y) {
-            return std::tuple(x.first, x.second) < std::tuple(y.first, y.second);
-        });
+        std::sort(m_all.begin() + static_cast<std::ptrdiff_t>(first), m_all.end(),
+                  [](const EngineContact& x, const EngineContact& y) {
+                      return std::tuple(x.first, x.second) < std::tuple(y.first, y.second);
+                  });
     }
 }
 
@@ -32,7 +33,8 @@ void ContactList::addUnit(const UnitContact& c) const {
     const Vec3 normal(c.normal.x(), c.normal.y(), 0), tangent(-normal.y(), normal.x(), 0);
     for (const UnitContactPoint& p : c.points())
         if (p.gap <= 0 || p.normal > 0)
-            m_all.push_back({c.a, c.b, c.geomA, c.geomB, p.at, -normal, std::max(-p.gap, 0.), p.normal / m_h, -p.tangent / m_h * tangent});
+            m_all.push_back(
+                {c.a, c.b, c.geomA, c.geomB, p.at, -normal, std::max(-p.gap, 0.), p.normal / m_h, -p.tangent / m_h * tangent});
 }
 
 void ContactList::addSupports(std::uint32_t index) const {
@@ -57,8 +59,8 @@ void ContactList::addGround(std::uint32_t index) const {
     const auto base = std::ranges::min_element(footprints, {}, &PlanarShape::low);
     const auto geom = static_cast<std::uint32_t>(base - footprints.begin());
     const Vec3 at(unit.position.x(), unit.position.y(), m_objects.ground->height);
-    m_all.push_back({index, kNoActor, unit.geoms + geom, m_objects.ground->geom(), at, Vec3::UnitZ(), 0, unit.shape->mass * m_objects.weight,
-                     Vec3(unit.grip.x(), unit.grip.y(), 0) / m_h});
+    m_all.push_back({index, kNoActor, unit.geoms + geom, m_objects.ground->geom(), at, Vec3::UnitZ(), 0,
+                     unit.shape->mass * m_objects.weight, Vec3(unit.grip.x(), unit.grip.y(), 0) / m_h});
 }
 
 std::span<const std::uint32_t> ContactList::of(std::uint32_t geom) const {

@@ -8,11 +8,12 @@ namespace trundle {
 namespace {
 
 constexpr int kMostAlone = 300, kMostTogether = 20;
-constexpr double kSettledAlone = 1e-6, kSettledTogether = 1e-3; // of the weight's impulse in a tick: less change of any impulse ends the sweeps
-constexpr double kSlop = 1e-4;         // m
-constexpr double kPushShare = 0.2;     // of the depth, per tick
-constexpr double kFastestPush = 0.1;   // m/s
-constexpr double kLeastBounce = 0.05;  // m/s
+constexpr double kSettledAlone = 1e-6,
+                 kSettledTogether = 1e-3; // of the weight's impulse in a tick: less change of any impulse ends the sweeps
+constexpr double kSlop = 1e-4;            // m
+constexpr double kPushShare = 0.2;        // of the depth, per tick
+constexpr double kFastestPush = 0.1;      // m/s
+constexpr double kLeastBounce = 0.05;     // m/s
 
 } // namespace
 
@@ -110,7 +111,8 @@ IslandSolver::Loose IslandSolver::looseOf(std::uint32_t unit) const {
     out.mass = ball ? s.mass + s.inertia(2, 2) / (s.spinRadius * s.spinRadius) : s.mass;
     out.inertia = ball ? 0 : s.inertia(2, 2);
     out.reach = ball ? 0 : s.spinRadius;
-    out.limit = load * (ball ? std::max(own.rollingFriction, floor.rollingFriction) / s.spinRadius : std::min(own.friction, floor.friction));
+    out.limit = load * (ball ? std::max(own.rollingFriction, floor.rollingFriction) / s.spinRadius
+                             : std::min(own.friction, floor.friction));
     const Vec3 v = u.linear + m_h * (u.force / out.mass + s.mass / out.mass * m_gravity);
     out.v = {v.x(), v.y(), 0, 0, ball ? 0 : u.angular.z() + m_h * u.moment.z() / out.inertia};
     return out;
@@ -208,7 +210,8 @@ void IslandSolver::addRows(UnitContact& c) {
         }
         const double depth = -point.gap, closing = -row.speed(row.normalA, row.normalB);
         row.bias = depth > 0 ? std::min(kPushShare * std::max(depth - kSlop, 0.) / m_h, kFastestPush) : depth / m_h;
-        if (c.restitution > 0 && closing > kLeastBounce && closing * m_h > -depth) row.bias = std::max(row.bias, c.restitution * closing);
+        if (c.restitution > 0 && closing > kLeastBounce && closing * m_h > -depth)
+            row.bias = std::max(row.bias, c.restitution * closing);
         row.friction = c.friction;
         row.normal = point.normal;
         row.tangent = point.tangent;
@@ -217,7 +220,8 @@ void IslandSolver::addRows(UnitContact& c) {
 }
 
 double IslandSolver::solveContact(ContactRow& row) {
-    const double before = row.normal, normal = std::max(before + (row.bias - row.speed(row.normalA, row.normalB)) / row.normalMass, 0.);
+    const double before = row.normal,
+                 normal = std::max(before + (row.bias - row.speed(row.normalA, row.normalB)) / row.normalMass, 0.);
     if (normal != row.normal) row.push(row.normalA, row.normalB, normal - row.normal);
     row.normal = normal;
     double change = std::abs(normal - before);
@@ -250,7 +254,8 @@ double IslandSolver::sweep(bool backwards) {
     double change = 0;
     for (std::size_t k = 0; k < m_vehicleCount; ++k) change = std::max(change, m_vehicles[k].sweep(backwards));
     for (Loose& loose : m_loose) change = std::max(change, hold(loose, m_objects.units[loose.unit].grip));
-    for (std::size_t k = 0; k < m_rows.size(); ++k) change = std::max(change, solveContact(m_rows[backwards ? m_rows.size() - 1 - k : k]));
+    for (std::size_t k = 0; k < m_rows.size(); ++k)
+        change = std::max(change, solveContact(m_rows[backwards ? m_rows.size() - 1 - k : k]));
     return change;
 }
 

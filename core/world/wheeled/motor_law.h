@@ -44,10 +44,10 @@ private:
     [[nodiscard]] Piece line(double slope, double rate) const { return {slope * rate, 1 / (1 / m_rest + slope)}; }
     [[nodiscard]] Piece constant(double impulse) const { return {impulse, m_rest}; }
 
-    double m_rest = 1;              ///< 1 / (inertia and damping over a tick)
+    double m_rest = 1; ///< 1 / (inertia and damping over a tick)
     Piece m_line;
-    Piece m_most[2], m_least[2];    ///< of torque
-    int m_limits = 0;               ///< of each of the two
+    Piece m_most[2], m_least[2]; ///< of torque
+    int m_limits = 0;            ///< of each of the two
 };
 
 } // namespace trundle

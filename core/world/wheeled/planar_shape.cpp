@@ -8,8 +8,9 @@ namespace trundle {
 
 namespace {
 
-constexpr double kSame = 1e-9;       // m
-constexpr double kClearlyFar = 1e-4; // m: by this the second shape's edge must be farther to become the reference, so that it does not flicker
+constexpr double kSame = 1e-9; // m
+constexpr double kClearlyFar =
+    1e-4; // m: by this the second shape's edge must be farther to become the reference, so that it does not flicker
 
 // Cosines and sines of sixteenths of a turn, the same on every machine.
 constexpr std::array<double, 5> kCosines = {1, 0.92387953251128674, 0.70710678118654752, 0.38268343236508977, 0};
@@ -32,7 +33,8 @@ std::vector<Vec2> hullOf(std::vector<Vec2> points) {
     std::ranges::sort(points, [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
     std::vector<Vec2> hull;
     const auto add = [&hull](const Vec2& p, std::size_t least) {
-        while (hull.size() > least && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= kSame * kSame) hull.pop_back();
+        while (hull.size() > least && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= kSame * kSame)
+            hull.pop_back();
         if (hull.empty() || (p - hull.back()).squaredNorm() > kSame * kSame) hull.push_back(p);
     };
     for (const Vec2& p : points) add(p, 1);
@@ -148,7 +150,8 @@ PlanarTouch polygons(const PlanarShape& a, const Edges& b, double margin) {
         out.gaps[out.count++] = gap;
     };
     if (!clip(other, face.from, (face.to - face.from) / length, length)) {
-        const Vec2& p = std::abs(normal.dot(other.from - face.from)) < std::abs(normal.dot(other.to - face.from)) ? other.from : other.to;
+        const Vec2& p =
+            std::abs(normal.dot(other.from - face.from)) < std::abs(normal.dot(other.to - face.from)) ? other.from : other.to;
         add(p);
         return out;
     }
@@ -222,7 +225,8 @@ Result<PlanarShape> planarShapeOf(const GeomSpec& geom, const Pose& pose) {
         out.high = std::max(out.high, at.z());
     }
     out.corners = hullOf(std::move(points));
-    if (out.corners.size() < 3 || out.corners.size() > kMostCorners) return Error{Code::NotInEngine, "its shape has no footprint"};
+    if (out.corners.size() < 3 || out.corners.size() > kMostCorners)
+        return Error{Code::NotInEngine, "its shape has no footprint"};
     for (std::size_t i = 0; i < out.corners.size(); ++i) {
         const Segment edge = edgeOf(out.corners, i);
         const Vec2 way = (edge.to - edge.from).normalized();

@@ -24,12 +24,13 @@ struct PlanarPose {
 inline constexpr std::size_t kMostCorners = 64;
 
 struct PlanarShape {
-    Vec2 centre = Vec2::Zero();          ///< in the frame of its owner
-    double radius = 0;                   ///< of a circle; 0: a polygon
-    std::vector<Vec2> corners, outwards; ///< of a polygon, counter-clockwise, at most kMostCorners; normals of the edges from each corner on
-    double bound = 0;                    ///< farthest point from the centre
-    double low = 0, high = 0;            ///< heights, m
-    bool upright = false;                ///< its sides are the same at all heights
+    Vec2 centre = Vec2::Zero(); ///< in the frame of its owner
+    double radius = 0;          ///< of a circle; 0: a polygon
+    std::vector<Vec2> corners,
+        outwards;             ///< of a polygon, counter-clockwise, at most kMostCorners; normals of the edges from each corner on
+    double bound = 0;         ///< farthest point from the centre
+    double low = 0, high = 0; ///< heights, m
+    bool upright = false;     ///< its sides are the same at all heights
     std::uint32_t surface = 0;
 
     [[nodiscard]] bool isCircle() const { return corners.empty(); }
@@ -48,6 +49,6 @@ struct PlanarTouch {
 };
 /// Points with a gap of at most `margin`. Method: separating axes, then clipping of the facing edges (E. Catto, Contact Manifolds, GDC 2007).
 [[nodiscard]] PlanarTouch touchOf(const PlanarShape& a, const PlanarPose& atA, const PlanarShape& b, const PlanarPose& atB,
-                                     double margin);
+                                  double margin);
 
 } // namespace trundle

@@ -6,8 +6,9 @@ namespace trundle {
 
 namespace {
 
-constexpr double kLookAhead = 0.005;  // m: what is nearer than that has a row, which lets it come as near as it likes and no nearer
-constexpr double kSamePoint = 0.02;   // m
+constexpr double kLookAhead =
+    0.005;                          // m: what is nearer than that has a row, which lets it come as near as it likes and no nearer
+constexpr double kSamePoint = 0.02; // m
 constexpr double kLeastOverlap = 1e-4; // m, of heights
 constexpr double kTall = 0.005;        // m
 

@@ -16,9 +16,9 @@ namespace trundle {
 
 /// A point of a contact. Upright sides touch at the lower and at the upper end of what they share, so that what leans is held.
 struct UnitContactPoint {
-    Vec3 at = Vec3::Zero();   ///< in the world
-    Vec2 local = Vec2::Zero(); ///< in the frame of `a`
-    double gap = 0;            ///< m, negative where they overlap
+    Vec3 at = Vec3::Zero();         ///< in the world
+    Vec2 local = Vec2::Zero();      ///< in the frame of `a`
+    double gap = 0;                 ///< m, negative where they overlap
     double normal = 0, tangent = 0; ///< impulses, N s
 };
 
@@ -50,8 +50,8 @@ private:
     struct Side {
         const PlanarShape& footprint;
         PlanarPose pose;
-        double height = 0;              ///< of the origin of its heights
-        Vec2 lean = Vec2::Zero();       ///< m that it is displaced per metre above that
+        double height = 0;        ///< of the origin of its heights
+        Vec2 lean = Vec2::Zero(); ///< m that it is displaced per metre above that
         [[nodiscard]] double low() const { return height + footprint.low; }
         [[nodiscard]] double high() const { return height + footprint.high; }
     };

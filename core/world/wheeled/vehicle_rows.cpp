@@ -51,8 +51,10 @@ void VehicleRows::prepare(const WheeledObjects& objects, std::uint32_t index, co
     setAxes(unit);
     const Vec3 v = unit.linear + h * (gravity + m_inverseMass * unit.force);
     const Vec3& w = unit.angular;
-    m_v = {m_c * v.x() + m_s * v.y(), m_c * v.y() - m_s * v.x(), m_c * w.x() + m_s * w.y(), m_c * w.y() - m_s * w.x(), w.z(), v.z()};
-    const Vec3 moment(m_c * unit.moment.x() + m_s * unit.moment.y(), m_c * unit.moment.y() - m_s * unit.moment.x(), unit.moment.z());
+    m_v = {
+        m_c * v.x() + m_s * v.y(), m_c * v.y() - m_s * v.x(), m_c * w.x() + m_s * w.y(), m_c * w.y() - m_s * w.x(), w.z(), v.z()};
+    const Vec3 moment(m_c * unit.moment.x() + m_s * unit.moment.y(), m_c * unit.moment.y() - m_s * unit.moment.x(),
+                      unit.moment.z());
     const Vec3 turn = h * (m_inverse * moment);
     for (int k = 0; k < 3; ++k) m_v[static_cast<std::size_t>(WX + k)] += turn[k];
     m_count = 0;
@@ -86,7 +88,8 @@ VehicleRows::Way VehicleRows::wayOf(const Vec3& arm, double x, double y) const {
 
 /// Its depth is in the bias of its row.
 void VehicleRows::addSupport(const Support& s, const SupportState& state, double friction, double h) {
-    const double stiff = h * m_shape->stiffness + m_shape->damping, soft = 1 / (h * stiff), share = h * m_shape->stiffness / stiff;
+    const double stiff = h * m_shape->stiffness + m_shape->damping, soft = 1 / (h * stiff),
+                 share = h * m_shape->stiffness / stiff;
     Normal& n = m_normals[m_count];
     const double depth = n.bias;
     const Vec3 centre = m_axes * s.centre, arm = centre - Vec3(0, 0, s.radius);

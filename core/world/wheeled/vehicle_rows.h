@@ -30,8 +30,8 @@ public:
 
 private:
     struct Normal {
-        double ax = 0, ay = 0;          ///< arm
-        Vec3 change = Vec3::Zero();     ///< of the angular velocity per impulse
+        double ax = 0, ay = 0;      ///< arm
+        Vec3 change = Vec3::Zero(); ///< of the angular velocity per impulse
         double inverse = 0, bias = 0, soft = 0, impulse = 0;
     };
     struct Way { ///< a direction of friction
@@ -60,9 +60,9 @@ private:
     const ActorShape* m_shape = nullptr;
     std::uint32_t m_unit = 0;
     double m_h = 0, m_inverseMass = 0, m_c = 1, m_s = 0;
-    Mat3 m_inverse = Mat3::Identity();        ///< inertia's, in the axes of the heading
-    Mat3 m_axes = Mat3::Identity();           ///< of the vehicle, in those of the heading
-    std::array<double, 6> m_v{};              ///< vx, vy, wx, wy, wz, vz
+    Mat3 m_inverse = Mat3::Identity(); ///< inertia's, in the axes of the heading
+    Mat3 m_axes = Mat3::Identity();    ///< of the vehicle, in those of the heading
+    std::array<double, 6> m_v{};       ///< vx, vy, wx, wy, wz, vz
     std::size_t m_count = 0, m_wheelCount = 0;
     std::array<Normal, kMostSupports> m_normals;
     std::array<Friction, kMostSupports> m_frictions;

@@ -10,8 +10,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kFarthest = 1e5;  // m
-constexpr double kFastest = 200;   // m/s
+constexpr double kFarthest = 1e5; // m
+constexpr double kFastest = 200;  // m/s
 constexpr double kFastestTurn = 1e4;
 constexpr double kLeastUpright = 0.94; // cosine of 20 degrees: a robot that is bumped may lift a wheel for a moment
 
@@ -127,7 +127,8 @@ void WheeledEngine::addForce(BodyHandle body, const Vec3& force, const Vec3& poi
 }
 
 void WheeledEngine::setSurfaceVelocity(GeomHandle, const Vec3& velocity) {
-    if (!velocity.isZero(0)) m_fault = EngineFault{{}, "a surface moves by itself, which Engine = wheeled does not have; use general"};
+    if (!velocity.isZero(0))
+        m_fault = EngineFault{{}, "a surface moves by itself, which Engine = wheeled does not have; use general"};
 }
 
 void WheeledEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
@@ -193,7 +194,8 @@ std::string WheeledEngine::faultOf(const WheeledUnit& unit) const {
     const auto within = [](const Vec3& v, double most) { return v.squaredNorm() <= most * most; }; // false for NaN
     const Quat& q = unit.rotation;
     const double up = 1 - 2 * (q.x() * q.x() + q.y() * q.y());
-    if (!within(unit.position, kFarthest) || !std::isfinite(up)) return "it is farther than 100000 m from the origin, or its state is no number";
+    if (!within(unit.position, kFarthest) || !std::isfinite(up))
+        return "it is farther than 100000 m from the origin, or its state is no number";
     if (!within(unit.linear, kFastest)) return "it moves faster than 200 m/s";
     if (!within(unit.angular, kFastestTurn)) return "it turns faster than 10000 rad/s";
     if (!m_objects.ground->isEndless() && !m_objects.ground->isBelow(unit.position.head<2>()))

@@ -6,7 +6,7 @@
 namespace trundle {
 
 Quat turnAbout(const Vec3& axis, double angle) {
-    constexpr double kTurn = 4 * std::numbers::pi; // of the half angle: one turn
+    constexpr double kTurn = 4 * std::numbers::pi;                                                 // of the half angle: one turn
     const double half = (angle - kTurn * std::nearbyint(angle / kTurn)) / 4, square = half * half; // within a quarter turn
     double sine = 1, cosine = 1;
     for (int k = 19; k > 1; k -= 2) {

@@ -19,8 +19,8 @@ struct SupportState {
 };
 
 struct WheelState {
-    double spin = 0, angle = 0;  ///< rad/s, rad, relative to the vehicle
-    double impulse = 0;          ///< of the motor in the last tick, N m s
+    double spin = 0, angle = 0; ///< rad/s, rad, relative to the vehicle
+    double impulse = 0;         ///< of the motor in the last tick, N m s
     MotorConstraint motor;
     double torque = 0;  ///< of devices for one tick, N m
     double inertia = 0; ///< kg m^2
@@ -33,10 +33,10 @@ struct WheeledUnit {
     Quat rotation = Quat::Identity();
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero(); ///< on it for one tick, N, N m
-    Vec3 grip = Vec3::Zero();                         ///< of something loose: impulse of its ground, x, y, and turning over spinRadius
-    std::uint32_t bodies = 0, geoms = 0, joints = 0;  ///< the first of each
-    std::uint32_t supports = 0, wheels = 0;           ///< the first of each
-    PlanarPose plane;                                 ///< of the axes of the shape
+    Vec3 grip = Vec3::Zero(); ///< of something loose: impulse of its ground, x, y, and turning over spinRadius
+    std::uint32_t bodies = 0, geoms = 0, joints = 0; ///< the first of each
+    std::uint32_t supports = 0, wheels = 0;          ///< the first of each
+    PlanarPose plane;                                ///< of the axes of the shape
     bool ended = false;
 
     [[nodiscard]] bool isVehicle() const { return shape->kind == ActorKind::Vehicle; }
@@ -69,7 +69,7 @@ struct WheeledObjects {
     std::vector<WheeledGeom> geoms;
     std::vector<std::uint32_t> unitOf;  ///< by body
     std::vector<std::uint32_t> wheelOf; ///< by joint: index of its state, kNoGeom for one that is rigid
-    std::vector<BodyState> states; ///< of bodies, as published last
+    std::vector<BodyState> states;      ///< of bodies, as published last
 
     [[nodiscard]] double friction(std::uint32_t a, std::uint32_t b) const {
         return std::min(surfaces[a].friction, surfaces[b].friction);

@@ -8,7 +8,9 @@ namespace {
 
 std::shared_ptr<const TriangleTree> treeOf(const TriangleMesh& mesh) {
     std::vector<std::array<Vec3, 3>> triangles;
-    const auto at = [&](std::uint32_t corner) { return Vec3(mesh.points[corner][0], mesh.points[corner][1], mesh.points[corner][2]); };
+    const auto at = [&](std::uint32_t corner) {
+        return Vec3(mesh.points[corner][0], mesh.points[corner][1], mesh.points[corner][2]);
+    };
     for (const auto& t : mesh.triangles) triangles.push_back({at(t[0]), at(t[1]), at(t[2])});
     return std::make_shared<TriangleTree>(triangles);
 }

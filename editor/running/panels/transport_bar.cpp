@@ -106,7 +106,6 @@ void TransportBar::build() {
     m_factor = new QLabel(this);
     m_factor->setObjectName(QStringLiteral("transportFactor"));
     useMonospaceFont(*m_factor);
-    m_factor->setToolTip(tr("Real-time factor: simulated seconds per second"));
     m_factor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_factor);
 }
@@ -178,6 +177,8 @@ void TransportBar::showFigures() {
     m_time->setEnabled(m_session.state() != RunState::Start);
     const bool runs = m_session.state() == RunState::Running;
     m_factor->setText(runs ? factorText(m_session.results().realTimeFactor()) : QString());
+    const QString meaning = tr("Real-time factor: simulated seconds per second");
+    m_factor->setToolTip(m_session.results().isWheeled() ? tr("%1. The engine is wheeled.").arg(meaning) : meaning);
     fixWidth(m_time, {timeText(0), timeText(8888.88), m_time->text()});
     fixWidth(m_factor, {factorText(888), factorText(0.88), m_factor->text()});
 }
