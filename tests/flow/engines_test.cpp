@@ -1,0 +1,137 @@
+// Engine = wheeled through the program: shipped experiments do what they do in the general engine, what does not fit is refused at its
+// place, and auto chooses.
+
+#include "flow/cli.h"
+
+namespace {
+
+QJsonObject run(const QString& experiment, const QString& engine, const QString& seconds, const QStringList& more = {}) {
+    QTemporaryDir logs;
+    const Outcome outcome = cli(QStringList{"run", configPath("experiments/" + experiment), "--set", "Engine=" + engine, "--duration", seconds,
+                                            "--json", "--log-dir", logs.path()} +
+                                more);
+    if (outcome.code != 0) qWarning("%s", shown(outcome).constData());
+    return QJsonDocument::fromJson(outcome.out).object();
+}
+
+QJsonArray poseOf(const QJsonObject& run, const QString& robot) { return run["robots"].toObject()[robot].toObject()["pos"].toArray(); }
+
+double apart(const QJsonArray& a, const QJsonArray& b) {
+    return std::hypot(a[0].toDouble() - b[0].toDouble(), a[1].toDouble() - b[1].toDouble());
+}
+
+} // namespace
+
+class EnginesTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    QString write(const QByteArray& text) {
+        const QString file = m_folder.filePath("world.sim");
+        return writeFile(file, text) ? file : QString();
+    }
+
+private Q_SLOTS:
+    void drivesAlike_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("robot");
+        QTest::addColumn<QString>("seconds");
+        QTest::addColumn<double>("mostMm");
+        QTest::newRow("straight") << "linear_motion.sim"
+                                  << "robot0"
+                                  << "8" << 0.1;
+        QTest::newRow("a circle") << "arc_motion.sim"
+                                  << "robot0"
+                                  << "10" << 0.5;
+        QTest::newRow("by radio") << "directional_antenna.sim"
+                                  << "robot0"
+                                  << "14" << 1.0;
+        QTest::newRow("among motes") << "sensor_network_amr.sim"
+                                     << "robot0"
+                                     << "20" << 1.0;
+        QTest::newRow("along a wall, by lidar") << "wall_follow.sim"
+                                                << "seeker_0"
+                                                << "12" << 20.0;
+        QTest::newRow("towards light") << "braitenberg.sim"
+                                       << "seeker_0"
+                                       << "8" << 20.0;
+        QTest::newRow("along a line") << "line_follow.sim"
+                                      << "seeker_0"
+                                      << "8" << 20.0;
+    }
+    void drivesAlike() {
+        QFETCH(QString, file);
+        QFETCH(QString, robot);
+        QFETCH(QString, seconds);
+        QFETCH(double, mostMm);
+        const QJsonObject general = run(file, "general", seconds), wheeled = run(file, "wheeled", seconds);
+        QCOMPARE(general["engine"].toString(), "general");
+        QCOMPARE(wheeled["engine"].toString(), "wheeled");
+        QVERIFY(wheeled["ended"].toArray().isEmpty());
+        const QJsonArray a = poseOf(general, robot), b = poseOf(wheeled, robot);
+        QVERIFY(a.size() == 3 && b.size() == 3);
+        qInfo("%.3f mm apart", 1e3 * apart(a, b));
+        QVERIFY(1e3 * apart(a, b) < mostMm);
+    }
+
+    /// Of robots that wander and bump, the numbers of contacts and of metres are alike, not the paths.
+    void bumpsAlike() {
+        const QByteArray text = "#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule controllers/bump_and_turn\n"
+                                "Static arena { Config=MediumArena }\nRobot r { Config=SimpleRobot Pos=0.3,0.2,0 BumpAndTurn b { Speed=0.3 } }\n"
+                                "PoseLog log { Robot=r Interval=0.1 File=path.csv }\n";
+        const QString file = write(text);
+        const int seeds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 100 : 8;
+        double metres[2] = {0, 0}, turns[2] = {0, 0};
+        for (int engine = 0; engine < 2; ++engine)
+            for (int seed = 1; seed <= seeds; ++seed) {
+                QTemporaryDir logs;
+                const Outcome outcome =
+                    cli({"run", file, "--set", engine ? "Engine=wheeled" : "Engine=general", "--seed", QString::number(1000 + seed),
+                         "--duration", "60", "--quiet", "--log-dir", logs.path()});
+                QVERIFY2(outcome.code == 0, shown(outcome));
+                const QList<QByteArray> lines = contentOf(logs.filePath("path.csv")).split('\n');
+                const QList<QByteArray> names = lines[0].split(',');
+                const auto column = [&](const char* name) {
+                    return names.indexOf(QByteArray(name));
+                };
+                const auto x = column("x [m]"), y = column("y [m]"), heading = column("heading [deg]");
+                QVERIFY2(x >= 0 && y >= 0 && heading >= 0, lines[0]);
+                for (qsizetype i = 2; i + 1 < lines.size(); ++i) {
+                    const auto a = lines[i - 1].split(','), b = lines[i].split(',');
+                    metres[engine] += std::hypot(b[x].toDouble() - a[x].toDouble(), b[y].toDouble() - a[y].toDouble());
+                    turns[engine] += std::abs(std::remainder(b[heading].toDouble() - a[heading].toDouble(), 360.0)) / 360;
+                }
+            }
+        qInfo("general %.3f m and %.3f turns, wheeled %.3f m and %.3f turns", metres[0], turns[0], metres[1], turns[1]);
+        QVERIFY(std::abs(metres[1] / metres[0] - 1) < (seeds > 50 ? 0.01 : 0.05));
+        QVERIFY(std::abs(turns[1] / turns[0] - 1) < (seeds > 50 ? 0.05 : 0.2));
+    }
+
+    void tasksSucceed() {
+        const QJsonObject light = run("braitenberg.sim", "wheeled", "60"), map = run("lidar_map.sim", "wheeled", "300");
+        QCOMPARE(light["finished"].toObject()["reason"].toString(), "reached the light");
+        QCOMPARE(map["finished"].toObject()["reason"].toString(), "mapped");
+    }
+
+    void sameHash() {
+        QSet<QByteArray> hashes;
+        for (int i = 0; i < 2; ++i)
+            hashes << cli({"run", configPath("experiments/swarm.sim"), "--set", "Engine=wheeled", "--duration", "3", "--quiet", "--hash",
+                           "--log-dir", m_folder.path()})
+                          .out;
+        QVERIFY(hashes.size() == 1 && hashes.begin()->startsWith("state-hash"));
+    }
+
+    void refuses() {
+        const QString file = configPath("experiments/collect.sim");
+        const Outcome outcome = cli({"run", file, "--set", "Engine=wheeled", "--duration", "1", "--log-dir", m_folder.path()});
+        QVERIFY(outcome.code != 0);
+        QVERIFY2(outcome.err.contains("research_base.sim:") && outcome.err.contains("the Slider rail"), shown(outcome));
+        QCOMPARE(run("collect.sim", "auto", "0.1")["engine"].toString(), "general");
+        QCOMPARE(run("swarm.sim", "auto", "0.1")["engine"].toString(), "wheeled");
+    }
+};
+
+QTEST_GUILESS_MAIN(EnginesTest)
+#include "engines_test.moc"
