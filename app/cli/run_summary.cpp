@@ -120,7 +120,7 @@ std::string stoppedRows(const Runner& runner, const ExperimentSpec& experiment) 
 
 std::string solverRows(const World& world) {
     std::string text;
-    if (world.engine() == EngineChoice::Wheeled) text += row("engine", "wheeled");
+    if (world.experiment().settings.engine == EngineChoice::Wheeled) text += row("engine", "wheeled");
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)
         text += row("solver", counted(world.quickTicks(), "tick") + " solved by the quick solver (" +

@@ -24,7 +24,7 @@ namespace trundle {
 
 class BuiltWorld final : public World {
 public:
-    BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls, EngineChoice kind,
+    BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
                std::unique_ptr<Engine> engine);
     ~BuiltWorld() override;
 
@@ -32,7 +32,6 @@ public:
     [[nodiscard]] bool build(const DeviceCode& code, Diagnostics& diagnostics);
 
     [[nodiscard]] const ExperimentSpec& experiment() const override { return *m_experiment; }
-    [[nodiscard]] EngineChoice engine() const override { return m_kind; }
     [[nodiscard]] const SignalLayout& layout() const override { return m_layout; }
     [[nodiscard]] SignalBlock& block() override { return *m_block; }
     [[nodiscard]] const SignalBlock& block() const override { return *m_block; }
@@ -73,7 +72,6 @@ private:
     std::shared_ptr<const ExperimentSpec> m_experiment;
     std::shared_ptr<CallMonitor> m_calls; ///< declared before the devices, whose destructor calls it monitors
     const CallTarget* m_solver;
-    EngineChoice m_kind;
     std::unique_ptr<Engine> m_engine;
     WorldObjects m_objects;
     mutable WorldRadio m_radio{*m_experiment, *m_engine, m_objects}; ///< mutable: see World::medium()

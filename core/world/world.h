@@ -77,9 +77,8 @@ public:
                                                       Diagnostics& diagnostics, std::shared_ptr<CallMonitor> calls = nullptr);
     virtual ~World() = default;
 
+    /// With the engine that it has in the settings, where those say Auto.
     [[nodiscard]] virtual const ExperimentSpec& experiment() const = 0;
-    /// The engine that it has; never EngineChoice::Auto.
-    [[nodiscard]] virtual EngineChoice engine() const { return EngineChoice::General; }
     [[nodiscard]] virtual const SignalLayout& layout() const = 0;
     [[nodiscard]] virtual SignalBlock& block() = 0;
     [[nodiscard]] virtual const SignalBlock& block() const = 0;

@@ -6,9 +6,12 @@ namespace trundle {
 
 namespace {
 
-bool isWheeled(const ExperimentSpec& experiment) {
-    const EngineChoice asked = experiment.settings.engine;
-    return asked == EngineChoice::Wheeled || (asked == EngineChoice::Auto && fitsWheeled(experiment, nullptr));
+/// With the engine that fits it.
+std::shared_ptr<const ExperimentSpec> withEngine(std::shared_ptr<const ExperimentSpec> experiment) {
+    if (experiment->settings.engine != EngineChoice::Auto) return experiment;
+    auto chosen = std::make_shared<ExperimentSpec>(*experiment);
+    chosen->settings.engine = fitsWheeled(*experiment, nullptr) ? EngineChoice::Wheeled : EngineChoice::General;
+    return chosen;
 }
 
 } // namespace
@@ -17,24 +20,23 @@ std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experi
                                     Diagnostics& diagnostics, std::shared_ptr<CallMonitor> calls) {
     if (!calls) calls = std::make_shared<CallMonitor>();
     if (!isBuildable(*experiment, diagnostics)) return nullptr;
+    experiment = withEngine(std::move(experiment));
     const SettingsSpec& s = experiment->settings;
-    const bool wheeled = isWheeled(*experiment);
     const EngineSettings settings{s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get()};
-    auto engine = wheeled ? makeWheeledEngine(settings) : makeOdeEngine(settings);
+    auto engine = s.engine == EngineChoice::Wheeled ? makeWheeledEngine(settings) : makeOdeEngine(settings);
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return nullptr;
     }
-    const EngineChoice kind = wheeled ? EngineChoice::Wheeled : EngineChoice::General;
-    auto world = std::make_unique<BuiltWorld>(std::move(experiment), std::move(calls), kind, std::move(engine).value());
+    auto world = std::make_unique<BuiltWorld>(std::move(experiment), std::move(calls), std::move(engine).value());
     if (!world->build(devices, diagnostics)) return nullptr;
     return world;
 }
 
-BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls, EngineChoice kind,
+BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
                        std::unique_ptr<Engine> engine)
     : m_experiment(std::move(experiment)), m_calls(std::move(calls)), m_solver(m_calls->add({"the solver", {}, {}, {}})),
-      m_kind(kind), m_engine(std::move(engine)) {}
+      m_engine(std::move(engine)) {}
 
 BuiltWorld::~BuiltWorld() = default;
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include <link.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -21,6 +22,38 @@ bool isReadable(const char* byte) {
     return syscall(SYS_rt_sigprocmask, -1, from, nullptr, kBytes) == 0 || errno != EFAULT;
 }
 
+/// The program itself, which stays where it is: texts of built-in kinds need not be asked for.
+class ProgramImage {
+public:
+    ProgramImage() {
+        dl_iterate_phdr(
+            [](dl_phdr_info* info, std::size_t, void* self) {
+                for (int i = 0; i < info->dlpi_phnum; ++i)
+                    static_cast<ProgramImage*>(self)->add(info->dlpi_phdr[i], info->dlpi_addr);
+                return 1; // the first is the program
+            },
+            this);
+    }
+    [[nodiscard]] bool has(const char* byte) const {
+        const auto at = reinterpret_cast<std::uintptr_t>(byte);
+        for (int i = 0; i < m_count; ++i)
+            if (at >= m_parts[i].from && at < m_parts[i].to) return true;
+        return false;
+    }
+
+private:
+    void add(const ElfW(Phdr) & part, std::uintptr_t base) {
+        if (part.p_type != PT_LOAD || (part.p_flags & PF_R) == 0 || m_count == kMost) return;
+        m_parts[m_count++] = {base + part.p_vaddr, base + part.p_vaddr + part.p_memsz};
+    }
+
+    static constexpr int kMost = 8;
+    struct Part {
+        std::uintptr_t from = 0, to = 0;
+    } m_parts[kMost];
+    int m_count = 0;
+};
+
 struct Span {
     std::size_t length = 0;
     bool terminated = false;
@@ -29,8 +62,9 @@ struct Span {
 /// Scans page by page: within one page all bytes are readable or none.
 Span spanOf(const char* text, std::size_t longest) {
     static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    static const ProgramImage program;
     Span span;
-    while (span.length < longest && isReadable(text + span.length)) {
+    while (span.length < longest && (program.has(text + span.length) || isReadable(text + span.length))) {
         const std::size_t toItsEnd = page - reinterpret_cast<std::uintptr_t>(text + span.length) % page;
         const std::size_t count = std::min(toItsEnd, longest - span.length), found = strnlen(text + span.length, count);
         span.length += found;

@@ -238,7 +238,7 @@ std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts)
     shot->tick = world.ticks();
     shot->time = world.time();
     shot->quickTicks = world.quickTicks();
-    shot->engine = world.engine();
+    shot->engine = world.experiment().settings.engine;
     shot->realTimeFactor = m_meter.realTimeFactor(LiveClock::now(), shot->time);
     if (stands) shot->realTimeFactor = 0;
     shot->stepMs = m_meter.takeStepMs();

@@ -10,7 +10,7 @@ namespace trundle {
 namespace {
 
 constexpr double kLevelAxis = 1e-6; // sine of the angle that still counts as level
-constexpr double kNear = 0.005;     // m: what is to stand on the ground is that near to it
+constexpr double kNear = 0.005;     // m: the farthest from the ground that still counts as on it
 constexpr double kLowest = 0.02;    // m: lower scenery is a kerb
 constexpr double kTouching = 1e-4;  // m
 constexpr double kStiffness = 2e5;  // N/m, as the general engine's
@@ -50,7 +50,7 @@ bool LevelGround::isBelow(const Vec2& point) const {
     });
 }
 
-void GroundFinder::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose) {
+void GroundSearch::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose) {
     const Mat3 axes = pose.rotation.toRotationMatrix();
     const bool plane = spec.shape == GeomShape::Plane;
     if (!isUpright(axes) || (!plane && spec.shape != GeomShape::Box)) return;
@@ -63,7 +63,7 @@ void GroundFinder::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pos
     std::ranges::sort(m_levels, std::greater{}, &LevelGround::height);
 }
 
-std::optional<LevelGround> GroundFinder::under(double bottom) const {
+std::optional<LevelGround> GroundSearch::under(double bottom) const {
     const auto level = std::ranges::find_if(m_levels, [&](const LevelGround& l) { return l.height < bottom + kNear; });
     return level == m_levels.end() ? std::nullopt : std::optional(*level);
 }
@@ -116,7 +116,7 @@ std::shared_ptr<const ActorShape> ActorReader::read(const ActorDef& actor, NotWh
     why = {};
     m_shape = std::make_shared<ActorShape>();
     const bool upright = actor.frame.rotation.toRotationMatrix()(2, 2) > 1 - kLevelAxis;
-    if (!upright && !refuse("it does not stand upright at the start", {})) return nullptr;
+    if (!upright && !refuse("it is not upright at the start", {})) return nullptr;
     if (!findRoles()) return nullptr;
     addMasses();
     if (!addFootprints()) return nullptr;
@@ -360,7 +360,7 @@ bool ActorReader::readLoose() {
     const auto lowest = std::ranges::min_element(s.footprints, {}, &PlanarShape::low);
     const PlanarShape& base = *lowest;
     if (std::abs(bottom(base)) > kNear)
-        return refuse(named("body", body(0).name, "does not stand on the ground at the start"), body(0).nameRange);
+        return refuse(named("body", body(0).name, "is not on the ground at the start"), body(0).nameRange);
     s.surface = base.surface;
     const GeomSpec* only = s.bodies.size() == 1 ? onlyGeom(0) : nullptr;
     if (only && only->shape == GeomShape::Sphere) {

@@ -14,7 +14,7 @@ namespace trundle {
 
 inline constexpr std::size_t kMostSupports = 24; ///< of a vehicle
 
-/// The level ground that everything stands on: planes and boxes with their tops at one height.
+/// The level ground that carries everything: planes and boxes with their tops at one height.
 struct LevelGround {
     struct Slab {
         std::uint32_t geom = 0, surface = 0;
@@ -30,7 +30,7 @@ struct LevelGround {
     [[nodiscard]] bool isBelow(const Vec2& point) const;
 };
 
-/// Where a vehicle stands: a wheel, or a ball or slider under it. Vectors from the centre of mass, in the vehicle's axes.
+/// Where a vehicle touches the ground: a wheel, or a ball or slider under it. Vectors from the centre of mass, in the vehicle's axes.
 struct Support {
     Vec3 centre = Vec3::Zero(); ///< of the wheel or ball
     double radius = 0;
@@ -67,7 +67,7 @@ struct ActorShape {
     double stiffness = 0, damping = 0; ///< of the ground under each support, N/m, N s/m
     double bound = 0;                  ///< farthest point over x and y from the centre of mass, m
     double spinRadius = 0;     ///< of something loose: moment of friction over its force when it only turns; of a ball its radius
-    std::uint32_t surface = 0; ///< of what something loose stands on
+    std::uint32_t surface = 0; ///< of the lowest geom of something loose
 };
 
 /// Why something cannot be in this engine.
@@ -77,10 +77,10 @@ struct NotWheeled {
 };
 
 /// Finds the ground among an experiment's scenery.
-class GroundFinder {
+class GroundSearch {
 public:
     void add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose);
-    /// The highest on which an actor can stand whose lowest point is at `bottom`; nothing where there is none.
+    /// The highest that can carry an actor whose lowest point is at `bottom`; nothing where there is none.
     [[nodiscard]] std::optional<LevelGround> under(double bottom) const;
 
 private:
@@ -93,7 +93,7 @@ private:
 /// Of scenery at a pose, above that ground; nothing for what is the ground or below it.
 [[nodiscard]] std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, const LevelGround& ground);
 
-/// Reads an actor that stands on the ground at its start.
+/// Reads an actor that is on the ground at its start.
 class ActorReader {
 public:
     ActorReader(std::span<const SurfaceSpec> surfaces, const LevelGround& ground) : m_surfaces(surfaces), m_ground(ground) {}

@@ -1,5 +1,5 @@
 #pragma once
-// The contacts of a tick as an engine tells them: those of units with each other and the scenery, and of all that stands on the ground.
+// The contacts of a tick as an engine reports them: those of units with each other and the scenery, and of all units with the ground.
 // Made on demand.
 
 #include <span>

@@ -28,7 +28,7 @@ WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(set
 
 Result<GeomHandle> WheeledEngine::addStatic(const GeomSpec& geom, const Pose& pose) {
     const auto index = static_cast<std::uint32_t>(m_objects.geoms.size());
-    m_finder.add(index, geom, pose);
+    m_grounds.add(index, geom, pose);
     m_objects.geoms.push_back({kNoGeom, rayGeomOf(geom, pose, kNoGeom)});
     if (geom.shape != GeomShape::Plane)
         if (auto footprint = planarShapeOf(geom, pose)) m_objects.scenery.push_back({std::move(footprint).value(), index});
@@ -47,8 +47,8 @@ std::shared_ptr<const ActorShape> WheeledEngine::shapeOf(const ActorDef& actor, 
 }
 
 Result<ActorHandles> WheeledEngine::addActor(const ActorDef& actor) {
-    if (!m_objects.ground) m_objects.ground = m_finder.under(lowestOf(actor));
-    if (!m_objects.ground) return Error{Code::NotInEngine, "there is no level ground to stand on"};
+    if (!m_objects.ground) m_objects.ground = m_grounds.under(lowestOf(actor));
+    if (!m_objects.ground) return Error{Code::NotInEngine, "there is no level ground below it"};
     if (m_objects.units.empty()) { // what is the ground, or in it, is nothing to run into
         const double height = m_objects.ground->height + 1e-4;
         std::erase_if(m_objects.scenery, [&](const WheeledScenery& s) { return s.footprint.high <= height; });

@@ -67,7 +67,7 @@ private:
 
     EngineSettings m_settings;
     WheeledObjects m_objects;
-    GroundFinder m_finder;
+    GroundSearch m_grounds;
     std::vector<KnownShape> m_shapes;
     std::vector<Motion> m_motions;
     UnitContacts m_contacts{m_objects};

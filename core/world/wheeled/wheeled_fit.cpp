@@ -17,7 +17,7 @@ public:
         const SettingsSpec& s = m_experiment.settings;
         if (!(s.gravity.z() < 0)) refuse("Gravity does not pull down", s.engineRange);
         findGround();
-        if (!m_ground) refuse("there is no level ground: no Plane or Box to stand on", s.engineRange);
+        if (!m_ground) refuse("there is no level ground: no level Plane or Box below the first robot", s.engineRange);
         if (!m_fits) return false;
         checkScenery();
         for (const RobotSpec& robot : m_experiment.robots) checkRobot(robot);
@@ -27,7 +27,7 @@ public:
 private:
     void refuse(const std::string& reason, SourceRange range) {
         m_fits = false;
-        if (m_out && m_told.insert({range, reason}).second)
+        if (m_out && m_reported.insert({range, reason}).second)
             m_out->error(Code::NotInEngine, range, "Engine = wheeled is not possible: " + reason + "; use Engine = general");
     }
 
@@ -39,9 +39,9 @@ private:
     }
     /// Below the first robot.
     void findGround() {
-        GroundFinder finder;
-        eachStatic([&](const StaticSpec& s, const GeomSpec& g) { finder.add(0, g, s.pose * g.pose); });
-        m_ground = finder.under(m_experiment.robots.empty() ? 1e300 : lowestOf(actorOf(m_experiment.robots[0])));
+        GroundSearch grounds;
+        eachStatic([&](const StaticSpec& s, const GeomSpec& g) { grounds.add(0, g, s.pose * g.pose); });
+        m_ground = grounds.under(m_experiment.robots.empty() ? 1e300 : lowestOf(actorOf(m_experiment.robots[0])));
     }
     static ActorDef actorOf(const RobotSpec& spec) {
         ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
@@ -66,7 +66,7 @@ private:
     Diagnostics* m_out;
     std::optional<LevelGround> m_ground;
     bool m_fits = true;
-    std::set<std::pair<SourceRange, std::string>> m_told;
+    std::set<std::pair<SourceRange, std::string>> m_reported;
     std::set<std::tuple<const void*, double, double, double>> m_known;
 };
 
