@@ -5,6 +5,8 @@
 #include <numbers>
 #include <set>
 
+#include <Eigen/Dense>
+
 #include "check/checks.h"
 #include "world/spring_row.h"
 
@@ -33,6 +35,10 @@ public:
             report(joint.nameRange, "the spring of " + joint.name + " in " + config.name, joint.stiffness, joint.damping,
                    inertia);
         }
+        for (const SpringSpec& spring : config.springs)
+            if (spring.stiffness > 0)
+                report(spring.nameRange, "the spring " + spring.name + " in " + config.name, spring.stiffness, spring.damping,
+                       inertiaOf(spring, config));
         double mass = 0;
         std::set<std::uint32_t> surfaces;
         for (const BodySpec& body : config.bodies) {
@@ -77,6 +83,19 @@ private:
         }
         const double other = turns ? about(joint, parent) : parent.mass.mass;
         return own * other / (own + other);
+    }
+
+    /// The reduced mass of the two bodies along the spring's line, each free.
+    [[nodiscard]] static double inertiaOf(const SpringSpec& spring, const RobotConfigSpec& config) {
+        const Vec3 apart = spring.anchor2 - spring.anchor;
+        const Vec3 way = apart.norm() > 1e-9 ? Vec3(apart.normalized()) : Vec3(Vec3::UnitZ());
+        const auto mobility = [&](int index, const Vec3& point) {
+            if (index == kWorldBody) return 0.0;
+            const BodySpec& body = config.bodies[static_cast<std::size_t>(index)];
+            const Vec3 arm = body.pose.rotation.conjugate() * (point - body.pose * body.mass.centre).cross(way);
+            return 1 / body.mass.mass + arm.dot(body.mass.inertia.inverse() * arm);
+        };
+        return 1 / (mobility(spring.child, spring.anchor2) + mobility(spring.parent, spring.anchor));
     }
 
     bool report(const SourceRange& range, const std::string& what, double stiffness, double damping, double inertia) {

@@ -93,6 +93,11 @@ private:
             if (j.parent == kWorldBody) held[child] = true;
             else piece[root(child)] = root(static_cast<std::uint32_t>(j.parent));
         }
+        for (const SpringSpec& s : config.springs) {
+            const auto child = static_cast<std::uint32_t>(s.child);
+            if (s.parent == kWorldBody) held[child] = true;
+            else piece[root(child)] = root(static_cast<std::uint32_t>(s.parent));
+        }
         std::map<std::uint32_t, Piece> pieces;
         std::set<std::uint32_t> supported;
         for (std::uint32_t b = 0; b < config.bodies.size(); ++b) {

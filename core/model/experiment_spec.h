@@ -48,6 +48,8 @@ struct RobotConfigSpec {
     std::string name;
     std::vector<BodySpec> bodies; ///< the first one has the robot's pose
     std::vector<JointSpec> joints;
+    std::vector<SpringSpec> springs;
+    std::vector<GearSpec> gears;
     std::vector<ComponentSpec> devices; ///< in text order
     bool selfCollision = false;
     SourceRange range;

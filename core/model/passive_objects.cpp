@@ -15,7 +15,8 @@ bool isBody(const Part& part) {
 } // namespace
 
 bool isPassive(const RobotSpec& robot) {
-    return robot.config && robot.config->joints.empty() && robot.config->devices.empty() && !robot.controller;
+    if (!robot.config || robot.controller) return false;
+    return robot.config->joints.empty() && robot.config->springs.empty() && robot.config->devices.empty();
 }
 
 bool isPassive(const Part& instance, const Part* config) {

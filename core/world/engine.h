@@ -35,6 +35,7 @@ using ActorHandle = Handle<struct ActorTag>;
 using BodyHandle = Handle<struct BodyTag>;
 using JointHandle = Handle<struct JointTag>;
 using GeomHandle = Handle<struct GeomTag>;
+using CouplingHandle = Handle<struct CouplingTag>;
 
 inline constexpr std::uint32_t kNoActor = 0xffffffffu; ///< partner of a contact with a static
 
@@ -64,12 +65,15 @@ struct ActorDef {
     std::vector<BodyDef> bodies;
     const std::vector<JointSpec>* joints = nullptr;
     bool selfCollision = false;
+    const std::vector<SpringSpec>* springs = nullptr;
+    const std::vector<GearSpec>* gears = nullptr;
 };
 
 struct ActorHandles {
     ActorHandle actor;
     std::vector<BodyHandle> bodies;
     std::vector<JointHandle> joints;
+    std::vector<CouplingHandle> couplings;      ///< the springs, then the gears
     std::vector<std::vector<GeomHandle>> geoms; ///< per body, in the order of the spec; invalid for a geom that does not collide
 };
 
@@ -79,6 +83,12 @@ struct BodyState {
     Quat rotation = Quat::Identity();
     Vec3 linear = Vec3::Zero();
     Vec3 angular = Vec3::Zero();
+};
+
+/// Of a spring or gear after the last step.
+struct CouplingState {
+    double length = 0, rate = 0; ///< of a spring, m and m/s
+    double effort = 0;           ///< of a spring N, positive where it pulls; of a gear what it does to its first joint: N m or N
 };
 
 /// A constraint row that drives a joint to `rate` with the torque (rate - actual) / softness, at most `limit`. Limit 0: no row.
@@ -157,6 +167,7 @@ public:
     [[nodiscard]] virtual double jointPosition(JointHandle joint) const = 0; ///< unwrapped
     [[nodiscard]] virtual double jointRate(JointHandle joint) const = 0;
     [[nodiscard]] virtual double jointMotorEffort(JointHandle joint) const = 0;
+    [[nodiscard]] virtual CouplingState coupling(CouplingHandle coupling) const = 0;
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
     [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
     /// Indices of the contacts of one geom, ascending. Valid until the next step.

@@ -40,6 +40,15 @@ void publishRobot(const BuiltRobot& robot, const WorldObjects& objects, const En
         *to++ = engine.jointPosition(joint);
         *to++ = engine.jointRate(joint);
     }
+    const std::size_t springs = robot.spec->config->springs.size();
+    for (std::size_t i = 0; i < robot.handles.couplings.size(); ++i) {
+        const CouplingState state = engine.coupling(robot.handles.couplings[i]);
+        if (i < springs) {
+            *to++ = state.length;
+            *to++ = state.rate;
+        }
+        *to++ = state.effort;
+    }
 }
 
 } // namespace

@@ -57,6 +57,15 @@ std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
         layout.add(name + "/" + joint.name + "/position", linear ? "m" : "rad", kReal, kTruth);
         layout.add(name + "/" + joint.name + "/rate", linear ? "m/s" : "rad/s", kReal, kTruth);
     }
+    for (const SpringSpec& spring : robot.config->springs) {
+        layout.add(name + "/" + spring.name + "/length", "m", kReal, kTruth);
+        layout.add(name + "/" + spring.name + "/rate", "m/s", kReal, kTruth);
+        layout.add(name + "/" + spring.name + "/force", "N", kReal, kTruth);
+    }
+    for (const GearSpec& gear : robot.config->gears) {
+        const bool linear = robot.config->joints[static_cast<std::size_t>(gear.joint)].type == JointType::Slider;
+        layout.add(name + "/" + gear.name + (linear ? "/force" : "/torque"), linear ? "N" : "N m", kReal, kTruth);
+    }
     return first;
 }
 

@@ -20,7 +20,7 @@ inline constexpr std::uint64_t kMaxSignalNumbers = 100000;
 [[nodiscard]] std::uint64_t signalCount(const TrundleKind& kind, const TrundleSignal& signal, const ComponentSpec& device);
 
 /// Starts the robot's range of slots and adds the signals every robot has: its pose and velocity, those of its bodies, its
-/// joints' positions and rates. Returns the first slot.
+/// joints' positions and rates, what springs and gears do. Returns the first slot.
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot);
 
 /// Adds the signals that the robot's controller publishes: "robot0/brain/hops". Called last for the robot.

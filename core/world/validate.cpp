@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "model/gear_line.h"
+
 namespace trundle {
 
 namespace {
@@ -85,6 +87,8 @@ private:
         if (!m_seen.insert(r.config.get()).second) return; // checked once, even if several robots share it
         for (const BodySpec& b : r.config->bodies) body(b);
         for (const JointSpec& j : r.config->joints) joint(j, *r.config);
+        for (const SpringSpec& s : r.config->springs) spring(s, *r.config);
+        for (const GearSpec& g : r.config->gears) gear(g, *r.config);
     }
 
     void body(const BodySpec& b) {
@@ -165,6 +169,35 @@ private:
             for (const std::uint32_t i : t)
                 if (i >= g.mesh->points.size())
                     return bad(Code::BadGeometry, g.nameRange, name + " has a triangle with a point it does not have");
+    }
+
+    void spring(const SpringSpec& s, const RobotConfigSpec& config) {
+        const int bodies = static_cast<int>(config.bodies.size());
+        need(s.child >= 0 && s.child < bodies && s.parent >= kWorldBody && s.parent < bodies && s.child != s.parent,
+             Code::BadJoint, s.nameRange, s.name + " must join two bodies");
+        for (const Vec3& end : {s.anchor, s.anchor2})
+            need(end.allFinite() && end.norm() <= kFarthest, Code::BadJoint, s.nameRange,
+                 "an end of " + s.name + " is not a valid position");
+        for (const auto& [value, what] : {std::pair{s.damping, "Damping"}, {s.stiffness, "Stiffness"}, {s.length, "Length"}})
+            need(isIn(value, 0, 1e12), Code::BadJoint, s.nameRange, std::string(what) + " of " + s.name + " must be 0 or more");
+    }
+
+    void gear(const GearSpec& g, const RobotConfigSpec& config) {
+        const auto known = [&](int joint) { return joint >= 0 && static_cast<std::size_t>(joint) < config.joints.size(); };
+        if (!need(known(g.joint) && known(g.other) && g.joint != g.other, Code::BadJoint, g.nameRange,
+                  g.name + " must couple two joints"))
+            return;
+        const JointSpec &joint = config.joints[static_cast<std::size_t>(g.joint)],
+                        &other = config.joints[static_cast<std::size_t>(g.other)];
+        const auto isFit = [](const JointSpec& j) { return j.type == JointType::Hinge || j.type == JointType::Slider; };
+        if (!need(isFit(joint) && isFit(other), Code::BadJoint, g.nameRange,
+                  g.name + " must couple a Hinge or a Slider with another"))
+            return;
+        if (!need(std::isfinite(g.ratio) && std::abs(g.ratio) >= 1e-6, Code::BadJoint, g.nameRange,
+                  "Ratio of " + g.name + " must not be 0"))
+            return;
+        const auto fault = gearFault(joint, other, g.ratio);
+        need(!fault, Code::BadJoint, g.nameRange, g.name + ": " + fault.value_or(""));
     }
 
     void joint(const JointSpec& j, const RobotConfigSpec& config) {

@@ -73,7 +73,7 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
         const RobotSpec& spec = experiment.robots[i];
         BuiltRobot& robot = m_robots[i];
         robot.spec = &spec;
-        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
+        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs, &spec.config->gears};
         for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
         auto made = engine.addActor(def);
         if (!made) {

@@ -10,10 +10,10 @@ namespace trundle {
 // clang-format off
 static constexpr auto kDrawn = std::to_array<std::string_view>({
     "AckermannDrive", "Ball", "Battery", "Body", "Box", "Camera", "Capsule", "Compass", "ContactLog", "Convex", "Cylinder",
-    "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
+    "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "Gear", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
     "Hinge", "Imu", "Lidar", "LightSensor", "LinearMotor", "Material", "MecanumDrive", "Mesh", "OmniDrive", "Part", "PartConfig", "Plane",
     "PoseLog", "RangeSensor", "Robot", "RobotConfig", "RotaryMotor", "Scatter", "Servo", "SignalLog", "SkidDrive",
-    "Slider", "Sphere", "Static", "StaticConfig", "Surface", "Suspension", "TouchSensor", "Transceiver", "Universal",
+    "Slider", "Sphere", "Spring", "Static", "StaticConfig", "Surface", "Suspension", "TouchSensor", "Transceiver", "Universal",
     "View"
 });
 // clang-format on

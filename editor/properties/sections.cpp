@@ -15,7 +15,7 @@ struct Section {
 };
 
 const Section kCommon[] = {
-    {QT_TRANSLATE_NOOP("QObject", "Place"), {"Pos", "HPR", "Anchor", "Axis", "Axis2"}},
+    {QT_TRANSLATE_NOOP("QObject", "Place"), {"Pos", "HPR", "Anchor", "Anchor2", "Axis", "Axis2"}},
     {QT_TRANSLATE_NOOP("QObject", "Mass"), {"Mass", "Density", "CenterOfMass", "Inertia"}},
     {QT_TRANSLATE_NOOP("QObject", "Appearance and contact"), {"Material", "Surface", "Collide", "Visible"}},
     {QT_TRANSLATE_NOOP("QObject", "Schedule"), {"UpdatePeriod", "Isolation", "Budget"}},

@@ -140,6 +140,21 @@ std::string joint(Choices& c, const Registry& registry, const Names& names, cons
            properties(c, *kind, names, {"Parent", "Child"}, 2) + " }\n";
 }
 
+/// A spring between two bodies, and a gear between two joints, which may be of kinds that it does not fit.
+std::string couplings(Choices& c, const Registry& registry, const Names& names) {
+    const Kind *spring = registry.find("Spring"), *gear = registry.find("Gear");
+    if (!spring || !gear || names.bodies.size() < 2) return {};
+    std::string text;
+    const auto body = 1 + c.pick(static_cast<std::uint32_t>(names.bodies.size() - 1));
+    if (c.chance(6))
+        text += "  Spring spring { Parent=" + (c.chance(4) ? "world" : names.bodies[body - 1]) + " Child=" + names.bodies[body] +
+                properties(c, *spring, names, {"Parent", "Child"}, 3) + " }\n";
+    if (names.joints.size() > 1 && c.chance(1))
+        text += "  Gear gear { Joint=" + names.joints[0] + " Other=" + names.joints[1] +
+                " Ratio=" + show(c.chance(8) ? -0.5 : numberFor(c, *gear->find("Ratio"))) + " }\n";
+    return text;
+}
+
 std::string devices(Choices& c, const Registry& registry, Names& names) {
     std::string text;
     std::vector<const Kind*> kinds;
@@ -185,6 +200,7 @@ std::string robotConfig(Choices& c, const Registry& registry, const std::string&
         text += joint(c, registry, names, names.joints.back(), b);
     }
     text += devices(c, registry, names);
+    text += couplings(c, registry, names);
     if (c.chance(3)) text += "  SelfCollision=true\n";
     return text + "}\n";
 }

@@ -43,6 +43,11 @@ template <class T> void describeSpring(Describe<T>& d, const char* stiffness, co
     d.field("Damping", &JointFields::damping, unitOf(damping).within(0, 1e12), "Resistance per speed.");
 }
 
+template <class T> void describeSwivel(Describe<T>& d, const char* about) {
+    d.field("Stiffness", &JointFields::stiffness, unitOf("Nm/rad").within(0, 1e12), about);
+    d.field("Damping", &JointFields::damping, unitOf("Nms/rad").within(0, 1e12), "Resistance per speed.");
+}
+
 } // namespace
 
 void BodyFields::describe(Describe<BodyFields>& d) {
@@ -120,6 +125,7 @@ void HingeFields::describe(Describe<HingeFields>& d) {
     d.field("LowStop", &JointFields::lowStop, degrees().within(-180, 180), "Smallest angle.");
     d.field("HighStop", &JointFields::highStop, degrees().within(-180, 180), "Largest angle.");
     describeSpring(d, "Nm/rad", "Nms/rad");
+    d.field("RestAngle", &JointFields::rest, degrees().within(-36000, 36000), "Where the spring has no torque; 0 is the start.");
     d.field("Friction", &JointFields::friction, newtonMetres().within(0, 1e9), "Torque that holds it until overcome.");
 }
 
@@ -130,6 +136,7 @@ void SliderFields::describe(Describe<SliderFields>& d) {
     d.field("LowStop", &JointFields::lowStop, position(), "Lowest position along the axis; 0 is the start.");
     d.field("HighStop", &JointFields::highStop, position(), "Highest position along the axis.");
     describeSpring(d, "N/m", "Ns/m");
+    d.field("RestPosition", &JointFields::rest, position(), "Where the spring has no force; 0 is the start.");
     d.field("Friction", &JointFields::friction, newtons().within(0, 1e9), "Force that holds it until overcome.");
 }
 
@@ -137,6 +144,10 @@ void BallFields::describe(Describe<BallFields>& d) {
     d.help("Lets the child turn about a point.");
     describeEnds(d);
     describeAnchor(d);
+    d.field("Axis", &JointFields::axis, direction(), "Middle of the cone of SwingStop, in the config frame.");
+    d.field("SwingStop", &JointFields::swingStop, degrees().above(0).atMost(180),
+            "Largest angle between Axis on the child and on the parent; twist about it stays free.");
+    describeSwivel(d, "Of the spring towards the start orientation, about all axes.");
 }
 
 void UniversalFields::describe(Describe<UniversalFields>& d) {
@@ -145,6 +156,13 @@ void UniversalFields::describe(Describe<UniversalFields>& d) {
     describeAnchor(d);
     d.field("Axis", &JointFields::axis, direction(), "First axis, fixed to the parent.");
     d.field("Axis2", &JointFields::axis2, direction(), "Second axis, fixed to the child.");
+    d.field("LowStop", &JointFields::lowStop, degrees().within(-180, 180), "Smallest angle about Axis.");
+    d.field("HighStop", &JointFields::highStop, degrees().within(-180, 180), "Largest angle about Axis.");
+    d.field("LowStop2", &JointFields::lowStop2, degrees().within(-180, 180), "Smallest angle about Axis2.");
+    d.field("HighStop2", &JointFields::highStop2, degrees().within(-180, 180), "Largest angle about Axis2.");
+    describeSwivel(d, "Of the spring about Axis towards the start position.");
+    d.field("Stiffness2", &JointFields::stiffness2, unitOf("Nm/rad").within(0, 1e12), "About Axis2; as about Axis where absent.");
+    d.field("Damping2", &JointFields::damping2, unitOf("Nms/rad").within(0, 1e12), "About Axis2; as about Axis where absent.");
 }
 
 void FixedFields::describe(Describe<FixedFields>& d) {
@@ -160,6 +178,27 @@ void SuspensionFields::describe(Describe<SuspensionFields>& d) {
     d.field("Axis2", &JointFields::axis2, direction(), "The wheel's axle.");
     describeSpring(d, "N/m", "Ns/m");
     d.field("Travel", &JointFields::travel, metres().within(0, kLargest), "How far it gives to each side; 0 = no stop.");
+}
+
+void SpringFields::describe(Describe<SpringFields>& d) {
+    d.help("A spring with damper along the line between a point of one body and a point of another.");
+    d.field("Parent", &SpringFields::parent, reference("Body|world").required(), "Body at one end, or world.");
+    d.field("Child", &SpringFields::child, reference("Body").required(), "Body at the other end.");
+    d.field("Anchor", &SpringFields::anchor, position(),
+            "Point of Parent in the config frame; its origin where absent, for the world that of the config.");
+    d.field("Anchor2", &SpringFields::anchor2, position(), "Point of Child in the config frame; its origin where absent.");
+    d.field("Length", &SpringFields::length, metres().within(0, kLargest), "Without force; that of the start where absent.");
+    d.field("Stiffness", &SpringFields::stiffness, unitOf("N/m").within(0, 1e12),
+            "Force per extension; at most 1.8 rad per tick.");
+    d.field("Damping", &SpringFields::damping, unitOf("Ns/m").within(0, 1e12), "Force per rate of its length.");
+}
+
+void GearFields::describe(Describe<GearFields>& d) {
+    d.help("Couples two joints that have a body or the world in common: the rate of Joint is Ratio times that of Other.");
+    d.field("Joint", &GearFields::joint, reference("Hinge|Slider").required(), "The joint that is turned or moved.");
+    d.field("Other", &GearFields::other, reference("Hinge|Slider").required(), "The joint that turns or moves it.");
+    d.field("Ratio", &GearFields::ratio, number().within(-1e6, 1e6).required(),
+            "Rate of Joint per rate of Other, negative for two meshing wheels; m per rad for a Slider on a Hinge.");
 }
 
 } // namespace trundle

@@ -70,8 +70,8 @@ struct JointFields {
     std::string parent, child;
     std::optional<std::array<double, 3>> anchor;
     std::array<double, 3> axis{0, 0, 1}, axis2{1, 0, 0};
-    std::optional<double> lowStop, highStop;
-    double damping = 0, friction = 0, stiffness = 0, travel = 0;
+    std::optional<double> lowStop, highStop, lowStop2, highStop2, stiffness2, damping2, swingStop;
+    double damping = 0, friction = 0, stiffness = 0, travel = 0, rest = 0;
 };
 struct HingeFields : JointFields {
     static void describe(Describe<HingeFields>& d);
@@ -91,6 +91,19 @@ struct FixedFields : JointFields {
 struct SuspensionFields : JointFields {
     SuspensionFields() { axis2 = {0, 1, 0}; }
     static void describe(Describe<SuspensionFields>& d);
+};
+
+struct SpringFields {
+    std::string parent, child;
+    std::optional<std::array<double, 3>> anchor, anchor2;
+    std::optional<double> length;
+    double stiffness = 0, damping = 0;
+    static void describe(Describe<SpringFields>& d);
+};
+struct GearFields {
+    std::string joint, other;
+    double ratio = 1;
+    static void describe(Describe<GearFields>& d);
 };
 
 } // namespace trundle

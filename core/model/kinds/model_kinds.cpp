@@ -63,6 +63,8 @@ void addModelKinds(Registry& registry) {
     kinds.add<UniversalFields>("Universal", Role::Joint, config);
     kinds.add<FixedFields>("Fixed", Role::Joint, config);
     kinds.add<SuspensionFields>("Suspension", Role::Joint, config);
+    kinds.add<SpringFields>("Spring", Role::Joint, config);
+    kinds.add<GearFields>("Gear", Role::Joint, config);
 }
 
 Kind withControllerProperties(Kind kind) {

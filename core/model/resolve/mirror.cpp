@@ -19,6 +19,13 @@ void exchangeSides(ComponentSpec& device) {
     }
 }
 
+/// Stops of an axis that turns the other way.
+void reverse(std::optional<double>& low, std::optional<double>& high) {
+    std::swap(low, high);
+    for (std::optional<double>* stop : {&low, &high})
+        if (*stop) *stop = negated(**stop);
+}
+
 void negateAt(Vec3& v, int axis) { v[axis] = negated(v[axis]); }
 
 } // namespace
@@ -111,10 +118,23 @@ void PartPlacement::place(JointSpec& joint) const {
         joint.axis = (m_pose.rotation * joint.axis).normalized();
         joint.axis2 = (m_pose.rotation * joint.axis2).normalized();
     }
-    if (!isReversed) return;
-    std::swap(joint.lowStop, joint.highStop);
-    for (std::optional<double>* stop : {&joint.lowStop, &joint.highStop})
-        if (*stop) *stop = negated(**stop);
+    if (isReversed) {
+        reverse(joint.lowStop, joint.highStop);
+        joint.rest = negated(joint.rest);
+    }
+    if (isAlsoReversed) reverse(joint.lowStop2, joint.highStop2);
+}
+
+void PartPlacement::place(SpringSpec& spring) const {
+    spring.anchor = pose({spring.anchor, Quat::Identity()}).position;
+    spring.anchor2 = pose({spring.anchor2, Quat::Identity()}).position;
+}
+
+bool PartPlacement::reverses(JointType type, Vec3& axis) const {
+    bool isReversed = false;
+    axis = m_pose.rotation.conjugate() * axis;
+    axis = type == JointType::Slider ? mirrored(axis) : mirroredAxis(axis, isReversed);
+    return isReversed;
 }
 
 /// What looks along its x axis looks along the mirrored x axis, with the mirrored z axis up: for Mirror = y that is M R M, and the

@@ -24,6 +24,10 @@ public:
     /// its axis is the mirrored line in the direction nearest to the described one, and its stops are where the mirror image has
     /// them.
     void place(JointSpec& joint) const;
+    void place(SpringSpec& spring) const;
+    /// Whether the mirror image of a joint has its sense reversed against the described one, so that what couples it with another
+    /// joint may have to change its sign. `axis` is in the frame of what holds the Part, then in that of the part.
+    [[nodiscard]] bool reverses(JointType type, Vec3& axis) const;
     /// Pos and HPR of a device are those of its mirror image in the body. In a body from outside of the part they count from the
     /// part's Pos and HPR on, which count in that body. With Mirror = y, values of Left... and Right... are exchanged.
     void place(ComponentSpec& device, bool isOnOwnBody) const;

@@ -64,11 +64,21 @@ void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfig
         places.emplace(body->name, static_cast<int>(spec.bodies.size()));
         spec.bodies.push_back(std::move(*body));
     });
+    const auto isKind = [](const ExpandedPart& part, std::string_view kind) { return part.part->kind->name == kind; };
     expansion.each(Role::Joint, [&](const ExpandedPart& part) {
+        if (isKind(part, "Gear")) return;
+        if (isKind(part, "Spring")) {
+            if (auto spring = resolveSpring(context, part, spec.bodies, places)) spec.springs.push_back(std::move(*spring));
+            return;
+        }
         std::optional<JointSpec> joint = resolveJoint(context, part, spec.bodies, places);
         if (!joint) return;
         warnAboutDuplicateJoints(context, pairs, *joint, *part.part);
         spec.joints.push_back(std::move(*joint));
+    });
+    expansion.each(Role::Joint, [&](const ExpandedPart& part) {
+        if (!isKind(part, "Gear")) return;
+        if (auto gear = resolveGear(context, part, spec.joints)) spec.gears.push_back(std::move(*gear));
     });
     expansion.each(Role::Device, [&](const ExpandedPart& part) {
         if (auto device = resolveDevice(context, part)) spec.devices.push_back(std::move(*device));

@@ -16,7 +16,8 @@ namespace trundle {
 namespace {
 
 double objectsOf(const RobotConfigSpec& config) {
-    std::size_t objects = config.bodies.size() + config.joints.size() + config.devices.size();
+    std::size_t objects = config.bodies.size() + config.joints.size() + config.springs.size() + config.gears.size() +
+                          config.devices.size();
     for (const BodySpec& body : config.bodies) objects += body.geoms.size();
     return static_cast<double>(objects);
 }

@@ -53,7 +53,14 @@ public:
         joint.travel = f.travel;
         joint.lowStop = f.lowStop;
         joint.highStop = f.highStop;
-        return readAxes(joint, f) && checkStops(f);
+        joint.rest = f.rest;
+        joint.lowStop2 = f.lowStop2;
+        joint.highStop2 = f.highStop2;
+        joint.stiffness2 = f.stiffness2;
+        joint.damping2 = f.damping2;
+        joint.swingStop = f.swingStop;
+        return readAxes(joint, f) && checkStops("LowStop", f.lowStop, "HighStop", f.highStop) &&
+               checkStops("LowStop2", f.lowStop2, "HighStop2", f.highStop2);
     }
 
 private:
@@ -84,12 +91,12 @@ private:
         return true;
     }
 
-    bool checkStops(const JointFields& f) {
-        if (!f.lowStop || !f.highStop || *f.lowStop <= *f.highStop) return true;
-        const SourceRange low = m_record.rangeOf("LowStop", m_part.nameRange()),
-                          high = m_record.rangeOf("HighStop", m_part.nameRange());
-        Diagnostic& d =
-            m_context.diagnostics.error(Code::BadJoint, low, "the LowStop of " + m_part.title() + " is above its HighStop");
+    bool checkStops(const char* lowName, std::optional<double> lowStop, const char* highName, std::optional<double> highStop) {
+        if (!lowStop || !highStop || *lowStop <= *highStop) return true;
+        const SourceRange low = m_record.rangeOf(lowName, m_part.nameRange()),
+                          high = m_record.rangeOf(highName, m_part.nameRange());
+        Diagnostic& d = m_context.diagnostics.error(
+            Code::BadJoint, low, std::string("the ") + lowName + " of " + m_part.title() + " is above its " + highName);
         if (low.known() && high.known() && low != high) {
             const std::string lowText(m_context.texts.slice(low)), highText(m_context.texts.slice(high));
             d.fixes.push_back({"exchange them", {{low, highText}, {high, lowText}}});

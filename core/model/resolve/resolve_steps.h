@@ -18,6 +18,11 @@ void resolveSurfaces(ResolveContext& context);
 using BodyIndices = std::unordered_map<std::string, int>;
 [[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPart& expanded,
                                                     const std::vector<BodySpec>& bodies, const BodyIndices& places);
+[[nodiscard]] std::optional<SpringSpec> resolveSpring(ResolveContext& context, const ExpandedPart& expanded,
+                                                      const std::vector<BodySpec>& bodies, const BodyIndices& places);
+/// Requires all joints of the config.
+[[nodiscard]] std::optional<GearSpec> resolveGear(ResolveContext& context, const ExpandedPart& expanded,
+                                                  const std::vector<JointSpec>& joints);
 [[nodiscard]] std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config,
                                                                         ParamScope& scope, const OverrideNode* overrides);
 [[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config,

@@ -43,9 +43,11 @@ Result<EditPlan> planDuplicate(const LoadedProject& loaded, const std::vector<st
         MovedBlock block(copies.textOf(loaded, copy));
         if (offset != Vec3::Zero()) {
             if (copy.kind->find("Pos")) block.shift("Pos", offset, poseAt(loaded, c.place).position);
-            const auto anchor = copy.kind->find("Anchor") ? valueAt(loaded, c.place, "Anchor") : std::nullopt;
-            if (anchor && anchor->numbers.size() == 3)
-                block.shift("Anchor", offset, {anchor->numbers[0], anchor->numbers[1], anchor->numbers[2]});
+            for (const char* key : {"Anchor", "Anchor2"}) {
+                const auto anchor = copy.kind->find(key) ? valueAt(loaded, c.place, key) : std::nullopt;
+                if (anchor && anchor->numbers.size() == 3)
+                    block.shift(key, offset, {anchor->numbers[0], anchor->numbers[1], anchor->numbers[2]});
+            }
         }
         const Part& part = *c.place.part;
         sheet.add(copyBehind(*loaded.trees[part.file], part.range.range, block.text()));

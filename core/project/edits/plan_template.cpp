@@ -87,7 +87,7 @@ private:
         UsedNames& names = m_names.try_emplace({target, space}, m_loaded, target, &kind).first->second;
         const std::string name = names.take(preferred(kind));
         std::string text = kind.name + " " + name + " {";
-        if (kind.role == Role::Joint) text += ends(depth);
+        if (kind.role == Role::Joint && kind.find("Child")) text += ends(depth);
         else
             for (const Property& p : kind.properties)
                 if (p.required) text += " " + p.name + "=" + value(kind, p, name, depth);

@@ -51,6 +51,7 @@ void ActorBuilder::removeLast() {
     m_objects.centres.resize(actor.geoms.begin);
     m_objects.boxes.resize(actor.geoms.begin);
     m_objects.joints.resize(actor.joints.begin);
+    m_objects.couplings.resize(actor.couplings.begin);
     m_rows.forget(actor.joints.begin);
 }
 
@@ -62,6 +63,7 @@ void ActorBuilder::buildActor(const ActorDef& def, ActorHandles& handles, std::s
     actor.bodies.begin = static_cast<std::uint32_t>(m_objects.bodies.size());
     actor.geoms.begin = static_cast<std::uint32_t>(m_objects.geoms.size());
     actor.joints.begin = static_cast<std::uint32_t>(m_objects.joints.size());
+    actor.couplings.begin = static_cast<std::uint32_t>(m_objects.couplings.size());
     for (const BodyDef& body : def.bodies) addBody(body, index, handles, failure);
     actor.bodies.end = static_cast<std::uint32_t>(m_objects.bodies.size());
     actor.geoms.end = static_cast<std::uint32_t>(m_objects.geoms.size());
@@ -72,7 +74,9 @@ void ActorBuilder::buildActor(const ActorDef& def, ActorHandles& handles, std::s
             m_joints.addJoint(joint, def, index);
         }
     actor.joints.end = static_cast<std::uint32_t>(m_objects.joints.size());
-    actor.jointed = actor.joints.end > actor.joints.begin;
+    handles.couplings = m_couplings.add(def, index);
+    actor.couplings.end = static_cast<std::uint32_t>(m_objects.couplings.size());
+    actor.jointed = actor.joints.end > actor.joints.begin || actor.couplings.end > actor.couplings.begin;
     if (def.selfCollision) findSelfPairs(actor);
 
     setStiffness(actor);
@@ -85,11 +89,12 @@ void ActorBuilder::setStiffness(OdeActor& actor) const {
     const bool ball = actor.geoms.end - actor.geoms.begin == 1 && m_objects.geoms[actor.geoms.begin].shape == GeomShape::Sphere;
     const double gravity = std::max(9.81, m_settings.gravity.norm());
     actor.stiffness = std::max(kContactStiffness, actor.mass * gravity / ((ball ? 1 : kFewestSupports) * kMaxSag));
+    bool isSprung = false;
     for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i)
-        if (m_objects.joints[i].type == JointType::Suspension) {
-            actor.stiffness *= kSuspendedStiffness;
-            break;
-        }
+        isSprung = isSprung || m_objects.joints[i].type == JointType::Suspension;
+    for (std::uint32_t i = actor.couplings.begin; i < actor.couplings.end; ++i)
+        isSprung = isSprung || !m_objects.couplings[i].isGear;
+    if (isSprung) actor.stiffness *= kSuspendedStiffness;
     actor.damping = kContactDamping * actor.stiffness / kContactStiffness;
 }
 

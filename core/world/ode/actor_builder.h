@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "world/ode/joints/coupling_rows.h"
 #include "world/ode/joints/joint_builder.h"
 
 namespace trundle {
@@ -10,8 +11,10 @@ namespace trundle {
 class ActorBuilder {
 public:
     /// All of these outlive this.
-    ActorBuilder(const EngineSettings& settings, const OdeWorld& world, OdeObjects& objects, JointRows& rows)
-        : m_settings(settings), m_world(world.id()), m_objects(objects), m_rows(rows), m_joints(world, objects, rows) {}
+    ActorBuilder(const EngineSettings& settings, const OdeWorld& world, OdeObjects& objects, JointRows& rows,
+                 CouplingRows& couplings)
+        : m_settings(settings), m_world(world.id()), m_objects(objects), m_rows(rows), m_couplings(couplings),
+          m_joints(world, objects, rows) {}
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor);
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose);
@@ -28,6 +31,7 @@ private:
     dWorldID m_world;
     OdeObjects& m_objects;
     JointRows& m_rows;
+    CouplingRows& m_couplings;
     JointBuilder m_joints;
 };
 

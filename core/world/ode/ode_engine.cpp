@@ -56,6 +56,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         applyWrites();
         m_search.findForStep(m_contacts.all);
         m_rows.update(h, m_contacts.all, m_objects.geoms, m_settings.errorReduction);
+        m_couplings.update(h, m_contacts.all, m_settings.errorReduction);
         m_dynamics.step(h);
         const std::size_t ended = m_faults.ended().size();
         m_faults.check();
@@ -80,6 +81,7 @@ void OdeEngine::applyWrites() {
 void OdeEngine::publish(double h) {
     for (std::uint32_t i = 0; i < m_objects.bodies.size(); ++i) m_objects.publish(i);
     for (OdeJoint& joint : m_objects.joints) m_rows.measure(joint, h);
+    m_couplings.measure();
     m_byGeom.clear();
 }
 

@@ -38,6 +38,7 @@ public:
     [[nodiscard]] double jointPosition(JointHandle joint) const override { return m_objects.joints[joint.index].position; }
     [[nodiscard]] double jointRate(JointHandle joint) const override { return m_objects.joints[joint.index].rate; }
     [[nodiscard]] double jointMotorEffort(JointHandle joint) const override { return m_objects.joints[joint.index].effort; }
+    [[nodiscard]] CouplingState coupling(CouplingHandle c) const override { return m_objects.couplings[c.index].state; }
     [[nodiscard]] std::size_t contactCount() const override { return m_contacts.all.size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override;
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
@@ -57,7 +58,8 @@ private:
     OdeObjects m_objects;
     TickContacts m_contacts;
     JointRows m_rows{m_objects.bodies, m_objects.joints};
-    ActorBuilder m_builder{m_settings, m_world, m_objects, m_rows};
+    CouplingRows m_couplings{m_objects, m_rows.inertias()};
+    ActorBuilder m_builder{m_settings, m_world, m_objects, m_rows, m_couplings};
     PendingWrites m_writes;
     GeomCollider m_collider{m_objects};
     ContactSearch m_search{m_settings, m_objects, m_collider};

@@ -13,6 +13,7 @@
 #include "editor/viewport/overlays/contact_arrows.h"
 #include "editor/viewport/overlays/frusta.h"
 #include "editor/viewport/overlays/pinned_values.h"
+#include "editor/viewport/overlays/springs.h"
 #include "editor/viewport/overlays/trails.h"
 #include "editor/viewport/radio/radio_legend.h"
 #include "editor/widgets/theme.h"
@@ -254,6 +255,7 @@ void paintOverlays(QPainter& painter, const ToolView& view) {
     if (settings.shows(kOverlayLinks)) paintRadioLinks(painter, view);
     paintFrusta(painter, view, settings.shows(kOverlayFrusta));
     paintBeams(painter, view, settings.shows(kOverlayBeams));
+    paintSprings(painter, view);
     paintJoints(painter, view, settings.shows(kOverlayJoints));
     if (settings.shows(kOverlayMass)) paintMass(painter, view);
     if (settings.shows(kOverlayContacts)) paintContacts(painter, view);

@@ -138,7 +138,8 @@ class EveryKindTest : public QObject {
         for (const Alternatives& choice : kind.alternatives)
             if (std::count(choice.names.begin(), choice.names.end(), property)) return true;
         if (kind.role == Role::Config && property == "Config") return true; // the blocks of a variant have names of their own
-        if (kind.name == "Universal" && property.starts_with("Axis")) return true;      // the axes must be perpendicular
+        if (kind.name == "Universal" && property.starts_with("Axis")) return true; // the axes must be perpendicular
+        if (kind.name == "Gear") return true;                                      // its joints and the ratio must fit each other
         return property == "Density" || (property == "Mass" && kind.role != Role::Log); // mutually exclusive
     }
 

@@ -29,6 +29,9 @@ void JointBuilder::addJoint(const JointSpec& spec, const ActorDef& def, std::uin
     joint.stiffness = spec.stiffness;
     joint.damping = spec.damping;
     joint.travel = spec.travel;
+    joint.rest = spec.rest;
+    joint.stiffness2 = spec.stiffness2.value_or(spec.stiffness);
+    joint.damping2 = spec.damping2.value_or(spec.damping);
     const JointFrame frame{def.frame * spec.anchor, def.frame.rotation * spec.axis, def.frame.rotation * spec.axis2};
     const Vec3 main = spec.type == JointType::Suspension ? frame.axis2 : frame.axis;
     carryFrame(joint, frame, main);

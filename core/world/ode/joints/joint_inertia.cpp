@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kMaxBodies = 24; // farther ones are left out, which makes the result smaller
 constexpr double kFixed = 1e6;         // inertia of the world, in those of the body fixed to it
 
+constexpr double kGive = 1e-9; // of a row, as a share of its own mobility
+
 Mat3 crossing(const Vec3& v) {
     Mat3 m;
     m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
@@ -119,6 +121,71 @@ void JointInertias::update(OdeJoint& joint, std::uint32_t index) {
     const Mat6 parent = loop ? inertiaOf(joint.parent) : sideOf(joint.parent, index);
     along((child.inverse() + parent.inverse()).inverse(), joint.inertia);
     along(parent, joint.heldInertia);
+}
+
+std::vector<std::uint32_t> JointInertias::around(std::uint32_t first, std::uint32_t second) const {
+    std::vector<std::uint32_t> found{first};
+    if (second != kNone) found.push_back(second);
+    for (std::size_t i = 0; i < found.size() && found.size() < kMaxBodies; ++i) {
+        if (found[i] >= m_jointsOf.size()) continue;
+        for (const std::uint32_t index : m_jointsOf[found[i]])
+            for (const std::uint32_t body : {m_joints[index].child, m_joints[index].parent})
+                if (body != kNone && found.size() < kMaxBodies && std::ranges::find(found, body) == found.end())
+                    found.push_back(body);
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+/// Method: with mass matrix M, rows G of joints and contacts and the row w of the force, its mobility is w M^-1 w less what the joints
+/// take of it, (G M^-1 w) (G M^-1 G)^-1 (G M^-1 w). A little give in every row lets loops have too many of them.
+double JointInertias::between(std::span<const std::uint32_t> bodies, std::span<const Push> pair, std::span<const Push> contacts) {
+    using Matrix = Eigen::MatrixXd;
+    m_origin = vec(m_bodies[bodies[0]].p);
+    const auto columnOf = [&](std::uint32_t body) {
+        const auto found = std::ranges::lower_bound(bodies, body);
+        return found != bodies.end() && *found == body ? 6 * (found - bodies.begin()) : -1;
+    };
+    const auto rowOf = [&](const Push& push) {
+        return (Vec6() << (push.point - m_origin).cross(push.direction), push.direction).finished();
+    };
+    std::vector<std::pair<std::pair<Eigen::Index, Eigen::Index>, Vec6>> rows; // columns of two bodies, -1: none
+    for (const std::uint32_t body : bodies)
+        for (const std::uint32_t index : body < m_jointsOf.size() ? m_jointsOf[body] : std::vector<std::uint32_t>()) {
+            const OdeJoint& joint = m_joints[index];
+            if (body != joint.child && columnOf(joint.child) >= 0) continue; // once, at its child
+            const Eigen::Index child = columnOf(joint.child), parent = joint.parent == kNone ? -1 : columnOf(joint.parent);
+            if (child < 0 || (parent < 0 && joint.parent != kNone)) continue; // to a body that is left out
+            const Axes axes = axesOf(joint);
+            const Mat6 all = axes.cols() == 0 ? Mat6(Mat6::Identity()) : Mat6(axes.householderQr().householderQ());
+            for (Eigen::Index k = axes.cols(); k < 6; ++k) rows.push_back({{child, parent}, all.col(k)});
+        }
+    for (const Push& contact : contacts) rows.push_back({{columnOf(contact.body), -1}, rowOf(contact)});
+    const auto size = static_cast<Eigen::Index>(6 * bodies.size()), count = static_cast<Eigen::Index>(rows.size());
+    Matrix g = Matrix::Zero(count, size), weighted(size, count); // weighted: M^-1 G^T
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto& [columns, row] = rows[static_cast<std::size_t>(i)];
+        g.row(i).segment<6>(columns.first) += row.transpose();
+        if (columns.second >= 0) g.row(i).segment<6>(columns.second) -= row.transpose();
+    }
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(size), moved(size);
+    force.segment<6>(columnOf(pair[0].body)) += rowOf(pair[0]);
+    if (pair.size() > 1) force.segment<6>(columnOf(pair[1].body)) -= rowOf(pair[1]);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(6 * i);
+        const Mat6 inverse = inertiaOf(bodies[i]).inverse();
+        weighted.middleRows<6>(at) = inverse * g.middleCols<6>(at).transpose();
+        moved.segment<6>(at) = inverse * force.segment<6>(at);
+    }
+    double mobility = force.dot(moved);
+    const double free = mobility;
+    if (count > 0) {
+        Matrix held = g * weighted;
+        held.diagonal() *= 1 + kGive;
+        const Eigen::VectorXd rates = g * moved;
+        mobility -= rates.dot(held.ldlt().solve(rates));
+    }
+    return 1 / std::max(mobility, kGive * free);
 }
 
 } // namespace trundle

@@ -22,6 +22,16 @@ public:
     /// Writes the joint's `inertia` for the current poses.
     void update(OdeJoint& joint, std::uint32_t index);
 
+    /// The bodies that a force between these two may move by joints, with both; kNone: the world.
+    [[nodiscard]] std::vector<std::uint32_t> around(std::uint32_t first, std::uint32_t second) const;
+    /// A push on a body along a line, or the line of a contact with what does not move.
+    struct Push {
+        std::uint32_t body;
+        Vec3 point, direction;
+    };
+    /// The inertia (kg) that a force and its reaction move, of `bodies` alone: huge where nothing can move.
+    [[nodiscard]] double between(std::span<const std::uint32_t> bodies, std::span<const Push> pair, std::span<const Push> contacts);
+
 private:
     using Vec6 = Eigen::Matrix<double, 6, 1>;
     using Mat6 = Eigen::Matrix<double, 6, 6>;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::uint32_t kInertiaTicks = 16; // an estimate for a row of second order need not follow each tick
 constexpr double kSameStop = 1e-9;          // m or rad
+constexpr double kLeastGive = 1e-9;         // N m s
+constexpr double kUpright = 1e-6;           // sine of a tilt without a direction
 constexpr double kPressed = 0.3;            // cosine between a joint's motion and a contact's normal
 
 /// Adds the multiple of a full turn that brings `angle` closest to the angle expected from the rate.
@@ -25,6 +27,57 @@ Vec3 rotationVector(Quat q) {
     if (q.w() < 0) q.coeffs() = -q.coeffs();
     const double s = q.vec().norm();
     return s < 1e-12 ? Vec3(2 * q.vec()) : Vec3(q.vec() * (2 * std::atan2(s, q.w()) / s));
+}
+
+/// A motion along a free axis, and where it ends.
+struct Limited {
+    double position, rate, lastRate, low, high;
+};
+
+void limitAxis(const OdeJoint& joint, int axis, const Limited& m, double h) {
+    const double gain = m.rate - m.lastRate, step = h * (m.rate + (gain * m.rate > 0 ? gain : 0));
+    const double down = m.position - m.low, up = m.high - m.position;
+    const bool low = down > kSameStop && down + step<0, high = up> kSameStop && up < step;
+    if (low || high) setRow(joint.stop, joint.type, axis, dParamVel, (low ? -down : up) / h);
+    setRow(joint.stop, joint.type, axis, dParamFMax, low || high ? dInfinity : 0);
+    if (joint.type == JointType::Slider) return;
+    const double angle = std::abs(down) <= kSameStop ? m.low : std::abs(up) <= kSameStop ? m.high : m.position;
+    dJointSetAMotorAngle(joint.stop, axis, angle);
+}
+
+/// The stop of a ball acts about the axis about which the child's axis is tilted from the parent's.
+void updateCone(OdeJoint& joint, const std::vector<OdeBody>& bodies, double h) {
+    const Vec3 parent = (joint.parent == kNone ? joint.parentAxis : turn(bodies[joint.parent].r, joint.parentAxis)),
+               child = turn(bodies[joint.child].r, joint.childAxis);
+    const Vec3 across = parent.cross(child);
+    const double sine = across.norm();
+    if (sine < kUpright) { // upright, or upside down where no cone ends
+        setRow(joint.stop, joint.type, 0, dParamFMax, 0);
+        dJointSetAMotorAngle(joint.stop, 0, 0);
+        joint.rate = 0;
+        return;
+    }
+    const Vec3 axis = across / sine, spin = joint.parent == kNone ? Vec3(Vec3::Zero()) : vec(bodies[joint.parent].w);
+    joint.lastRate = joint.rate;
+    joint.rate = axis.dot(vec(bodies[joint.child].w) - spin);
+    joint.position = std::atan2(sine, parent.dot(child));
+    dJointSetAMotorAxis(joint.stop, 0, 0, axis.x(), axis.y(), axis.z());
+    limitAxis(joint, 0, {joint.position, joint.rate, joint.lastRate, joint.lowStop, joint.highStop}, h);
+}
+
+/// The child's rotation from where it started, in the parent's axes.
+Quat turnedFromStart(const OdeJoint& joint, const std::vector<OdeBody>& bodies) {
+    const Quat child = quat(bodies[joint.child].q);
+    return (joint.parent == kNone ? child : Quat(quat(bodies[joint.parent].q).conjugate() * child)) * joint.start.conjugate();
+}
+
+/// Of a universal joint: the halves of its two angles have the components of `turned` along its axes as products, so that each angle
+/// is that about its own axis, however large the other one is.
+void measureSecond(OdeJoint& joint, const OdeBody& child, const Quat& turned, const Vec3& spin, double h) {
+    const Vec3 axis = joint.start * joint.secondAxis;
+    joint.lastRate2 = joint.rate2;
+    joint.rate2 = turn(child.r, joint.secondAxis).dot(spin);
+    joint.position2 = unwrap(2 * std::atan2(turned.vec().dot(axis), turned.w()), joint.position2 + joint.rate2 * h);
 }
 
 /// Attaches the child as first body, then the parent or the world.
@@ -73,13 +126,14 @@ void JointRows::add(std::uint32_t index, const JointSpec& spec, const Vec3& axis
     const auto set = [&](dJointID motor, int parameter, double value) {
         for (int i = 0; i < static_cast<int>(axes.size()); ++i) setRow(motor, spec.type, i, parameter, value);
     };
-    if (spec.type == JointType::Hinge || spec.type == JointType::Slider || spec.type == JointType::Universal)
-        addStop(joint, spec, axis);
+    if (spec.type != JointType::Suspension) addStop(joint, spec, axis, axis2);
     if (spec.friction > 0) {
         joint.friction = axisMotor(joint, m_bodies, axes, withParent);
         set(joint.friction, dParamFMax, spec.friction);
     }
-    if (spec.type != JointType::Suspension && (spec.stiffness > 0 || spec.damping > 0)) {
+    const bool isSprung = spec.stiffness > 0 || spec.damping > 0 ||
+                          (spec.type == JointType::Universal && (joint.stiffness2 > 0 || joint.damping2 > 0));
+    if (spec.type != JointType::Suspension && isSprung) {
         joint.spring = axisMotor(joint, m_bodies, axes, withParent);
         set(joint.spring, dParamFMax, dInfinity);
     }
@@ -88,20 +142,27 @@ void JointRows::add(std::uint32_t index, const JointSpec& spec, const Vec3& axis
 
 /// A separate stop that uses the unwrapped angle, since ODE's own is limited to half a turn in each direction. That of a slider is
 /// ODE's own, with a separate row for the landing; its motor is separate too, because ODE drives a slider at its stop without bound.
-void JointRows::addStop(OdeJoint& joint, const JointSpec& spec, const Vec3& axis) const {
-    if (!spec.lowStop && !spec.highStop) return;
-    joint.lowStop = spec.lowStop.value_or(-dInfinity);
-    joint.highStop = spec.highStop.value_or(dInfinity);
-    joint.stop = axisMotor(joint, m_bodies, std::array{axis}, spec.type == JointType::Universal);
+void JointRows::addStop(OdeJoint& joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2) const {
+    const bool isBall = spec.type == JointType::Ball, isUniversal = spec.type == JointType::Universal;
+    const bool second = isUniversal && (spec.lowStop2 || spec.highStop2);
+    if (isBall ? !spec.swingStop : !spec.lowStop && !spec.highStop && !second) return;
+    joint.lowStop = isBall ? -dInfinity : spec.lowStop.value_or(-dInfinity);
+    joint.highStop = isBall ? *spec.swingStop : spec.highStop.value_or(dInfinity);
+    joint.lowStop2 = spec.lowStop2.value_or(-dInfinity);
+    joint.highStop2 = spec.highStop2.value_or(dInfinity);
+    const Vec3 axes[] = {axis, axis2};
+    joint.stop = axisMotor(joint, m_bodies, std::span(axes, second ? 2 : 1), isUniversal);
     if (joint.type == JointType::Slider) {
         dJointSetSliderParam(joint.id, dParamLoStop, joint.lowStop + kSameStop); // ODE measures a slider by itself
         dJointSetSliderParam(joint.id, dParamHiStop, joint.highStop - kSameStop);
         joint.drive = axisMotor(joint, m_bodies, std::array{axis}, true);
         return;
     }
-    dJointSetAMotorAngle(joint.stop, 0, 0);
-    dJointSetAMotorParam(joint.stop, dParamLoStop, joint.lowStop);
-    dJointSetAMotorParam(joint.stop, dParamHiStop, joint.highStop);
+    for (int k = 0; k < (second ? 2 : 1); ++k) {
+        dJointSetAMotorAngle(joint.stop, k, 0);
+        setRow(joint.stop, joint.type, k, dParamLoStop, k == 0 ? joint.lowStop : joint.lowStop2);
+        setRow(joint.stop, joint.type, k, dParamHiStop, k == 0 ? joint.highStop : joint.highStop2);
+    }
 }
 
 void JointRows::update(double h, std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms, double errorReduction) {
@@ -162,43 +223,36 @@ bool JointRows::isHeld(const OdeJoint& joint, double push) const {
 
 /// Lands on a stop within the tick instead of being thrown back from beyond it. Expects at least the last tick's acceleration again.
 void JointRows::updateStop(OdeJoint& joint, double h) const {
-    const double gain = joint.rate - joint.lastRate, step = h * (joint.rate + (gain * joint.rate > 0 ? gain : 0));
-    const double down = joint.position - joint.lowStop, up = joint.highStop - joint.position;
-    const bool low = down > kSameStop && down + step<0, high = up> kSameStop && up < step;
-    if (low || high) setRow(joint.stop, joint.type, 0, dParamVel, (low ? -down : up) / h);
-    setRow(joint.stop, joint.type, 0, dParamFMax, low || high ? dInfinity : 0);
-    if (joint.type == JointType::Slider) return;
-    const double angle = std::abs(down) <= kSameStop ? joint.lowStop
-                         : std::abs(up) <= kSameStop ? joint.highStop
-                                                     : joint.position;
-    dJointSetAMotorAngle(joint.stop, 0, angle);
+    if (joint.type == JointType::Ball) return updateCone(joint, m_bodies, h);
+    limitAxis(joint, 0, {joint.position, joint.rate, joint.lastRate, joint.lowStop, joint.highStop}, h);
+    if (joint.type == JointType::Universal && dJointGetAMotorNumAxes(joint.stop) > 1)
+        limitAxis(joint, 1, {joint.position2, joint.rate2, joint.lastRate2, joint.lowStop2, joint.highStop2}, h);
 }
 
 void JointRows::updateSpring(OdeJoint& joint, double h) const {
-    double away[3] = {joint.position, 0, 0}, rate[3] = {joint.rate, 0, 0};
-    int axes = 1;
-    if (joint.type == JointType::Ball || joint.type == JointType::Universal) {
-        const OdeBody& c = m_bodies[joint.child];
+    double away[3] = {joint.position - joint.rest, joint.position2, 0}, rate[3] = {joint.rate, joint.rate2, 0};
+    const int axes = joint.type == JointType::Ball ? 3 : joint.type == JointType::Universal ? 2 : 1;
+    if (axes == 3) {
         const OdeBody* p = joint.parent == kNone ? nullptr : &m_bodies[joint.parent];
-        const Quat child = quat(c.q), parent = p ? quat(p->q) : Quat(1, 0, 0, 0);
-        const Vec3 turned = parent * rotationVector(parent.conjugate() * child * joint.start.conjugate()),
-                   spin = p ? Vec3(vec(c.w) - vec(p->w)) : vec(c.w);
-        axes = joint.type == JointType::Ball ? 3 : 2;
-        for (int k = axes == 3 ? 0 : 1; k < axes; ++k) {
-            const Vec3 axis = axes == 3 ? Vec3(Vec3::Unit(k)) : turn(c.r, joint.secondAxis);
-            away[k] = axis.dot(turned);
-            rate[k] = axis.dot(spin);
+        const Vec3 all = rotationVector(turnedFromStart(joint, m_bodies)), tilt = p ? turn(p->r, all) : all;
+        const Vec3 spin = p ? Vec3(vec(m_bodies[joint.child].w) - vec(p->w)) : vec(m_bodies[joint.child].w);
+        for (int k = 0; k < 3; ++k) {
+            away[k] = tilt[k];
+            rate[k] = spin[k];
         }
     }
-    const bool held = axes == 1 && joint.stiffness > 0 && isHeld(joint, -joint.position);
+    const bool held = axes == 1 && joint.stiffness > 0 && isHeld(joint, -away[0]);
     const double motor = motorDamping(joint);
     for (int k = 0; k < axes; ++k) {
-        SpringRow row = springRow(joint.stiffness, joint.damping + motor, (held ? joint.heldInertia : joint.inertia)[k], h);
+        const bool second = axes == 2 && k == 1;
+        const double stiffness = second ? joint.stiffness2 : joint.stiffness, damping = second ? joint.damping2 : joint.damping;
+        SpringRow row = springRow(stiffness, damping + motor, (held ? joint.heldInertia : joint.inertia)[k], h);
         if (motor > 0) { // the motor's share is in its own row
             const SpringRow share = damperRow(joint, motor, h);
             row = {row.give - share.give, row.carry - share.carry};
         }
-        setRow(joint.spring, joint.type, k, dParamVel, -(joint.stiffness * away[k] + row.carry * rate[k]) / row.give);
+        row.give = std::max(row.give, kLeastGive);
+        setRow(joint.spring, joint.type, k, dParamVel, -(stiffness * away[k] + row.carry * rate[k]) / row.give);
         setRow(joint.spring, joint.type, k, dParamCFM, 1 / row.give);
     }
 }
@@ -257,11 +311,12 @@ void JointRows::measure(OdeJoint& joint, double h) const {
         joint.position = axis.dot(anchorGap(joint));
         joint.rate = axis.dot(anchorSpeed(joint));
     } else {
-        const Quat relative = p ? Quat(quat(p->q).conjugate() * quat(c.q)) : quat(c.q),
-                   turned = relative * joint.start.conjugate();
-        joint.rate = axis.dot(p ? Vec3(vec(c.w) - vec(p->w)) : vec(c.w));
+        const Quat turned = turnedFromStart(joint, m_bodies);
+        const Vec3 spin = p ? Vec3(vec(c.w) - vec(p->w)) : vec(c.w);
+        joint.rate = axis.dot(spin);
         const double angle = 2 * std::atan2(turned.vec().dot(joint.parentAxis), turned.w());
         joint.position = unwrap(angle, joint.position + joint.rate * h);
+        if (joint.type == JointType::Universal) measureSecond(joint, c, turned, spin, h);
     }
     if (joint.driven) joint.effort = effortOf(joint);
 }

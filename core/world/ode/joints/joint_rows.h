@@ -27,11 +27,12 @@ public:
     void update(double h, std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms, double errorReduction);
     /// Position, rate and effort after a step.
     void measure(OdeJoint& joint, double h) const;
+    [[nodiscard]] JointInertias& inertias() { return m_inertias; }
     /// From the parent's anchor to the child's, world.
     [[nodiscard]] Vec3 anchorGap(const OdeJoint& joint) const;
 
 private:
-    void addStop(OdeJoint& joint, const JointSpec& spec, const Vec3& axis) const;
+    void addStop(OdeJoint& joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2) const;
     void updateInertia(std::uint32_t index);
     void findTouches(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms);
     [[nodiscard]] bool isHeld(const OdeJoint& joint, double push) const;

@@ -16,8 +16,10 @@ void PinnedBodies::start(std::span<const OdeBody> bodies, std::span<const OdeJoi
     m_pinned.clear();
     for (std::uint32_t i = 0; i < joints.size(); ++i) {
         const OdeJoint& joint = joints[i];
-        if (uses[joint.child] != 1 || joint.parent != kNone) continue;
-        if ((joint.type != JointType::Ball && joint.type != JointType::Hinge) || joint.spring || joint.friction) continue;
+        if (uses[joint.child] != 1 || joint.parent != kNone || bodies[joint.child].coupled) continue;
+        if ((joint.type != JointType::Ball && joint.type != JointType::Hinge) || joint.spring || joint.friction ||
+            (joint.type == JointType::Ball && joint.stop))
+            continue;
         dMass mass;
         dBodyGetMass(bodies[joint.child].id, &mass); // with the rotors of its motors
         Pinned p;

@@ -22,6 +22,7 @@ struct OdeObjects {
     std::vector<BodyState> states; ///< of bodies, as published last
     std::vector<Mat3> inertias;    ///< of bodies about their centres of mass, without the rotors of motors
     std::vector<OdeJoint> joints;
+    std::vector<OdeCoupling> couplings;
     std::vector<OdeGeom> geoms;
     std::vector<Vec3> centres;           ///< of geoms, world
     std::vector<Box3> boxes, actorBoxes; ///< of geoms, of actors

@@ -36,6 +36,7 @@ struct OdeBody {
     const dReal *p = nullptr, *r = nullptr, *q = nullptr, *v = nullptr, *w = nullptr; ///< ODE's own memory, fixed for its life
     Vec3 centre = Vec3::Zero();                                                       ///< of mass, in the body's frame
     std::uint32_t actor = 0;
+    bool coupled = false; ///< by a spring or gear
     Run geoms;
     double thin = 1e300, reach = 0; ///< of its geoms: least half extent; farthest point from the centre of mass
     SourceRange range;
@@ -71,7 +72,7 @@ struct GroundPlane {
 
 /// What is always together, as runs of the arrays.
 struct OdeActor {
-    Run bodies, geoms, joints;
+    Run bodies, geoms, joints, couplings;
     double mass = 0, stiffness = kContactStiffness, damping = kContactDamping; ///< of its contacts
     bool jointed = false;
     bool ended = false;               ///< stays where it is and touches nothing (ActorFaults)
@@ -94,13 +95,37 @@ struct OdeJoint {
     dJointID id = nullptr, drive = nullptr;
     dJointID spring = nullptr, friction = nullptr, stop = nullptr, damper = nullptr;
     double damperRate = 0, damperGive = 0; ///< of a servo's damper in this step; give 0: none
-    double lowStop = 0, highStop = 0;
-    Vec3 slideAxis = Vec3::UnitZ();  ///< of a suspension, in the parent's axes
-    Vec3 secondAxis = Vec3::UnitZ(); ///< of a universal joint, in the child's axes
-    double stiffness = 0, damping = 0, travel = 0;
+    double lowStop = 0, highStop = 0;      ///< of a ball: how far `childAxis` tilts from `parentAxis`
+    Vec3 slideAxis = Vec3::UnitZ();        ///< of a suspension, in the parent's axes
+    Vec3 secondAxis = Vec3::UnitZ();       ///< of a universal joint, in the child's axes
+    double stiffness = 0, damping = 0, travel = 0, rest = 0;
+    // Of a universal joint about its second axis:
+    double stiffness2 = 0, damping2 = 0, lowStop2 = 0, highStop2 = 0, position2 = 0, rate2 = 0, lastRate2 = 0;
     // Of JointInertias, along each free axis (a suspension's first is `slideAxis`): 0 until needed.
     Vec3 inertia = Vec3::Zero(), heldInertia = Vec3::Zero(); ///< held: while the child cannot move
     std::vector<std::uint32_t> childSide;                    ///< bodies that the child carries, with itself
+};
+
+/// A spring, or a gear between two joints: one row along a line. The first body is never the world.
+struct OdeCoupling {
+    bool isGear = false, isTorque = false;   ///< isTorque: the row has no place, only a direction
+    std::uint32_t first = 0, second = kNone; ///< bodies; of a spring child and parent
+    dJointID id = nullptr;
+    std::unique_ptr<dJointFeedback> feedback;
+    Vec3 direction = Vec3::UnitZ(); ///< of the row in this tick, world; on the first body
+    double shift = 0;               ///< m: how far the ends of a force's row are to part beyond kApart
+    static constexpr double kApart = 1;
+    CouplingState state;
+    // Of a spring: its ends in the axes of each body, from its centre of mass.
+    Vec3 firstAnchor = Vec3::Zero(), secondAnchor = Vec3::Zero();
+    double stiffness = 0, damping = 0, restLength = 0;
+    double inertia = 0;                ///< kg, along the line; 0 until needed
+    std::vector<std::uint32_t> around; ///< bodies that it may move, ascending
+    std::vector<bool> touched;         ///< by body around: touches what does not move, as in `inertia`
+    // Of a gear:
+    std::uint32_t joint = 0, other = 0, common = kNone; ///< common: the body of both joints
+    Vec3 point = Vec3::Zero(), line = Vec3::UnitZ();    ///< of the row, in the axes of the common body, from its centre of mass
+    double ratio = 1, lever = 1;                        ///< lever: the rate along the row per rate of the joint
 };
 
 /// In the world, at the start.

@@ -17,11 +17,14 @@ void BodyClusters::join(std::uint32_t first, std::uint32_t second) {
     m_cluster[std::max(a, b)] = std::min(a, b);
 }
 
-void BodyClusters::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints) {
+void BodyClusters::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints,
+                         std::span<const OdeCoupling> couplings) {
     m_cluster.resize(bodies.size());
     std::iota(m_cluster.begin(), m_cluster.end(), 0u);
     for (const OdeJoint& joint : joints)
         if (joint.parent != kNone) join(joint.child, joint.parent);
+    for (const OdeCoupling& coupling : couplings)
+        if (coupling.second != kNone) join(coupling.first, coupling.second);
     m_groups.clear();
     m_jointed.assign(bodies.size(), false);
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
@@ -29,6 +32,7 @@ void BodyClusters::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoi
         if (m_cluster[i] == i) m_groups.push_back(i);
     }
     for (const OdeJoint& joint : joints) m_jointed[m_cluster[joint.child]] = true;
+    for (const OdeCoupling& coupling : couplings) m_jointed[m_cluster[coupling.first]] = true;
     m_group = m_cluster;
     m_contacts.assign(bodies.size(), 0);
     m_robots = m_contacts;

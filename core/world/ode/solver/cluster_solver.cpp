@@ -214,6 +214,8 @@ void ClusterSolver::solveVelocities(double h) {
 
 /// Whether its joints have no rows that were prepared for the whole tick.
 bool ClusterSolver::isPlain(const BodyClusters& clusters, std::uint32_t name) const {
+    const auto isCoupled = [&](const OdeCoupling& coupling) { return clusters.of(coupling.first) == name; };
+    if (std::ranges::any_of(m_objects.couplings, isCoupled)) return false;
     return std::ranges::none_of(m_objects.joints, [&](const OdeJoint& joint) {
         const bool prepared = joint.driven || joint.spring || joint.stop || joint.type == JointType::Suspension;
         return prepared && clusters.of(joint.child) == name;
@@ -265,6 +267,9 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
         if (joint.type == JointType::Suspension && isIn(joint.child))
             dJointSetHinge2Param(joint.id, dParamSuspensionERP,
                                  dJointGetHinge2Param(joint.id, dParamSuspensionERP) / kShortSteps);
+    for (const OdeCoupling& coupling : m_objects.couplings)
+        if (isIn(coupling.first) && !coupling.isTorque)
+            dJointSetDBallDistance(coupling.id, OdeCoupling::kApart + coupling.shift / kShortSteps);
     m_moved.clear(); // they change from step to step, for the next tick they start as found
     for (const std::size_t i : m_iterated) {
         m_contacts.feedbacks[i] = {};

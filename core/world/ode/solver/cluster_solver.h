@@ -72,9 +72,9 @@ private:
     std::vector<std::uint32_t> m_bent, m_stumbles;           ///< m_stumbles: by body, of clusters that it named
     std::vector<std::pair<std::uint32_t, RawState>> m_taken; ///< bodies, as solved before
     std::vector<Aside> m_aside;
-    std::vector<std::uint32_t> m_names;     ///< of clusters
-    std::vector<RawState> m_whole, m_from;  ///< of what is whipped: by the whole tick, before a short step
-    std::vector<std::size_t> m_iterated;    ///< contacts; by these:
+    std::vector<std::uint32_t> m_names;    ///< of clusters
+    std::vector<RawState> m_whole, m_from; ///< of what is whipped: by the whole tick, before a short step
+    std::vector<std::size_t> m_iterated;   ///< contacts; by these:
     std::vector<OdeContact> m_moved;
     std::vector<dJointFeedback> m_felt;
     std::vector<std::uint32_t> m_quick; ///< bodies iterated in this step, sorted

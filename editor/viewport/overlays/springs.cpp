@@ -1,0 +1,69 @@
+#include "editor/viewport/overlays/springs.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QPainter>
+
+#include "editor/document/selection.h"
+#include "editor/viewport/context/tool_view.h"
+#include "editor/viewport/context/viewport_scene.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostRobots = 300;
+constexpr int kTurns = 8, kSteps = 10;                              // points of a turn
+constexpr double kSlim = 0.06, kThinnest = 0.003, kThickest = 0.03; // radius: share of the natural length; m
+const QColor kSteel(196, 204, 214), kOutline(10, 12, 16, 150);
+
+/// A helix with straight ends, in the world.
+QPolygonF coil(const ToolView& view, const Vec3& from, const Vec3& to, double radius) {
+    const Vec3 along = to - from;
+    if (along.norm() < 1e-6) return {};
+    const Vec3 side = along.unitOrthogonal(), other = along.normalized().cross(side);
+    QPolygonF points;
+    const auto add = [&](const Vec3& place) {
+        if (const auto at = view.shownPixelOf(place)) points << *at;
+    };
+    add(from);
+    for (int i = 0; i <= kTurns * kSteps; ++i) {
+        const double share = double(i) / (kTurns * kSteps), angle = 2 * std::numbers::pi * i / kSteps,
+                     wide = radius * std::min(1.0, 8 * std::min(share, 1 - share));
+        add(from + (0.1 + 0.8 * share) * along + wide * (std::cos(angle) * side + std::sin(angle) * other));
+    }
+    add(to);
+    return points;
+}
+
+} // namespace
+
+void paintSprings(QPainter& painter, const ToolView& view) {
+    const ViewportScene& world = view.context().world;
+    const Selection& selection = view.context().selection;
+    const auto& robots = world.objects()->experiment().robots;
+    painter.setBrush(Qt::NoBrush);
+    for (std::uint32_t r = 0; r < robots.size() && r < kMostRobots; ++r) {
+        if (!robots[r].config || robots[r].config->springs.empty() || world.isHidden({ObjectKind::Robot, r})) continue;
+        const RobotConfigSpec& config = *robots[r].config;
+        const auto shown = [&](int body, const Vec3& point) -> Vec3 {
+            if (body == kWorldBody) return robots[r].pose * point;
+            const auto index = std::uint32_t(body);
+            return world.objects()->poseOf({ObjectKind::Body, r, index}, view.shownPoses()) *
+                   (config.bodies[index].pose.inverse() * point);
+        };
+        for (const SpringSpec& spring : config.springs) {
+            const bool selected = selection.contains(robots[r].name + "." + spring.name) ||
+                                  selection.contains("RobotConfig." + config.name + "." + spring.name);
+            const double radius = std::clamp(kSlim * spring.length, kThinnest, kThickest);
+            const QPolygonF points = coil(view, shown(spring.parent, spring.anchor), shown(spring.child, spring.anchor2), radius);
+            painter.setPen(QPen(kOutline, selected ? 4.4 : 3.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            painter.drawPolyline(points);
+            painter.setPen(QPen(selected ? ToolView::outlineColour() : kSteel, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::RoundCap,
+                                Qt::RoundJoin));
+            painter.drawPolyline(points);
+        }
+    }
+}
+
+} // namespace trundle
