@@ -3,6 +3,7 @@
 #include "app/module_template.h"
 #include "base/clean_text.h"
 #include "cli/messages.h"
+#include "cli/new_robot.h"
 #include "cli/standard_streams.h"
 #include "cli/subcommands.h"
 
@@ -12,6 +13,7 @@ namespace {
 struct NewArguments {
     std::string what, kind, parent = ".";
     bool python = false;
+    RobotArguments robot;
 };
 
 bool isTaken(const Application& application, const std::string& kind) {
@@ -48,28 +50,37 @@ constexpr const char* kNewExamples = R"(Examples:
   trundle-cli new controller WallFollow
   trundle-cli new controller WallFollow --python
   trundle-cli new component Thermometer --in my_project/modules
+  trundle-cli new robot Rover --base mecanum --mass 5 --top-speed 0.8
 
 The new folder holds one C++ file and a CMakeLists.txt, or one Python file. What is printed builds it and uses it.
-Exit codes: 0 done, 1 the output cannot be written, 2 the folder exists or cannot be written, or NAME is no name for a kind.)";
+The folder of a robot holds its description, with motors that reach the top speed and climb 10 degrees, an experiment, and a controller in
+Python that drives a square.
+Exit codes: 0 done, 1 the output cannot be written, 2 the folder exists or cannot be written, NAME is no name for a kind,
+or no motor fits the robot.)";
 
 } // namespace
 
 void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
-    CLI::App* command = app.add_subcommand("new", "Start a controller or a component of your own");
+    CLI::App* command = app.add_subcommand("new", "Start a controller, a component or a robot of your own");
     auto arguments = std::make_shared<NewArguments>();
-    command->add_option("WHAT", arguments->what, "controller, or component: a sensor to start from")
+    command->add_option("WHAT", arguments->what, "controller, component: a sensor to start from, or robot")
         ->required()
         ->type_name("")
-        ->check(CLI::IsMember({"controller", "component"}));
-    command->add_option("NAME", arguments->kind, "Of the new kind, like WallFollow")->required()->type_name("");
+        ->check(CLI::IsMember({"controller", "component", "robot"}));
+    command->add_option("NAME", arguments->kind, "Of the new kind or robot, like WallFollow")->required()->type_name("");
     command->add_option("--in", arguments->parent, "Make its folder in DIR instead of in this one")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
     command->add_flag("--python", arguments->python, "A controller in Python, not in C++");
+    addRobotOptions(*command, arguments->robot);
     command->footer(kNewExamples);
     command->callback([arguments, &application, &chosen] {
         if (arguments->python && arguments->what != "controller")
             throw CLI::ValidationError("--python", "only controllers can be in Python");
+        if (arguments->what == "robot") {
+            chosen = [arguments] { return makeNewRobot(arguments->robot, arguments->kind, arguments->parent); };
+            return;
+        }
         chosen = [arguments, &application] { return makeNew(application(), *arguments); };
     });
 }

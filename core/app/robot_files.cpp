@@ -1,0 +1,39 @@
+#include "app/robot_files.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "app/module_template.h"
+#include "base/clean_text.h"
+#include "base/platform/atomic_file.h"
+#include "project/wizard/robot_text.h"
+
+namespace trundle {
+
+Result<NewRobot> makeRobot(const RobotDesign& design, const std::string& parent) {
+    namespace fs = std::filesystem;
+    if (!kindNameFault(design.name).empty())
+        return Error{Code::FileUnreadable, "a robot cannot be named " + cleanLine(design.name) +
+                                               ": its name is a capital letter and then letters and digits, like Rover"};
+    const Result<MotorChoice> choice = chooseMotor(design);
+    if (!choice) return choice.error();
+    const std::string file = moduleNameFor(design.name);
+    const fs::path folder = fs::path(parent) / file;
+    std::error_code ec;
+    if (!fs::create_directory(folder, ec))
+        return Error{Code::FileUnreadable, cleanLine(folder.string()) + " cannot be made: " +
+                                               (ec ? cleanLine(ec.message()) : "it exists; choose another name or folder")};
+    NewRobot made{folder.string(), {}, (folder / (file + "_square.sim")).string(), choice.value()};
+    for (const auto& [name, text] : {std::pair{file + ".sim", robotText(design, choice.value())},
+                                     {file + "_square.sim", squareExperimentText(design, file)},
+                                     {file + "_square.py", squareControllerText(design, file)}}) {
+        if (const Status written = writeFileAtomically((folder / name).string(), text); !written) {
+            fs::remove_all(folder, ec); // made above, so all in it is ours
+            return written.error();
+        }
+        made.files.push_back(name);
+    }
+    return made;
+}
+
+} // namespace trundle
