@@ -134,6 +134,14 @@ std::shared_ptr<const ActorShape> ActorReader::read(const ActorDef& actor, NotWh
 /// Which bodies are one with the first one, which are its wheels and casters.
 bool ActorReader::findRoles() {
     m_roles.assign(m_actor->bodies.size(), Role::Unknown);
+    if (m_actor->springs && !m_actor->springs->empty()) {
+        const SpringSpec& spring = m_actor->springs->front();
+        return refuse(named("the Spring", spring.name, "joins bodies"), spring.nameRange);
+    }
+    if (m_actor->gears && !m_actor->gears->empty()) {
+        const GearSpec& gear = m_actor->gears->front();
+        return refuse(named("the Gear", gear.name, "joins joints"), gear.nameRange);
+    }
     if (m_actor->joints)
         for (std::uint32_t j = 0; j < m_actor->joints->size(); ++j)
             if (!readJoint(j)) return false;
@@ -189,7 +197,7 @@ bool ActorReader::isWheel(const JointSpec& joint) {
 bool ActorReader::isCaster(const JointSpec& joint) {
     const auto index = static_cast<std::uint32_t>(joint.child);
     const GeomSpec* geom = onlyGeom(index);
-    if (!geom || geom->shape != GeomShape::Sphere) return false;
+    if (!geom || geom->shape != GeomShape::Sphere || joint.swingStop || joint.stiffness > 0) return false;
     const Vec3 centre = inActor(index) * geom->pose.position;
     return (centre - joint.anchor).norm() < kTouching &&
            isOnGround("caster", joint, m_actor->frame.position.z() + centre.z() - geom->radius);

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] double jointPosition(JointHandle joint) const override;
     [[nodiscard]] double jointRate(JointHandle joint) const override;
     [[nodiscard]] double jointMotorEffort(JointHandle joint) const override;
+    [[nodiscard]] CouplingState coupling(CouplingHandle) const override { return {}; } // it has none
     [[nodiscard]] std::size_t contactCount() const override { return m_list.all().size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override { return m_list.all()[index]; }
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override { return m_list.of(geom.index); }

@@ -44,7 +44,8 @@ private:
         m_ground = grounds.under(m_experiment.robots.empty() ? 1e300 : lowestOf(actorOf(m_experiment.robots[0])));
     }
     static ActorDef actorOf(const RobotSpec& spec) {
-        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
+        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs,
+                     &spec.config->gears};
         for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
         return def;
     }

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kGain = 1e-9; // of ODE's own correction of the distance
 constexpr double kApart = OdeCoupling::kApart;
-constexpr double kLeastGive = 1e-9;         // N s/m
+constexpr double kLeastSpringGive = 1e-9;         // N s/m
 constexpr double kShort = 1e-9;             // m: a spring without a direction
-constexpr std::uint32_t kInertiaTicks = 16; // as for springs of joints
+constexpr std::uint32_t kSpringInertiaTicks = 16; // as for springs of joints
 
 /// Attaches a row along a line between the two bodies.
 void attach(OdeCoupling& c, const std::vector<OdeBody>& bodies) {
@@ -158,7 +158,7 @@ void CouplingRows::updateInertia(OdeCoupling& spring, std::uint32_t index, std::
         m_touched[static_cast<std::size_t>(body - spring.around.begin())] = true;
         m_pushes.push_back({*body, vec(c.position), vec(c.normal)});
     }
-    if (spring.inertia > 0 && m_touched == spring.touched && (m_ticks + index) % kInertiaTicks != 0) return;
+    if (spring.inertia > 0 && m_touched == spring.touched && (m_ticks + index) % kSpringInertiaTicks != 0) return;
     const Vec3 first = pointOf(spring.first, spring.firstAnchor), second = pointOf(spring.second, spring.secondAnchor);
     const Vec3 apart = first - second;
     const Vec3 way = apart.norm() > kShort ? Vec3(apart.normalized()) : Vec3(Vec3::UnitZ());
@@ -174,7 +174,7 @@ void CouplingRows::updateSpring(OdeCoupling& spring, double h) const {
     if (length > kShort) spring.direction = apart / length;
     const double rate = spring.direction.dot(speedOf(spring.first, first) - speedOf(spring.second, second));
     const SpringRow row = springRow(spring.stiffness, spring.damping, spring.inertia, h);
-    const double give = std::max(row.give, kLeastGive);
+    const double give = std::max(row.give, kLeastSpringGive);
     setRow(spring, second, -(spring.stiffness * (length - spring.restLength) + row.carry * rate) / give, h);
     dJointSetDBallParam(spring.id, dParamCFM, 1 / give);
 }
