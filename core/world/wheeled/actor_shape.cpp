@@ -63,8 +63,9 @@ void GroundSearch::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pos
     std::ranges::sort(m_levels, std::greater{}, &LevelGround::height);
 }
 
-std::optional<LevelGround> GroundSearch::under(double bottom) const {
-    const auto level = std::ranges::find_if(m_levels, [&](const LevelGround& l) { return l.height < bottom + kNear; });
+std::optional<LevelGround> GroundSearch::under(double bottom, const Vec2& place) const {
+    const auto level =
+        std::ranges::find_if(m_levels, [&](const LevelGround& l) { return l.height < bottom + kNear && l.isBelow(place); });
     return level == m_levels.end() ? std::nullopt : std::optional(*level);
 }
 

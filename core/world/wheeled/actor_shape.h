@@ -80,8 +80,8 @@ struct NotWheeled {
 class GroundSearch {
 public:
     void add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose);
-    /// The highest that can carry an actor whose lowest point is at `bottom`; nothing where there is none.
-    [[nodiscard]] std::optional<LevelGround> under(double bottom) const;
+    /// The highest below a place that can carry an actor whose lowest point is at `bottom`; nothing where there is none.
+    [[nodiscard]] std::optional<LevelGround> under(double bottom, const Vec2& place) const;
 
 private:
     std::vector<LevelGround> m_levels; ///< by height, from above

@@ -47,7 +47,7 @@ std::shared_ptr<const ActorShape> WheeledEngine::shapeOf(const ActorDef& actor, 
 }
 
 Result<ActorHandles> WheeledEngine::addActor(const ActorDef& actor) {
-    if (!m_objects.ground) m_objects.ground = m_grounds.under(lowestOf(actor));
+    if (!m_objects.ground) m_objects.ground = m_grounds.under(lowestOf(actor), actor.frame.position.head<2>());
     if (!m_objects.ground) return Error{Code::NotInEngine, "there is no level ground below it"};
     if (m_objects.units.empty()) { // what is the ground, or in it, is nothing to run into
         const double height = m_objects.ground->height + 1e-4;

@@ -17,6 +17,7 @@ public:
         const SettingsSpec& s = m_experiment.settings;
         if (!(s.gravity.z() < 0)) refuse("Gravity does not pull down", s.engineRange);
         findGround();
+        if (m_experiment.robots.empty()) return true;
         if (!m_ground) refuse("there is no level ground: no level Plane or Box below the first robot", s.engineRange);
         if (!m_fits) return false;
         checkScenery();
@@ -41,11 +42,12 @@ private:
     void findGround() {
         GroundSearch grounds;
         eachStatic([&](const StaticSpec& s, const GeomSpec& g) { grounds.add(0, g, s.pose * g.pose); });
-        m_ground = grounds.under(m_experiment.robots.empty() ? 1e300 : lowestOf(actorOf(m_experiment.robots[0])));
+        if (m_experiment.robots.empty()) return;
+        const RobotSpec& first = m_experiment.robots[0];
+        m_ground = grounds.under(lowestOf(actorOf(first)), first.pose.position.head<2>());
     }
     static ActorDef actorOf(const RobotSpec& spec) {
-        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs,
-                     &spec.config->gears};
+        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs, &spec.config->gears};
         for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
         return def;
     }
