@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
     trundle::ChosenCommand chosen;
     trundle::addRun(app, applicationOf, chosen);
     trundle::addServe(app, chosen);
+    trundle::addDrive(app, chosen);
     trundle::addCheck(app, applicationOf, chosen);
     trundle::addPrint(app, chosen);
     trundle::addFormat(app, chosen);

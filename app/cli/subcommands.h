@@ -21,6 +21,7 @@ void addFormat(CLI::App& app, ChosenCommand& chosen);
 void addEdit(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen);
 void addRender(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen);
 void addServe(CLI::App& app, ChosenCommand& chosen);
+void addDrive(CLI::App& app, ChosenCommand& chosen);
 void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen);
 void addDescribe(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen);
 

@@ -413,6 +413,8 @@ std::unique_ptr<Runner> Runner::create(std::shared_ptr<const ExperimentSpec> exp
     if (!options.calls) options.calls = std::make_shared<CallMonitor>();
     std::unique_ptr<World> world = World::build(std::move(experiment), devices, diagnostics, options.calls);
     if (!world || diagnostics.errorCount() > errorsBefore) return nullptr;
+    if (options.replaceWorld) world = options.replaceWorld(std::move(world), diagnostics);
+    if (!world || diagnostics.errorCount() > errorsBefore) return nullptr;
 
     auto runner = std::make_unique<ExperimentRunner>(std::move(world), std::move(options));
     runner->startControllers(backends, diagnostics);

@@ -28,6 +28,8 @@ struct RunOptions {
     ImageSourceFactory pictures;        ///< none: cameras give no images
     std::shared_ptr<CallMonitor> calls; ///< for monitoring from other threads; created by the run if null
     bool measuresControllers = false;   ///< see Runner::controllerCosts()
+    /// Puts another world in place of the one that was built; null, with an error in the diagnostics: there is no run.
+    std::function<std::unique_ptr<World>(std::unique_ptr<World> built, Diagnostics& diagnostics)> replaceWorld;
     std::shared_ptr<void> keeps;        ///< released after controllers and devices: the libraries with their code
 };
 

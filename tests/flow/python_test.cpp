@@ -67,6 +67,10 @@ private Q_SLOTS:
         QTest::newRow("network_navigation") << (isLong ? "300" : "40"); // it ends when it has arrived, after 105 s
         QTest::newRow("blob_follow") << "14";                           // it is there after 13 s
         QTest::newRow("collect") << (isLong ? "600" : "40");            // the first can is home after 34 s
+        QTest::newRow("wall_follow") << (isLong ? "300" : "20");
+        QTest::newRow("line_follow") << (isLong ? "150" : "20");
+        QTest::newRow("braitenberg") << (isLong ? "60" : "20");
+        QTest::newRow("lidar_map") << (isLong ? "600" : "20");          // it ends when all is mapped, after some minutes
     }
     void givesTheSameStateAsInCpp() {
         QFETCH(QString, duration);
@@ -88,6 +92,10 @@ private Q_SLOTS:
         QTest::newRow("network_navigator, sweep") << "BearingSweep";
         QTest::newRow("blob_follow") << "BlobFollow";
         QTest::newRow("collect") << "Collect";
+        QTest::newRow("wall_follow") << "WallFollow";
+        QTest::newRow("line_follow") << "LineFollow";
+        QTest::newRow("braitenberg") << "Braitenberg";
+        QTest::newRow("lidar_map") << "LidarMap";
     }
     void isDescribedAsInCpp() {
         QFETCH(QString, kind);
@@ -102,10 +110,11 @@ private Q_SLOTS:
         QVERIFY(cpp["properties"].toArray().size() > 3);
         // Under another name, as the kind of the library comes first.
         QTemporaryDir folder;
-        for (const char* name : {"beacon", "sweep", "mote", "network_navigator", "blob_follow", "scan_points", "collect"}) {
-            QByteArray text = contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/plugins/python/%1.py").arg(name));
+        const QDir shipped(TRUNDLE_SOURCE_DIR "/plugins/python");
+        for (const QString& name : shipped.entryList({"*.py"})) {
+            QByteArray text = contentOf(shipped.filePath(name));
             text.replace("class " + kind.toUtf8() + "(", "class Copied" + kind.toUtf8() + "(");
-            QVERIFY(writeFile(folder.filePath(QStringLiteral("%1.py").arg(name)), text));
+            QVERIFY(writeFile(folder.filePath(name), text));
         }
         QJsonObject python = QJsonDocument::fromJson(
                                  cli({"describe", "Copied" + kind, "--json", "--modules", folder.path()}).out).object();

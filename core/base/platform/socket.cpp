@@ -67,6 +67,27 @@ Result<Socket> Socket::listen(const std::string& address, std::uint16_t port) {
     return socket;
 }
 
+Result<Socket> Socket::connect(const std::string& address, std::uint16_t port, double seconds) {
+    const std::string what = "cannot connect to " + address + ":" + std::to_string(port);
+    const std::optional<Address> at = addressOf(address, port);
+    if (!at) return Error{Code::SystemRefused, what + ": it is not a numeric address"};
+    Socket socket(::socket(at->bytes.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    if (!socket.isOpen()) return systemError(what);
+    int fault = 0;
+    if (::connect(socket.m_file, reinterpret_cast<const sockaddr*>(&at->bytes), at->size) != 0 && errno != EINPROGRESS)
+        return systemError(what);
+    pollfd wait{socket.m_file, POLLOUT, 0};
+    if (poll(&wait, 1, static_cast<int>(1000 * seconds)) <= 0) fault = ETIMEDOUT;
+    socklen_t size = sizeof fault;
+    if (fault == 0 && getsockopt(socket.m_file, SOL_SOCKET, SO_ERROR, &fault, &size) != 0) fault = errno;
+    if (fault != 0) {
+        errno = fault;
+        return systemError(what);
+    }
+    sendAtOnce(socket.m_file);
+    return socket;
+}
+
 Result<Socket> Socket::adopt(int descriptor) {
     int type = 0;
     socklen_t size = sizeof type;

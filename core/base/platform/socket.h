@@ -16,6 +16,8 @@ class Socket {
 public:
     /// Listens at a numeric IPv4 or IPv6 address, or "localhost". Port 0: a free one, see port().
     [[nodiscard]] static Result<Socket> listen(const std::string& address, std::uint16_t port);
+    /// Connects to a numeric address, or "localhost", where something listens. Waits at most `seconds`.
+    [[nodiscard]] static Result<Socket> connect(const std::string& address, std::uint16_t port, double seconds = 10);
     /// Takes over a connected stream socket that this process inherited. Fails for any other descriptor.
     [[nodiscard]] static Result<Socket> adopt(int descriptor);
     /// Two sockets connected with each other.

@@ -18,8 +18,8 @@ std::size_t FrontierPlanner::index(Cell c) const {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(m_map.count()) + static_cast<std::size_t>(c.x);
 }
 
-/// Breadth first from all occupied cells.
-void FrontierPlanner::measureClearances() {
+/// Breadth first from all occupied cells, up to `most` steps from them.
+void FrontierPlanner::measureClearances(int most) {
     m_steps.assign(static_cast<std::size_t>(m_map.count()) * static_cast<std::size_t>(m_map.count()), 1 << 20);
     std::deque<Cell> open;
     for (int y = 0; y < m_map.count(); ++y)
@@ -28,7 +28,7 @@ void FrontierPlanner::measureClearances() {
                 m_steps[index({x, y})] = 0;
                 open.push_back({x, y});
             }
-    for (; !open.empty(); open.pop_front())
+    for (; !open.empty() && m_steps[index(open.front())] < most; open.pop_front())
         for (const Cell way : kNeighbours) {
             const Cell next = beside(open.front(), way);
             if (!m_map.contains(next) || m_steps[index(next)] <= m_steps[index(open.front())] + 1) continue;
@@ -45,8 +45,8 @@ bool FrontierPlanner::isFrontier(Cell c) const {
 
 std::optional<std::vector<Cell>> FrontierPlanner::path(Cell start) {
     if (!m_map.contains(start)) return {};
-    measureClearances();
     const int needed = static_cast<int>(m_clearance / m_map.cellSize() + 0.5);
+    measureClearances(needed);
     std::vector<int> from(m_steps.size(), -1); // by which way
     std::deque<Cell> open{start};
     from[index(start)] = 0;

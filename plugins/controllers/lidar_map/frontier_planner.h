@@ -18,13 +18,13 @@ public:
     [[nodiscard]] std::optional<std::vector<Cell>> path(Cell start);
 
 private:
-    void measureClearances();
+    void measureClearances(int most);
     [[nodiscard]] bool isFrontier(Cell c) const;
     [[nodiscard]] std::size_t index(Cell c) const;
 
     const OccupancyGrid& m_map;
     double m_clearance;
-    std::vector<int> m_steps; ///< of each cell to the nearest occupied one
+    std::vector<int> m_steps; ///< of each cell to the nearest occupied one, as far as they matter
 };
 
 } // namespace lidar_map

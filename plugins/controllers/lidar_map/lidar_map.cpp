@@ -108,7 +108,10 @@ private:
         const bool closed = fieldOfView > 359.9 * kDegree;
         return fieldOfView / static_cast<double>(std::max<std::size_t>(1, lidar.ranges().size() - (closed ? 0 : 1)));
     }
-    [[nodiscard]] double distance(Cell c) const { return std::hypot(map->middle(c.x) - here.x, map->middle(c.y) - here.y); }
+    [[nodiscard]] double distance(Cell c) const {
+        const double x = map->middle(c.x) - here.x, y = map->middle(c.y) - here.y;
+        return std::sqrt(x * x + y * y);
+    }
 
     void save() {
         drive.stop();

@@ -7,7 +7,7 @@ namespace lidar_map {
 
 namespace {
 
-constexpr float kLeast = 1; // weight of beams that make a cell known
+constexpr double kLeast = 1; // weight of beams that make a cell known
 
 } // namespace
 
@@ -34,7 +34,7 @@ Occupancy OccupancyGrid::at(Cell c) const {
 
 /// In steps of a quarter of a cell, each cell once. Exact beams count more than others, by the square of their deviation.
 void OccupancyGrid::addBeam(double x, double y, double bearing, double range, bool isHit, double deviation) {
-    const float weight = static_cast<float>(1 / (1 + std::pow(2 * deviation / m_cellSize, 2)));
+    const double cells = 2 * deviation / m_cellSize, weight = 1 / (1 + cells * cells);
     const double c = std::cos(bearing), s = std::sin(bearing), step = m_cellSize / 4;
     const Cell end = cellAt(x + range * c, y + range * s);
     Cell last{-1, -1};

@@ -39,7 +39,7 @@ public:
 
 private:
     struct Count {
-        float passed = 0, stopped = 0;
+        double passed = 0, stopped = 0;
     };
     [[nodiscard]] std::size_t index(Cell c) const;
 

@@ -7,6 +7,10 @@
 
 namespace {
 
+double distanceOf(const trundle::Pose2& a, const trundle::Pose2& b) {
+    return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
+
 struct LineFollow : trundle::Controller {
     double speed = 0.08;
     double turnRate = 3;
@@ -67,10 +71,10 @@ private:
     /// A round is a full turn that ends near its beginning, both by odometry.
     void countLaps() {
         const trundle::Pose2 now = drive.odometry();
-        travelled += std::hypot(now.x - last.x, now.y - last.y);
+        travelled += distanceOf(now, last);
         turned += std::remainder(now.heading - last.heading, 2 * std::numbers::pi);
         last = now;
-        const bool isBack = std::hypot(now.x - start.x, now.y - start.y) < 0.1;
+        const bool isBack = distanceOf(now, start) < 0.1;
         if (!isBack || travelled < 1 || std::abs(turned) < 1.5 * std::numbers::pi) return;
         lap.set(lap.get() + 1);
         print("round ", lap.get(), " of ", laps, ": ", travelled, " m");

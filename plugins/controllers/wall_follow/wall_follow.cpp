@@ -9,6 +9,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+double distanceOf(const trundle::Pose2& a, const trundle::Pose2& b) {
+    return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
+
 struct WallFollow : trundle::Controller {
     double speed = 0.15;
     double distance = 0.3;
@@ -87,10 +91,10 @@ private:
     /// A round is a full turn that ends near its beginning, both by odometry.
     void countLaps() {
         const trundle::Pose2 now = drive.odometry();
-        travelled += std::hypot(now.x - last.x, now.y - last.y);
+        travelled += distanceOf(now, last);
         turned += std::remainder(now.heading - last.heading, 2 * std::numbers::pi);
         last = now;
-        const bool isBack = std::hypot(now.x - start.x, now.y - start.y) < 1.2 * distance;
+        const bool isBack = distanceOf(now, start) < 1.2 * distance;
         if (!isBack || travelled < 8 * distance || std::abs(turned) < 300 * kDegree) return;
         lap.set(lap.get() + 1);
         print("round ", lap.get(), " of ", laps, ": ", travelled, " m");

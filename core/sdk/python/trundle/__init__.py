@@ -6,6 +6,7 @@ from .camera import CameraPort, Picture
 from .controller import Controller, Log, fnv1a64, random_bits
 from .description import VERSION as __version__
 from .description import exactly_one_of, field, output
+from .driver import DriveAmounts, Driver
 from .ports import (AckermannDrivePort, CompassPort, DifferentialDrivePort, EncoderPort, GpsPort, GroundPort, GroundTruthPort, ImuPort,
                     LidarPort, LightPort, MotorPort, OmniDrivePort, Port, Pose, Pose2, RangePort, RobotPorts, ServoPort, TouchPort)
 from .quantity import (Quantity, amperes, decibel_milliwatts, decibels, degrees, file, flag, hertz, kilograms, metres,

@@ -1,0 +1,75 @@
+#include "remote/remote_world.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+RemoteWorld::RemoteWorld(std::unique_ptr<World> described, std::unique_ptr<RobotLink> link)
+    : m_described(std::move(described)), m_link(std::move(link)) {
+    join();
+    takeValues();
+}
+
+void RemoteWorld::join() {
+    const std::string robot = experiment().robots[0].name;
+    for (const SignalEntry& entry : layout().entries()) {
+        const auto found = std::ranges::find(m_link->signals(), entry.path, &RobotLink::Signal::path);
+        const bool isThere = found != m_link->signals().end() && found->count == entry.count;
+        const bool isCommand = entry.direction == SignalDirection::Command;
+        if (!isThere || (found->direction == "command") != isCommand) {
+            // What the controller publishes is an output without a device.
+            if (entry.direction != SignalDirection::Truth && !isPublished(entry.path)) m_missing.push_back(entry.path);
+            continue;
+        }
+        if (isCommand && entry.count == 1) m_commands.push_back({entry.offset, found->offset, entry.path, m_link->values()[found->offset]});
+        if (isCommand) continue;
+        m_read.push_back({entry.offset, found->offset, entry.count});
+        if (entry.path == robot + "/pose") m_pose = &entry;
+        if (!m_odometry && entry.path.ends_with("/odometry") && entry.count == 3) m_odometry = &entry;
+    }
+}
+
+bool RemoteWorld::isPublished(const std::string& path) const {
+    const RobotSpec& robot = experiment().robots[0];
+    return robot.controller && path.starts_with(robot.name + "/" + robot.controller->name + "/");
+}
+
+void RemoteWorld::takeValues() {
+    const std::span<double> slots = block().slots();
+    for (const Span& span : m_read)
+        std::ranges::copy(m_link->values().subspan(span.there, span.count), slots.begin() + static_cast<std::ptrdiff_t>(span.here));
+    for (CommandOf& command : m_commands) // a drive commands its motors
+        slots[command.here] = command.known = m_link->values()[command.there];
+}
+
+Status RemoteWorld::tick() {
+    std::vector<std::pair<std::string, double>> changes;
+    for (const CommandOf& command : m_commands) {
+        const double now = block().slots()[command.here];
+        if (now != command.known) changes.emplace_back(command.path, now);
+    }
+    if (const Status stepped = m_link->step(changes); !stepped) return stepped;
+    BlockHeader& header = block().header();
+    ++header.sequence; // odd: write in progress
+    takeValues();
+    header.tick = ++m_ticks;
+    header.time = time();
+    ++header.sequence;
+    return {};
+}
+
+Pose RemoteWorld::robotPose(std::size_t robot) const {
+    const std::span<const double> slots = block().slots();
+    if (m_pose) {
+        const auto at = slots.subspan(m_pose->offset, 7);
+        return {Vec3(at[0], at[1], at[2]), Quat(at[3], at[4], at[5], at[6])};
+    }
+    const Pose& start = experiment().robots[robot].pose;
+    if (!m_odometry) return start;
+    const auto at = slots.subspan(m_odometry->offset, 3);
+    return start * Pose{Vec3(at[0], at[1], 0), rotationFromHpr(Vec3(at[2], 0, 0))};
+}
+
+Error RemoteWorld::refused() { return {Code::SystemRefused, "this robot is not simulated here"}; }
+
+} // namespace trundle
