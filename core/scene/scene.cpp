@@ -86,7 +86,7 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
             m_objects.add(robot.name + "/" + body->getName(), SceneObject{body, shapes[i]});
         }
         m_robots->addChild(node);
-        m_objects.add(robot.name, SceneObject{node, nullptr});
+        if (!robot.scenery) m_objects.add(robot.name, SceneObject{node, nullptr});
     }
     setPoses(startPoses(experiment));
 }
