@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <span>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "base/clean_text.h"
 #include "cli/messages.h"

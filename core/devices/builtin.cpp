@@ -18,6 +18,7 @@
 #include "devices/lidar.h"
 #include "devices/light_sensor.h"
 #include "devices/omni_drive.h"
+#include "devices/pen.h"
 #include "devices/range_sensor.h"
 #include "devices/rotary_motor.h"
 #include "devices/servo.h"
@@ -52,6 +53,7 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<Belt>(), "Belt");
     visit(std::type_identity<Track>(), "Track");
     visit(std::type_identity<TrackDrive>(), "TrackDrive");
+    visit(std::type_identity<Pen>(), "Pen");
     visit(std::type_identity<OmniDrive>(), "OmniDrive");
     visit(std::type_identity<MecanumDrive>(), "MecanumDrive");
     visit(std::type_identity<AckermannDrive>(), "AckermannDrive");
