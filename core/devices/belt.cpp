@@ -23,7 +23,8 @@ double RunningSurface::travelled(Sensing& world) {
 void Belt::describe(Describe<Belt>& d) {
     d.help("A conveyor belt: a geom whose surface carries along what lies on it.");
     d.field("Geom", &Belt::m_geomName, reference("Geom").required(), "The geom whose surface runs, along its own x axis.");
-    d.field("Heading", &Belt::m_heading, degrees().within(-360, 360), "From the geom's x axis, about its z axis, to where it runs.");
+    d.field("Heading", &Belt::m_heading, degrees().within(-360, 360),
+            "From the geom's x axis, about its z axis, to where it runs.");
     describeRunning(d);
     BeltSignals::describe(d);
 }

@@ -11,7 +11,8 @@ namespace trundle {
 class RunningSurface : public Device {
 protected:
     template <class T> static void describeRunning(Describe<T>& d) {
-        d.field("MaxSpeed", &RunningSurface::m_maxSpeed, metresPerSecond().within(1e-6, 1e3).required().live(), "Of its surface.");
+        d.field("MaxSpeed", &RunningSurface::m_maxSpeed, metresPerSecond().within(1e-6, 1e3).required().live(),
+                "Of its surface.");
         d.field("MaxAcceleration", &RunningSurface::m_maxAcceleration, metresPerSecondSquared().within(0, 1e6).live(),
                 "Ramps of its speed; 0: no limit.");
         d.field("Power", &RunningSurface::m_power, unitOf("W").within(0, 1e6).live(),

@@ -106,7 +106,7 @@ struct ExperimentSpec {
     SettingsSpec settings;
     std::vector<MaterialSpec> materials; ///< [0] is the built-in default
     std::vector<SurfaceSpec> surfaces;   ///< [0] is the built-in default
-    std::vector<RobotSpec> robots;       ///< in text order, including the members of Grids and Scatters; then what moves in Statics
+    std::vector<RobotSpec> robots; ///< in text order, including the members of Grids and Scatters; then what moves in Statics
     std::vector<StaticSpec> statics;
     std::vector<AntennaSpec> antennas;
     MediumSettings medium; ///< ideal if the text defines none

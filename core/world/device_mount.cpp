@@ -100,7 +100,8 @@ struct MountCalls {
         Device& d = device(context);
         const std::string asked = moduleName(path);
         if (const auto* fixed = robot(d).spec->scenery.get())
-            if (const int g = indexOf(*fixed, asked); g >= 0) return found(d, asked, robot(d).scenery[static_cast<std::size_t>(g)], out);
+            if (const int g = indexOf(*fixed, asked); g >= 0)
+                return found(d, asked, robot(d).scenery[static_cast<std::size_t>(g)], out);
         const std::string_view bodyName = withoutLastWord(asked), geomName = lastWord(asked); // left.wheel.tyre
         const int b = indexOf(config(d).bodies, bodyName);
         if (b < 0) {

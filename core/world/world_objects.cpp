@@ -56,8 +56,10 @@ void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine
     for (const std::size_t i : byName(experiment.statics)) {
         const StaticSpec& s = experiment.statics[i];
         if (!s.geoms) continue;
-        const auto own = std::ranges::find_if(experiment.robots, [&](const RobotSpec& r) { return r.scenery && r.name == s.name; });
-        BuiltRobot* const moving = own == experiment.robots.end() ? nullptr : &m_robots[static_cast<std::size_t>(own - experiment.robots.begin())];
+        const auto own =
+            std::ranges::find_if(experiment.robots, [&](const RobotSpec& r) { return r.scenery && r.name == s.name; });
+        BuiltRobot* const moving =
+            own == experiment.robots.end() ? nullptr : &m_robots[static_cast<std::size_t>(own - experiment.robots.begin())];
         for (const GeomSpec& g : *s.geoms) {
             if (!g.collide) {
                 if (moving) moving->scenery.emplace_back();

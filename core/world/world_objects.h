@@ -20,7 +20,8 @@ struct BuiltRobot {
     Pose frameInFirst;          ///< pose of the config frame in the first body's frame
     bool frameIsFirst = false;  ///< frameInFirst is the identity
     std::optional<Vec3> centre; ///< of a passive object: centre of mass of its first body in the config frame
-    std::vector<GeomHandle> scenery; ///< of a Static that moves: its fixed geoms, in their order; invalid where one does not collide
+    std::vector<GeomHandle>
+        scenery; ///< of a Static that moves: its fixed geoms, in their order; invalid where one does not collide
 
     [[nodiscard]] bool isFixed(std::size_t body) const { return spec->config->bodies[body].isFixed; }
 };

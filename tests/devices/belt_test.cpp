@@ -91,7 +91,8 @@ private Q_SLOTS:
     /// A body whose own underside runs, on a belt that runs across: no slip is left between the two surfaces.
     void beltsAcrossEachOther() {
         const std::string text =
-            "Tick=0.002\nSurface rough { Friction=0.6 }\nStaticConfig Conveyor { Box deck { Size=9,9,0.1 Pos=0,0,-0.05 Surface=rough }\n"
+            "Tick=0.002\nSurface rough { Friction=0.6 }\nStaticConfig Conveyor { Box deck { Size=9,9,0.1 Pos=0,0,-0.05 "
+            "Surface=rough }\n"
             "  Belt belt { Geom=deck Heading=90 MaxSpeed=1 } }\nStatic line { Config=Conveyor }\n"
             "RobotConfig Sled { Body body { Box sole { Size=0.4,0.4,0.1 Pos=0,0,0.05 Surface=rough Mass=2 } }\n"
             "  Belt belt { Geom=body.sole MaxSpeed=1 } }\nRobot sled { Config=Sled }\n";
@@ -100,7 +101,8 @@ private Q_SLOTS:
         command(w, "line/belt/speed", 0.3);
         command(w, "sled/belt/speed", 0.2);
         QVERIFY(w.run(1500));
-        QVERIFY2(std::abs(w.value("sled/body/velocity", 0) + 0.2) < 1e-3 && std::abs(w.value("sled/body/velocity", 1) - 0.3) < 1e-3,
+        QVERIFY2(std::abs(w.value("sled/body/velocity", 0) + 0.2) < 1e-3 &&
+                     std::abs(w.value("sled/body/velocity", 1) - 0.3) < 1e-3,
                  qPrintable(QString("%1, %2").arg(w.value("sled/body/velocity", 0)).arg(w.value("sled/body/velocity", 1))));
     }
 
@@ -119,9 +121,11 @@ private Q_SLOTS:
 
     /// Driven by a battery it runs as fast as the voltage says, and draws its Power.
     void drawsFromTheBattery() {
-        SensorWorld w("Tick=0.01\nRobotConfig Cart { Body body { Box top { Size=0.4,0.4,0.1 Mass=2 } }\n"
-                      "  Belt belt { Geom=body.top MaxSpeed=0.5 MaxAcceleration=0 Power=12 }\n  Battery battery { Capacity=1 Voltage=12 }\n}\n"
-                      "StaticConfig Floor { Plane ground { } }\nStatic floor { Config=Floor }\nRobot cart { Config=Cart Pos=0,0,0.05 }\n");
+        SensorWorld w(
+            "Tick=0.01\nRobotConfig Cart { Body body { Box top { Size=0.4,0.4,0.1 Mass=2 } }\n"
+            "  Belt belt { Geom=body.top MaxSpeed=0.5 MaxAcceleration=0 Power=12 }\n  Battery battery { Capacity=1 Voltage=12 "
+            "}\n}\n"
+            "StaticConfig Floor { Plane ground { } }\nStatic floor { Config=Floor }\nRobot cart { Config=Cart Pos=0,0,0.05 }\n");
         QVERIFY2(w.ok(), w.failure().c_str());
         command(w, "cart/belt/speed", 0.25);
         QVERIFY(w.run(100));
@@ -132,12 +136,14 @@ private Q_SLOTS:
     /// A vehicle on two tracks drives forwards at their speed, and turns as kinematics says but for what skids.
     void tracksDrive() {
         const std::string text =
-            "Tick=0.002\nSurface pad { Friction=0.7 }\nStaticConfig Floor { Plane ground { Surface=pad } }\nStatic floor { Config=Floor }\n"
+            "Tick=0.002\nSurface pad { Friction=0.7 }\nStaticConfig Floor { Plane ground { Surface=pad } }\nStatic floor { "
+            "Config=Floor }\n"
             "RobotConfig Crawler {\n  Body hull { Box box { Size=0.3,0.2,0.1 Pos=0,0,0.1 Mass=4 }\n"
             "    Box left { Size=0.4,0.05,0.08 Pos=0,0.15,0.04 Mass=1 Surface=pad }\n"
             "    Box right { Size=0.4,0.05,0.08 Pos=0,-0.15,0.04 Mass=1 Surface=pad } }\n"
             "  Track leftTrack { Geom=hull.left MaxSpeed=1 }\n  Track rightTrack { Geom=hull.right MaxSpeed=1 }\n"
-            "  TrackDrive base { LeftTrack=leftTrack RightTrack=rightTrack TrackSeparation=0.3 }\n}\nRobot r { Config=Crawler }\n";
+            "  TrackDrive base { LeftTrack=leftTrack RightTrack=rightTrack TrackSeparation=0.3 }\n}\nRobot r { Config=Crawler "
+            "}\n";
         SensorWorld w(text);
         QVERIFY2(w.ok(), w.failure().c_str());
         command(w, "r/base/linearVelocity", 0.4);
@@ -161,11 +167,15 @@ private Q_SLOTS:
     void isRefused_data() {
         QTest::addColumn<QString>("device");
         QTest::addColumn<QString>("message");
-        QTest::newRow("unknown geom") << "Belt belt { Geom=body.bax MaxSpeed=1 }" << "Geom names body.bax";
-        QTest::newRow("without contacts") << "Belt belt { Geom=body.ghost MaxSpeed=1 }" << "does not collide";
-        QTest::newRow("a body") << "Belt belt { Geom=body MaxSpeed=1 }" << "it takes a geom";
-        QTest::newRow("one track") << "Track t { Geom=body.box MaxSpeed=1 } TrackDrive d { LeftTrack=t RightTrack=t TrackSeparation=1 }"
-                                   << "the same track";
+        QTest::newRow("unknown geom") << "Belt belt { Geom=body.bax MaxSpeed=1 }"
+                                      << "Geom names body.bax";
+        QTest::newRow("without contacts") << "Belt belt { Geom=body.ghost MaxSpeed=1 }"
+                                          << "does not collide";
+        QTest::newRow("a body") << "Belt belt { Geom=body MaxSpeed=1 }"
+                                << "it takes a geom";
+        QTest::newRow("one track")
+            << "Track t { Geom=body.box MaxSpeed=1 } TrackDrive d { LeftTrack=t RightTrack=t TrackSeparation=1 }"
+            << "the same track";
     }
     void isRefused() {
         QFETCH(QString, device);
@@ -185,7 +195,8 @@ private Q_SLOTS:
     }
     void theWheeledEngineHasNone() {
         QFETCH(QString, text);
-        SensorWorld w("Engine=wheeled\nStaticConfig Floor { Plane ground { } }\nStatic floor { Config=Floor }\n" + text.toStdString());
+        SensorWorld w("Engine=wheeled\nStaticConfig Floor { Plane ground { } }\nStatic floor { Config=Floor }\n" +
+                      text.toStdString());
         QVERIFY(!w.ok());
         QVERIFY2(w.failure().find("Engine = wheeled is not possible") != std::string::npos, w.failure().c_str());
     }

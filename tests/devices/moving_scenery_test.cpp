@@ -42,11 +42,13 @@ private Q_SLOTS:
 
     /// A turntable carries a crate round.
     void aTurntableCarries() {
-        SensorWorld w("Tick=0.005\nStaticConfig Table {\n  Box base { Size=1,1,0.2 Pos=0,0,0.1 }\n"
-                      "  Body disc { Pos=0,0,0.24 Cylinder plate { Radius=0.5 Length=0.04 Mass=5 } }\n"
-                      "  Hinge pivot { Parent=world Child=disc Axis=0,0,1 }\n  Servo drive { Joint=pivot Mode=speed MaxTorque=20 MaxSpeed=2 }\n}\n"
-                      "Static table { Config=Table Pos=2,0,0 }\nRobotConfig Crate { Body body { Box box { Size=0.1,0.1,0.1 Mass=0.5 } } }\n"
-                      "Robot crate { Config=Crate Pos=2.3,0,0.31 }\n");
+        SensorWorld w(
+            "Tick=0.005\nStaticConfig Table {\n  Box base { Size=1,1,0.2 Pos=0,0,0.1 }\n"
+            "  Body disc { Pos=0,0,0.24 Cylinder plate { Radius=0.5 Length=0.04 Mass=5 } }\n"
+            "  Hinge pivot { Parent=world Child=disc Axis=0,0,1 }\n  Servo drive { Joint=pivot Mode=speed MaxTorque=20 "
+            "MaxSpeed=2 }\n}\n"
+            "Static table { Config=Table Pos=2,0,0 }\nRobotConfig Crate { Body body { Box box { Size=0.1,0.1,0.1 Mass=0.5 } } }\n"
+            "Robot crate { Config=Crate Pos=2.3,0,0.31 }\n");
         QVERIFY2(w.ok(), w.failure().c_str());
         command(w, "table/drive/target", 0.5);
         QVERIFY(w.run(400));
@@ -58,20 +60,23 @@ private Q_SLOTS:
 
     /// Sensors on the world and on geoms of the scenery itself.
     void sensorsOfSceneryMeasure() {
-        SensorWorld w("Tick=0.01\nStaticConfig Gate {\n  Box plate { Size=0.4,0.4,0.1 Pos=0,0,0.05 }\n"
-                      "  RangeSensor eye { Body=world Pos=-1,0,0.2 MaxRange=5 Type=infrared }\n  TouchSensor scale { Geom=plate }\n}\n"
-                      "Static gate { Config=Gate Pos=0,3,0 }\nRobotConfig Crate { Body body { Box box { Size=0.2,0.2,0.2 Mass=2 } } }\n"
-                      "Robot crate { Config=Crate Pos=0,3,0.2 }\n");
+        SensorWorld w(
+            "Tick=0.01\nStaticConfig Gate {\n  Box plate { Size=0.4,0.4,0.1 Pos=0,0,0.05 }\n"
+            "  RangeSensor eye { Body=world Pos=-1,0,0.2 MaxRange=5 Type=infrared }\n  TouchSensor scale { Geom=plate }\n}\n"
+            "Static gate { Config=Gate Pos=0,3,0 }\nRobotConfig Crate { Body body { Box box { Size=0.2,0.2,0.2 Mass=2 } } }\n"
+            "Robot crate { Config=Crate Pos=0,3,0.2 }\n");
         QVERIFY2(w.ok(), w.failure().c_str());
         QVERIFY(w.run(200));
         QVERIFY2(std::abs(w.value("gate/eye/range") - 0.9) < 1e-3, qPrintable(QString::number(w.value("gate/eye/range"))));
         QCOMPARE(w.value("gate/scale/pressed"), 1.);
-        QVERIFY2(std::abs(w.value("gate/scale/force") - 2 * 9.81) < 0.01, qPrintable(QString::number(w.value("gate/scale/force"))));
+        QVERIFY2(std::abs(w.value("gate/scale/force") - 2 * 9.81) < 0.01,
+                 qPrintable(QString::number(w.value("gate/scale/force"))));
     }
 
     /// Two conveyors of one StaticConfig by its Part, in frames of their own.
     void partsAndMembersOfScenery() {
-        SensorWorld w("Tick=0.01\nPartConfig Segment {\n  Box deck { Size=2,0.5,0.1 Pos=0,0,-0.05 }\n  Belt belt { Geom=deck MaxSpeed=1 MaxAcceleration=0 }\n}\n"
+        SensorWorld w("Tick=0.01\nPartConfig Segment {\n  Box deck { Size=2,0.5,0.1 Pos=0,0,-0.05 }\n  Belt belt { Geom=deck "
+                      "MaxSpeed=1 MaxAcceleration=0 }\n}\n"
                       "StaticConfig Line {\n  Part near { Config=Segment }\n  Part far { Config=Segment Pos=2,0,0 }\n}\n"
                       "Static line { Config=Line }\nRobotConfig Crate { Body body { Box box { Size=0.2,0.2,0.2 Mass=2 } } }\n"
                       "Robot crate { Config=Crate Pos=0,0,0.1 }\n");
@@ -81,21 +86,24 @@ private Q_SLOTS:
         QVERIFY(w.run(150));
         QVERIFY(std::abs(w.value("crate/body/velocity", 0) - 0.5) < 1e-3);
         QVERIFY(w.run(200));
-        QVERIFY2(std::abs(w.value("crate/body/velocity", 0) - 0.25) < 1e-3, qPrintable(QString::number(w.value("crate/body/velocity", 0))));
+        QVERIFY2(std::abs(w.value("crate/body/velocity", 0) - 0.25) < 1e-3,
+                 qPrintable(QString::number(w.value("crate/body/velocity", 0))));
     }
 
     void isRefused_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("message");
         const QString box = "Box box { Size=1,1,1 Mass=1 }";
-        QTest::newRow("loose") << "StaticConfig S { Body b { " + box + " } }\nStatic s { Config=S }\n" << "no joint holds Body b";
-        QTest::newRow("chain of loose bodies")
-            << "StaticConfig S { Body a { " + box + " } Body b { Pos=2,0,0 " + box +
-                   " } Hinge h { Parent=a Child=b } }\nStatic s { Config=S }\n"
-            << "no joint holds Body a";
-        QTest::newRow("world on a robot") << "RobotConfig R { Body b { " + box + " } Imu i { Body=world } }\nRobot r { Config=R }\n"
+        QTest::newRow("loose") << "StaticConfig S { Body b { " + box + " } }\nStatic s { Config=S }\n"
+                               << "no joint holds Body b";
+        QTest::newRow("chain of loose bodies") << "StaticConfig S { Body a { " + box + " } Body b { Pos=2,0,0 " + box +
+                                                      " } Hinge h { Parent=a Child=b } }\nStatic s { Config=S }\n"
+                                               << "no joint holds Body a";
+        QTest::newRow("world on a robot") << "RobotConfig R { Body b { " + box +
+                                                 " } Imu i { Body=world } }\nRobot r { Config=R }\n"
                                           << "Body names world";
-        QTest::newRow("world as child") << "StaticConfig S { Body b { " + box + " } Hinge h { Parent=b Child=world } }\nStatic s { Config=S }\n"
+        QTest::newRow("world as child") << "StaticConfig S { Body b { " + box +
+                                               " } Hinge h { Parent=b Child=world } }\nStatic s { Config=S }\n"
                                         << "Child names world";
     }
     void isRefused() {

@@ -8,10 +8,13 @@ namespace {
 
 /// A plotter: a slider along x that carries one along y, with a pen at its end.
 std::string plotter(const std::string& pen) {
-    return "Tick=0.005\nGravity=0,0,0\nStaticConfig Floor { Plane paper { } }\nStatic floor { Config=Floor }\nRobotConfig Plotter {\n"
-           "  Body beam { Pos=0,0,0.1 Box bar { Size=0.1,2,0.02 Mass=1 } }\n  Body head { Pos=0,0,0.06 Box block { Size=0.04,0.04,0.02 Mass=0.2 } }\n"
+    return "Tick=0.005\nGravity=0,0,0\nStaticConfig Floor { Plane paper { } }\nStatic floor { Config=Floor }\nRobotConfig "
+           "Plotter {\n"
+           "  Body beam { Pos=0,0,0.1 Box bar { Size=0.1,2,0.02 Mass=1 } }\n  Body head { Pos=0,0,0.06 Box block { "
+           "Size=0.04,0.04,0.02 Mass=0.2 } }\n"
            "  Slider xRail { Parent=world Child=beam Axis=1,0,0 }\n  Slider yRail { Parent=beam Child=head Axis=0,1,0 }\n"
-           "  LinearMotor xMotor { Joint=xRail Mode=speed MaxForce=500 MaxSpeed=2 }\n  LinearMotor yMotor { Joint=yRail Mode=speed MaxForce=500 MaxSpeed=2 }\n"
+           "  LinearMotor xMotor { Joint=xRail Mode=speed MaxForce=500 MaxSpeed=2 }\n  LinearMotor yMotor { Joint=yRail "
+           "Mode=speed MaxForce=500 MaxSpeed=2 }\n"
            "  Pen pen { Body=head Pos=0,0,-0.02 " +
            pen + " }\n}\nRobot r { Config=Plotter }\n";
 }
@@ -56,7 +59,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(w.value("r/pen/length") - 1) < 0.02);
         QVERIFY(begins(w, 0) && !begins(w, 1));
         const Vec3 end = pointOf(w, int(w.value("r/pen/points")) - 1);
-        QVERIFY2((end - Vec3(0.5, 0.5, 0)).norm() < 0.02, qPrintable(QString("%1, %2, %3").arg(end.x()).arg(end.y()).arg(end.z())));
+        QVERIFY2((end - Vec3(0.5, 0.5, 0)).norm() < 0.02,
+                 qPrintable(QString("%1, %2, %3").arg(end.x()).arg(end.y()).arg(end.z())));
         QVERIFY(std::abs(end.z()) < 1e-9); // on the floor
     }
 

@@ -29,9 +29,7 @@ bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices
 
 /// Whether `world` can be named. In scenery it is also the body that devices are fixed to.
 bool takesWorld(const Property& property, const PartFrame& frame) {
-    const auto has = [&](const char* choice) {
-        return std::count(property.choices.begin(), property.choices.end(), choice) > 0;
-    };
+    const auto has = [&](const char* choice) { return std::count(property.choices.begin(), property.choices.end(), choice) > 0; };
     const PartFrame* root = &frame;
     while (root->outer) root = root->outer;
     return has("world") || (has("Body") && property.name != "Child" && root->config->kind->name == "StaticConfig");

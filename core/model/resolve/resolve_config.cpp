@@ -100,10 +100,11 @@ void reportLooseBodies(ResolveContext& context, const RobotConfigSpec& spec) {
         }
     for (std::size_t i = 0; i < spec.bodies.size(); ++i)
         if (!held[i])
-            context.diagnostics.error(Code::WrongPlace, spec.bodies[i].nameRange,
-                                      "no joint holds Body " + spec.bodies[i].name +
-                                          " to the world: a StaticConfig holds its geoms directly, without a Body, and bodies that "
-                                          "move on joints; what is loose is a Robot");
+            context.diagnostics.error(
+                Code::WrongPlace, spec.bodies[i].nameRange,
+                "no joint holds Body " + spec.bodies[i].name +
+                    " to the world: a StaticConfig holds its geoms directly, without a Body, and bodies that "
+                    "move on joints; what is loose is a Robot");
 }
 
 } // namespace

@@ -28,7 +28,8 @@ using BodyIndices = std::unordered_map<std::string, int>;
 /// A StaticConfig with one set of Param values and overrides applied.
 struct StaticConfigSpec {
     std::vector<GeomSpec> geoms;
-    std::shared_ptr<const RobotConfigSpec> moving; ///< its bodies, joints and devices, after one that is fixed; null: there are none
+    std::shared_ptr<const RobotConfigSpec>
+        moving; ///< its bodies, joints and devices, after one that is fixed; null: there are none
 };
 [[nodiscard]] std::shared_ptr<const StaticConfigSpec> resolveStaticConfig(ResolveContext& context, const Part& config,
                                                                           ParamScope& scope, const OverrideNode* overrides);

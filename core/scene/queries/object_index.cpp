@@ -110,7 +110,8 @@ std::optional<ObjectRef> ObjectIndex::ownerOf(const ObjectRef& object) const {
     case ObjectKind::Body: {
         const RobotSpec& robot = m_experiment->robots[object.instance];
         const auto fixed = robot.scenery ? m_statics.find(robot.name) : m_statics.end();
-        return fixed == m_statics.end() ? ObjectRef{ObjectKind::Robot, object.instance} : ObjectRef{ObjectKind::Static, fixed->second};
+        return fixed == m_statics.end() ? ObjectRef{ObjectKind::Robot, object.instance}
+                                        : ObjectRef{ObjectKind::Static, fixed->second};
     }
     case ObjectKind::Geom: return ObjectRef{ObjectKind::Body, object.instance, object.body};
     case ObjectKind::StaticGeom: return ObjectRef{ObjectKind::Static, object.instance};

@@ -75,11 +75,11 @@ void PartCommands::askSensorRing() {
     auto* dialog = new SensorRingDialog(toQString(std::string(lastWord(path))), proposedRing(loaded, path), &m_window);
     connect(&m_document, &Document::opened, dialog, &QDialog::reject);
     connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
-        (void)m_document.structure().apply(tr("Add Ring of Sensors"), {path},
-                                           [path, ring = dialog->ring()](const LoadedProject& now,
-                                                                         const StructureEdits::PathMapping& renamed) {
-                                               return planSensorRing(now, renamed(path), ring);
-                                           });
+        (void)m_document.structure().apply(
+            tr("Add Ring of Sensors"), {path},
+            [path, ring = dialog->ring()](const LoadedProject& now, const StructureEdits::PathMapping& renamed) {
+                return planSensorRing(now, renamed(path), ring);
+            });
     });
     dialog->open();
 }

@@ -170,15 +170,16 @@ std::vector<const CameraModel*> ViewportScene::camerasOf(const std::string& path
 bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, std::size_t body,
                              const std::string& component) const {
     // Splits "seeker.eye" or "RobotConfig.Seeker.eye" into the robot or config and the component.
-    const bool byConfig = firstWord(path) == "RobotConfig";
+    const bool byConfig = firstWord(path) == "RobotConfig" || firstWord(path) == "StaticConfig";
     const std::string_view local = byConfig ? withoutFirstWord(path) : path;
     const std::string_view name = firstWord(local), which = withoutFirstWord(local);
     const auto object = find(robot);
-    const RobotSpec* spec = object ? m_objects->robotOf(*object) : nullptr;
+    const auto bodies = object ? m_objects->bodiesOf(*object) : std::nullopt;
+    const RobotSpec* spec = bodies ? &m_objects->experiment().robots[*bodies] : nullptr;
     if (!spec || !spec->config) return false;
     if (byConfig ? spec->config->name != name : robot != name && !isMemberOf(robot, name)) return false;
     if (which.empty() || component == robot + "/" + std::string(which)) return true;
-    const std::size_t own = body - m_objects->firstPose(object->instance);
+    const std::size_t own = body - m_objects->firstPose(*bodies);
     return own < spec->config->bodies.size() && spec->config->bodies[own].name == which;
 }
 

@@ -156,7 +156,8 @@ void CompletionTest::lists_data() {
         "RobotConfig A { Body a { } }\nRobotConfig B { Config=A Body b { } Hinge h { Parent=| } }", "a b world", "");
     row("in a Repeat of a robot", "RobotConfig A { Repeat r { Count=3 | } }", "Body Hinge Encoder Part Repeat Ring Pos",
         "Box Count Robot");
-    row("in a Repeat of scenery", "StaticConfig A { Repeat r { Count=3 | } }", "Box Plane Part Repeat Body Hinge", "Robot Material");
+    row("in a Repeat of scenery", "StaticConfig A { Repeat r { Count=3 | } }", "Box Plane Part Repeat Body Hinge",
+        "Robot Material");
     row("the number of a member", "RobotConfig A { Repeat r { Count=3 Pos=$(|) } }", "index index2 sin", "");
     row("no number outside", "RobotConfig A { Repeat r { Count=3 } Body b { Pos=$(|) } }", "sin", "index");
     row("members of a Grid have numbers", "#import parts.sim\nGrid g { Config=Rover Count=2 Spacing=1 wheelRadius=$(|) }",

@@ -117,7 +117,8 @@ struct PenSignals {
         d.command("down", &S::down, "", "It draws.");
         d.output("length", &S::length, "m", "Of all that it has drawn.");
         d.output("points", &S::points, "", "Of its line, at most MaxPoints.");
-        d.truth("line", &S::line, "", "Of each point x, y, z [m] in the world, and 1 where a stroke begins, else 0.", {"MaxPoints"});
+        d.truth("line", &S::line, "", "Of each point x, y, z [m] in the world, and 1 where a stroke begins, else 0.",
+                {"MaxPoints"});
     }
 };
 
