@@ -154,14 +154,16 @@ private Q_SLOTS:
         QVERIFY2(std::abs(w.value("r/base/pose", 0) - 1) < 0.01, qPrintable(QString::number(w.value("r/base/pose", 0))));
         QVERIFY(std::abs(w.value("r/base/pose", 1)) < 1e-3);
         QVERIFY(std::abs(w.value("r/base/odometry", 0) - 1) < 1e-6);
-        // Turning in place: the tracks slip, so that it turns less far than their speeds say, but turns about its middle.
+        // Turning in place: boxes rest on their ends at +-a, where Coulomb friction along and across the tracks at +-b balances:
+        // (v - w b) b = w a^2, so that w = v b / (a^2 + b^2), where the drive expects w = v / b.
         command(w, "r/base/linearVelocity", 0);
         command(w, "r/base/linearAmount", 0);
         command(w, "r/base/angularVelocity", 1);
         QVERIFY(w.run(2000));
         const double rate = w.value("r/hull/velocity", 5), x = w.value("r/base/pose", 0);
-        qInfo("turns at %.3f of the commanded rate", rate);
-        QVERIFY(rate > 0.3 && rate < 1.001 && std::abs(x - 1) < 0.05);
+        const double coulomb = 0.15 * 0.15 / (0.2 * 0.2 + 0.15 * 0.15);
+        qInfo("turns at %.3f of the commanded rate, by Coulomb's law at %.3f", rate, coulomb);
+        QVERIFY(std::abs(rate - coulomb) < 0.05 * coulomb && std::abs(x - 1) < 0.05);
     }
 
     void isRefused_data() {

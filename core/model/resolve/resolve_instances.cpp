@@ -166,9 +166,9 @@ private:
     RobotSpec robot(const Part& part, const std::string& name, const Pose& pose, std::shared_ptr<const RobotConfigSpec> config,
                     std::optional<ComponentSpec> brain, std::shared_ptr<const std::vector<GeomSpec>> scenery = nullptr) const {
         const Kind* kind = brain ? m_context.registry.find(brain->kind) : nullptr;
-        return {name,           pose,                                                            std::move(config),
-                std::move(brain), part.range, part.nameRange(),
-                kind ? kind->signals : std::vector<SignalDescription>(), std::move(scenery)};
+        RobotSpec spec{name, pose, std::move(config), std::move(brain), part.range, part.nameRange(), {}, std::move(scenery)};
+        if (kind) spec.published = kind->signals;
+        return spec;
     }
 
     std::optional<ComponentSpec> controller(const Part& part, ParamScope& scope, const Part* config) {
