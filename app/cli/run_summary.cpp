@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "base/clean_text.h"
 #include "cli/messages.h"
@@ -72,7 +73,9 @@ std::string worldText(const ExperimentSpec& experiment) {
 }
 
 std::string robotRows(const RunReport& report, const World& world) {
-    const std::vector<RobotSpec>& robots = world.experiment().robots;
+    const std::vector<RobotSpec>& all = world.experiment().robots;
+    const auto scenery = std::ranges::find_if(all, [](const RobotSpec& robot) { return robot.scenery != nullptr; });
+    const std::span robots(all.begin(), scenery); // what moves in Statics comes last
     const bool hasObjects = std::ranges::any_of(robots, [](const RobotSpec& robot) { return isPassive(robot); });
     std::string text = hasObjects && robots.size() <= kMaxListed ? row("world", worldText(world.experiment())) : "";
     for (std::size_t i = 0; i < robots.size() && robots.size() <= kMaxListed; ++i) {
@@ -93,7 +96,7 @@ std::string robotRows(const RunReport& report, const World& world) {
     return row("robots", worldText(world.experiment()) + " between x " + fixedText(low.x(), 2) + " and " +
                              fixedText(high.x(), 2) + " m, y " + fixedText(low.y(), 2) + " and " + fixedText(high.y(), 2) +
                              " m; the farthest " + fixedText(farthest, 2) + " m from its start") +
-           worstDriveRow(report.drives, robots);
+           worstDriveRow(report.drives, all);
 }
 
 std::string endRows(const World& world) {

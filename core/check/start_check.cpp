@@ -182,6 +182,7 @@ private:
         if (second) d.notes.push_back({"what it starts in", second->nameRange});
         else if (pair.withStatic) d.notes.push_back({"what it starts in", m_experiment.statics[pair.other].nameRange});
         if (pair.other == pair.robot && !pair.withStatic) return; // contacts among its own bodies: moving the robot does not help
+        if (robot.scenery) return;                                // moving all of it would not part it from itself
         if (auto fix = moveFix(m_loaded, robot, moveOutOf(pair))) d.fixes.push_back(std::move(*fix));
     }
 

@@ -6,6 +6,7 @@
 
 #include "devices/ackermann_drive.h"
 #include "devices/battery.h"
+#include "devices/belt.h"
 #include "devices/camera_device.h"
 #include "devices/compass.h"
 #include "devices/differential_drive.h"
@@ -17,10 +18,12 @@
 #include "devices/lidar.h"
 #include "devices/light_sensor.h"
 #include "devices/omni_drive.h"
+#include "devices/pen.h"
 #include "devices/range_sensor.h"
 #include "devices/rotary_motor.h"
 #include "devices/servo.h"
 #include "devices/touch_sensor.h"
+#include "devices/track_drive.h"
 #include "devices/transceiver.h"
 
 namespace trundle {
@@ -47,6 +50,10 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<Battery>(), "Battery");
     visit(std::type_identity<Gripper>(), "Gripper");
     visit(std::type_identity<SkidDrive>(), "SkidDrive");
+    visit(std::type_identity<Belt>(), "Belt");
+    visit(std::type_identity<Track>(), "Track");
+    visit(std::type_identity<TrackDrive>(), "TrackDrive");
+    visit(std::type_identity<Pen>(), "Pen");
     visit(std::type_identity<OmniDrive>(), "OmniDrive");
     visit(std::type_identity<MecanumDrive>(), "MecanumDrive");
     visit(std::type_identity<AckermannDrive>(), "AckermannDrive");

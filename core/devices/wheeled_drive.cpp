@@ -19,6 +19,17 @@ template <class... Values> std::string formatted(const char* pattern, Values... 
 
 } // namespace
 
+ChassisMotion Drive::follow(Actuation& world, const ChassisMotion& velocity, const ChassisMotion& amount, double sequence) {
+    const bool isNew = sequence != m_seen;
+    m_seen = sequence;
+    if (amount.linear == 0 && amount.lateral == 0 && amount.angular == 0) {
+        m_profile.aim(velocity);
+    } else if (isNew) {
+        if (const auto why = m_profile.start(velocity, amount, limits())) world.warn("command refused: " + *why);
+    }
+    return m_profile.next(limits(), world.tick());
+}
+
 double WheeledDrive::Wheel::turnedSince(const Services& world) {
     const double now = world.jointPosition(joint), turned = now - angle;
     angle = now;
@@ -44,18 +55,6 @@ WheeledDrive::Wheel WheeledDrive::mountWheel(Mount& mount, const std::string& mo
     wheel.voltsPerRate = mount.peerNumber(motor, "GearRatio", 1) / perVolt;
     wheel.maxVoltage = mount.peerNumber(motor, "MaxVoltage", 0);
     return wheel;
-}
-
-ChassisMotion WheeledDrive::follow(Actuation& world, const ChassisMotion& velocity, const ChassisMotion& amount,
-                                   double sequence) {
-    const bool isNew = sequence != m_seen;
-    m_seen = sequence;
-    if (amount.linear == 0 && amount.lateral == 0 && amount.angular == 0) {
-        m_profile.aim(velocity);
-    } else if (isNew) {
-        if (const auto why = m_profile.start(velocity, amount, limits())) world.warn("command refused: " + *why);
-    }
-    return m_profile.next(limits(), world.tick());
 }
 
 void WheeledDrive::drive(Actuation& world, Wheel& wheel, double rate) {

@@ -48,9 +48,10 @@ struct BodySpec {
     std::string name;
     Pose pose; ///< in the config frame
     std::vector<GeomSpec> geoms;
-    MassProperties mass;
+    MassProperties mass;   ///< zero if it is fixed
     SourceRange range;     ///< the whole block
     SourceRange nameRange; ///< for diagnostics about the body
+    bool isFixed = false;  ///< it does not move: the frame of a Static, without geoms
 };
 
 } // namespace trundle

@@ -43,7 +43,8 @@ struct AntennaSpec {
     SourceRange range; ///< the whole block
 };
 
-/// A RobotConfig with one set of Param values and overrides applied. Equal instances share it.
+/// A RobotConfig, or the bodies, joints and devices of a StaticConfig, with one set of Param values and overrides applied. Equal
+/// instances share it.
 struct RobotConfigSpec {
     std::string name;
     std::vector<BodySpec> bodies; ///< the first one has the robot's pose
@@ -63,7 +64,12 @@ struct RobotSpec {
     SourceRange range;                        ///< the whole block
     SourceRange nameRange;                    ///< for diagnostics about the robot; for a member, the name of its Grid or Scatter
     std::vector<SignalDescription> published; ///< signals published by the controller, from its kind
+    /// Of what moves, senses or acts in a Static: its fixed geoms, which StaticSpec has too, and the first body is fixed. Null: a robot.
+    std::shared_ptr<const std::vector<GeomSpec>> scenery;
 };
+
+/// Name of the fixed body of a Static with bodies or devices: that of the world in the text.
+inline constexpr const char* kFixedBody = "world";
 
 struct StaticSpec {
     std::string name, configName;
@@ -100,7 +106,7 @@ struct ExperimentSpec {
     SettingsSpec settings;
     std::vector<MaterialSpec> materials; ///< [0] is the built-in default
     std::vector<SurfaceSpec> surfaces;   ///< [0] is the built-in default
-    std::vector<RobotSpec> robots;       ///< in text order, including the members of Grids and Scatters
+    std::vector<RobotSpec> robots; ///< in text order, including the members of Grids and Scatters; then what moves in Statics
     std::vector<StaticSpec> statics;
     std::vector<AntennaSpec> antennas;
     MediumSettings medium; ///< ideal if the text defines none

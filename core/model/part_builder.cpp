@@ -141,7 +141,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
         if (allows(parent, *kind)) candidates.push_back(kind->name);
     }
     const bool isWorldInstance = parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && !parent->isPartUse();
-    const bool holdsModuleKinds = isWorldInstance || (parent && m_config && m_config->name != "StaticConfig");
+    const bool holdsModuleKinds = isWorldInstance || (parent && m_config);
     std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : nearestWords(word, candidates);
     if (m_texts.openModules && holdsModuleKinds && (near.empty() || isWorldInstance)) return;
     if (near.empty() && !manyAlready(m_diagnostics)) {
@@ -181,8 +181,6 @@ void PartBuilder::misplaced(const Part& part, const Part* parent) {
     const bool top = legal.size() == 1 && legal[0].empty();
     std::string text =
         part.block->type.text + " is allowed " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
-    if (m_config && m_config->name == "StaticConfig" && part.is(Role::Body))
-        text = "a StaticConfig holds its geoms directly, without a Body";
     m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);
 }
 

@@ -15,7 +15,7 @@ bool isBody(const Part& part) {
 } // namespace
 
 bool isPassive(const RobotSpec& robot) {
-    if (!robot.config || robot.controller) return false;
+    if (!robot.config || robot.controller || robot.scenery) return false;
     return robot.config->joints.empty() && robot.config->springs.empty() && robot.config->devices.empty();
 }
 
@@ -32,7 +32,8 @@ bool isPassiveConfig(const Part& config) {
 
 RobotCounts countRobots(const ExperimentSpec& experiment) {
     RobotCounts counts;
-    for (const RobotSpec& robot : experiment.robots) ++(isPassive(robot) ? counts.objects : counts.robots);
+    for (const RobotSpec& robot : experiment.robots)
+        if (!robot.scenery) ++(isPassive(robot) ? counts.objects : counts.robots);
     return counts;
 }
 

@@ -11,7 +11,7 @@ namespace trundle {
 /// Whether instances of a config without a controller are passive: a RobotConfig with bodies alone.
 [[nodiscard]] bool isPassiveConfig(const Part& config);
 
-/// Number of passive objects and of other robots; together all robots of the experiment.
+/// Number of passive objects and of other robots, without what moves in Statics.
 struct RobotCounts {
     std::size_t robots = 0, objects = 0;
 };

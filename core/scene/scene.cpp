@@ -86,7 +86,7 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
             m_objects.add(robot.name + "/" + body->getName(), SceneObject{body, shapes[i]});
         }
         m_robots->addChild(node);
-        m_objects.add(robot.name, SceneObject{node, nullptr});
+        if (!robot.scenery) m_objects.add(robot.name, SceneObject{node, nullptr});
     }
     setPoses(startPoses(experiment));
 }
@@ -179,6 +179,8 @@ void Scene::setPoses(const BodyPoses& poses) {
     m_marks.followPoses();
     m_collision.followPoses();
     m_overlay.followPoses();
+    if (poses.lines != m_lines) m_pens.set(poses.lines ? *poses.lines : std::vector<PenLine>(), m_store->look, m_store->pictures);
+    m_lines = poses.lines;
 }
 
 void Scene::setWireframe(bool on) {

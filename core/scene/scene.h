@@ -14,6 +14,7 @@
 #include "scene/mark_nodes.h"
 #include "scene/nodes/masks.h"
 #include "scene/overlay_nodes.h"
+#include "scene/pen_nodes.h"
 #include "scene/queries/poses.h"
 #include "scene/scene_picking.h"
 #include "scene/sun_casters.h"
@@ -77,6 +78,8 @@ private:
     std::vector<osg::ref_ptr<osg::MatrixTransform>> m_bodies; // in the order of BodyPoses
     SceneObjects m_objects;
     MarkNodes m_marks;
+    PenNodes m_pens{*m_root};
+    std::shared_ptr<const std::vector<PenLine>> m_lines; // that are drawn
     CollisionNodes m_collision;
     DataNodes m_data;
     OverlayNodes m_overlay;

@@ -6,8 +6,8 @@ namespace trundle {
 
 std::vector<std::string> allowedParents(const Kind& kind) {
     switch (kind.role) {
-    case Role::Device: return {"RobotConfig", "PartConfig", "Repeat", "Ring"};
-    case Role::Controller: return {"Robot", "Grid", "Scatter"};
+    case Role::Device: return {"RobotConfig", "StaticConfig", "PartConfig", "Repeat", "Ring"};
+    case Role::Controller: return {"Robot", "Static", "Grid", "Scatter"};
     case Role::Log: return {""};
     default: return kind.parents;
     }

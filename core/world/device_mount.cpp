@@ -99,6 +99,9 @@ struct MountCalls {
     static std::int32_t geom(void* context, const char* path, std::uint32_t* out) {
         Device& d = device(context);
         const std::string asked = moduleName(path);
+        if (const auto* fixed = robot(d).spec->scenery.get())
+            if (const int g = indexOf(*fixed, asked); g >= 0)
+                return found(d, asked, robot(d).scenery[static_cast<std::size_t>(g)], out);
         const std::string_view bodyName = withoutLastWord(asked), geomName = lastWord(asked); // left.wheel.tyre
         const int b = indexOf(config(d).bodies, bodyName);
         if (b < 0) {
@@ -111,12 +114,15 @@ struct MountCalls {
             d.note(unknownName("geom in " + std::string(bodyName), geomName, geoms));
             return -1;
         }
-        const GeomHandle id = robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)];
-        if (!id.valid()) {
-            d.note("the geom " + asked + " does not collide (Collide=false)");
+        return found(d, asked, robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)], out);
+    }
+
+    static std::int32_t found(Device& d, const std::string& name, GeomHandle geom, std::uint32_t* out) {
+        if (!geom.valid()) {
+            d.note("the geom " + name + " does not collide (Collide=false)");
             return -1;
         }
-        if (out) *out = id.index;
+        if (out) *out = geom.index;
         return 0;
     }
 

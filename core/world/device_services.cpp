@@ -49,7 +49,7 @@ struct ServiceCalls {
     static void bodyForce(void* context, std::uint32_t body, const double force[3], const double point[3]) {
         const DeviceHost& w = world(context);
         const Vec3 f(force), p(point);
-        if (mayActOn(context, w.objects.isBody(body), f.allFinite() && p.allFinite(), "bodyForce"))
+        if (mayActOn(context, w.objects.isBody(body), f.allFinite() && p.allFinite(), "bodyForce") && !w.objects.isFixed(body))
             w.engine.addForce({body}, f, p);
     }
     static void surfaceVelocity(void* context, std::uint32_t geom, const double velocity[3]) {

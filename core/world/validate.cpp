@@ -94,6 +94,7 @@ private:
     void body(const BodySpec& b) {
         need(isPosition(b.pose), Code::OutOfRange, b.nameRange,
              b.name + " has an invalid position: it must be finite and within 100 km");
+        if (b.isFixed) return;
         const MassProperties& m = b.mass;
         if (!need(isIn(m.mass, kLightest, kHeaviest), Code::BadMass, b.nameRange,
                   "the mass of " + b.name + " must be from 1e-9 to 1e9 kg"))

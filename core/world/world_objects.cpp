@@ -36,6 +36,7 @@ void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagn
         m_hasPicture.push_back(material.picture != nullptr);
     }
     m_lights = lightsOf(experiment);
+    m_robots.resize(experiment.robots.size());
     buildScenery(experiment, engine, diagnostics);
     buildRobots(experiment, engine, diagnostics);
     if (diagnostics.errorCount() > before) return;
@@ -55,20 +56,27 @@ void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine
     for (const std::size_t i : byName(experiment.statics)) {
         const StaticSpec& s = experiment.statics[i];
         if (!s.geoms) continue;
+        const auto own =
+            std::ranges::find_if(experiment.robots, [&](const RobotSpec& r) { return r.scenery && r.name == s.name; });
+        BuiltRobot* const moving =
+            own == experiment.robots.end() ? nullptr : &m_robots[static_cast<std::size_t>(own - experiment.robots.begin())];
         for (const GeomSpec& g : *s.geoms) {
-            if (!g.collide) continue;
+            if (!g.collide) {
+                if (moving) moving->scenery.emplace_back();
+                continue;
+            }
             const auto id = engine.addStatic(g, s.pose * g.pose);
             if (!id) {
                 diagnostics.error(id.error().code, g.nameRange, s.name + "/" + id.error().message);
                 continue;
             }
             addGeom(id.value().index, {s.name + "/" + g.name, &g, BuiltGeom::kNoBody, s.pose * g.pose});
+            if (moving) moving->scenery.push_back(id.value());
         }
     }
 }
 
 void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
-    m_robots.resize(experiment.robots.size());
     for (const std::size_t i : byName(experiment.robots)) {
         const RobotSpec& spec = experiment.robots[i];
         BuiltRobot& robot = m_robots[i];
@@ -103,6 +111,8 @@ void WorldObjects::nameBodies(const BuiltRobot& robot) {
         m_bodyRanges.resize(m_bodyPaths.size());
         m_bodyPaths[id] = robot.spec->name + "/" + bodies[b].name;
         m_bodyRanges[id] = bodies[b].nameRange;
+        m_isFixed.resize(m_bodyPaths.size());
+        m_isFixed[id] = robot.isFixed(b);
         m_bodyByPath.emplace(m_bodyPaths[id], id);
         for (std::size_t g = 0; g < bodies[b].geoms.size(); ++g) {
             const GeomHandle geom = robot.handles.geoms[b][g];

@@ -20,6 +20,10 @@ struct BuiltRobot {
     Pose frameInFirst;          ///< pose of the config frame in the first body's frame
     bool frameIsFirst = false;  ///< frameInFirst is the identity
     std::optional<Vec3> centre; ///< of a passive object: centre of mass of its first body in the config frame
+    std::vector<GeomHandle>
+        scenery; ///< of a Static that moves: its fixed geoms, in their order; invalid where one does not collide
+
+    [[nodiscard]] bool isFixed(std::size_t body) const { return spec->config->bodies[body].isFixed; }
 };
 
 /// A geom that collides.
@@ -51,6 +55,8 @@ public:
     [[nodiscard]] static Pose reportedPose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks);
     /// The robot of a body, and the body's index in it.
     [[nodiscard]] std::pair<const BuiltRobot*, std::size_t> ownerOf(BodyHandle body) const;
+    /// Whether a body is the frame of a Static, which nothing moves.
+    [[nodiscard]] bool isFixed(std::uint32_t body) const { return body < m_isFixed.size() && m_isFixed[body]; }
 
     // By index in the engine.
     [[nodiscard]] bool isBody(std::uint32_t body) const { return body < m_bodyPaths.size(); }
@@ -92,6 +98,7 @@ private:
     std::vector<TrundleLight> m_lights;
     std::vector<std::uint8_t> m_hasPicture; ///< by material
     std::vector<SourceRange> m_bodyRanges;
+    std::vector<std::uint8_t> m_isFixed; ///< by body
     std::vector<std::uint32_t> m_hashOrder;
     std::vector<std::uint8_t> m_jointTurns;
     std::vector<JointLocation> m_jointLocations;

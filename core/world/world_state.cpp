@@ -95,13 +95,14 @@ Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& 
     if (!index) return Error{Code::UnknownReference, "there is no body " + body};
     if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9)
         return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
-    m_engine->addForce({*index}, force, point);
+    if (!m_objects.isFixed(*index)) m_engine->addForce({*index}, force, point);
     return {};
 }
 
 Status BuiltWorld::place(const std::string& name, const Pose& pose) {
     const BuiltRobot* robot = m_objects.findRobot(name);
     if (!robot) return Error{Code::UnknownReference, "there is no robot " + name};
+    if (robot->spec->scenery) return Error{Code::OutOfRange, name + " is scenery, which has its place in the text alone"};
     if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
     if (hasEnded(*this, static_cast<std::size_t>(robot - m_objects.robots().data())))
         return Error{Code::OutOfRange, name + " has ended and stays where it is until the run starts again"};

@@ -23,8 +23,9 @@ public:
         m_from = positionOf(*m_parts.front());
         const ExperimentSpec& e = *now.experiment;
         for (std::uint32_t r = 0; r < e.robots.size(); ++r)
-            for (std::uint32_t b = 0;
-                 isNew({ObjectKind::Robot, r}) && e.robots[r].config && b < e.robots[r].config->bodies.size(); ++b)
+            for (std::uint32_t b = 0; isNew({ObjectKind::Robot, r}) && !e.robots[r].scenery && e.robots[r].config &&
+                                      b < e.robots[r].config->bodies.size();
+                 ++b)
                 add(e.robots[r].config->bodies[b].geoms, m_objects.poseOf({ObjectKind::Body, r, b}, m_poses));
         m_onlyStatics = m_geoms.empty();
         for (std::uint32_t s = 0; s < e.statics.size(); ++s)

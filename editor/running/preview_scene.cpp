@@ -65,12 +65,16 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
         if (robot && !placed.robots[object.instance].config) continue;
         RobotSpec* const rover = robot ? &shown->robots[object.instance] : nullptr;
         StaticSpec* const yard = robot ? nullptr : &shown->statics[object.instance];
+        const auto bodies = robot ? std::nullopt : index.bodiesOf(object);
+        RobotSpec* const moving = bodies ? &shown->robots[*bodies] : nullptr; // of the yard
         if (rover) rover->name = "RobotConfig." + rover->config->name;
         else yard->name = "StaticConfig." + yard->configName;
+        if (moving) moving->name = yard->name;
         const Bounds bounds = index.boundsOf(object, poses);
         if (bounds.empty()) continue; // only a floor
         const double shift = first ? 0 : right - kGap - bounds.high.y();
         (rover ? rover->pose : yard->pose).position.y() += shift;
+        if (moving) moving->pose = yard->pose;
         if (rover && bounds.low.z() < -kBelow) rover->pose.position.z() -= bounds.low.z();
         right = bounds.low.y() + shift;
         first = false;

@@ -42,6 +42,7 @@ StartPoses startPoses(const LoadedProject& loaded, const std::function<std::opti
     StartPoses all;
     QStringList leftOut;
     for (const RobotSpec& robot : loaded.experiment->robots) {
+        if (robot.scenery) continue;
         const std::optional<Pose> now = poseNow(robot.name);
         if (now && !isElsewhere(*now, robot.pose)) continue;
         const Part* layout = loaded.outline->world.find(robot.name) ? nullptr : layoutOfMember(*loaded.outline, robot.name);

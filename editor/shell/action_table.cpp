@@ -94,6 +94,7 @@ static constexpr ActionRow kTable[] = {
     {"view.layoutRun", "View/Layout", "For &Running",           "",            "Alt+2",          "The docks for watching a run."},
     {"view.layoutReset", "View/Layout", "Re&set This Layout",    "",            "",               "Put the docks back where they were at first."},
 
+    {"sensors.ring",   "Insert",      "Ring of &Sensors…",       "kind-rangesensor", "",          "Put distance sensors all around the selected body."},
     {"model.new",      "Insert",      "New Robot &Model",        "kind-robotconfig", "",          "Make a robot of your own: a chassis to build on, shown alone in the model editor."},
 
     {"tool.select",    "Tools",       "&Select",                 "select",      "Q",              "Click and box select.", true},

@@ -164,6 +164,29 @@ private Q_SLOTS:
         QVERIFY2(described.code == 0 && described.out.contains("NoisePerMetre"), shown(described));
     }
 
+    /// The belt of a module, in scenery with a controller of its own: two steps of 0.4 m.
+    void anActuatorOfAModuleWorksLikeTheOthers() {
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("feed.py"),
+                          "import trundle\n\n\nclass Feed(trundle.Controller):\n    \"\"\"Two steps.\"\"\"\n\n"
+                          "    def setup(self, robot):\n        self.line = robot.port(\"line\")\n\n"
+                          "    def update(self, since_last):\n        self.line.set(\"steps\", 2)\n"));
+        QVERIFY(writeFile(
+            folder.filePath("plant.sim"),
+            "Tick=0.005 Duration=4\n#loadModule components/conveyor\n#loadModule feed.py\n"
+            "StaticConfig Plant { Box deck { Size=4,0.5,0.1 Pos=1,0,-0.05 }\n"
+            "  IndexConveyor line { Geom=deck Pitch=0.4 MaxSpeed=0.5 MaxAcceleration=1 } }\n"
+            "Static plant { Config=Plant  Feed brain { } }\n"
+            "RobotConfig Crate { Body body { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 } } }\nRobot crate { Config=Crate }\n"
+            "SignalLog log { Signals=\"plant/line/travel\",\"plant/line/busy\",\"crate/pose\" Interval=0.1 File=plant.csv }\n"));
+        const Outcome run = cli({"run", folder.filePath("plant.sim"), "--log-dir", folder.path(), "--trust"});
+        QVERIFY2(run.code == 0, shown(run));
+        const auto lines = linesOf(folder.filePath("plant.csv"));
+        const auto& last = lines.last();
+        QVERIFY2(std::abs(last[1].toDouble() - 0.8) < 1e-6 && last[2].toDouble() == 0, shown(run) + last.join(','));
+        QVERIFY2(std::abs(last[3].toDouble() - 0.8) < 0.01, last.join(','));
+    }
+
     void aLidarSaysHowManyNumbersItGives() {
         const Outcome text = cli({"describe", "Lidar"});
         QVERIFY2(text.code == 0 && text.out.contains("Beams x Layers numbers in m"), shown(text));

@@ -232,7 +232,7 @@ private Q_SLOTS:
         QTest::newRow("a body into a body") << "r.wheel"
                                             << "r.chassis"
                                             << ""
-                                            << "a Body is allowed in a RobotConfig or a PartConfig, not in Body chassis";
+                                            << "a Body is allowed in a RobotConfig, a StaticConfig or a PartConfig, not in Body chassis";
         QTest::newRow("a geom to the top") << "r.wheel.tyre"
                                            << ""
                                            << ""

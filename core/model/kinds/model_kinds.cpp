@@ -44,8 +44,7 @@ void addModelKinds(Registry& registry) {
     kinds.add<LightFields>("Light", Role::Look, {""}, true);
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
     kinds.add<ViewFields>("View", Role::Look, {""}, true);
-    const std::vector<std::string> config{"RobotConfig", "PartConfig", "Repeat", "Ring"};
-    kinds.add<BodyFields>("Body", Role::Body, config);
+    kinds.add<BodyFields>("Body", Role::Body, anyConfig);
     const std::vector<std::string> ground{"StaticConfig", "PartConfig", "Repeat", "Ring"};
     std::vector<std::string> solid{"Body"};
     solid.insert(solid.end(), ground.begin(), ground.end());
@@ -57,14 +56,14 @@ void addModelKinds(Registry& registry) {
     kinds.add<MeshFields>("Mesh", Role::Geom, solid, true);
     kinds.add<PlaneFields>("Plane", Role::Geom, ground, true);
     kinds.add<HeightfieldFields>("Heightfield", Role::Geom, ground, true);
-    kinds.add<HingeFields>("Hinge", Role::Joint, config);
-    kinds.add<SliderFields>("Slider", Role::Joint, config);
-    kinds.add<BallFields>("Ball", Role::Joint, config);
-    kinds.add<UniversalFields>("Universal", Role::Joint, config);
-    kinds.add<FixedFields>("Fixed", Role::Joint, config);
-    kinds.add<SuspensionFields>("Suspension", Role::Joint, config);
-    kinds.add<SpringFields>("Spring", Role::Joint, config);
-    kinds.add<GearFields>("Gear", Role::Joint, config);
+    kinds.add<HingeFields>("Hinge", Role::Joint, anyConfig);
+    kinds.add<SliderFields>("Slider", Role::Joint, anyConfig);
+    kinds.add<BallFields>("Ball", Role::Joint, anyConfig);
+    kinds.add<UniversalFields>("Universal", Role::Joint, anyConfig);
+    kinds.add<FixedFields>("Fixed", Role::Joint, anyConfig);
+    kinds.add<SuspensionFields>("Suspension", Role::Joint, anyConfig);
+    kinds.add<SpringFields>("Spring", Role::Joint, anyConfig);
+    kinds.add<GearFields>("Gear", Role::Joint, anyConfig);
 }
 
 Kind withControllerProperties(Kind kind) {

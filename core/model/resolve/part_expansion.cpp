@@ -301,15 +301,11 @@ bool PartExpansion::isCircle(const PartFrame& frame, SourceRange place) {
     return true;
 }
 
-/// What a PartConfig has and the config that it is used in cannot have.
+/// Geoms without a body, which a PartConfig may have and a RobotConfig that it is used in cannot.
 void PartExpansion::checkContent(const Part& part, const PartFrame& frame) {
     const std::size_t first = m_context.diagnostics.all().size();
     if (!part.usable) return;
-    if (m_isScenery && !part.is(Role::Geom)) {
-        m_context.diagnostics.error(Code::WrongPlace, part.typeRange(),
-                                    "scenery holds geoms only: " + part.title() + " of " + frame.config->title() +
-                                        " cannot be used in a StaticConfig");
-    } else if (!m_isScenery && part.is(Role::Geom)) {
+    if (!m_isScenery && part.is(Role::Geom)) {
         m_context.diagnostics.error(Code::WrongPlace, part.typeRange(),
                                     part.title() + " of " + frame.config->title() +
                                         " has no Body: without one it can be used in a StaticConfig only");

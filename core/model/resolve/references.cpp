@@ -27,6 +27,14 @@ bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices
     });
 }
 
+/// Whether `world` can be named. In scenery it is also the body that devices are fixed to.
+bool takesWorld(const Property& property, const PartFrame& frame) {
+    const auto has = [&](const char* choice) { return std::count(property.choices.begin(), property.choices.end(), choice) > 0; };
+    const PartFrame* root = &frame;
+    while (root->outer) root = root->outer;
+    return has("world") || (has("Body") && property.name != "Child" && root->config->kind->name == "StaticConfig");
+}
+
 /// All names that the property accepts, in text order; at most a few hundred, since Parts may hold very many.
 class FittingNames {
 public:
@@ -34,7 +42,7 @@ public:
 
     std::vector<std::string> in(const PartFrame& frame) {
         for (const PartFrame* at = &frame; at; at = at->member ? at->outer : nullptr) add(*at->config, "", 0);
-        if (std::count(m_property.choices.begin(), m_property.choices.end(), "world")) m_names.push_back("world");
+        if (takesWorld(m_property, frame)) m_names.push_back("world");
         return std::move(m_names);
     }
 
@@ -108,7 +116,7 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
 bool ResolveContext::checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
                                     const PartFrame& frame, const GivenElement* given) {
     const std::vector<std::string>& choices = property.choices;
-    if (name == "world" && std::count(choices.begin(), choices.end(), "world")) return true;
+    if (name == "world" && takesWorld(property, frame)) return true;
     if (std::count(choices.begin(), choices.end(), "AntennaPattern")) { // at the top level, or an antenna model
         if (outline.patterns.find(name) || antennaModelNamed(name) || outline.unknown.count(name)) return true;
         unknownReference(property.name, "AntennaPattern", name, range, literal, outline.patterns.names());

@@ -1,5 +1,6 @@
 // Resolves a RobotConfig with one set of Param values and overrides: bodies, then joints, then devices.
 #include <algorithm>
+#include <utility>
 
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
@@ -54,6 +55,7 @@ std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Expand
     return device;
 }
 
+/// Behind the bodies that the spec already has.
 void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfigSpec& spec) {
     BodyIndices places;
     JoinedPairs pairs;
@@ -85,7 +87,55 @@ void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfig
     });
 }
 
+/// Reports bodies of scenery that no joint, or chain of joints, holds to the world: they would be loose.
+void reportLooseBodies(ResolveContext& context, const RobotConfigSpec& spec) {
+    std::vector<bool> held(spec.bodies.size(), false);
+    for (std::size_t i = 0; i < spec.bodies.size(); ++i) held[i] = spec.bodies[i].isFixed;
+    for (bool more = true; std::exchange(more, false);)
+        for (const JointSpec& joint : spec.joints) {
+            const auto child = static_cast<std::size_t>(joint.child);
+            const bool parentHeld = joint.parent == kWorldBody || held[static_cast<std::size_t>(joint.parent)];
+            if (parentHeld == held[child]) continue;
+            held[parentHeld ? child : static_cast<std::size_t>(joint.parent)] = more = true;
+        }
+    for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+        if (!held[i])
+            context.diagnostics.error(
+                Code::WrongPlace, spec.bodies[i].nameRange,
+                "no joint holds Body " + spec.bodies[i].name +
+                    " to the world: a StaticConfig holds its geoms directly, without a Body, and bodies that "
+                    "move on joints; what is loose is a Robot");
+}
+
 } // namespace
+
+std::shared_ptr<const StaticConfigSpec> resolveStaticConfig(ResolveContext& context, const Part& config, ParamScope& scope,
+                                                            const OverrideNode* overrides) {
+    auto spec = std::make_shared<StaticConfigSpec>();
+    (void)readConfig(context, config, scope, overrides);
+    PartExpansion expansion(context, config, scope, overrides);
+    expansion.each(Role::Geom, [&](const ExpandedPart& part) {
+        std::optional<GeomSpec> geom = resolveGeom(context, *part.part, *part.frame->scope, part.overrides(), false);
+        if (!geom || !part.place(*geom, context)) return;
+        geom->name = part.name();
+        spec->geoms.push_back(std::move(*geom));
+    });
+    RobotConfigSpec moving;
+    moving.name = config.name;
+    moving.range = config.range;
+    BodySpec& frame = moving.bodies.emplace_back();
+    frame.name = kFixedBody;
+    frame.isFixed = true;
+    frame.mass = {0, Vec3::Zero(), Mat3::Zero()};
+    frame.range = config.range;
+    frame.nameRange = config.nameRange();
+    const std::size_t errors = context.diagnostics.errorCount();
+    resolveParts(context, expansion, moving);
+    if (context.diagnostics.errorCount() == errors) reportLooseBodies(context, moving);
+    if (moving.bodies.size() > 1 || !moving.devices.empty())
+        spec->moving = std::make_shared<const RobotConfigSpec>(std::move(moving));
+    return spec;
+}
 
 std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config, ParamScope& scope,
                                                           const OverrideNode* overrides) {

@@ -203,18 +203,4 @@ std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, P
     return GeomReader(context, part, scope, overrides, onBody).read();
 }
 
-std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config, ParamScope& scope,
-                                                                 const OverrideNode* overrides) {
-    auto geoms = std::make_shared<std::vector<GeomSpec>>();
-    (void)readConfig(context, config, scope, overrides);
-    PartExpansion expansion(context, config, scope, overrides);
-    expansion.each(Role::Geom, [&](const ExpandedPart& part) {
-        std::optional<GeomSpec> geom = resolveGeom(context, *part.part, *part.frame->scope, part.overrides(), false);
-        if (!geom || !part.place(*geom, context)) return;
-        geom->name = part.name();
-        geoms->push_back(std::move(*geom));
-    });
-    return geoms;
-}
-
 } // namespace trundle

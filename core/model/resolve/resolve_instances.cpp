@@ -1,6 +1,7 @@
 // Resolves Robots, Statics, Grids and Scatters: config, values, poses and controller. Instances with equal values share one
 // resolved config.
 #include <algorithm>
+#include <iterator>
 
 #include "base/spelling.h"
 #include "model/kinds/world_fields.h"
@@ -34,6 +35,7 @@ public:
         for (const Part* part : m_context.outline.world.all()) {
             if (part->kind->name == "Robot" || part->is(Role::Layout)) addRobots(*part);
         }
+        addMovingScenery();
     }
 
     /// Resolves one Robot or Static only, with these Params instead of its own.
@@ -41,6 +43,7 @@ public:
         m_params = &params;
         if (part.kind->name == "Static") addStatic(part);
         else addRobots(part);
+        addMovingScenery();
     }
 
     InstanceVariants::Params paramsOf(const Part& part) {
@@ -114,7 +117,7 @@ private:
     std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const InstanceValues& given) {
         return shared(m_robots, config, given, resolveRobotConfig);
     }
-    std::shared_ptr<const std::vector<GeomSpec>> staticConfig(const Part& config, const InstanceValues& given) {
+    std::shared_ptr<const StaticConfigSpec> staticConfig(const Part& config, const InstanceValues& given) {
         return shared(m_statics, config, given, resolveStaticConfig);
     }
 
@@ -139,10 +142,33 @@ private:
         const Record record = read(part, scope, given, config, "StaticConfig");
         if (!config || !record.complete || !roomFor(part, m_sizes.of(*config), part.nameRange())) return;
         const StaticFields f = fieldsFrom<StaticFields>(record);
-        const std::shared_ptr<const std::vector<GeomSpec>> geoms = staticConfig(*config, given);
-        const double more = static_cast<double>(geoms->size()) - m_sizes.of(*config);
+        const std::shared_ptr<const StaticConfigSpec> spec = staticConfig(*config, given);
+        const double own = static_cast<double>(spec->geoms.size()) + (spec->moving ? objectsOf(*spec->moving) : 0);
+        const double more = own - m_sizes.of(*config);
         if (more > 0 && !roomFor(part, more, part.nameRange())) return;
-        m_context.out.statics.push_back({part.name, config->name, poseOf(f.pos, f.hpr), geoms, part.range, part.nameRange()});
+        const Pose pose = poseOf(f.pos, f.hpr);
+        const std::shared_ptr<const std::vector<GeomSpec>> geoms(spec, &spec->geoms);
+        m_context.out.statics.push_back({part.name, config->name, pose, geoms, part.range, part.nameRange()});
+        addMoving(part, scope, *config, *spec, geoms, pose);
+    }
+
+    /// What moves, senses or acts in a Static is to everything else a robot with a fixed frame.
+    void addMoving(const Part& part, ParamScope& scope, const Part& config, const StaticConfigSpec& spec,
+                   std::shared_ptr<const std::vector<GeomSpec>> geoms, const Pose& pose) {
+        std::optional<ComponentSpec> brain = controller(part, scope, &config);
+        if (!spec.moving && brain)
+            m_context.diagnostics.error(Code::WrongPlace, brain->nameRange,
+                                        part.title() + " has a controller, but " + config.title() + " has no devices");
+        if (spec.moving) m_moving.push_back(robot(part, part.name, pose, spec.moving, std::move(brain), std::move(geoms)));
+    }
+    void addMovingScenery() { std::ranges::move(m_moving, std::back_inserter(m_context.out.robots)); }
+
+    RobotSpec robot(const Part& part, const std::string& name, const Pose& pose, std::shared_ptr<const RobotConfigSpec> config,
+                    std::optional<ComponentSpec> brain, std::shared_ptr<const std::vector<GeomSpec>> scenery = nullptr) const {
+        const Kind* kind = brain ? m_context.registry.find(brain->kind) : nullptr;
+        RobotSpec spec{name, pose, std::move(config), std::move(brain), part.range, part.nameRange(), {}, std::move(scenery)};
+        if (kind) spec.published = kind->signals;
+        return spec;
     }
 
     std::optional<ComponentSpec> controller(const Part& part, ParamScope& scope, const Part* config) {
@@ -208,9 +234,7 @@ private:
                 e.notes.push_back({"defined here", part.nameRange()});
                 continue;
             }
-            const Kind* kind = d.brain ? m_context.registry.find(d.brain->kind) : nullptr;
-            m_context.out.robots.push_back({name, poses[i], d.spec, d.brain, part.range, part.nameRange(),
-                                            kind ? kind->signals : std::vector<SignalDescription>()});
+            m_context.out.robots.push_back(robot(part, name, poses[i], d.spec, d.brain));
         }
     }
 
@@ -227,7 +251,8 @@ private:
 
     ResolveContext& m_context;
     std::map<std::string, std::shared_ptr<const RobotConfigSpec>> m_robots;
-    std::map<std::string, std::shared_ptr<const std::vector<GeomSpec>>> m_statics;
+    std::map<std::string, std::shared_ptr<const StaticConfigSpec>> m_statics;
+    std::vector<RobotSpec> m_moving; ///< of Statics, which come after all robots
     ConfigSizes m_sizes{m_context};
     const Part* m_instance = nullptr;                   ///< whose config is being resolved
     const InstanceVariants::Params* m_params = nullptr; ///< values from outside; null: none
@@ -252,14 +277,12 @@ std::optional<std::vector<ConfigGeom>> InstanceVariants::geoms(const Params& cha
     ResolveContext context(*m_outline, m_assets, silent, out);
     Instances(context).only(*m_instance, changed);
     std::vector<ConfigGeom> all;
-    if (!out.robots.empty() && out.robots[0].config) { // all members of a Grid or Scatter have one config
+    const bool hasBodies = !out.robots.empty() && out.robots[0].config, isStatic = out.statics.size() == 1 && out.statics[0].geoms;
+    if (!hasBodies && !isStatic) return std::nullopt;
+    for (const GeomSpec& geom : isStatic ? *out.statics[0].geoms : std::vector<GeomSpec>()) all.push_back({geom, Pose{}});
+    if (hasBodies) // all members of a Grid or Scatter have one config
         for (const BodySpec& body : out.robots[0].config->bodies)
             for (const GeomSpec& geom : body.geoms) all.push_back({geom, body.pose});
-    } else if (out.statics.size() == 1 && out.statics[0].geoms) {
-        for (const GeomSpec& geom : *out.statics[0].geoms) all.push_back({geom, Pose{}});
-    } else {
-        return std::nullopt;
-    }
     return all;
 }
 

@@ -25,8 +25,14 @@ using BodyIndices = std::unordered_map<std::string, int>;
                                                   const std::vector<JointSpec>& joints);
 [[nodiscard]] std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config,
                                                                         ParamScope& scope, const OverrideNode* overrides);
-[[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config,
-                                                                               ParamScope& scope, const OverrideNode* overrides);
+/// A StaticConfig with one set of Param values and overrides applied.
+struct StaticConfigSpec {
+    std::vector<GeomSpec> geoms;
+    std::shared_ptr<const RobotConfigSpec>
+        moving; ///< its bodies, joints and devices, after one that is fixed; null: there are none
+};
+[[nodiscard]] std::shared_ptr<const StaticConfigSpec> resolveStaticConfig(ResolveContext& context, const Part& config,
+                                                                          ParamScope& scope, const OverrideNode* overrides);
 /// Checks a PartConfig by itself; what is outside of it is not known.
 void checkPartConfig(ResolveContext& context, const Part& config);
 /// Antenna patterns and the medium; requires the settings.

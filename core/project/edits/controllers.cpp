@@ -13,7 +13,9 @@ namespace {
 const Part* instanceAt(const LoadedProject& loaded, std::string_view path) {
     const Part* part = loaded.outline->world.find(std::string(path));
     if (!part) part = layoutOfMember(*loaded.outline, path);
-    return part && (part->is(Role::Instance) || part->is(Role::Layout)) && part->kind->name != "Static" ? part : nullptr;
+    if (!part || !(part->is(Role::Instance) || part->is(Role::Layout))) return nullptr;
+    const auto isMoving = [&](const RobotSpec& robot) { return robot.scenery && robot.name == part->name; };
+    return part->kind->name != "Static" || std::ranges::any_of(loaded.experiment->robots, isMoving) ? part : nullptr;
 }
 
 /// Whether every valid value of the old property is valid for the new one and means the same.

@@ -38,7 +38,7 @@ std::vector<Target> nearTo(const LoadedProject& loaded, const ObjectLocation& pl
     return all;
 }
 
-bool canHoldControllers(const Part& part) { return isPlaced(part) && part.block->type.text != "Static"; }
+bool canHoldControllers(const Part& part) { return isPlaced(part); }
 
 class InsertPlanner {
 public:

@@ -58,7 +58,8 @@ void HeldBlocks::add(const Part& block) {
 void HeldBlocks::visit(const Part& holder) {
     if (!m_reached.insert(&holder).second) return;
     m_scenery = m_scenery || (holder.kind && holder.kind->name == "StaticConfig");
-    m_robot = m_robot || (holder.kind && holder.kind->name == "RobotConfig");
+    m_isRobot = m_isRobot || (holder.kind && holder.kind->name == "RobotConfig");
+    m_robot = m_robot || m_isRobot;
     if (holder.config) visit(*holder.config);
     for (const Part& part : holder.parts) add(part);
 }
@@ -95,11 +96,9 @@ Status HeldBlocks::fitsIn(const LoadedProject& loaded, const Part& config, const
     for (const Part* user : loaded.outline->configs.all()) {
         HeldBlocks there;
         there.add(*user);
-        if (!there.m_reached.contains(&config) || !mixesWith(there)) continue;
+        if (!there.m_reached.contains(&config) || !m_scenery || !there.m_isRobot) continue;
         const std::string where = " cannot be in " + config.title() + (user == &config ? "" : ", used by " + user->title());
-        return Error{Code::WrongPlace, title + where +
-                                           (m_scenery ? ": its geoms have no Body, which scenery only can do without"
-                                                      : ": scenery has geoms only")};
+        return Error{Code::WrongPlace, title + where + ": its geoms have no Body, which scenery only can do without"};
     }
     return {};
 }

@@ -34,15 +34,17 @@ public:
     void add(const Part& block);
     /// Blocks given as text; `others` are those given with it.
     void add(const LoadedProject& loaded, const BlockItem& block, const std::vector<const BlockItem*>& others);
-    /// Fails if a config cannot get them too: scenery and parts of robots do not mix, in it and in the configs that use it, and
+    /// Fails if a config cannot get them too: geoms without a Body are in scenery only, in it and in the configs that use it, and
     /// PartConfigs do not contain each other in a circle. `title` is that of the new block, for messages.
     [[nodiscard]] Status fitsIn(const LoadedProject& loaded, const Part& config, const std::string& title) const;
+    /// Whether one has geoms without a Body, and the other bodies, joints or devices.
     [[nodiscard]] bool mixesWith(const HeldBlocks& other) const;
 
 private:
     void visit(const Part& holder);
 
     bool m_scenery = false, m_robot = false; ///< geoms without a Body; bodies, joints and devices
+    bool m_isRobot = false;                  ///< a RobotConfig is among them
     std::set<const Part*> m_reached;
 };
 

@@ -108,7 +108,15 @@ private:
         else text += " ";
         m_texts.push_back(text + "}");
         m_made.emplace_back(&kind, name);
+        if (kind.role == Role::Body && isScenery() && depth == 0) hold(name);
         return name;
+    }
+
+    /// A body of scenery needs a joint: one that holds it.
+    void hold(const std::string& body) {
+        const Kind& fixed = *m_loaded.registry->find("Fixed");
+        UsedNames& names = m_names.try_emplace({holder(fixed), nullptr}, m_loaded, holder(fixed), &fixed).first->second;
+        m_texts.push_back("Fixed " + names.take("hold") + " { Parent=world Child=" + body + " }");
     }
 
     std::string preferred(const Kind& kind) const {
@@ -191,7 +199,7 @@ private:
     }
 
     /// Whether a Repeat in the config is for geoms without a body.
-    bool holdsScenery() const { return m_config && !isAllowedIn(*m_loaded.registry->find("Body"), m_config); }
+    bool holdsScenery() const { return isScenery() || (m_config && !isAllowedIn(*m_loaded.registry->find("Body"), m_config)); }
 
     bool isScenery() const { return m_config && m_config->kind->name == "StaticConfig"; }
 
@@ -209,7 +217,7 @@ private:
         return text;
     }
 
-    /// Whether a Part in the config can use a PartConfig: not itself in it, and of geoms alone in scenery.
+    /// Whether a Part in the config can use a PartConfig: not itself in it, and geoms without a body in scenery only.
     bool fitsPart(const Part& part) const {
         const auto contains = [&](const auto& self, const Part& config) -> bool {
             bool isFound = &config == m_config;
@@ -218,7 +226,7 @@ private:
         };
         const auto fits = [&](const auto& self, const Part& p) -> bool {
             if (p.isRepeat()) return std::ranges::all_of(p.parts, [&](const Part& inner) { return self(self, inner); });
-            return p.usable && (isScenery() ? p.is(Role::Geom) : !p.is(Role::Geom));
+            return p.usable && (isScenery() || !p.is(Role::Geom));
         };
         return !contains(contains, part) && !part.parts.empty() &&
                std::ranges::all_of(part.parts, [&](const Part& p) { return fits(fits, p); });

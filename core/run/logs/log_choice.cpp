@@ -86,7 +86,7 @@ bool matchesWildcard(std::string_view pattern, std::string_view text) {
 std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vector<RobotSpec>& robots, Diagnostics& diagnostics) {
     std::vector<bool> chosen(robots.size(), false);
     const std::vector<std::string> written = spec.texts("Robot");
-    if (written.empty()) chosen.assign(robots.size(), true);
+    for (std::size_t i = 0; written.empty() && i < robots.size(); ++i) chosen[i] = !robots[i].scenery;
     for (const std::string& name : written) {
         bool found = false;
         for (std::size_t i = 0; i < robots.size(); ++i) {

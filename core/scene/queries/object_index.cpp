@@ -61,8 +61,8 @@ std::optional<ObjectRef> ObjectIndex::find(std::string_view path) const {
     if (const auto it = m_statics.find(instance); it != m_statics.end()) {
         if (inside.empty()) return ObjectRef{ObjectKind::Static, it->second};
         const auto& geoms = m_experiment->statics[it->second].geoms;
-        const auto geom = geoms ? named(*geoms, inside, true) : std::nullopt;
-        return geom ? std::optional(ObjectRef{ObjectKind::StaticGeom, it->second, 0, *geom}) : std::nullopt;
+        if (const auto geom = geoms ? named(*geoms, inside, true) : std::nullopt)
+            return ObjectRef{ObjectKind::StaticGeom, it->second, 0, *geom};
     }
     const auto it = m_robots.find(instance);
     if (it == m_robots.end()) return std::nullopt;
@@ -84,6 +84,12 @@ const StaticSpec* ObjectIndex::staticOf(const ObjectRef& object) const {
     return object.kind > ObjectKind::Geom ? &m_experiment->statics[object.instance] : nullptr;
 }
 
+std::optional<std::uint32_t> ObjectIndex::bodiesOf(const ObjectRef& object) const {
+    if (robotOf(object)) return object.instance;
+    const auto it = m_robots.find(staticOf(object)->name);
+    return it == m_robots.end() ? std::nullopt : std::optional(it->second);
+}
+
 const GeomSpec* ObjectIndex::geomOf(const ObjectRef& object) const {
     if (object.kind == ObjectKind::Geom) return &robotOf(object)->config->bodies[object.body].geoms[object.geom];
     if (object.kind == ObjectKind::StaticGeom) return &(*staticOf(object)->geoms)[object.geom];
@@ -101,7 +107,12 @@ std::string ObjectIndex::pathOf(const ObjectRef& object, char separator) const {
 
 std::optional<ObjectRef> ObjectIndex::ownerOf(const ObjectRef& object) const {
     switch (object.kind) {
-    case ObjectKind::Body: return ObjectRef{ObjectKind::Robot, object.instance};
+    case ObjectKind::Body: {
+        const RobotSpec& robot = m_experiment->robots[object.instance];
+        const auto fixed = robot.scenery ? m_statics.find(robot.name) : m_statics.end();
+        return fixed == m_statics.end() ? ObjectRef{ObjectKind::Robot, object.instance}
+                                        : ObjectRef{ObjectKind::Static, fixed->second};
+    }
     case ObjectKind::Geom: return ObjectRef{ObjectKind::Body, object.instance, object.body};
     case ObjectKind::StaticGeom: return ObjectRef{ObjectKind::Static, object.instance};
     default: return std::nullopt;
@@ -110,7 +121,8 @@ std::optional<ObjectRef> ObjectIndex::ownerOf(const ObjectRef& object) const {
 
 std::vector<ObjectRef> ObjectIndex::instances() const {
     std::vector<ObjectRef> all;
-    for (std::uint32_t i = 0; i < m_experiment->robots.size(); ++i) all.push_back({ObjectKind::Robot, i});
+    for (std::uint32_t i = 0; i < m_experiment->robots.size(); ++i)
+        if (!m_experiment->robots[i].scenery) all.push_back({ObjectKind::Robot, i});
     for (std::uint32_t i = 0; i < m_experiment->statics.size(); ++i) all.push_back({ObjectKind::Static, i});
     return all;
 }
@@ -143,13 +155,12 @@ Bounds ObjectIndex::boundsOf(const ObjectRef& object, const BodyPoses& poses) co
     if (const GeomSpec* geom = geomOf(object)) return trundle::boundsOf(*geom, frameOf(object, poses));
     if (const StaticSpec* fixed = staticOf(object)) {
         if (fixed->geoms) addGeoms(*fixed->geoms, fixed->pose);
-        return all;
     }
-    const RobotSpec& robot = *robotOf(object);
-    if (!robot.config) return all;
-    for (std::uint32_t i = 0; i < robot.config->bodies.size(); ++i) {
+    const std::optional<std::uint32_t> bodies = bodiesOf(object);
+    const RobotConfigSpec* const config = bodies ? m_experiment->robots[*bodies].config.get() : nullptr;
+    for (std::uint32_t i = 0; config && i < config->bodies.size(); ++i) {
         if (object.kind == ObjectKind::Body && i != object.body) continue;
-        addGeoms(robot.config->bodies[i].geoms, poseOf({ObjectKind::Body, object.instance, i}, poses));
+        addGeoms(config->bodies[i].geoms, poseOf({ObjectKind::Body, *bodies, i}, poses));
     }
     return all;
 }

@@ -38,7 +38,7 @@ public:
     [[nodiscard]] std::string pathOf(const ObjectRef& object, char separator = '.') const;
     /// The robot, body or static that contains it; nullopt for robots and statics.
     [[nodiscard]] std::optional<ObjectRef> ownerOf(const ObjectRef& object) const;
-    /// All robots in order, then all statics.
+    /// All robots in order, then all statics, with what moves in them.
     [[nodiscard]] std::vector<ObjectRef> instances() const;
 
     /// Pose in the world. A robot's pose is that of its config frame, which is attached to its first body.
@@ -51,6 +51,8 @@ public:
     [[nodiscard]] const GeomSpec* geomOf(const ObjectRef& object) const; ///< nullptr unless it is a Geom or StaticGeom
     [[nodiscard]] const RobotSpec* robotOf(const ObjectRef& object) const;
     [[nodiscard]] const StaticSpec* staticOf(const ObjectRef& object) const;
+    /// Index of the robot that has its bodies; of a static that of what moves in it, nullopt if nothing does.
+    [[nodiscard]] std::optional<std::uint32_t> bodiesOf(const ObjectRef& object) const;
     [[nodiscard]] std::size_t firstPose(std::size_t robot) const { return m_firstPose[robot]; }
     [[nodiscard]] std::size_t poseCount() const { return m_poseCount; }
     /// Bounding spheres of a set of geoms of this experiment, in the same order.

@@ -1,9 +1,14 @@
 #include "scene/queries/poses.h"
 
+#include <algorithm>
+
+#include <trundle/equipment_signals.h>
+
 namespace trundle {
 namespace {
 
-constexpr std::uint32_t kPoseSlots = 7; // x y z qw qx qy qz
+constexpr std::uint32_t kPoseSlots = 7;  // x y z qw qx qy qz
+constexpr std::uint32_t kPointSlots = 4; // x y z begins
 
 } // namespace
 
@@ -26,6 +31,41 @@ PoseReader::PoseReader(const ExperimentSpec& experiment, const SignalLayout& lay
             m_offsets.push_back(usable ? entry->offset : kAbsent);
         }
     }
+    findPens(experiment, layout);
+}
+
+void PoseReader::findPens(const ExperimentSpec& experiment, const SignalLayout& layout) {
+    for (const RobotSpec& robot : experiment.robots)
+        for (const ComponentSpec& device : robot.config ? robot.config->devices : std::vector<ComponentSpec>()) {
+            if (device.kind != PenSignals::kKind) continue;
+            const std::string path = robot.name + "/" + device.name;
+            const SignalEntry *line = layout.find(path + "/line"), *count = layout.find(path + "/points");
+            if (!line || !count) continue;
+            PenSlots pen{{}, line->offset, count->offset, line->count / kPointSlots};
+            pen.empty.width = device.number("Width", 0.01);
+            const ResolvedValue* colour = device.find("ColorRGB");
+            for (std::size_t k = 0; k < 3 && colour && colour->value.numbers.size() == 3; ++k)
+                pen.empty.colour[k] = colour->value.numbers[k];
+            m_pens.push_back(std::move(pen));
+        }
+}
+
+void PoseReader::readLines(std::span<const double> slots, BodyPoses& poses) const {
+    poses.lines = nullptr;
+    if (m_pens.empty()) return;
+    auto lines = std::make_shared<std::vector<PenLine>>();
+    for (const PenSlots& pen : m_pens) {
+        if (pen.count >= slots.size() || std::size_t{pen.line} + pen.capacity * kPointSlots > slots.size()) continue;
+        const double written = slots[pen.count];
+        const auto count = written > 0 ? std::min(pen.capacity, static_cast<std::uint32_t>(written)) : 0;
+        PenLine& line = lines->emplace_back(pen.empty);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const double* s = slots.data() + pen.line + std::size_t{i} * kPointSlots;
+            const Vec3 at(s[0], s[1], s[2]);
+            if (at.allFinite()) line.points.push_back({at, s[3] != 0});
+        }
+    }
+    poses.lines = std::move(lines);
 }
 
 void PoseReader::read(const SignalBlock& block, BodyPoses& poses) const {
@@ -40,6 +80,7 @@ void PoseReader::read(const SignalBlock& block, BodyPoses& poses) const {
         if (!position.allFinite() || !(norm > 1e-6 && norm < 1e6)) continue;
         poses[i] = {position, rotation.normalized()};
     }
+    readLines(slots, poses);
 }
 
 std::size_t PoseReader::found() const {

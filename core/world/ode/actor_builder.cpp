@@ -110,8 +110,10 @@ void ActorBuilder::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles
     const Mat3& i = spec.mass.inertia;
     dMass mass;
     dMassSetZero(&mass);
-    dMassSetParameters(&mass, spec.mass.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
+    if (spec.isFixed) dMassSetParameters(&mass, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0);
+    else dMassSetParameters(&mass, spec.mass.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
     dBodySetMass(body.id, &mass);
+    if (spec.isFixed) dBodySetKinematic(body.id);
     dBodySetGyroscopicMode(body.id, 0);
     const Vec3 at = def.pose * body.centre;
     dReal q[4];
@@ -125,7 +127,7 @@ void ActorBuilder::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles
     body.w = dBodyGetAngularVel(body.id);
     body.geoms.begin = static_cast<std::uint32_t>(m_objects.geoms.size());
     m_objects.bodies.push_back(body);
-    m_objects.inertias.push_back(spec.mass.inertia);
+    m_objects.inertias.push_back(spec.isFixed ? Mat3::Identity() : spec.mass.inertia);
     m_objects.states.emplace_back();
     m_objects.actors[actor].mass += spec.mass.mass;
     auto& geoms = handles.geoms.emplace_back();

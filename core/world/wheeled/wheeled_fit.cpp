@@ -60,6 +60,10 @@ private:
         const auto key = std::tuple(static_cast<const void*>(spec.config.get()), spec.pose.position.z(), spec.pose.rotation.x(),
                                     spec.pose.rotation.y());
         if (!m_known.insert(key).second) return;
+        if (spec.scenery) return refuse(spec.name + ": it is scenery with bodies or devices", spec.nameRange);
+        for (const ComponentSpec& device : spec.config->devices)
+            if (device.kind == "Belt" || device.kind == "Track")
+                refuse(spec.name + ": " + device.name + " is a " + device.kind + ", which moves a surface", device.nameRange);
         NotWheeled why;
         if (!ActorReader(m_experiment.surfaces, *m_ground).read(actorOf(spec), why))
             refuse(spec.name + ": " + why.reason, why.range.known() ? why.range : spec.nameRange);

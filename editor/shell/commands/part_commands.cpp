@@ -4,6 +4,7 @@
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
 #include "editor/shell/dialogs/repeat_dialog.h"
+#include "editor/shell/dialogs/sensor_ring_dialog.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
@@ -23,6 +24,7 @@ PartCommands::PartCommands(QWidget& window, Actions& actions, Document& document
             });
         });
     connect(&actions.at("parts.repeat"), &QAction::triggered, this, &PartCommands::askRepeat);
+    connect(&actions.at("sensors.ring"), &QAction::triggered, this, &PartCommands::askSensorRing);
 }
 
 std::vector<std::string> PartCommands::chosen() {
@@ -60,6 +62,24 @@ void PartCommands::askRepeat() {
               [count = dialog->count(), step = dialog->step()](const LoadedProject& now, const std::vector<std::string>& what) {
                   return planRepeat(now, what, count, step);
               });
+    });
+    dialog->open();
+}
+
+void PartCommands::askSensorRing() {
+    if (!m_document.isOpen()) return Q_EMIT m_document.refused(tr("nothing is open"));
+    const LoadedProject& loaded = *m_document.loaded();
+    const Result<std::string> body = bodyForSensors(loaded, m_selection.current());
+    if (!body) return Q_EMIT m_document.refused(toQString(body.error().message));
+    const std::string path = body.value();
+    auto* dialog = new SensorRingDialog(toQString(std::string(lastWord(path))), proposedRing(loaded, path), &m_window);
+    connect(&m_document, &Document::opened, dialog, &QDialog::reject);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
+        (void)m_document.structure().apply(
+            tr("Add Ring of Sensors"), {path},
+            [path, ring = dialog->ring()](const LoadedProject& now, const StructureEdits::PathMapping& renamed) {
+                return planSensorRing(now, renamed(path), ring);
+            });
     });
     dialog->open();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The commands that write parts, mirror images and repetitions: menu Edit, Parts.
+// The commands that write parts, mirror images and repetitions: menu Edit, Parts; and Insert, Ring of Sensors.
 
 #include <functional>
 #include <string>
@@ -18,7 +18,7 @@ class Actions;
 class Document;
 class Selection;
 
-/// Connects the actions "parts.*". Each is one entry of the history for the selected objects; refusals are reported by
+/// Connects the actions "parts.*" and "sensors.ring". Each is one entry of the history for the selected objects; refusals are reported by
 /// Document::refused().
 class PartCommands final : public QObject {
     Q_OBJECT
@@ -30,6 +30,7 @@ private:
     /// `name` of the entry, with %1 for the objects.
     void apply(const QString& name, const Plan& plan);
     void askRepeat();
+    void askSensorRing();
     /// The selected objects; empty, and the reason reported, if none can be changed.
     [[nodiscard]] std::vector<std::string> chosen();
 

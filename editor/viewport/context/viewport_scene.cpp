@@ -145,11 +145,12 @@ bool isInside(std::string_view name, std::string_view part) {
 /// What a Part or Repeat of an instance holds: the bodies or geoms whose names begin with its name.
 void ViewportScene::addInside(const std::string& instance, std::string_view part, std::vector<ObjectRef>& objects) const {
     const auto object = find(instance);
-    const RobotSpec* robot = object ? m_objects->robotOf(*object) : nullptr;
-    const StaticSpec* fixed = object && !robot ? m_objects->staticOf(*object) : nullptr;
+    const auto bodies = object ? m_objects->bodiesOf(*object) : std::nullopt;
+    const RobotSpec* robot = bodies ? &m_objects->experiment().robots[*bodies] : nullptr;
+    const StaticSpec* fixed = object ? m_objects->staticOf(*object) : nullptr;
     if (part.empty()) return;
     for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i)
-        if (isInside(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, object->instance, i});
+        if (isInside(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, *bodies, i});
     for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
         if (isInside((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
 }
@@ -169,15 +170,16 @@ std::vector<const CameraModel*> ViewportScene::camerasOf(const std::string& path
 bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, std::size_t body,
                              const std::string& component) const {
     // Splits "seeker.eye" or "RobotConfig.Seeker.eye" into the robot or config and the component.
-    const bool byConfig = firstWord(path) == "RobotConfig";
+    const bool byConfig = firstWord(path) == "RobotConfig" || firstWord(path) == "StaticConfig";
     const std::string_view local = byConfig ? withoutFirstWord(path) : path;
     const std::string_view name = firstWord(local), which = withoutFirstWord(local);
     const auto object = find(robot);
-    const RobotSpec* spec = object ? m_objects->robotOf(*object) : nullptr;
+    const auto bodies = object ? m_objects->bodiesOf(*object) : std::nullopt;
+    const RobotSpec* spec = bodies ? &m_objects->experiment().robots[*bodies] : nullptr;
     if (!spec || !spec->config) return false;
     if (byConfig ? spec->config->name != name : robot != name && !isMemberOf(robot, name)) return false;
     if (which.empty() || component == robot + "/" + std::string(which)) return true;
-    const std::size_t own = body - m_objects->firstPose(object->instance);
+    const std::size_t own = body - m_objects->firstPose(*bodies);
     return own < spec->config->bodies.size() && spec->config->bodies[own].name == which;
 }
 
@@ -226,7 +228,13 @@ void ViewportScene::listHidden() {
     m_bounds.reset();
     m_hiddenInScene.clear();
     for (const std::string& path : m_hidden)
-        for (const ObjectRef& object : objectsOf(path)) m_hiddenInScene.push_back(m_objects->pathOf(object, '/'));
+        for (const ObjectRef& object : objectsOf(path)) {
+            m_hiddenInScene.push_back(m_objects->pathOf(object, '/'));
+            const auto moving = object.kind == ObjectKind::Static ? m_objects->bodiesOf(object) : std::nullopt;
+            const std::size_t bodies = moving ? m_objects->experiment().robots[*moving].config->bodies.size() : 0;
+            for (std::uint32_t i = 0; i < bodies; ++i)
+                m_hiddenInScene.push_back(m_objects->pathOf({ObjectKind::Body, *moving, i}, '/'));
+        }
 }
 
 } // namespace trundle

@@ -182,7 +182,8 @@ void TransformSelection::takeLayout(const std::string& path) {
 
 void TransformSelection::takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside) {
     const LoadedProject& loaded = *m_context.document.loaded();
-    const ObjectRef whole{m_objects->robotOf(inside) ? ObjectKind::Robot : ObjectKind::Static, inside.instance};
+    ObjectRef whole = inside;
+    while (const auto owner = m_objects->ownerOf(whole)) whole = *owner;
     Item item{path,
               std::nullopt,
               {},

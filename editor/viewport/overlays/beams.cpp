@@ -127,8 +127,9 @@ void paintBeams(QPainter& painter, const ToolView& view, bool all) {
         const auto robot = world.find(sensor.robot);
         if ((!all && !marked) || sensor.body >= poses.size() || !robot || world.isHidden(*robot)) continue;
         if (++shown > (all ? kMaxSensors : kMaxSelectedSensors)) break;
+        const std::uint32_t own = *world.objects()->bodiesOf(*robot);
         const std::string& body =
-            world.objects()->robotOf(*robot)->config->bodies[sensor.body - world.objects()->firstPose(robot->instance)].name;
+            world.objects()->experiment().robots[own].config->bodies[sensor.body - world.objects()->firstPose(own)].name;
         Pose at = poses[sensor.body];
         std::span<const double> distances;
         if (live) {

@@ -27,6 +27,7 @@ void Trails::note() {
     if (!m_wanted || !m_world.isRunning()) return;
     const auto& robots = m_world.objects()->experiment().robots;
     for (std::uint32_t i = 0; i < robots.size() && i < kMaxTrailRobots; ++i) {
+        if (robots[i].scenery) continue;
         const Vec3 at = m_world.poseOf({ObjectKind::Robot, i}).position;
         std::deque<Vec3>& trail = m_trails[robots[i].name];
         const double far = trail.empty() ? kApart : (at - trail.back()).norm();

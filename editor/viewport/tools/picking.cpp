@@ -16,10 +16,11 @@ std::vector<ObjectRef> boxableObjects(const ViewportScene& world) {
     if (!showsModel(world)) return instances;
     std::vector<ObjectRef> inside;
     for (const ObjectRef& object : instances) {
-        const RobotSpec* robot = world.objects()->robotOf(object);
+        const auto bodies = world.objects()->bodiesOf(object);
+        const RobotSpec* robot = bodies ? &world.objects()->experiment().robots[*bodies] : nullptr;
         const StaticSpec* fixed = world.objects()->staticOf(object);
         for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i)
-            inside.push_back({ObjectKind::Body, object.instance, i});
+            inside.push_back({ObjectKind::Body, *bodies, i});
         for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
             inside.push_back({ObjectKind::StaticGeom, object.instance, 0, i});
     }

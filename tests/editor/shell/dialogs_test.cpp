@@ -60,6 +60,7 @@ constexpr Question kQuestions[] = {
     {"shell/dialogs/group_dialog.cpp", "groupDialog", "Group"},
     {"shell/dialogs/new_module_dialog.h", "newModule", "Create"},
     {"shell/dialogs/repeat_dialog.h", "repeatDialog", "Repeat"},
+    {"shell/dialogs/sensor_ring_dialog.h", "sensorRingDialog", "Insert"},
     {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
     {"shell/commands/project_questions.cpp", "journalsNotRead", "OK"},
     {"shell/commands/project_questions.cpp", "crashReport", "OK"},
@@ -338,6 +339,7 @@ private:
         m_openers[QStringLiteral("deleteQuestion")] = [this] { trigger("edit.delete", {"robot0"}); };
         m_openers[QStringLiteral("commandPalette")] = [this] { trigger("edit.palette"); };
         m_openers[QStringLiteral("groupDialog")] = [this] { trigger("edit.group", {"robot1", "robot2"}); };
+        m_openers[QStringLiteral("sensorRingDialog")] = [this] { trigger("sensors.ring", {"robot0.b"}); };
         m_openers[QStringLiteral("repeatDialog")] = [this] { trigger("parts.repeat", {"robot0.b"}); };
         m_openers[QStringLiteral("newModule")] = [this] { trigger("controllers.new", {"robot0"}); };
         m_openers[QStringLiteral("about")] = [this] { trigger("help.about"); };

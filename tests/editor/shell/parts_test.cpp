@@ -95,6 +95,30 @@ private Q_SLOTS:
         checkUndo(QStringLiteral("Repeat 2 objects"));
     }
 
+    /// A Ring of RangeSensors around the chassis, as one entry of the history.
+    void insertsARingOfSensors() {
+        for (const char* selected : {"robot0.chassis.hull", "robot0"}) {
+            m_window->selection().select(selected);
+            trigger("sensors.ring");
+            auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("sensorRingDialog"));
+            QVERIFY(dialog && dialog->isVisible());
+            dialog->findChild<QSpinBox*>(QStringLiteral("ringCount"))->setValue(6);
+            dialog->findChild<QDoubleSpinBox*>(QStringLiteral("ringRadius"))->setValue(0.25);
+            QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+            EVENTUALLY(text() != kHead + kConfig);
+            QVERIFY2(text().find("Count=6 Radius=0.25") != std::string::npos, text().c_str());
+            QVERIFY(!document().loaded()->diagnostics.hasErrors());
+            QCOMPARE(document().loaded()->experiment->robots.at(0).config->devices.size(), 6u);
+            QCOMPARE(document().loaded()->experiment->robots.at(0).config->devices[1].text("Body"), std::string("chassis"));
+            checkUndo(QStringLiteral("Add Ring of Sensors"));
+            EVENTUALLY(!m_window->findChild<QDialog*>(QStringLiteral("sensorRingDialog")));
+        }
+        QSignalSpy refused(&document(), &Document::refused);
+        m_window->selection().clear();
+        trigger("sensors.ring");
+        QCOMPARE(refused.size(), 1);
+    }
+
     /// What comes with Trundle is copied, as for all other edits.
     void copiesShippedRobots() {
         open("Tick = 0.01\n#import robots/simple_robot.sim\nRobot robot0 { Config=SimpleRobot }\n");

@@ -119,7 +119,7 @@ void CompletionTest::lists_data() {
     row("kinds of a config", "RobotConfig A {\n  |\n}", "Body Hinge RotaryMotor Encoder SelfCollision Param",
         "Box Robot Material Tick");
     row("geoms of a body", "RobotConfig A { Body b {\n |\n} }", "Box Sphere Mesh Pos Mass", "Plane Body Hinge");
-    row("planes only in scenery", "StaticConfig A { | }", "Plane Heightfield Box", "Body Hinge");
+    row("planes and what moves in scenery", "StaticConfig A { | }", "Plane Heightfield Box Body Hinge Belt", "Robot Material");
     row("keys not yet there", "StaticConfig A { Box w { Size=1,1,1 | } }", "Pos Material Mass", "Size");
     row("key at the caret stays", "StaticConfig A { Box w { Si|ze=1,1,1 } }", "Size", "");
     row("of alternatives one", "RobotConfig A { RotaryMotor m { SpeedConstant=5 | } }", "Resistance",
@@ -156,7 +156,8 @@ void CompletionTest::lists_data() {
         "RobotConfig A { Body a { } }\nRobotConfig B { Config=A Body b { } Hinge h { Parent=| } }", "a b world", "");
     row("in a Repeat of a robot", "RobotConfig A { Repeat r { Count=3 | } }", "Body Hinge Encoder Part Repeat Ring Pos",
         "Box Count Robot");
-    row("in a Repeat of scenery", "StaticConfig A { Repeat r { Count=3 | } }", "Box Plane Part Repeat", "Body Hinge");
+    row("in a Repeat of scenery", "StaticConfig A { Repeat r { Count=3 | } }", "Box Plane Part Repeat Body Hinge",
+        "Robot Material");
     row("the number of a member", "RobotConfig A { Repeat r { Count=3 Pos=$(|) } }", "index index2 sin", "");
     row("no number outside", "RobotConfig A { Repeat r { Count=3 } Body b { Pos=$(|) } }", "sin", "index");
     row("members of a Grid have numbers", "#import parts.sim\nGrid g { Config=Rover Count=2 Spacing=1 wheelRadius=$(|) }",

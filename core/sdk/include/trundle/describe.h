@@ -93,6 +93,15 @@ public:
                                                          std::string help) {
         return addSignal<V>(std::move(name), member, std::move(unit), std::move(help), TRUNDLE_TRUTH);
     }
+    /// Since 1.10; as of an output.
+    template <class Owner, class V>
+    requires std::is_base_of_v<Owner, T> Describe& truth(std::string name, TruthSlot<std::vector<V>> Owner::*member,
+                                                         std::string unit, std::string help,
+                                                         std::vector<std::string> countFields) {
+        truth(std::move(name), member, std::move(unit), std::move(help));
+        m_signals.back().countFields = std::move(countFields);
+        return *this;
+    }
     template <class Owner, class V>
     requires std::is_base_of_v<Owner, T> Describe& command(std::string name, CommandSlot<V> Owner::*member, std::string unit,
                                                            std::string help) {

@@ -118,5 +118,10 @@ struct SkidDriveSignals : DifferentialDriveSignals {
     static constexpr const char* kKind = "SkidDrive";
 };
 
+/// A base on two tracks: signals as of a DifferentialDrive. Since 1.10.
+struct TrackDriveSignals : DifferentialDriveSignals {
+    static constexpr const char* kKind = "TrackDrive";
+};
+
 } // namespace sdk1
 } // namespace trundle

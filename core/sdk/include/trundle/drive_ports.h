@@ -66,6 +66,9 @@ private:
 class DifferentialDrivePort : public DrivePort<DifferentialDriveSignals> {};
 class SkidDrivePort : public DrivePort<SkidDriveSignals> {};
 
+/// Since 1.10.
+class TrackDrivePort : public DrivePort<TrackDriveSignals> {};
+
 /// A base that moves in any direction: an OmniDrive or a MecanumDrive. Since 1.9.
 template <class S> class HolonomicPort : public BasePort<S> {
 public:

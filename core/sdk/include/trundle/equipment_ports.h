@@ -38,5 +38,22 @@ public:
     [[nodiscard]] bool holding() const { return m_signals.holding.get() != 0; } ///< something is between its jaws
 };
 
+/// Of a Belt or a Track. Since 1.10.
+template <class S> class SurfacePort : public Port<S> {
+public:
+    void setSpeed(double speed) { this->m_signals.speed.set(speed); }            ///< m/s
+    [[nodiscard]] double rate() const { return this->m_signals.rate.get(); }     ///< m/s
+    [[nodiscard]] double travel() const { return this->m_signals.travel.get(); } ///< m
+};
+using BeltPort = SurfacePort<BeltSignals>;
+using TrackPort = SurfacePort<TrackSignals>;
+
+/// Since 1.10.
+class PenPort : public Port<PenSignals> {
+public:
+    void setDown(bool down) { m_signals.down.set(down); }
+    [[nodiscard]] double length() const { return m_signals.length.get(); } ///< m, of all that it has drawn
+};
+
 } // namespace sdk1
 } // namespace trundle

@@ -3,6 +3,8 @@
 // Signals as in device_signals.h: of servos, grippers, batteries, lights.
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include <trundle/slot.h>
 
@@ -72,6 +74,51 @@ struct GripperSignals {
         d.output("position", &S::position, "m", "The change that they have.");
         d.output("force", &S::force, "N", "With which its jaws press against each other; negative: apart.");
         d.output("holding", &S::holding, "", "It closes with all of its force, and its jaws do not move.");
+    }
+};
+
+// Since 1.10.
+
+struct BeltSignals {
+    static constexpr const char* kKind = "Belt";
+    CommandSlot<double> speed;
+    OutputSlot<double> rate, travel;
+
+    template <class D> static void describe(D& d) {
+        using S = BeltSignals;
+        d.command("speed", &S::speed, "m/s", "At which it is to run; at most MaxSpeed.");
+        d.output("rate", &S::rate, "m/s", "At which it runs.");
+        d.output("travel", &S::travel, "m", "Way of its surface since the start, negative backwards.");
+    }
+};
+
+struct TrackSignals {
+    static constexpr const char* kKind = "Track";
+    CommandSlot<double> speed;
+    OutputSlot<double> rate, travel;
+
+    template <class D> static void describe(D& d) {
+        using S = TrackSignals;
+        d.command("speed", &S::speed, "m/s", "At which it is to drive, positive forwards; at most MaxSpeed.");
+        d.output("rate", &S::rate, "m/s", "At which it runs.");
+        d.output("travel", &S::travel, "m", "Way that it has run since the start, negative backwards.");
+    }
+};
+
+struct PenSignals {
+    static constexpr const char* kKind = "Pen";
+    CommandSlot<bool> down;
+    OutputSlot<double> length;
+    OutputSlot<std::int64_t> points;
+    TruthSlot<std::vector<std::array<double, 4>>> line;
+
+    template <class D> static void describe(D& d) {
+        using S = PenSignals;
+        d.command("down", &S::down, "", "It draws.");
+        d.output("length", &S::length, "m", "Of all that it has drawn.");
+        d.output("points", &S::points, "", "Of its line, at most MaxPoints.");
+        d.truth("line", &S::line, "", "Of each point x, y, z [m] in the world, and 1 where a stroke begins, else 0.",
+                {"MaxPoints"});
     }
 };
 

@@ -79,6 +79,11 @@ public:
     [[nodiscard]] AckermannDrivePort ackermannDrive(PortName name) {
         return bindPort<AckermannDrivePort, AckermannDriveSignals>(name);
     }
+    // since 1.10
+    [[nodiscard]] BeltPort belt(PortName name) { return bindPort<BeltPort, BeltSignals>(name); }
+    [[nodiscard]] TrackPort track(PortName name) { return bindPort<TrackPort, TrackSignals>(name); }
+    [[nodiscard]] TrackDrivePort trackDrive(PortName name) { return bindPort<TrackDrivePort, TrackDriveSignals>(name); }
+    [[nodiscard]] PenPort pen(PortName name) { return bindPort<PenPort, PenSignals>(name); }
 };
 
 } // namespace sdk1

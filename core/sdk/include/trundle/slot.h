@@ -60,7 +60,9 @@ template <class V, std::size_t N> struct SignalValue<std::array<V, N>> {
 };
 
 /// Since 1.6. As many numbers as fields of the device say, which describe() names.
-template <class V> struct SignalValue<std::vector<V>> { static constexpr std::uint32_t type = SignalValue<V>::type, count = 1; };
+template <class V> struct SignalValue<std::vector<V>> {
+    static constexpr std::uint32_t type = SignalValue<V>::type, count = SignalValue<V>::count; ///< since 1.10 also of std::array
+};
 
 // Since 1.5: the members that describe() binds to signals. V is described; values are always passed as doubles.
 

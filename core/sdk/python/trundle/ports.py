@@ -327,6 +327,31 @@ class GripperPort(Port):
         return self.get("holding") != 0
 
 
+class BeltPort(Port):
+    """Of a Belt or a Track."""
+
+    def set_speed(self, speed):
+        """m/s."""
+        self.set("speed", speed)
+
+    def rate(self):
+        """m/s."""
+        return self.get("rate")
+
+    def travel(self):
+        """m, negative backwards."""
+        return self.get("travel")
+
+
+class PenPort(Port):
+    def set_down(self, down):
+        self.set("down", 1.0 if down else 0.0)
+
+    def length(self):
+        """m, of all that it has drawn."""
+        return self.get("length")
+
+
 class GroundTruthPort:
     """Exact state that a real robot cannot measure; to evaluate a controller, not for control."""
 
@@ -394,6 +419,10 @@ class RobotPorts:
     omni_drive = _binder("omni_drive", OmniDrivePort, "OmniDrive")
     mecanum_drive = _binder("mecanum_drive", OmniDrivePort, "MecanumDrive")
     ackermann_drive = _binder("ackermann_drive", AckermannDrivePort, "AckermannDrive")
+    belt = _binder("belt", BeltPort, "Belt")
+    track = _binder("track", BeltPort, "Track")
+    track_drive = _binder("track_drive", DifferentialDrivePort, "TrackDrive")
+    pen = _binder("pen", PenPort, "Pen")
 
     def camera(self, device):
         """The port of a Camera."""

@@ -1,0 +1,52 @@
+#include "devices/track_drive.h"
+
+#include <cmath>
+#include <utility>
+
+namespace trundle {
+
+void TrackDrive::describe(Describe<TrackDrive>& d) {
+    d.help("A base on two tracks: turns speeds of the robot into speeds of the tracks.");
+    d.field("LeftTrack", &TrackDrive::m_leftName, reference("Track").required(), "The left track.");
+    d.field("RightTrack", &TrackDrive::m_rightName, reference("Track").required(), "The right track.");
+    d.field("TrackSeparation", &TrackDrive::m_separationM, metres().within(1e-4, 1e3).required(), "Between the tracks' middles.");
+    d.field("SkidFactor", &TrackDrive::m_skidFactor, number().within(1, 100),
+            "Multiplies TrackSeparation: tracks that skid sideways have to be this much faster for a turn.");
+    describeAcceleration(d);
+    describeTurning(d);
+    DifferentialDriveSignals::describe(d);
+}
+
+void TrackDrive::setup(Mount& mount) {
+    if (m_leftName == m_rightName) return mount.fail("LeftTrack and RightTrack are the same track");
+    m_left.port = mount.peer<TrackSignals>(m_leftName);
+    m_right.port = mount.peer<TrackSignals>(m_rightName);
+    const std::string geom = mount.peerText(m_leftName, "Geom");
+    m_body = mount.body(geom.substr(0, geom.rfind('.')));
+}
+
+void TrackDrive::act(Actuation& world) {
+    const ChassisMotion velocity{linearVelocity.read(world), angularVelocity.read(world)};
+    const ChassisMotion amount{linearAmount.read(world), angularAmount.read(world)};
+    const ChassisMotion now = follow(world, velocity, amount, sequence.read(world));
+    const double difference = now.angular * m_separationM * m_skidFactor / 2;
+    m_left.port.set(&TrackSignals::speed, now.linear - difference);
+    m_right.port.set(&TrackSignals::speed, now.linear + difference);
+}
+
+double TrackDrive::travelledSince(TrackState& track) {
+    const double now = track.port.get(&TrackSignals::travel);
+    return now - std::exchange(track.travel, now);
+}
+
+void TrackDrive::sense(Sensing& world) {
+    const double left = travelledSince(m_left), right = travelledSince(m_right);
+    m_odometryPose = alongArc(m_odometryPose, {(left + right) / 2, (right - left) / (m_separationM * m_skidFactor), 0});
+    publishState(*this, m_odometryPose);
+    const TrundleBodyState body = world.bodyState(m_body);
+    const double* q = body.quaternion;
+    const Vec3 forward = Quat(q[0], q[1], q[2], q[3]) * Vec3::UnitX();
+    publishPose(*this, PlanePose{body.position[0], body.position[1], std::atan2(forward.y(), forward.x())});
+}
+
+} // namespace trundle

@@ -1,0 +1,26 @@
+#pragma once
+#include <QDialog>
+
+#include "project/edits/plan_sensor_ring.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QSpinBox;
+
+namespace trundle {
+
+/// Asks for the number, place and type of distance sensors around a body. Deletes itself when it is closed.
+class SensorRingDialog final : public QDialog {
+    Q_OBJECT
+public:
+    SensorRingDialog(const QString& body, const SensorRing& proposed, QWidget* parent);
+
+    [[nodiscard]] SensorRing ring() const;
+
+private:
+    QSpinBox* m_count;
+    QDoubleSpinBox *m_radius, *m_height, *m_range;
+    QComboBox* m_type;
+};
+
+} // namespace trundle
