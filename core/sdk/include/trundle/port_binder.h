@@ -79,6 +79,9 @@ public:
     [[nodiscard]] AckermannDrivePort ackermannDrive(PortName name) {
         return bindPort<AckermannDrivePort, AckermannDriveSignals>(name);
     }
+    // since 1.10
+    [[nodiscard]] LedPort led(PortName name) { return bindPort<LedPort, LedSignals>(name); }
+    [[nodiscard]] ChargerPort charger(PortName name) { return bindPort<ChargerPort, ChargerSignals>(name); }
 };
 
 } // namespace sdk1
