@@ -32,6 +32,8 @@ void Battery::describe(Describe<Battery>& d) {
     d.field("BaseLoad", &Battery::m_baseLoad, unitOf("W").within(0, 1e9).live(),
             "That the robot draws besides its devices, for its computer.");
     d.field("StartLevel", &Battery::m_startLevel, number().within(0, 1), "Share of Capacity at the start.");
+    d.field("Contact", &Battery::m_contactPaths, reference("Geom").counted(0, 1000),
+            "Geoms of the robot through which a Charger that they touch charges it, body.geom.");
     BatterySignals::describe(d);
 }
 
@@ -50,6 +52,8 @@ void Battery::setup(Mount& mount) {
         nominal = *m_cells * voltageAt(m_curve, 0.5);
     }
     m_charge = m_capacity * m_startLevel;
+    for (const std::string& path : m_contactPaths) m_contacts.push_back(mount.geom(path));
+    m_touched.reserve(8);
     mount.provideSupply(nominal, m_charge > 0 ? openVoltageAt(m_startLevel) : 0);
 }
 
@@ -65,12 +69,34 @@ double Battery::currentOf(const TrundleLoad& load, double volts, double open, co
     return load.resistive / volts + regulated / std::max(volts, kLeastShare * open);
 }
 
+/// The charger holds its current until the terminals have its voltage, and from then on its voltage: the law of the chargers that makers of
+/// cells prescribe, as Panasonic's data sheet of the NCR18650B ("CC-CV, 4.20 V"). At a full battery it carries the devices.
+double Battery::chargingCurrent(Sensing& world, double drawn, double open) {
+    for (const GeomId contact : m_contacts) {
+        world.contacts(contact, m_touched);
+        for (const TrundleContact& touched : m_touched) {
+            const GeomId geom{touched.other};
+            const TrundleOffer offer = world.offered(geom);
+            if (!(offer.amperes > 0)) continue;
+            const double room = drawn + (m_capacity - m_charge) / world.tick();
+            double amperes = std::min(offer.amperes, room);
+            if (m_resistance > 0) amperes = std::min(amperes, drawn + (offer.volts - open) / m_resistance);
+            else if (open > offer.volts) amperes = 0;
+            if (!(amperes > 0)) continue;
+            world.takePower(geom, open - m_resistance * (drawn - amperes), amperes);
+            return amperes;
+        }
+    }
+    return 0;
+}
+
 /// The devices of this tick had the voltage that was set at the end of the last one. That of the next tick is on the line through what they
 /// drew now: the current of resistive loads changes with it, that of regulated ones hardly does.
 void Battery::sense(Sensing& world) {
     const double volts = world.supply().voltage;
     const TrundleLoad load = world.load();
-    const double amperes = currentOf(load, volts, openVoltageAt(m_charge / m_capacity), world);
+    const double before = openVoltageAt(m_charge / m_capacity), drawn = currentOf(load, volts, before, world);
+    const double charging = world.time() > 0 ? chargingCurrent(world, drawn, before) : 0, amperes = drawn - charging;
     if (world.time() > 0) m_charge = std::clamp(m_charge - amperes * world.tick(), 0.0, m_capacity);
     const double left = m_charge / m_capacity, open = openVoltageAt(left);
     const double fixed = amperes - load.conductance * volts;
@@ -78,6 +104,7 @@ void Battery::sense(Sensing& world) {
     world.setSupplyVoltage(m_charge > 0 ? std::max(next, 0.01 * open) : 0);
     voltage.set(volts);
     current.set(amperes);
+    chargeCurrent.set(charging);
     charge.set(m_charge);
     level.set(left);
     openVoltage.set(m_charge > 0 ? open : 0);

@@ -8,6 +8,7 @@
 #include "devices/battery.h"
 #include "devices/belt.h"
 #include "devices/camera_device.h"
+#include "devices/charger.h"
 #include "devices/compass.h"
 #include "devices/differential_drive.h"
 #include "devices/encoder.h"
@@ -15,6 +16,7 @@
 #include "devices/gripper.h"
 #include "devices/ground_sensor.h"
 #include "devices/imu.h"
+#include "devices/led.h"
 #include "devices/lidar.h"
 #include "devices/light_sensor.h"
 #include "devices/omni_drive.h"
@@ -57,6 +59,8 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<OmniDrive>(), "OmniDrive");
     visit(std::type_identity<MecanumDrive>(), "MecanumDrive");
     visit(std::type_identity<AckermannDrive>(), "AckermannDrive");
+    visit(std::type_identity<Led>(), "Led");
+    visit(std::type_identity<Charger>(), "Charger");
 }
 
 } // namespace

@@ -33,13 +33,15 @@ void LightSensor::measure(Sensing& world, std::vector<double>& reading) {
     const Vec3 normal = eye.rotation * Vec3::UnitX();
     const double wide = 2 / (m_exponent + 1); // of light from everywhere, relative to a flat surface
     world.lights(m_lights);
+    world.beams(m_beams);
     m_rays.reserve(m_lights.size());
     m_shares.reserve(m_lights.size());
     m_distances.reserve(m_lights.size());
     m_rays.clear();
     m_shares.clear();
     double sum = 0;
-    for (const TrundleLight& light : m_lights) {
+    for (std::size_t i = 0; i < m_lights.size(); ++i) {
+        const TrundleLight& light = m_lights[i];
         if (light.type == TRUNDLE_SKY || light.type == TRUNDLE_GROUND) {
             sum += light.light * wide * (1 + (light.type == TRUNDLE_SKY ? normal.z() : -normal.z())) / 2;
             continue;
@@ -48,13 +50,14 @@ void LightSensor::measure(Sensing& world, std::vector<double>& reading) {
         const Vec3 way = isLamp ? Vec3(Vec3(light.way) - eye.position) : Vec3(light.way);
         const double distance = way.norm();
         if (!(distance > 1e-6)) continue; // in the lamp
-        const double share = light.light * response(normal.dot(way) / distance) / (isLamp ? distance * distance : 1);
+        const double sent = light.light * (isLamp ? shareAlong(m_beams[i], -way / distance) : 1);
+        const double share = sent * response(normal.dot(way) / distance) / (isLamp ? distance * distance : 1);
         if (!(share > 0)) continue;
-        if (!light.shadows) {
+        if (!light.shadows || (isLamp && distance <= m_beams[i].radius)) {
             sum += share;
             continue;
         }
-        m_rays.push_back({eye.position, way / distance, isLamp ? distance : kFarthest});
+        m_rays.push_back({eye.position, way / distance, isLamp ? distance - m_beams[i].radius : kFarthest});
         m_shares.push_back(share);
     }
     m_distances.resize(m_rays.size());

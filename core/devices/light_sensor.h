@@ -4,8 +4,8 @@
 
 namespace trundle {
 
-/// Illuminance of a small surface that faces along its x: of the experiment's sun, lamps and sky, each as cameras see it. What collides
-/// blocks the sun and the lamps that cast shadows, except its own robot.
+/// Illuminance of a small surface that faces along its x: of the experiment's sun, lamps and sky, each as cameras see it, and of
+/// Leds. What collides blocks the sun, the Leds and the lamps that cast shadows, except its own robot.
 class LightSensor final : public Sensor, public LightSensorSignals {
 public:
     static void describe(Describe<LightSensor>& d);
@@ -20,7 +20,8 @@ private:
     double m_maxIlluminance = 1e5, m_noise = 0, m_noiseShare = 0, m_resolution = 0; ///< lx, lx, 1, lx
 
     std::vector<TrundleLight> m_lights;
-    std::vector<Ray> m_rays; ///< towards those that cast shadows
+    std::vector<TrundleBeam> m_beams; ///< of them
+    std::vector<Ray> m_rays;          ///< towards those that cast shadows
     std::vector<double> m_shares, m_distances;
 };
 

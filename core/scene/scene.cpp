@@ -88,6 +88,7 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
         m_robots->addChild(node);
         if (!robot.scenery) m_objects.add(robot.name, SceneObject{node, nullptr});
     }
+    m_leds.make(ledsOf(experiment), m_bodies, m_store->look);
     setPoses(startPoses(experiment));
 }
 
@@ -176,6 +177,7 @@ void Scene::setPoses(const BodyPoses& poses) {
     if (poses.size() != m_bodies.size()) return;
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (isSane(poses[i])) m_bodies[i]->setMatrix(toOsg(poses[i]));
+    m_leds.set(poses.leds);
     m_marks.followPoses();
     m_collision.followPoses();
     m_overlay.followPoses();

@@ -11,6 +11,7 @@
 
 #include "scene/collision_nodes.h"
 #include "scene/data_nodes.h"
+#include "scene/led_nodes.h"
 #include "scene/mark_nodes.h"
 #include "scene/nodes/masks.h"
 #include "scene/overlay_nodes.h"
@@ -29,7 +30,7 @@ public:
                    const ExperimentSpec* ghosts = nullptr);
 
     [[nodiscard]] osg::Group& root() { return *m_root; }
-    /// Ignored unless there is one pose per robot body; poses that are not finite are skipped.
+    /// Also the colours of Leds. Ignored unless there is one pose per robot body; poses that are not finite are skipped.
     void setPoses(const BodyPoses& poses);
     /// Hides objects in all images. Unknown paths are ignored, here and in setMarks().
     void setHidden(const std::vector<std::string>& paths) { m_objects.setHidden(paths); }
@@ -76,6 +77,7 @@ private:
     SceneUniforms m_uniforms;
     osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = addedGroup(*m_root), m_statics = addedGroup(*m_root);
     std::vector<osg::ref_ptr<osg::MatrixTransform>> m_bodies; // in the order of BodyPoses
+    LedNodes m_leds;
     SceneObjects m_objects;
     MarkNodes m_marks;
     PenNodes m_pens{*m_root};

@@ -4,7 +4,7 @@
 //   WorldObjects   robots and scenery in the engine, and what its handles stand for
 //   WorldDevices   devices: created, set up, called; what they can reach is a DeviceHost
 //   WorldRadio     the medium between the radios of devices
-//   WorldSupply    batteries, and what devices draw;  WorldLamps: the lamps that devices are
+//   WorldSupply    batteries, and what devices draw;  WorldChargers: what charges them;  WorldLamps: the lamps that devices are
 //   RobotSignals   the layout of the block, and the states in it
 //
 // Building: world_build.cpp; ticks: world_tick.cpp; reading, commands, faults: world_state.cpp.
@@ -15,6 +15,7 @@
 
 #include "world/device_texts.h"
 #include "world/robot_signals.h"
+#include "world/world_chargers.h"
 #include "world/world_fault.h"
 #include "world/world_lamps.h"
 #include "world/world_radio.h"
@@ -77,6 +78,7 @@ private:
     mutable WorldRadio m_radio{*m_experiment, *m_engine, m_objects}; ///< mutable: see World::medium()
     WorldSupply m_supply;
     WorldLamps m_lamps;
+    WorldChargers m_chargers;
     DeviceTexts m_texts;
     SignalLayout m_layout;
     std::unique_ptr<SignalBlock> m_block;

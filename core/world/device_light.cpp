@@ -13,6 +13,8 @@ namespace trundle {
 
 namespace {
 
+constexpr double kMaxExponent = 1e6; // of a beam
+
 struct LightCalls {
     static std::int32_t reflectance(void* context, std::uint32_t index, const double point[3], const double normal[3],
                                     double* share) {
@@ -44,18 +46,41 @@ struct LightCalls {
     }
 
     static void emit(void* context, std::uint32_t body, const double point[3], double light) {
+        emitBeam(context, body, point, light, nullptr);
+    }
+
+    static void emitBeam(void* context, std::uint32_t body, const double point[3], double light, const TrundleBeam* beam) {
         const ServiceContext& call = *static_cast<const ServiceContext*>(context);
         if (!call.acts() || !point || !call.host->objects.isBody(body)) return;
-        const Vec3 at(point);
-        if (at.allFinite() && std::isfinite(light)) call.host->lamps.set(call.device->index, body, at, light);
+        LampMount mount{body, Vec3(point)};
+        if (beam) mount.beam = *beam;
+        if (mount.point.allFinite() && std::isfinite(light) && isBeam(mount.beam))
+            call.host->lamps.set(*call.device, mount, light);
+    }
+
+    static bool isBeam(const TrundleBeam& beam) {
+        return std::abs(Vec3(beam.axis).norm() - 1) < 1e-6 && beam.exponent >= 0 && beam.exponent <= kMaxExponent &&
+               beam.radius >= 0 && std::isfinite(beam.radius);
+    }
+
+    static std::uint32_t beams(void* context, TrundleBeam* out, std::uint32_t capacity) {
+        const DeviceHost& host = *static_cast<const ServiceContext*>(context)->host;
+        const std::size_t fixed = host.objects.lights().size(), room = out ? capacity : 0, first = std::min(fixed, room);
+        std::fill_n(out, first, TrundleBeam{{1, 0, 0}, 0, 0});
+        return static_cast<std::uint32_t>(fixed + host.lamps.writeBeams({out + first, room - first}, host.engine));
     }
 };
 
 } // namespace
 
 const TrundleServicesLight* servicesLight() {
-    static const TrundleServicesLight table{sizeof(TrundleServicesLight), 0, LightCalls::reflectance, LightCalls::lights,
-                                            LightCalls::emit};
+    static const TrundleServicesLight table{sizeof(TrundleServicesLight),
+                                            0,
+                                            LightCalls::reflectance,
+                                            LightCalls::lights,
+                                            LightCalls::emit,
+                                            LightCalls::emitBeam,
+                                            LightCalls::beams};
     return &table;
 }
 

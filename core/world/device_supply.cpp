@@ -1,6 +1,8 @@
 #include "world/device_supply.h"
 
+#include "world/world_chargers.h"
 #include "world/world_device.h"
+#include "world/world_objects.h"
 #include "world/world_radio.h"
 #include "world/world_supply.h"
 
@@ -32,13 +34,36 @@ struct SupplyCalls {
         call.host->supply.setVoltage(call.device->robot, voltage);
         if (voltage <= 0) call.host->radio.switchOff(call.device->robot);
     }
+
+    static void offer(void* context, std::uint32_t geom, double volts, double amperes) {
+        const ServiceContext& call = caller(context);
+        if (call.acts() && call.host->objects.isGeom(geom)) call.host->chargers.offer(call.device->index, geom, volts, amperes);
+    }
+    static void offered(void* context, std::uint32_t geom, TrundleOffer* offer) {
+        if (offer) *offer = caller(context).device->isSupply ? caller(context).host->chargers.offered(geom) : TrundleOffer{};
+    }
+    static void take(void* context, std::uint32_t geom, double volts, double amperes) {
+        const ServiceContext& call = caller(context);
+        if (senses(context) && call.device->isSupply) call.host->chargers.take(geom, volts, amperes);
+    }
+    static void taken(void* context, TrundleTaken* taken) {
+        if (taken) *taken = caller(context).host->chargers.taken(caller(context).device->index);
+    }
 };
 
 } // namespace
 
 const TrundleServicesSupply* servicesSupply() {
-    static const TrundleServicesSupply table{
-        sizeof(TrundleServicesSupply), 0, SupplyCalls::voltage, SupplyCalls::draw, SupplyCalls::load, SupplyCalls::setVoltage};
+    static const TrundleServicesSupply table{sizeof(TrundleServicesSupply),
+                                             0,
+                                             SupplyCalls::voltage,
+                                             SupplyCalls::draw,
+                                             SupplyCalls::load,
+                                             SupplyCalls::setVoltage,
+                                             SupplyCalls::offer,
+                                             SupplyCalls::offered,
+                                             SupplyCalls::take,
+                                             SupplyCalls::taken};
     return &table;
 }
 

@@ -16,6 +16,7 @@ namespace trundle {
 
 class DeviceTexts;
 class Engine;
+class WorldChargers;
 class WorldLamps;
 class WorldObjects;
 class WorldRadio;
@@ -85,6 +86,7 @@ struct DeviceHost {
     WorldRadio& radio;
     WorldSupply& supply;
     WorldLamps& lamps;
+    WorldChargers& chargers;
     SignalBlock& block;
     DeviceTexts& texts;
     const DeviceList& devices;

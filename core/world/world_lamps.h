@@ -11,21 +11,32 @@
 namespace trundle {
 
 class Engine;
+struct Device;
+
+/// Where a lamp is on a body, and how it shines; axis and point are in the frame of the body, m.
+struct LampMount {
+    std::uint32_t body = 0;
+    Vec3 point = Vec3::Zero();
+    TrundleBeam beam{{1, 0, 0}, 0, 0};
+};
 
 class WorldLamps {
 public:
-    /// The device is a lamp from now on, at a point of a body (m, in its frame); with a light of 0 it is dark.
-    void set(std::uint32_t device, std::uint32_t body, const Vec3& point, double light);
-    /// How many are not dark. Writes as many of them as there is room for, where their bodies are, in the order of the devices.
+    /// The device is a lamp from now on; with a light of 0 it is dark.
+    void set(const Device& device, const LampMount& mount, double light);
+    // Both return how many are not dark, and write as many of them as there is room for, where their bodies are. Their order depends on
+    // the paths of the devices alone, so that sums over them have the same bits for any order of blocks in the text.
     std::size_t write(std::span<TrundleLight> out, const Engine& engine) const;
+    std::size_t writeBeams(std::span<TrundleBeam> out, const Engine& engine) const;
 
 private:
     struct Lamp {
-        std::uint32_t device = 0, body = 0;
-        Vec3 point = Vec3::Zero();
+        std::uint64_t pathHash = 0;
+        std::uint32_t device = 0;
+        LampMount mount;
         double light = 0;
     };
-    std::vector<Lamp> m_lamps; ///< by device
+    std::vector<Lamp> m_lamps; ///< by pathHash, device
 };
 
 } // namespace trundle

@@ -21,6 +21,7 @@ Status BuiltWorld::advance() {
     m_radio.place();
     publish(); // before sense, so that devices can read the state signals of this tick
     m_supply.clearLoads();
+    m_chargers.beginTick();
     if (const Device* failed = m_devices.sense(m_ticks)) return stopAt(*failed);
     return {};
 }

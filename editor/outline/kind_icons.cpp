@@ -9,9 +9,9 @@ namespace trundle {
 // Kinds that have an icon. Must be sorted, for the binary search.
 // clang-format off
 static constexpr auto kDrawn = std::to_array<std::string_view>({
-    "AckermannDrive", "Ball", "Battery", "Belt", "Body", "Box", "Camera", "Capsule", "Compass", "ContactLog", "Convex", "Cylinder",
+    "AckermannDrive", "Ball", "Battery", "Belt", "Body", "Box", "Camera", "Capsule", "Charger", "Compass", "ContactLog", "Convex", "Cylinder",
     "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "Gear", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
-    "Hinge", "Imu", "Lidar", "LightSensor", "LinearMotor", "Material", "MecanumDrive", "Mesh", "OmniDrive", "Part", "PartConfig", "Pen", "Plane",
+    "Hinge", "Imu", "Led", "Lidar", "LightSensor", "LinearMotor", "Material", "MecanumDrive", "Mesh", "OmniDrive", "Part", "PartConfig", "Pen", "Plane",
     "PoseLog", "RangeSensor", "Robot", "RobotConfig", "RotaryMotor", "Scatter", "Servo", "SignalLog", "SkidDrive",
     "Slider", "Sphere", "Spring", "Static", "StaticConfig", "Surface", "Suspension", "TouchSensor", "Track", "TrackDrive", "Transceiver", "Universal",
     "View"

@@ -1,8 +1,11 @@
 #include "scene/queries/poses.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <trundle/equipment_signals.h>
+
+#include "scene/queries/led_model.h"
 
 namespace trundle {
 namespace {
@@ -18,6 +21,7 @@ BodyPoses startPoses(const ExperimentSpec& experiment) {
         if (!robot.config) continue;
         for (const BodySpec& body : robot.config->bodies) poses.push_back(robot.pose * body.pose);
     }
+    for (const LedModel& led : ledsOf(experiment)) poses.leds.push_back(led.atStart);
     return poses;
 }
 
@@ -32,6 +36,11 @@ PoseReader::PoseReader(const ExperimentSpec& experiment, const SignalLayout& lay
         }
     }
     findPens(experiment, layout);
+    for (const LedModel& led : ledsOf(experiment)) {
+        const SignalEntry *lit = layout.find(led.path + "/lit"), *colour = layout.find(led.path + "/color");
+        const bool usable = lit && colour && colour->count == 3;
+        m_leds.push_back(usable ? LedSlots{lit->offset, colour->offset} : LedSlots{});
+    }
 }
 
 void PoseReader::findPens(const ExperimentSpec& experiment, const SignalLayout& layout) {
@@ -69,7 +78,7 @@ void PoseReader::readLines(std::span<const double> slots, BodyPoses& poses) cons
 }
 
 void PoseReader::read(const SignalBlock& block, BodyPoses& poses) const {
-    if (poses.size() != m_start.size()) poses = m_start;
+    if (poses.size() != m_start.size() || poses.leds.size() != m_start.leds.size()) poses = m_start;
     const std::span<const double> slots = block.slots();
     for (std::size_t i = 0; i < m_offsets.size(); ++i) {
         if (m_offsets[i] == kAbsent || m_offsets[i] + kPoseSlots > slots.size()) continue;
@@ -81,6 +90,14 @@ void PoseReader::read(const SignalBlock& block, BodyPoses& poses) const {
         poses[i] = {position, rotation.normalized()};
     }
     readLines(slots, poses);
+    for (std::size_t i = 0; i < m_leds.size(); ++i) {
+        const auto [lit, colour] = m_leds[i];
+        if (lit == kAbsent || std::max(lit + 1, colour + 3) > slots.size()) continue;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const double share = slots[colour + k];
+            poses.leds[i][k] = slots[lit] != 0 && std::isfinite(share) ? static_cast<float>(std::clamp(share, 0.0, 1.0)) : 0;
+        }
+    }
 }
 
 std::size_t PoseReader::found() const {

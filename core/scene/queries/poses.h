@@ -26,10 +26,14 @@ struct PenLine {
     std::vector<Point> points;
 };
 
+/// A display colour; black: it is dark.
+using LedColour = std::array<float, 3>;
+
 /// What differs between pictures of one experiment. World poses of all robot bodies: robots in text order, each with its bodies in the
-/// order of its config.
+/// order of its config; what their Leds show and their Pens have drawn.
 struct BodyPoses : std::vector<Pose> {
     using std::vector<Pose>::vector;
+    std::vector<LedColour> leds;                       ///< in the order of ledsOf()
     std::shared_ptr<const std::vector<PenLine>> lines; ///< null: there are none
 };
 
@@ -41,7 +45,8 @@ public:
     PoseReader(const ExperimentSpec& experiment, const SignalLayout& layout);
 
     /// A body without a pose signal, or whose signal is not a valid pose (not finite, not a rotation), keeps its entry in
-    /// `poses`. If `poses` has the wrong size, it is first filled with the start poses. The lines of pens are replaced.
+    /// `poses`, as does a Led without signals. If `poses` has the wrong size, it is first filled with the start poses. The lines of
+    /// pens are replaced.
     void read(const SignalBlock& block, BodyPoses& poses) const;
     /// Number of bodies whose pose is in the layout.
     [[nodiscard]] std::size_t found() const;
@@ -57,6 +62,10 @@ private:
 
     std::vector<std::uint32_t> m_offsets; // slot of each body's pose
     std::vector<PenSlots> m_pens;
+    struct LedSlots {
+        std::uint32_t lit = kAbsent, colour = kAbsent;
+    };
+    std::vector<LedSlots> m_leds;
     BodyPoses m_start;
 };
 

@@ -14,7 +14,7 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 7u
+#define TRUNDLE_ABI_MINOR 8u
 #define TRUNDLE_SDK_VERSION "1.10.0"
 
 #ifdef __cplusplus

@@ -19,6 +19,14 @@ typedef struct TrundleLight {
     uint32_t type, shadows;
 } TrundleLight;
 
+/* How a lamp shines. Along a way at the angle a from its axis its light is light * cos(a)^exponent, and there is none behind it; with an
+ * exponent of 0 it is the same all around. */
+typedef struct TrundleBeam {
+    double axis[3];  /* unit vector: in the world frame, of `emitBeam` in that of the body */
+    double exponent;
+    double radius;   /* of its lens, m: what is in there does not hide it */
+} TrundleBeam;
+
 /* For devices in act and sense, with the poses after the last step; uses the context of TrundleServices. World frame, m. Light is
  * linear: the square of a colour in the text or of a picture. */
 typedef struct TrundleServicesLight {
@@ -30,6 +38,10 @@ typedef struct TrundleServicesLight {
     uint32_t (*lights)(void* context, TrundleLight* out, uint32_t capacity);
     /* Since 1.7. The device is a lamp from now on, at a point of a body (m, in its frame), with shadows; 0: it is dark. */
     void (*emit)(void* context, uint32_t body, const double point[3], double light);
+    /* Since 1.8. The same with a direction; NULL: all around. */
+    void (*emitBeam)(void* context, uint32_t body, const double point[3], double light, const TrundleBeam* beam);
+    /* Since 1.8. How they shine, in the order of `lights`; returns their number. Sun, sky and ground shine all around. */
+    uint32_t (*beams)(void* context, TrundleBeam* out, uint32_t capacity);
 } TrundleServicesLight;
 
 #ifdef __cplusplus

@@ -16,6 +16,17 @@ typedef struct TrundleLoad {
     double conductance; /* A/V, by which it grows */
 } TrundleLoad;
 
+/* What a device offers to what touches one of its geoms. */
+typedef struct TrundleOffer {
+    double volts;   /* at most */
+    double amperes; /* at most; 0: nothing */
+} TrundleOffer;
+
+typedef struct TrundleTaken {
+    double watts, amperes;
+    uint32_t takers, reserved;
+} TrundleTaken;
+
 /* For devices in act and sense; uses the context of TrundleServices. */
 typedef struct TrundleServicesSupply {
     uint32_t size, reserved;
@@ -26,6 +37,14 @@ typedef struct TrundleServicesSupply {
     /* For the device that is the supply, in sense: what all others drew. */
     void (*load)(void* context, TrundleLoad* load);
     void (*setVoltage)(void* context, double voltage); /* for the device that is the supply, in sense: of the next tick */
+    /* Since 1.8. In act: what touches the geom can take power from the device, from all of its geoms together at most `amperes`. */
+    void (*offer)(void* context, uint32_t geom, double volts, double amperes);
+    /* Since 1.8. For the device that is the supply, in sense: what the geom offers to each that takes from it. */
+    void (*offered)(void* context, uint32_t geom, TrundleOffer* offer);
+    /* Since 1.8. For the device that is the supply, in sense: what it took from the geom in this tick. */
+    void (*take)(void* context, uint32_t geom, double volts, double amperes);
+    /* Since 1.8. For a device that offers power: what was taken from it in the tick before. */
+    void (*taken)(void* context, TrundleTaken* taken);
 } TrundleServicesSupply;
 
 #ifdef __cplusplus

@@ -74,6 +74,8 @@ public:
     }
     /// The lights of the experiment: sun, sky, ground and lamps; `out` is overwritten. None if the program is older. Since 1.7.
     void lights(std::vector<TrundleLight>& out) const { detail::lights(m_services, out); }
+    /// How the lights shine, in the order of lights(); `out` is overwritten. None if the program is older: all around. Since 1.10.
+    void beams(std::vector<TrundleBeam>& out) const { detail::beams(m_services, out); }
     /// The battery of the robot. Since 1.8.
     [[nodiscard]] Supply supply() const { return detail::supply(m_services); }
     /// A function of (seed, device, tick, index): the same in every run.
@@ -110,6 +112,25 @@ public:
     void setSupplyVoltage(double voltage) {
         if (const TrundleServicesSupply* supply = detail::supplyOf(m_services)) supply->setVoltage(m_services.context, voltage);
     }
+    // Since 1.10.
+    /// For the device that called Mount::provideSupply: what a geom that it touches offers to it. 0 A: nothing.
+    [[nodiscard]] TrundleOffer offered(GeomId geom) const {
+        TrundleOffer offer{};
+        if (const TrundleServicesSupply* supply = detail::chargingOf(m_services))
+            supply->offered(m_services.context, geom.index, &offer);
+        return offer;
+    }
+    /// For the same device: it took `amperes` at `volts` in this tick.
+    void takePower(GeomId geom, double volts, double amperes) {
+        if (const TrundleServicesSupply* supply = detail::chargingOf(m_services))
+            supply->take(m_services.context, geom.index, volts, amperes);
+    }
+    /// For a device that offers power: what was taken from it in the tick before.
+    [[nodiscard]] TrundleTaken taken() const {
+        TrundleTaken taken{};
+        if (const TrundleServicesSupply* supply = detail::chargingOf(m_services)) supply->taken(m_services.context, &taken);
+        return taken;
+    }
 };
 
 /// Services in act, before the step.
@@ -137,6 +158,16 @@ public:
     /// The device is a lamp from now on, at a point of a body (m, in its frame). `light` is that of a TrundleLight: 1 is 1000 lx at 1 m; 0: it
     /// is dark. Light sensors see it until it is changed. Since 1.8.
     void emitLight(BodyId body, const Vec3& point, double light) { detail::emitLight(m_services, body, point, light); }
+    /// The same with a beam, whose axis is in the frame of the body; an older program lets it shine all around. Since 1.10.
+    void emitLight(BodyId body, const Vec3& point, double light, const TrundleBeam& beam) {
+        detail::emitBeam(m_services, body, point, light, beam);
+    }
+    /// What touches the geom can take power from the device: in all at most `amperes`, at most at `volts`; 0 A: none. It is offered until it
+    /// is changed. Since 1.10.
+    void offerPower(GeomId geom, double volts, double amperes) {
+        if (const TrundleServicesSupply* supply = detail::chargingOf(m_services))
+            supply->offer(m_services.context, geom.index, volts, amperes);
+    }
 };
 
 /// A sensor or an actuator. Override act, sense or both; a phase that is not overridden has no cost.

@@ -23,10 +23,12 @@ using LinearMotorPort = JointServoPort<LinearMotorSignals>;
 /// Since 1.8.
 class BatteryPort : public Port<BatterySignals> {
 public:
-    [[nodiscard]] double voltage() const { return m_signals.voltage.get(); } ///< V
-    [[nodiscard]] double current() const { return m_signals.current.get(); } ///< A
-    [[nodiscard]] double charge() const { return m_signals.charge.get(); }   ///< C that is left
-    [[nodiscard]] double level() const { return m_signals.level.get(); }     ///< share that is left, from 0 to 1
+    [[nodiscard]] double voltage() const { return m_signals.voltage.get(); }             ///< V
+    [[nodiscard]] double current() const { return m_signals.current.get(); }             ///< A
+    [[nodiscard]] double charge() const { return m_signals.charge.get(); }               ///< C that is left
+    [[nodiscard]] double level() const { return m_signals.level.get(); }                 ///< share that is left, from 0 to 1
+    [[nodiscard]] double chargeCurrent() const { return m_signals.chargeCurrent.get(); } ///< A from a Charger
+    [[nodiscard]] bool charging() const { return chargeCurrent() > 0; }
 };
 
 /// Since 1.8.
@@ -53,6 +55,28 @@ class PenPort : public Port<PenSignals> {
 public:
     void setDown(bool down) { m_signals.down.set(down); }
     [[nodiscard]] double length() const { return m_signals.length.get(); } ///< m, of all that it has drawn
+};
+
+/// Since 1.10.
+class LedPort : public Port<LedSignals> {
+public:
+    void setOn(bool on) { m_signals.on.set(on); }
+    /// From 0 to 1, as in pictures.
+    void setColor(double red, double green, double blue) {
+        m_signals.color.set(0, red);
+        m_signals.color.set(1, green);
+        m_signals.color.set(2, blue);
+    }
+    [[nodiscard]] bool lit() const { return m_signals.lit.get() != 0; } ///< it is on and has power
+};
+
+/// Since 1.10.
+class ChargerPort : public Port<ChargerSignals> {
+public:
+    [[nodiscard]] bool connected() const { return m_signals.connected.get() != 0; } ///< a battery takes power
+    [[nodiscard]] double voltage() const { return m_signals.voltage.get(); }        ///< V
+    [[nodiscard]] double current() const { return m_signals.current.get(); }        ///< A
+    [[nodiscard]] double energy() const { return m_signals.energy.get(); }          ///< J since the start
 };
 
 } // namespace sdk1

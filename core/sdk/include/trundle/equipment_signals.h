@@ -49,7 +49,7 @@ struct LinearMotorSignals {
 
 struct BatterySignals {
     static constexpr const char* kKind = "Battery";
-    OutputSlot<double> voltage, current, charge, level;
+    OutputSlot<double> voltage, current, charge, level, chargeCurrent;
     TruthSlot<double> openVoltage;
 
     template <class D> static void describe(D& d) {
@@ -58,6 +58,7 @@ struct BatterySignals {
         d.output("current", &S::current, "A", "Of all that draw from it; negative while it is charged.");
         d.output("charge", &S::charge, "C", "That is left.");
         d.output("level", &S::level, "", "Share of Capacity that is left, from 0 to 1.");
+        d.output("chargeCurrent", &S::chargeCurrent, "A", "From a Charger that its Contact touches.");
         d.truth("openVoltage", &S::openVoltage, "V", "Its voltage without a load.");
     }
 };
@@ -119,6 +120,34 @@ struct PenSignals {
         d.output("points", &S::points, "", "Of its line, at most MaxPoints.");
         d.truth("line", &S::line, "", "Of each point x, y, z [m] in the world, and 1 where a stroke begins, else 0.",
                 {"MaxPoints"});
+    }
+};
+
+struct LedSignals {
+    static constexpr const char* kKind = "Led";
+    CommandSlot<bool> on;
+    CommandSlot<std::array<double, 3>> color;
+    OutputSlot<bool> lit;
+
+    template <class D> static void describe(D& d) {
+        using S = LedSignals;
+        d.command("on", &S::on, "", "Whether it is to shine.");
+        d.command("color", &S::color, "", "Red, green, blue from 0 to 1, as in pictures.");
+        d.output("lit", &S::lit, "", "It shines: it is on and has power.");
+    }
+};
+
+struct ChargerSignals {
+    static constexpr const char* kKind = "Charger";
+    OutputSlot<bool> connected;
+    OutputSlot<double> voltage, current, energy;
+
+    template <class D> static void describe(D& d) {
+        using S = ChargerSignals;
+        d.output("connected", &S::connected, "", "A battery takes power.");
+        d.output("voltage", &S::voltage, "V", "At which it charges; without a battery its Voltage.");
+        d.output("current", &S::current, "A", "Into the batteries that it charges.");
+        d.output("energy", &S::energy, "J", "That it has given since the start.");
     }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 // Light and what returns it, for devices. Since 1.7.
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,12 +32,34 @@ inline void lights(const TrundleServices& services, std::vector<TrundleLight>& o
     if (!out.empty()) light->lights(services.context, out.data(), static_cast<std::uint32_t>(out.size()));
 }
 
+inline void beams(const TrundleServices& services, std::vector<TrundleBeam>& out) {
+    const TrundleServicesLight* light = lightOf(services);
+    const bool known = light && light->size >= offsetof(TrundleServicesLight, beams) + sizeof light->beams;
+    out.resize(known ? light->beams(services.context, nullptr, 0) : 0);
+    if (!out.empty()) light->beams(services.context, out.data(), static_cast<std::uint32_t>(out.size()));
+}
+
 inline void emitLight(const TrundleServices& services, BodyId body, const Vec3& point, double light) {
     const TrundleServicesLight* table = lightOf(services);
     if (table && table->size >= offsetof(TrundleServicesLight, emit) + sizeof table->emit)
         table->emit(services.context, body.index, point.data(), light);
 }
 
+inline void emitBeam(const TrundleServices& services, BodyId body, const Vec3& point, double light, const TrundleBeam& beam) {
+    const TrundleServicesLight* table = lightOf(services);
+    if (table && table->size >= offsetof(TrundleServicesLight, emitBeam) + sizeof table->emitBeam)
+        table->emitBeam(services.context, body.index, point.data(), light, &beam);
+    else emitLight(services, body, point, light);
+}
+
 } // namespace detail
+
+/// The share of its light that a lamp sends along a unit direction away from it. Since 1.10.
+[[nodiscard]] inline double shareAlong(const TrundleBeam& beam, const Vec3& direction) {
+    if (!(beam.exponent > 0)) return 1;
+    const double cosine = Vec3(beam.axis).dot(direction);
+    return cosine > 0 ? std::pow(cosine, beam.exponent) : 0;
+}
+
 } // namespace sdk1
 } // namespace trundle

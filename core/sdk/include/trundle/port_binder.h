@@ -84,6 +84,8 @@ public:
     [[nodiscard]] TrackPort track(PortName name) { return bindPort<TrackPort, TrackSignals>(name); }
     [[nodiscard]] TrackDrivePort trackDrive(PortName name) { return bindPort<TrackDrivePort, TrackDriveSignals>(name); }
     [[nodiscard]] PenPort pen(PortName name) { return bindPort<PenPort, PenSignals>(name); }
+    [[nodiscard]] LedPort led(PortName name) { return bindPort<LedPort, LedSignals>(name); }
+    [[nodiscard]] ChargerPort charger(PortName name) { return bindPort<ChargerPort, ChargerSignals>(name); }
 };
 
 } // namespace sdk1

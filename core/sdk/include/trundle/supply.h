@@ -36,6 +36,12 @@ inline const TrundleServicesSupply* supplyOf(const TrundleServices& services) {
     return services.size >= offsetof(TrundleServices, supply) + sizeof services.supply ? services.supply : nullptr;
 }
 
+/// nullptr: the program is older and has no chargers.
+inline const TrundleServicesSupply* chargingOf(const TrundleServices& services) {
+    const TrundleServicesSupply* table = supplyOf(services);
+    return table && table->size >= offsetof(TrundleServicesSupply, taken) + sizeof table->taken ? table : nullptr;
+}
+
 inline Supply supply(const TrundleServices& services) {
     Supply now;
     const TrundleServicesSupply* table = supplyOf(services);

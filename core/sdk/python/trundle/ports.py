@@ -308,6 +308,13 @@ class BatteryPort(Port):
         """Share that is left, from 0 to 1."""
         return self.get("level")
 
+    def charge_current(self):
+        """A from a Charger."""
+        return self.get("chargeCurrent")
+
+    def charging(self):
+        return self.charge_current() > 0
+
 
 class GripperPort(Port):
     def set_opening(self, opening):
@@ -350,6 +357,38 @@ class PenPort(Port):
     def length(self):
         """m, of all that it has drawn."""
         return self.get("length")
+
+
+class LedPort(Port):
+    def set_on(self, on):
+        self.set("on", 1.0 if on else 0.0)
+
+    def set_color(self, red, green, blue):
+        """From 0 to 1, as in pictures."""
+        for element, value in enumerate((red, green, blue)):
+            self.set("color", value, element)
+
+    def lit(self):
+        """It is on and has power."""
+        return self.get("lit") != 0
+
+
+class ChargerPort(Port):
+    def connected(self):
+        """A battery takes power."""
+        return self.get("connected") != 0
+
+    def voltage(self):
+        """V."""
+        return self.get("voltage")
+
+    def current(self):
+        """A."""
+        return self.get("current")
+
+    def energy(self):
+        """J since the start."""
+        return self.get("energy")
 
 
 class GroundTruthPort:
@@ -423,6 +462,8 @@ class RobotPorts:
     track = _binder("track", BeltPort, "Track")
     track_drive = _binder("track_drive", DifferentialDrivePort, "TrackDrive")
     pen = _binder("pen", PenPort, "Pen")
+    led = _binder("led", LedPort, "Led")
+    charger = _binder("charger", ChargerPort, "Charger")
 
     def camera(self, device):
         """The port of a Camera."""
