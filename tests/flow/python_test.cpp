@@ -67,6 +67,7 @@ private Q_SLOTS:
         QTest::newRow("network_navigation") << (isLong ? "300" : "40"); // it ends when it has arrived, after 105 s
         QTest::newRow("blob_follow") << "14";                           // it is there after 13 s
         QTest::newRow("collect") << (isLong ? "600" : "40");            // the first can is home after 34 s
+        QTest::newRow("docking") << (isLong ? "600" : "60");
     }
     void givesTheSameStateAsInCpp() {
         QFETCH(QString, duration);
@@ -88,6 +89,7 @@ private Q_SLOTS:
         QTest::newRow("network_navigator, sweep") << "BearingSweep";
         QTest::newRow("blob_follow") << "BlobFollow";
         QTest::newRow("collect") << "Collect";
+        QTest::newRow("docking") << "Docking";
     }
     void isDescribedAsInCpp() {
         QFETCH(QString, kind);
@@ -102,7 +104,7 @@ private Q_SLOTS:
         QVERIFY(cpp["properties"].toArray().size() > 3);
         // Under another name, as the kind of the library comes first.
         QTemporaryDir folder;
-        for (const char* name : {"beacon", "sweep", "mote", "network_navigator", "blob_follow", "scan_points", "collect"}) {
+        for (const char* name : {"beacon", "sweep", "mote", "network_navigator", "blob_follow", "scan_points", "collect", "docking"}) {
             QByteArray text = contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/plugins/python/%1.py").arg(name));
             text.replace("class " + kind.toUtf8() + "(", "class Copied" + kind.toUtf8() + "(");
             QVERIFY(writeFile(folder.filePath(QStringLiteral("%1.py").arg(name)), text));
