@@ -32,6 +32,7 @@ QList<Sample> sampleExperiments(const QString& configs) {
         {"line_follow", "Line follow", "Finds a line on the floor and goes once around on it."},
         {"braitenberg", "Braitenberg", "Two light sensors, two wheels: it comes to rest before the lamp."},
         {"collect", "Collect", "Finds cans with a lidar, grips them and brings them home."},
+        {"docking", "Docking", "When its battery is low, it finds its charger by the light on it."},
         {"lidar_map", "Lidar map", "Explores a room, draws its map and saves it as a picture."},
         {"swarm", "Swarm", "A hundred robots, each on a random walk of its own."},
         {"camera_swarm", "Camera swarm", "Twenty robots with a camera each, all after one red ball."},

@@ -71,6 +71,7 @@ private Q_SLOTS:
         QTest::newRow("line_follow") << (isLong ? "150" : "20");
         QTest::newRow("braitenberg") << (isLong ? "60" : "20");
         QTest::newRow("lidar_map") << (isLong ? "600" : "20");          // it ends when all is mapped, after some minutes
+        QTest::newRow("docking") << (isLong ? "600" : "60");
     }
     void givesTheSameStateAsInCpp() {
         QFETCH(QString, duration);
@@ -96,6 +97,7 @@ private Q_SLOTS:
         QTest::newRow("line_follow") << "LineFollow";
         QTest::newRow("braitenberg") << "Braitenberg";
         QTest::newRow("lidar_map") << "LidarMap";
+        QTest::newRow("docking") << "Docking";
     }
     void isDescribedAsInCpp() {
         QFETCH(QString, kind);

@@ -1,4 +1,4 @@
-// Whole tasks, on seeds that no file contains: cans are brought home, a room is mapped.
+// Whole tasks, on seeds that no file contains: cans are brought home, a room is mapped, a battery is charged.
 
 #include <numbers>
 
@@ -74,6 +74,8 @@ private Q_SLOTS:
                                  << "robot.gripper(";
         QTest::newRow("lidar_map") << "lidar_map/lidar_map.cpp"
                                    << "robot.lidar(";
+        QTest::newRow("docking") << "docking/docking.cpp"
+                                 << "robot.lightSensor(";
     }
     void theControllersReadNothingButSensors() {
         QFETCH(QString, source);
@@ -107,6 +109,28 @@ private Q_SLOTS:
             run("collect.sim", 3011, {"--log-dir", logs.path(), "--duration", "120", "--set", "collector.gripper.Force=2"});
         QVERIFY(!done.isEmpty());
         QCOMPARE(reasonOf(done), QString());
+    }
+
+    /// Twice it finds its charger by the light on it, charges and works on.
+    void theRobotCharges_data() {
+        QTest::addColumn<int>("seed");
+        for (int i = 0; i < seedsOf(2); ++i) QTest::addRow("seed %d", 4001 + 53 * i) << 4001 + 53 * i;
+    }
+    void theRobotCharges() {
+        QFETCH(int, seed);
+        QTemporaryDir logs;
+        const QJsonObject done = run("docking.sim", seed, {"--log-dir", logs.path()});
+        QCOMPARE(reasonOf(done), QString("it works, charged"));
+        const QJsonObject robots = done["robots"].toObject();
+        const double given = robots["station"].toObject()["signals"].toObject()["charger/energy"].toDouble();
+        QVERIFY2(given > 2 * 100 && given < 2 * 250, qPrintable(QString::number(given))); // 3.7 V x 72 C x 0.4 and more, twice
+    }
+
+    /// In a room without the light on it, it is not found.
+    void withoutItsLightTheChargerIsNotFound() {
+        QTemporaryDir logs;
+        const QJsonObject done = run("docking.sim", 4001, {"--log-dir", logs.path(), "--set", "station.beacon.On=false"});
+        QCOMPARE(reasonOf(done), QString("its battery is empty"));
     }
 
     void aMapAgreesWithItsRoom_data() {

@@ -80,6 +80,32 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < start.size(); ++i) QVERIFY((poses[i].position - start[i].position).norm() == 0);
     }
 
+    void ledsShowTheirColourWhileTheyShine() {
+        ExperimentSpec experiment = twoRobots();
+        auto config = std::make_shared<RobotConfigSpec>(*experiment.robots[0].config);
+        config->devices.resize(1);
+        config->devices[0].kind = "Led";
+        config->devices[0].name = "led";
+        for (RobotSpec& robot : experiment.robots) robot.config = config;
+        const LedColour white{1, 1, 1}, dark{0, 0, 0};
+        QVERIFY(startPoses(experiment).leds == (std::vector<LedColour>{white, white})); // as its properties say
+        SignalLayout layout;
+        layout.beginRobot("a");
+        layout.add("a/led/color", "", SignalType::Real, SignalDirection::Command, 3);
+        layout.add("a/led/lit", "", SignalType::Boolean, SignalDirection::Output);
+        SignalBlock block(layout);
+        const auto at = [&](const char* path) { return block.slots().begin() + layout.find(path)->offset; };
+        BodyPoses poses;
+        const PoseReader reader(experiment, layout);
+        reader.read(block, poses);
+        QVERIFY(poses.leds == (std::vector<LedColour>{dark, white}));
+        const double commanded[] = {0.5, 7, std::nan("")};
+        std::copy(std::begin(commanded), std::end(commanded), at("a/led/color"));
+        *at("a/led/lit") = 1;
+        reader.read(block, poses);
+        QVERIFY(poses.leds == (std::vector<LedColour>{{0.5f, 1, 0}, white}));
+    }
+
     void aSignalOfAnotherShapeIsNoPose() {
         const ExperimentSpec experiment = twoRobots();
         SignalLayout layout;
