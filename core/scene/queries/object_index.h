@@ -38,6 +38,11 @@ public:
     [[nodiscard]] std::string pathOf(const ObjectRef& object, char separator = '.') const;
     /// The robot, body or static that contains it; nullopt for robots and statics.
     [[nodiscard]] std::optional<ObjectRef> ownerOf(const ObjectRef& object) const;
+    /// The robot or static that it is or is in.
+    [[nodiscard]] ObjectRef wholeOf(ObjectRef object) const {
+        while (const auto owner = ownerOf(object)) object = *owner;
+        return object;
+    }
     /// All robots in order, then all statics, with what moves in them.
     [[nodiscard]] std::vector<ObjectRef> instances() const;
 

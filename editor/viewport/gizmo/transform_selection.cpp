@@ -182,8 +182,7 @@ void TransformSelection::takeLayout(const std::string& path) {
 
 void TransformSelection::takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside) {
     const LoadedProject& loaded = *m_context.document.loaded();
-    ObjectRef whole = inside;
-    while (const auto owner = m_objects->ownerOf(whole)) whole = *owner;
+    const ObjectRef whole = m_objects->wholeOf(inside);
     Item item{path,
               std::nullopt,
               {},
