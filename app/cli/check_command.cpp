@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@ struct CheckArguments {
     std::vector<std::string> files;
     bool json = false;
     bool ofEditor = false; ///< see checkRobots()
+    bool isModel = false;  ///< see openModels()
 };
 
 /// The JSON entry of a file that cannot be read.
@@ -78,11 +80,33 @@ ExitCode checkRobots(Application& application, CheckArguments arguments) {
     return writeOut(jsonText(entries)) ? kExitDone : kExitText;
 }
 
+/// The robot models of a file, one beside the other on a plain floor; the file itself if it has none.
+Result<std::shared_ptr<const LoadedProject>> openModels(Application& application, const std::string& file, OpenOptions options) {
+    namespace fs = std::filesystem;
+    const auto opened = application.open(file, options);
+    if (!opened || opened.value()->diagnostics.hasErrors()) return opened;
+    std::error_code ec;
+    const fs::path path = fs::weakly_canonical(file, ec);
+    std::string text =
+        "#import " + path.filename().string() + "\n#import arenas/open_floor.sim\n" + "Static checkFloor { Config=OpenFloor }\n";
+    int count = 0;
+    for (const Part* config : opened.value()->outline->configs.all())
+        if (config->kind->name == "RobotConfig" && config->file == 0)
+            text += "Robot model" + std::to_string(count) + " { Config=" + config->name + " Pos=" + std::to_string(10 * count) +
+                    ",0,0 }\n",
+                ++count;
+    if (count == 0) return opened;
+    const std::string beside = (path.parent_path() / ".models_of_check.sim").string();
+    options.texts.emplace(beside, std::make_shared<const std::string>(text));
+    return application.open(beside, options);
+}
+
 ExitCode check(Application& application, const CheckArguments& arguments) {
     ExitCode code = kExitDone;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const std::string& file : arguments.files) {
-        const Result<std::shared_ptr<const LoadedProject>> opened = application.open(file, arguments.open);
+        const auto opened =
+            arguments.isModel ? openModels(application, file, arguments.open) : application.open(file, arguments.open);
         if (!opened) {
             code = kExitUsage;
             if (!arguments.json) printProblem(opened.error().message);
@@ -108,9 +132,10 @@ ExitCode check(Application& application, const CheckArguments& arguments) {
 constexpr const char* kCheckExamples = R"(Examples:
   trundle-cli check configs/experiments/*.sim
   trundle-cli check my.sim --json
+  trundle-cli check --model my_robot.sim
 
-Beside mistakes in the text it says what starts inside something else, below the floor or in the air, which joined bodies differ too
-much in mass, which drives disagree with their wheels, and what a run would refuse. For that it sets up robots with the controllers
+Beside mistakes in the text it says what starts inside something else, below the floor or in the air, which bodies no joint holds or
+differ too much in mass, which drives disagree with their wheels or are too weak, and what a run would refuse. For that it sets up robots with the controllers
 of trusted modules, as a run does, but takes no step.
 
 Exit codes: 0 no errors (there may be warnings), 1 errors, 2 a FILE that cannot be read.)";
@@ -123,6 +148,7 @@ void addCheck(CLI::App& app, const ApplicationFactory& application, ChosenComman
     auto arguments = std::make_shared<CheckArguments>();
     command->add_option("FILE", arguments->files, "Files to check, each by itself")->required()->type_name("");
     command->add_flag("--json", arguments->json, "A JSON array of all messages instead of text");
+    command->add_flag("--model", arguments->isModel, "Check each robot model of a FILE on a plain floor, without its experiment");
     addSetOption(*command, arguments->open);
     addOpenOptions(*command, arguments->open);
     command->add_flag("--robots-of-texts", arguments->ofEditor, "For an editor: see checkRobots()")->group("");

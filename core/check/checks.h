@@ -9,6 +9,8 @@
 
 namespace trundle {
 
+/// Reports bodies that no joint holds, two joints for the same bodies, closed loops, and mass properties that do not fit the shapes.
+void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics);
 void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 /// Reports springs of joints and surfaces that swing faster than the tick can follow.
 void checkSprings(const ExperimentSpec& experiment, Diagnostics& diagnostics);
@@ -17,6 +19,10 @@ void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics);
 void checkStart(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics);
 /// Reports robots that start unsupported in the air.
 void checkSupport(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics, const std::stop_token& stop);
+
+/// Reports motors too weak for the ramps, driven wheels off the ground, and scenery thinner than the way of one tick.
+void checkSpeeds(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics);
+void checkUnused(const LoadedProject& loaded, Diagnostics& diagnostics);
 
 /// A length (m) with three significant digits and a suitable unit: "3.5 m", "12 mm".
 [[nodiscard]] std::string lengthText(double metres);

@@ -3,21 +3,15 @@
 #include <set>
 
 #include "check/checks.h"
+#include "check/drive_wheels.h"
 #include "project/objects/part_values.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr double kTolerance = 0.02; // relative, for radius and separation
-constexpr double kSameLine = 0.02;  // sine of the angle between a wheel's axis and its axle
-constexpr std::string_view kDrive = "DifferentialDrive", kMotor = "RotaryMotor";
-
-/// Geometry of a wheel, from its geom and joint.
-struct Wheel {
-    const GeomSpec* geom = nullptr;
-    Vec3 centre = Vec3::Zero(), axis = Vec3::UnitY(); ///< in the config's frame
-};
+constexpr double kTolerance = 0.02; // relative, for radius and distances
+constexpr std::string_view kMotor = "RotaryMotor";
 
 /// Checks all drives of one config.
 class DriveCheck {
@@ -26,48 +20,95 @@ public:
         : m_loaded(loaded), m_config(config), m_diagnostics(diagnostics) {}
 
     void check(const ComponentSpec& drive) {
-        if (drive.text("LeftMotor") == drive.text("RightMotor")) return sameMotor(drive);
-        const std::optional<Wheel> left = wheelOf(drive.text("LeftMotor")), right = wheelOf(drive.text("RightMotor"));
-        if (!left || !right) return;
-        const double radius = left->geom->radius;
-        if (std::abs(right->geom->radius - radius) <= kTolerance * radius)
-            compare(drive, "WheelRadius", radius,
-                    "the wheels " + left->geom->name + " and " + right->geom->name + " have a radius of ", "distances");
-        compare(drive, "WheelSeparation", std::abs((left->centre - right->centre).dot(left->axis)),
-                "the middles of the wheels " + left->geom->name + " and " + right->geom->name + " are apart by ", "turns");
+        const std::vector<DriveMotor> motors = motorsOf(drive);
+        for (auto motor = motors.begin(); motor != motors.end(); ++motor)
+            if (const auto earlier =
+                    std::find_if(motors.begin(), motor, [&](const DriveMotor& m) { return m.name == motor->name; });
+                earlier != motor)
+                return sameMotor(drive, *earlier, *motor);
+        std::vector<DriveWheel> wheels;
+        for (const DriveMotor& motor : motors) {
+            const auto wheel = wheelOf(m_config, motor.name);
+            if (!wheel) return;
+            wheels.push_back(*wheel);
+        }
+        if (!wheels.empty()) checkWheels(drive, motors, wheels);
     }
 
 private:
-    /// Reports a drive that uses one motor twice; a run would refuse it.
-    void sameMotor(const ComponentSpec& drive) {
-        const ResolvedValue* right = drive.find("RightMotor");
-        Diagnostic& d = m_diagnostics.error(Code::DeviceSetup, right->range.known() ? right->range : drive.nameRange,
-                                            "LeftMotor and RightMotor of " + drive.name + " are the same motor, " +
-                                                drive.text("LeftMotor") + "; each wheel needs one of its own");
-        std::vector<std::string> others;
-        for (const ComponentSpec& device : m_config.devices)
-            if (device.kind == kMotor && device.name != drive.text("LeftMotor")) others.push_back(device.name);
-        if (others.size() == 1 && canWrite(*right)) d.fixes.push_back({others[0], {{right->range, others[0]}}});
-        d.suggestions = std::move(others);
+    void checkWheels(const ComponentSpec& drive, const std::vector<DriveMotor>& motors, const std::vector<DriveWheel>& wheels) {
+        const std::string names = "the wheels " + nameOf(wheels.front()) + " and " + nameOf(wheels.back());
+        const auto radius = [](const DriveWheel& w) { return w.geom->radius; };
+        if (const auto all = sameOf(wheels, radius))
+            compare(drive, "WheelRadius", *all, names + " have a radius of ", "distances");
+        const Vec3 across = wheels.front().axis, ahead = across.cross(Vec3::UnitZ());
+        const auto apart = [&](const Vec3& direction, bool DriveMotor::*side) {
+            std::array<double, 2> sums{}, counts{};
+            for (std::size_t i = 0; i < wheels.size(); ++i) {
+                sums[motors[i].*side] += wheels[i].centre.dot(direction);
+                ++counts[motors[i].*side];
+            }
+            return std::abs(sums[0] / counts[0] - sums[1] / counts[1]); // not a number if all are on one side
+        };
+        if (drive.kind == "OmniDrive") {
+            const auto distance = [](const DriveWheel& w) { return std::abs(w.centre.dot(w.axis)); };
+            if (const auto all = sameOf(wheels, distance))
+                compare(drive, "WheelDistance", *all, names + " are away from the middle by ", "turns");
+            return;
+        }
+        compare(drive, "WheelSeparation", apart(across, &DriveMotor::isRight), "the middles of " + names + " are apart by ",
+                "turns");
+        if (drive.kind == "MecanumDrive")
+            compare(drive, "WheelBase", apart(ahead, &DriveMotor::isBack), "the axles of " + names + " are apart by ", "turns");
+        if (drive.kind == "AckermannDrive")
+            if (const auto steered = steeredAnchor(drive))
+                compare(drive, "WheelBase", std::abs((*steered - wheels.front().centre).dot(ahead.normalized())),
+                        "the steered wheels are ahead of the driven ones by ", "curves");
     }
 
-    /// The largest round geom of the motor's wheel that rotates about its axle.
-    [[nodiscard]] std::optional<Wheel> wheelOf(const std::string& motor) const {
-        const auto device = std::ranges::find(m_config.devices, motor, &ComponentSpec::name);
-        if (device == m_config.devices.end()) return std::nullopt;
-        const auto joint = std::ranges::find(m_config.joints, device->text("Joint"), &JointSpec::name);
-        if (joint == m_config.joints.end()) return std::nullopt;
-        const Vec3& axle = joint->type == JointType::Suspension ? joint->axis2 : joint->axis;
-        const BodySpec& body = m_config.bodies[static_cast<std::size_t>(joint->child)];
-        std::optional<Wheel> wheel;
-        for (const GeomSpec& g : body.geoms) {
-            const Pose pose = body.pose * g.pose;
-            const bool round = g.shape == GeomShape::Sphere || g.shape == GeomShape::Cylinder;
-            if (!g.collide || !round) continue;
-            if (g.shape == GeomShape::Cylinder && (pose.rotation * Vec3::UnitZ()).cross(axle).norm() > kSameLine) continue;
-            if (!wheel || g.radius > wheel->geom->radius) wheel = Wheel{&g, pose.position, axle};
-        }
-        return wheel;
+    /// Names the geom, and its body where another wheel has a geom of that name.
+    [[nodiscard]] std::string nameOf(const DriveWheel& wheel) const {
+        const std::string& name = wheel.geom->name;
+        int same = 0;
+        for (const BodySpec& body : m_config.bodies)
+            same += static_cast<int>(std::ranges::count(body.geoms, name, &GeomSpec::name));
+        return same > 1 ? m_config.bodies[wheel.body].name : name;
+    }
+
+    /// The value of all wheels; nothing if they differ.
+    template <class Of> [[nodiscard]] static std::optional<double> sameOf(const std::vector<DriveWheel>& wheels, Of of) {
+        const double first = of(wheels.front());
+        for (const DriveWheel& wheel : wheels)
+            if (!(std::abs(of(wheel) - first) <= kTolerance * first)) return std::nullopt;
+        return first;
+    }
+
+    /// Of the axis about which the left front wheel is steered.
+    [[nodiscard]] std::optional<Vec3> steeredAnchor(const ComponentSpec& drive) const {
+        const auto servo = std::ranges::find(m_config.devices, drive.text("LeftSteering"), &ComponentSpec::name);
+        if (servo == m_config.devices.end()) return std::nullopt;
+        const auto joint = std::ranges::find(m_config.joints, servo->text("Joint"), &JointSpec::name);
+        return joint == m_config.joints.end() ? std::nullopt : std::optional(joint->anchor);
+    }
+
+    /// Reports a drive that uses one motor twice; a run would refuse it.
+    void sameMotor(const ComponentSpec& drive, const DriveMotor& first, const DriveMotor& second) {
+        const SourceRange& range = second.value->range;
+        const bool isOneKey = first.value == second.value;
+        Diagnostic& d =
+            m_diagnostics.error(Code::DeviceSetup, range.known() ? range : drive.nameRange,
+                                isOneKey ? std::string(second.key) + " of " + drive.name + " names the motor " + second.name +
+                                               " twice; each wheel needs one of its own"
+                                         : std::string(first.key) + " and " + second.key + " of " + drive.name +
+                                               " are the same motor, " + second.name + "; each wheel needs one of its own");
+        std::vector<std::string> others;
+        const std::vector<DriveMotor> used = motorsOf(drive);
+        for (const ComponentSpec& device : m_config.devices)
+            if (device.kind == kMotor && std::ranges::find(used, device.name, &DriveMotor::name) == used.end())
+                others.push_back(device.name);
+        if (others.size() == 1 && second.value->value.texts.size() == 1 && canWrite(*second.value))
+            d.fixes.push_back({others[0], {{range, others[0]}}});
+        d.suggestions = std::move(others);
     }
 
     void compare(const ComponentSpec& drive, const char* key, double real, const std::string& where, const char* effect) {
@@ -118,8 +159,7 @@ void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics) {
         if (!robot.config || !seen.insert(robot.config.get()).second) continue;
         checkSharedJoints(*robot.config, diagnostics);
         DriveCheck check(loaded, *robot.config, diagnostics);
-        for (const ComponentSpec& device : robot.config->devices)
-            if (device.kind == kDrive) check.check(device);
+        for (const ComponentSpec& device : robot.config->devices) check.check(device);
     }
 }
 

@@ -24,6 +24,8 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     const ExperimentSpec& experiment = *loaded.experiment;
     Diagnostics silent;
     if (!isBuildable(experiment, silent)) return; // a run reports the reason
+    checkUnused(loaded, diagnostics);
+    checkBodies(loaded, diagnostics);
     checkMasses(experiment, diagnostics);
     checkDrives(loaded, diagnostics);
     checkSprings(experiment, diagnostics);
@@ -31,6 +33,7 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     const std::optional<StartScene> scene = StartScene::build(experiment, stop);
     if (!scene) return; // the same
     checkStart(loaded, *scene, diagnostics);
+    checkSpeeds(loaded, *scene, diagnostics);
     checkSupport(loaded, *scene, diagnostics, stop);
 }
 

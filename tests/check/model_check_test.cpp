@@ -1,6 +1,7 @@
 // Seeded faults: each is reported with its name and cause, and its fix, where there is one, removes it. Valid models give no warning.
 #include "check/check_fixture.h"
 #include "flow/cli.h"
+#include "project/wizard/robot_text.h"
 
 using namespace fixture;
 
@@ -186,6 +187,89 @@ private Q_SLOTS:
             "Robot a { Config=Slab Pos=0,0,0.1 }",
             Code::SpringTooFast, "Slab on Surface felt", "felt", false);
         row("a chassis of lead", rover("Mass=2 }", "Mass=20000 }"), Code::MassRatio, "1 to 100000", "leftWheel", false);
+
+        // Of the bodies, their joints and what the motors can do.
+        const auto changed = [](const char* from, const char* to, const char* more = "Robot r { Config=Rover }\n") {
+            return QString::fromStdString(kRover).replace(from, to).toStdString() + more;
+        };
+        row("a wheel without a joint",
+            changed("  Hinge rightAxle", "  Body box { Pos=0,0,0.14 Box b { Size=0.05,0.05,0.05 Mass=0.1 } }\n  Hinge rightAxle"),
+            Code::LooseBody, "box of Rover is held by no joint", "box", true);
+        row("two joints for one wheel",
+            changed("  Hinge rightAxle",
+                    "  Hinge spare { Parent=chassis Child=leftWheel Anchor=0.1,0.15,0.05 Axis=0,1,0 }\n  Hinge rightAxle"),
+            Code::DoubleJoint, "spare of Rover holds leftWheel to chassis, as leftAxle does", "spare", true);
+        row("two joints the other way round",
+            changed("  Hinge rightAxle", "  Fixed spare { Parent=leftWheel Child=chassis }\n  Hinge rightAxle"),
+            Code::DoubleJoint, "spare of Rover", "spare", true);
+        row("a loop of joints",
+            changed("  Hinge rightAxle", "  Fixed rod { Parent=leftWheel Child=rightWheel }\n  Hinge rightAxle"),
+            Code::ClosedLoop, "rightAxle of Rover closes a loop", "rightAxle", false);
+        row("held by the world twice",
+            "RobotConfig Gate { Body b { Box g { Size=0.2,0.2,0.2 Mass=1 } } Body c { Pos=0.3,0,0 Box g { Size=0.2,0.2,0.2 "
+            "Mass=1 } }\n"
+            "Fixed one { Parent=world Child=b } Hinge two { Parent=b Child=c } Fixed three { Parent=world Child=c } }\n"
+            "Robot a { Config=Gate Pos=0,0,0.1 }",
+            Code::ClosedLoop, "three of Gate closes a loop", "three", false);
+        row("an inertia in g cm^2", changed("Body chassis { Pos=0,0,0.08", "Body chassis { Pos=0,0,0.08 Inertia=120,160,250"),
+            Code::OddInertia, "about X is 120 kg m^2, more than", "chassis", true);
+        row("an inertia of a pin", changed("Body chassis { Pos=0,0,0.08", "Body chassis { Pos=0,0,0.08 Inertia=1e-7,1e-7,1e-7"),
+            Code::OddInertia, "far less than", "chassis", true);
+        row("a centre of mass in millimetres",
+            changed("Body chassis { Pos=0,0,0.08", "Body chassis { Pos=0,0,0.08 CenterOfMass=10,0,0"), Code::OddInertia,
+            "outside of its shapes", "chassis", false);
+        row("wheels in the air", changed("Radius=0.03 Mass=0.1", "Radius=0.06 Mass=0.1"), Code::WheelOffGround,
+            "leftWheel of Rover is 30 mm above the ground when caster touches it", "leftWheel", false);
+        row("a wheel too small", changed("Cylinder tyre { Radius=0.05", "Cylinder tyre { Radius=0.03"), Code::WheelOffGround,
+            "above the ground", "leftWheel", false);
+        row("motors too weak for a doorstep", changed("TorqueConstant=0.05 BackEmf", "TorqueConstant=0.0001 BackEmf"),
+            Code::WeakMotor, "a slope of 3 degrees needs", "leftMotor", false);
+        row("motors too weak for a ramp",
+            changed("MaxVoltage=12", "GearRatio=1 MaxVoltage=12",
+                    "StaticConfig Ramp { Box board { Size=1,1,0.02 Pos=2,0,0.3 HPR=0,30,0 } }\nStatic ramp { Config=Ramp }\n"
+                    "Robot r { Config=Rover }\n"),
+            Code::WeakMotor, "30 degrees, that of ramp/board, needs", "leftMotor", true);
+        row("a wall thinner than the way of a tick",
+            changed("", "",
+                    "StaticConfig W { Box foil { Size=0.05,2,0.5 Pos=2,0,0.25 } }\nStatic wall { Config=W }\nRobot r { "
+                    "Config=Rover }\n"),
+            Code::ThinPart, "wall/foil is 50 mm thick, and Rover gets 120 mm far in a tick", "foil", true);
+        row("a material that nothing has", "Material pink { ColorRGB=1,0.5,0.5 }\nRobot a { Config=Crate Pos=0,0,0.1 }",
+            Code::UnusedDefinition, "Material pink is not used", "pink", true);
+        row("a surface that nothing has", "Surface ice { Friction=0.05 }\nRobot a { Config=Crate Pos=0,0,0.1 }",
+            Code::UnusedDefinition, "Surface ice is not used", "ice", true);
+
+        // Of the other drives.
+        const auto drive = [&](const std::string& text) {
+            return changed(
+                "  DifferentialDrive base { LeftMotor=leftMotor RightMotor=rightMotor WheelRadius=0.05 WheelSeparation=0.3 }",
+                text.c_str());
+        };
+        row("skid-steered wheels of another size",
+            drive("SkidDrive base { LeftMotors=leftMotor RightMotors=rightMotor WheelRadius=0.06 WheelSeparation=0.3 "
+                  "SkidFactor=1.5 }"),
+            Code::WheelGeometry, "WheelRadius of base is 60 mm", "0.06", true);
+        row("skid-steered wheels farther apart",
+            drive("SkidDrive base { LeftMotors=leftMotor RightMotors=rightMotor WheelRadius=0.05 WheelSeparation=0.4 "
+                  "SkidFactor=1.5 }"),
+            Code::WheelGeometry, "apart by 300 mm", "0.4", true);
+        row("a skid-steered motor twice",
+            drive("SkidDrive base { LeftMotors=leftMotor,leftMotor RightMotors=rightMotor WheelRadius=0.05 WheelSeparation=0.3 "
+                  "SkidFactor=1.5 }"),
+            Code::DeviceSetup, "names the motor leftMotor twice", "leftMotor,leftMotor", false);
+        const auto made = [](BaseShape base, const char* from, const char* to) {
+            const RobotDesign design = usualDesign(base);
+            const std::string text = robotText(design, chooseMotor(design).value());
+            return QString::fromStdString(text).replace(from, to).toStdString() + "Robot r { Config=Rover }\n";
+        };
+        row("omni wheels nearer", made(BaseShape::Omni, "WheelDistance=$wheelDistance", "WheelDistance=0.1"), Code::WheelGeometry,
+            "away from the middle by 125 mm", "0.1", true);
+        row("omni wheels of another size", made(BaseShape::Omni, "WheelRadius=$wheelRadius", "WheelRadius=0.04"),
+            Code::WheelGeometry, "have a radius of 50 mm", "0.04", true);
+        row("mecanum axles farther apart", made(BaseShape::Mecanum, " WheelBase=$wheelBase", " WheelBase=0.3"),
+            Code::WheelGeometry, "are apart by 200 mm", "0.3", true);
+        row("a car that is shorter", made(BaseShape::Ackermann, " WheelBase=$wheelBase", " WheelBase=0.2"), Code::WheelGeometry,
+            "ahead of the driven ones by 280 mm", "0.2", true);
     }
     void faults() {
         QFETCH(QString, text);

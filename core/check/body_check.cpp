@@ -1,0 +1,159 @@
+// Checks of how the bodies of a config hang together, and of their mass properties. Method: joints and springs connect bodies, the
+// world is one more of them; a joint between two that are connected already closes a loop.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "check/checks.h"
+#include "check/extent.h"
+#include "project/edits/plans.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kOutside = 0.1;      // of the extent: the centre of mass may be that far outside of the shapes
+constexpr double kLeastSpread = 1e-3; // of the moment of inertia of a solid box around the shapes
+
+/// The connected bodies; the last one is the world.
+class BodyGroups {
+public:
+    explicit BodyGroups(std::size_t bodies) : m_parent(bodies + 1) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
+
+    [[nodiscard]] std::size_t of(int body) {
+        std::size_t b = body == kWorldBody ? m_parent.size() - 1 : static_cast<std::size_t>(body);
+        while (m_parent[b] != b) b = m_parent[b] = m_parent[m_parent[b]];
+        return b;
+    }
+    /// False if they are connected already.
+    bool join(int a, int b) {
+        const std::size_t x = of(a), y = of(b);
+        m_parent[x] = y;
+        return x != y;
+    }
+
+private:
+    std::vector<std::size_t> m_parent;
+};
+
+class BodyCheck {
+public:
+    BodyCheck(const LoadedProject& loaded, const RobotConfigSpec& config, Diagnostics& diagnostics)
+        : m_loaded(loaded), m_config(config), m_diagnostics(diagnostics) {}
+
+    void check() {
+        BodyGroups groups(m_config.bodies.size());
+        for (auto joint = m_config.joints.begin(); joint != m_config.joints.end(); ++joint) {
+            const auto same = std::find_if(m_config.joints.begin(), joint, [&](const JointSpec& other) {
+                return std::minmax(other.parent, other.child) == std::minmax(joint->parent, joint->child);
+            });
+            if (same != joint) reportDouble(*same, *joint);
+            else if (!groups.join(joint->parent, joint->child)) reportLoop(*joint);
+        }
+        for (const SpringSpec& spring : m_config.springs) groups.join(spring.parent, spring.child);
+        if (!m_config.joints.empty()) reportLoose(groups);
+        for (const BodySpec& body : m_config.bodies) checkMass(body);
+    }
+
+private:
+    [[nodiscard]] std::string nameOf(int body) const {
+        return body == kWorldBody ? "the world" : m_config.bodies[static_cast<std::size_t>(body)].name;
+    }
+    [[nodiscard]] std::string pathOf(const std::string& name) const { return "RobotConfig." + m_config.name + "." + name; }
+
+    void addFix(Diagnostic& d, const std::string& title, const Result<EditPlan>& plan) const {
+        if (plan.ok() && plan.value().edits.size() == 1) d.fixes.push_back({title, plan.value().edits.begin()->second});
+    }
+
+    void reportDouble(const JointSpec& first, const JointSpec& second) {
+        Diagnostic& d = m_diagnostics.warning(
+            Code::DoubleJoint, second.nameRange,
+            second.name + " of " + m_config.name + " holds " + nameOf(second.child) + " to " + nameOf(second.parent) + ", as " +
+                first.name + " does: the solver gets both, and they act against each other; keep one of them");
+        d.notes.push_back({"the other one", first.nameRange});
+        addFix(d, "remove " + second.name, planRemove(m_loaded, {pathOf(second.name)}));
+    }
+
+    void reportLoop(const JointSpec& joint) {
+        m_diagnostics.hint(Code::ClosedLoop, joint.nameRange,
+                           joint.name + " of " + m_config.name + " closes a loop of joints, from " + nameOf(joint.parent) +
+                               " to " + nameOf(joint.child) +
+                               ", which other joints connect already: the loop is held by forces alone and drifts a little; a "
+                               "Spring or a Gear needs no loop");
+    }
+
+    void reportLoose(BodyGroups& groups) {
+        std::set<std::size_t> reported{groups.of(0), groups.of(kWorldBody)};
+        for (std::size_t b = 0; b < m_config.bodies.size(); ++b) {
+            if (!reported.insert(groups.of(static_cast<int>(b))).second) continue;
+            const BodySpec& body = m_config.bodies[b];
+            Diagnostic& d = m_diagnostics.warning(Code::LooseBody, body.nameRange,
+                                                  body.name + " of " + m_config.name +
+                                                      " is held by no joint, and stays behind when the robot moves; " +
+                                                      "a joint with Child=" + body.name + " holds it");
+            if (body.name.find('.') != std::string::npos) continue; // of a Part: the joint belongs into its config
+            addFix(d, "fix it to " + m_config.bodies[0].name,
+                   planInsert(m_loaded, "RobotConfig." + m_config.name,
+                              "Fixed " + body.name + "Hold { Parent=" + m_config.bodies[0].name + " Child=" + body.name + " }"));
+        }
+    }
+
+    /// Compares the mass properties with those that shapes of this extent can have.
+    void checkMass(const BodySpec& body) {
+        Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
+        for (const GeomSpec& geom : body.geoms)
+            for (int k = 0; k < 3; ++k) {
+                const Extent extent = extentAlong(geom, geom.pose, Vec3::Unit(k));
+                low[k] = std::min(low[k], extent.low);
+                high[k] = std::max(high[k], extent.high);
+            }
+        const Vec3 size = high - low;
+        if (body.geoms.empty() || !(size.minCoeff() > 0)) return;
+        const Vec3& centre = body.mass.centre;
+        const Vec3 reach = (centre - low).cwiseMax(high - centre); // the farthest that mass can be from the centre
+        for (int k = 0; k < 3; ++k) {
+            const double outside = std::max(low[k] - centre[k], centre[k] - high[k]);
+            if (outside > kOutside * size[k]) return reportCentre(body, outside);
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int u = (k + 1) % 3, v = (k + 2) % 3;
+            const double most = body.mass.mass * (reach[u] * reach[u] + reach[v] * reach[v]);
+            const double solid = body.mass.mass * (size[u] * size[u] + size[v] * size[v]) / 12, given = body.mass.inertia(k, k);
+            if (given > most || given < kLeastSpread * solid) return reportInertia(body, "XYZ"[k], given, solid, given > most);
+        }
+    }
+
+    void reportCentre(const BodySpec& body, double outside) {
+        m_diagnostics.warning(Code::OddInertia, body.nameRange,
+                              "the centre of mass of " + body.name + " in " + m_config.name + " is " + lengthText(outside) +
+                                  " outside of its shapes; check its place, or the masses of its shapes");
+    }
+
+    void reportInertia(const BodySpec& body, char axis, double given, double solid, bool isLarge) {
+        Diagnostic& d = m_diagnostics.warning(
+            Code::OddInertia, body.nameRange,
+            "the inertia of " + body.name + " in " + m_config.name + " about " + axis + " is " + figureText(given) + " kg m^2, " +
+                (isLarge ? "more than its mass can have inside its shapes" : "far less than its mass has inside its shapes") +
+                "; a solid of this size has about " + figureText(solid) + " kg m^2");
+        addFix(d, "take it from the shapes", planReset(m_loaded, {pathOf(body.name) + ".Inertia"}));
+    }
+
+    const LoadedProject& m_loaded;
+    const RobotConfigSpec& m_config;
+    Diagnostics& m_diagnostics;
+};
+
+} // namespace
+
+void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics) {
+    std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
+    std::set<std::string> named;           // configs of one name differ in values alone
+    for (const RobotSpec& robot : loaded.experiment->robots)
+        if (robot.config && !robot.config->bodies.empty() && seen.insert(robot.config.get()).second &&
+            named.insert(robot.config->name).second)
+            BodyCheck(loaded, *robot.config, diagnostics).check();
+}
+
+} // namespace trundle

@@ -1,0 +1,69 @@
+#include "check/drive_wheels.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+namespace {
+
+constexpr double kSameAxis = 0.02; // sine of the angle between a wheel's axis and its axle
+
+} // namespace
+
+std::vector<DriveMotor> motorsOf(const ComponentSpec& device) {
+    std::vector<DriveMotor> motors;
+    const auto add = [&](const char* key, bool isRight, bool isBack) {
+        if (const ResolvedValue* value = device.find(key))
+            for (const std::string& name : value->value.texts) motors.push_back({key, name, value, isRight, isBack});
+    };
+    if (device.kind == "DifferentialDrive" || device.kind == "AckermannDrive")
+        add("LeftMotor", false, true), add("RightMotor", true, true);
+    if (device.kind == "SkidDrive") add("LeftMotors", false, false), add("RightMotors", true, false);
+    if (device.kind == "OmniDrive") add("Motors", false, false);
+    if (device.kind != "MecanumDrive") return motors;
+    add("FrontLeftMotor", false, false), add("FrontRightMotor", true, false);
+    add("BackLeftMotor", false, true), add("BackRightMotor", true, true);
+    return motors;
+}
+
+double DriveWheel::stallTorque() const {
+    const double resistance = motor->number("Resistance");
+    if (!(resistance > 0)) return 0;
+    return motor->number("TorqueConstant") * motor->number("MaxVoltage") / resistance * motor->number("GearRatio") *
+           motor->number("Efficiency");
+}
+
+double DriveWheel::topRate() const {
+    const double perVolt =
+        motor->find("SpeedConstant") ? motor->number("SpeedConstant") : 1 / std::max(1e-9, motor->number("BackEmfConstant"));
+    return motor->number("MaxVoltage") * perVolt / std::max(1e-9, motor->number("GearRatio"));
+}
+
+std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::string& motor) {
+    const auto device = std::ranges::find(config.devices, motor, &ComponentSpec::name);
+    if (device == config.devices.end()) return std::nullopt;
+    const auto joint = std::ranges::find(config.joints, device->text("Joint"), &JointSpec::name);
+    if (joint == config.joints.end()) return std::nullopt;
+    const Vec3& axle = joint->type == JointType::Suspension ? joint->axis2 : joint->axis;
+    const auto index = static_cast<std::size_t>(joint->child);
+    const BodySpec& body = config.bodies[index];
+    std::optional<DriveWheel> wheel;
+    for (const GeomSpec& g : body.geoms) {
+        const Pose pose = body.pose * g.pose;
+        const bool round = g.shape == GeomShape::Sphere || g.shape == GeomShape::Cylinder;
+        if (!g.collide || !round) continue;
+        if (g.shape == GeomShape::Cylinder && (pose.rotation * Vec3::UnitZ()).cross(axle).norm() > kSameAxis) continue;
+        if (!wheel || g.radius > wheel->geom->radius) wheel = DriveWheel{&g, &*device, index, pose.position, axle};
+    }
+    return wheel;
+}
+
+std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config) {
+    std::vector<DriveWheel> wheels;
+    for (const ComponentSpec& device : config.devices)
+        for (const DriveMotor& motor : motorsOf(device))
+            if (const auto wheel = wheelOf(config, motor.name)) wheels.push_back(*wheel);
+    return wheels;
+}
+
+} // namespace trundle

@@ -1,0 +1,39 @@
+#pragma once
+// The motors and wheels of drives, for the checks.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/experiment_spec.h"
+
+namespace trundle {
+
+/// A motor as a drive names it.
+struct DriveMotor {
+    const char* key; ///< "LeftMotors"
+    std::string name;
+    const ResolvedValue* value;
+    bool isRight = false, isBack = false;
+};
+
+/// The motors of a drive's wheels; empty for other devices.
+[[nodiscard]] std::vector<DriveMotor> motorsOf(const ComponentSpec& device);
+
+/// A wheel, from its geom and joint. Vectors in the config's frame.
+struct DriveWheel {
+    const GeomSpec* geom = nullptr;
+    const ComponentSpec* motor = nullptr;
+    std::size_t body = 0;
+    Vec3 centre = Vec3::Zero(), axis = Vec3::UnitY();
+
+    [[nodiscard]] double stallTorque() const; ///< N m, at the wheel
+    [[nodiscard]] double topRate() const;     ///< rad/s, without load
+};
+
+/// The largest round geom of the motor's body that rotates about its axle.
+[[nodiscard]] std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::string& motor);
+/// Of all drives of a config; those that are found.
+[[nodiscard]] std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config);
+
+} // namespace trundle
