@@ -44,6 +44,8 @@ constexpr UnitInfo kUnits[] = {
     {"mW", "power", 0.001},
     {"kW", "power", 1000},
     {"J", "energy", 1},
+    {"degC", "temperature", 1},
+    {"K/W", "thermal resistance", 1},
     {"C", "charge", 1},
     {"Ah", "charge", 3600},
     {"mAh", "charge", 3.6},

@@ -151,6 +151,20 @@ void checkSharedJoints(const RobotConfigSpec& config, Diagnostics& diagnostics) 
     }
 }
 
+/// An encoder on a slider counts lines, whose pitch it needs; the lines of a disc have none.
+void checkEncoders(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    for (const ComponentSpec& encoder : config.devices) {
+        if (encoder.kind != "Encoder") continue;
+        const auto joint = std::ranges::find(config.joints, encoder.text("Joint"), &JointSpec::name);
+        const ResolvedValue* pitch = encoder.find("Pitch");
+        const bool hasPitch = pitch && !pitch->value.numbers.empty();
+        if (joint == config.joints.end() || (joint->type == JointType::Slider) == hasPitch) continue;
+        diagnostics.warning(Code::DeviceSetup, hasPitch && pitch->range.known() ? pitch->range : encoder.nameRange,
+                            encoder.name + (hasPitch ? " has a Pitch, but " + joint->name + " is no Slider: its angle will be wrong"
+                                                     : " is on the Slider " + joint->name + " and needs the Pitch of its lines"));
+    }
+}
+
 } // namespace
 
 void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics) {
@@ -158,6 +172,7 @@ void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics) {
     for (const RobotSpec& robot : loaded.experiment->robots) {
         if (!robot.config || !seen.insert(robot.config.get()).second) continue;
         checkSharedJoints(*robot.config, diagnostics);
+        checkEncoders(*robot.config, diagnostics);
         DriveCheck check(loaded, *robot.config, diagnostics);
         for (const ComponentSpec& device : robot.config->devices) check.check(device);
     }

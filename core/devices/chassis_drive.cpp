@@ -13,6 +13,12 @@ template <class Wheels> double turnedSince(const Services& world, Wheels side) {
     return sum / static_cast<double>(side.size());
 }
 
+template <class Wheels> double slipOf(const Services& world, Wheels side, double radius) {
+    double sum = 0;
+    for (auto& wheel : side) sum += wheel.slip(world, radius);
+    return sum / static_cast<double>(side.size());
+}
+
 template <class Wheels> std::optional<Vec3> middleOf(const Services& world, Wheels side) {
     Vec3 sum = Vec3::Zero(), anchor, axis;
     for (const auto& wheel : side) {
@@ -50,6 +56,10 @@ std::optional<PlanePose> SidedDrive::truePose(const Services& world) {
     return PlanePose{(a->x() + b->x()) / 2, (a->y() + b->y()) / 2, std::atan2(b->x() - a->x(), a->y() - b->y())};
 }
 
+WheelMotion SidedDrive::wheelSlip(const Services& world) {
+    return {slipOf(world, left(), radius()), slipOf(world, right(), radius())};
+}
+
 void ChassisDrive::act(Actuation& world) {
     const ChassisMotion velocity{linearVelocity.read(world), angularVelocity.read(world)};
     const ChassisMotion amount{linearAmount.read(world), angularAmount.read(world)};
@@ -59,6 +69,9 @@ void ChassisDrive::act(Actuation& world) {
 void ChassisDrive::sense(Sensing& world) {
     publishState(*this, odometer(world));
     publishPose(*this, truePose(world));
+    const WheelMotion slips = wheelSlip(world);
+    slip.set(0, slips.left);
+    slip.set(1, slips.right);
 }
 
 } // namespace trundle

@@ -25,6 +25,9 @@ protected:
     /// Of the middle between the anchors of both sides, in the world; those of the left side give the direction of +y.
     [[nodiscard]] std::optional<PlanePose> truePose(const Services& world);
 
+    /// m/s by which the wheels of each side roll faster than their axles move, on average. To be called once per tick, in sense.
+    [[nodiscard]] WheelMotion wheelSlip(const Services& world);
+
     double m_skidFactor = 1;
 
 private:

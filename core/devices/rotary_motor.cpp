@@ -38,8 +38,40 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.field("Inductance", &RotaryMotor::m_inductance, unitOf("H").within(0, 1e3).live(), "Of the winding: the current lags.");
     d.field("Efficiency", &RotaryMotor::m_efficiency, number().within(1e-6, 1).live(),
             "Part of the torque that passes the gear.");
+    d.field("BackdrivingEfficiency", &RotaryMotor::m_backdrivingEfficiency, number().within(1e-3, 1).live(),
+            "Part of the joint's torque that passes the gear backwards, to the motor; not given: the torque of a motor that "
+            "brakes is "
+            "lowered by Efficiency too.");
+    d.field("Backlash", &RotaryMotor::m_backlash, degrees().within(0, 360), "Play of the gear, at the joint.");
+    d.field("FrictionTorque", &RotaryMotor::m_frictionTorque, newtonMetres().within(0, 1e6).live(),
+            "Dry friction of the rotor, before the gear: TorqueConstant times the current without load, less ViscousFriction.");
+    d.field("ViscousFriction", &RotaryMotor::m_viscousFriction, unitOf("Nms/rad").within(0, 1e6).live(),
+            "Friction of the rotor per speed, before the gear.");
+    d.field("CurrentLimit", &RotaryMotor::m_currentLimit, amperes().above(0).atMost(1e6).live(),
+            "Of the driver; not given: MaxVoltage / Resistance.");
+    d.field("DeadBand", &RotaryMotor::m_deadBand, volts().within(0, 1e6).live(),
+            "Commanded voltages below this give none, as a driver does whose transistors need time to switch.");
+    Quantity steps = number().within(0, 1e9);
+    steps.type = TRUNDLE_INTEGER;
+    d.field("PwmSteps", &RotaryMotor::m_pwmSteps, steps,
+            "Steps of the driver's duty cycle from 0 to full, 255 for 8 bits; 0: continuous.");
     d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
+    describeHeat(d);
     RotaryMotorSignals::describe(d);
+}
+
+void RotaryMotor::describeHeat(Describe<RotaryMotor>& d) {
+    d.field(
+        "ThermalResistanceWinding", &RotaryMotor::m_windingResistance, unitOf("K/W").within(0, 1e6),
+        "Winding to housing; with ThermalResistanceHousing, the winding heats up, and its Resistance, given at 25 degC, rises.");
+    d.field("ThermalResistanceHousing", &RotaryMotor::m_housingResistance, unitOf("K/W").within(0, 1e6), "Housing to air.");
+    d.field("ThermalTimeConstantWinding", &RotaryMotor::m_windingTime, seconds().within(1e-3, 1e9),
+            "Of the winding in its housing.");
+    d.field("ThermalTimeConstantHousing", &RotaryMotor::m_housingTime, seconds().within(1e-3, 1e9), "Of the motor in the air.");
+    d.field("AmbientTemperature", &RotaryMotor::m_ambient, unitOf("degC").within(-273, 1e4),
+            "Of the air, and of the motor at the start.");
+    d.field("MaxTemperature", &RotaryMotor::m_highestTemperature, unitOf("degC").within(-273, 1e4),
+            "Of the winding: its driver lowers the current over the 10 K below it to nothing; not given: it does not.");
 }
 
 void RotaryMotor::setup(Mount& mount) {
@@ -52,6 +84,12 @@ void RotaryMotor::setup(Mount& mount) {
                m_resistance,     m_gearRatio,
                m_maxVoltage,     m_inductance,
                m_efficiency};
+    m_now = m_motor;
+    if ((m_windingResistance > 0) != (m_housingResistance > 0))
+        mount.fail("ThermalResistanceWinding and ThermalResistanceHousing are given together or not at all");
+    m_thermal = {m_windingResistance, m_housingResistance, m_windingTime, m_housingTime, m_ambient, m_highestTemperature};
+    m_heat.start(m_ambient);
+    m_play.setWidth(m_backlash);
     m_joint = mount.joint(m_jointName);
     // At the joint the rotor's inertia is G^2 times as large (energy: J (G w)^2 / 2).
     if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
@@ -63,6 +101,13 @@ void RotaryMotor::takeLiveConstants() {
     m_motor.resistance = m_resistance;
     m_motor.inductance = m_inductance;
     m_motor.efficiency = m_efficiency;
+    m_losses = {m_gearRatio * m_frictionTorque, m_gearRatio * m_gearRatio * m_viscousFriction, m_efficiency,
+                m_backdrivingEfficiency.value_or(0)};
+    m_driver = {m_currentLimit, m_deadBand, m_pwmSteps};
+    if (!m_thermal.any()) return;
+    m_motor.resistance *= m_heat.resistanceFactor();
+    if (const double share = m_heat.currentShare(m_thermal); share < 1)
+        m_driver.currentLimit = share * std::min(m_currentLimit.value_or(HUGE_VAL), m_motor.maxVoltage / m_motor.resistance);
 }
 
 void RotaryMotor::act(Actuation& world) {
@@ -70,16 +115,40 @@ void RotaryMotor::act(Actuation& world) {
     const Supply supply = world.supply();
     const bool holds = servo.read(world) != 0;
     if (holds && supply.powered()) return actAsServo(world, supply);
-    const double wanted = holds ? 0 : voltage.read(world);
+    actByVoltage(world, supply, holds ? 0 : voltage.read(world));
+}
+
+void RotaryMotor::actByVoltage(Actuation& world, const Supply& supply, double wanted) {
     const double clipped = std::clamp(wanted, -m_motor.maxVoltage, m_motor.maxVoltage);
     m_beyond = wanted != clipped || (supply.present && std::abs(clipped) > supply.nominal);
-    const double driven = supply.driven(clipped, m_motor.maxVoltage); // 0 of an empty battery: the motor brakes
-    const VoltageConstraint row = voltageConstraint(m_motor, driven, current.get(), world.tick());
-    world.motorRow(m_joint, row.rate, row.softness, row.limit);
+    const double switched = m_driver.voltageOf(clipped, supply.present ? supply.nominal : m_motor.maxVoltage);
+    const double driven = supply.driven(switched, m_motor.maxVoltage); // 0 of an empty battery: the motor brakes
+    if (m_losses.any() || m_play.any()) {
+        const VoltageConstraint ideal = voltageConstraint(m_motor.withEfficiency(1), driven, current.get(), world.tick());
+        const double turning = world.jointRate(m_joint), limit = torqueLimit() / m_now.efficiency;
+        const double driving = std::clamp((ideal.rate - turning) / ideal.softness, -limit, limit);
+        if (std::abs(driving) > m_losses.dry) m_play.part(driving);
+        if (m_play.isApart()) return turnFreely(world, ideal);
+        setLosses(driving, turning);
+    } else setLosses(0, 0);
+    const VoltageConstraint row = voltageConstraint(m_now, driven, current.get(), world.tick());
+    apply(world, {row.rate, row.softness, torqueLimit()});
+}
+
+/// Implicit Euler of the rotor alone, which dry friction may hold.
+void RotaryMotor::turnFreely(Actuation& world, const VoltageConstraint& ideal) {
+    const double carried = m_gearRatio * m_gearRatio * m_rotorInertia / world.tick();
+    const double driving = carried * m_freeRate + ideal.rate / ideal.softness;
+    const double left = driving - std::clamp(driving, -m_losses.dry, m_losses.dry);
+    m_freeRate = left / (carried + 1 / ideal.softness + m_losses.viscous);
+    m_freeTorque = (ideal.rate - m_freeRate) / ideal.softness;
+    world.motorRow(m_joint, 0, 0, 0);
 }
 
 void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
-    MotorConstants now = m_motor;
+    const double turning = world.jointRate(m_joint);
+    setLosses(m_motor.withEfficiency(1).torquePerAmpere() * current.get(), turning);
+    MotorConstants now = m_now;
     now.maxVoltage = supply.highest(m_motor.maxVoltage);
     const double wanted = targetRate.read(world), possible = now.noLoadRate();
     m_beyond = std::abs(wanted) > possible * (1 + 1e-9);
@@ -90,20 +159,67 @@ void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
                       wanted, possible, now.maxVoltage < m_motor.maxVoltage ? "the voltage of its battery" : "MaxVoltage");
         world.warn(text);
     }
-    world.servoRow(m_joint, std::clamp(wanted, -possible, possible), now.stallTorque(), now.damping());
+    JointDrive drive{std::clamp(wanted, -possible, possible), 0, now.stallTorque(), now.damping()};
+    if (const double most = torqueLimit(); most < drive.limit) {
+        // Either the voltage or the driver's current is the limit at this rate.
+        const double reserve = drive.limit - drive.damping * std::abs(turning);
+        drive.limit = most;
+        drive.damping = reserve < most ? (most - reserve) / std::abs(turning) : 0;
+    }
+    if (!m_play.isApart()) return apply(world, drive);
+    m_freeRate = drive.rate;
+    m_freeTorque = 0;
+    world.motorRow(m_joint, 0, 0, 0);
+}
+
+/// `torque`: of the motor with an ideal gear, at the joint.
+void RotaryMotor::setLosses(double torque, double rate) {
+    m_line = m_losses.any() ? lossLine(m_losses, torque, rate) : LossLine{m_motor.efficiency};
+    m_now = m_motor.withEfficiency(m_line.factor);
+}
+
+/// Its highest torque at the joint, by its current.
+double RotaryMotor::torqueLimit() const {
+    return m_driver.currentLimit ? m_now.torquePerAmpere() * *m_driver.currentLimit : m_now.stallTorque();
+}
+
+void RotaryMotor::apply(Actuation& world, const JointDrive& drive) {
+    if (!m_losses.any()) {
+        if (drive.damping > 0) world.servoRow(m_joint, drive.rate, drive.limit, drive.damping);
+        else world.motorRow(m_joint, drive.rate, drive.softness, drive.limit);
+        return;
+    }
+    JointDrive whole = drive;
+    whole.dryFriction = m_line.dry;
+    whole.viscousFriction = m_line.viscous;
+    world.driveJoint(m_joint, whole);
+    if (m_line.offset != 0) world.jointTorque(m_joint, m_line.offset);
+}
+
+bool RotaryMotor::isLimited() const {
+    return m_driver.currentLimit && std::abs(current.get()) > *m_driver.currentLimit * (1 - 1e-9);
 }
 
 void RotaryMotor::sense(Sensing& world) {
+    const bool apart = m_play.isApart() && world.time() > 0;
     const double effort = world.jointMotorEffort(m_joint), turning = world.jointRate(m_joint);
-    const double amperes = effort / m_motor.torquePerAmpere(), change = (amperes - current.get()) / world.tick();
+    const double amperes = apart ? m_freeTorque / m_motor.withEfficiency(1).torquePerAmpere() : effort / m_now.torquePerAmpere();
+    const double change = (amperes - current.get()) / world.tick(), motorRate = apart ? m_freeRate : turning;
     terminalVoltage.set(m_motor.resistance * amperes + m_motor.inductance * change +
-                        m_motor.gearRatio * turning / m_motor.speedConstant);
-    torque.set(effort);
+                        m_motor.gearRatio * motorRate / m_motor.speedConstant);
+    torque.set(m_losses.any() && !apart ? effort + m_line.offset + world.jointFrictionEffort(m_joint) : effort);
+    if (apart) m_play.turn(m_freeRate * world.tick(), turning * world.tick());
+    else {
+        m_freeRate = turning;
+        m_play.part(torque.get());
+    }
     current.set(amperes);
     rate.set(turning);
     drawPower(world);
+    if (m_thermal.any() && world.time() > 0) m_heat.heat(m_thermal, m_motor.resistance * amperes * amperes, world.tick());
+    temperature.set(m_heat.winding());
     const bool late = servo.read(world) != 0 && std::abs(targetRate.read(world) - turning) > kReached * m_motor.noLoadRate();
-    saturated.set(world.time() > 0 && (m_beyond || late));
+    saturated.set(world.time() > 0 && (m_beyond || late || isLimited()));
 }
 
 /// Its driver switches the battery on for a share of the time, without losses: the battery gives this share of the winding's current. At

@@ -4,6 +4,11 @@
 #include <trundle/device.h>
 #include <trundle/device_signals.h>
 
+#include "devices/gear_play.h"
+#include "devices/motor_driver.h"
+#include "devices/motor_losses.h"
+#include "devices/winding_heat.h"
+
 namespace trundle {
 
 /// A DC motor with a gear, SI units.
@@ -24,6 +29,12 @@ struct MotorConstants {
     [[nodiscard]] double noLoadRate() const { return maxVoltage * speedConstant / gearRatio; }
     /// The torque at the joint at the driver's current limit, which is the stall torque at the highest voltage.
     [[nodiscard]] double stallTorque() const { return torquePerAmpere() * maxVoltage / resistance; }
+    /// The same motor whose gear lets this part of its torque pass.
+    [[nodiscard]] MotorConstants withEfficiency(double part) const {
+        MotorConstants other = *this;
+        other.efficiency = part;
+        return other;
+    }
 };
 
 /// The joint's motor constraint: torque = (rate - w) / softness within the limit.
@@ -45,18 +56,39 @@ public:
     void sense(Sensing& world) override;
 
 private:
+    static void describeHeat(Describe<RotaryMotor>& d);
     void takeLiveConstants();
+    void actByVoltage(Actuation& world, const Supply& supply, double wanted);
     void actAsServo(Actuation& world, const Supply& supply);
+    /// While the teeth of its gear are apart, as a line of the motor with an ideal gear.
+    void turnFreely(Actuation& world, const VoltageConstraint& ideal);
+    void setLosses(double torque, double rate);
+    void apply(Actuation& world, const JointDrive& drive);
+    [[nodiscard]] double torqueLimit() const;
+    [[nodiscard]] bool isLimited() const;
     void drawPower(Sensing& world);
 
     std::string m_jointName;
     MotorConstants m_motor;
+    MotorLosses m_losses;
+    MotorDriver m_driver;
+    ThermalConstants m_thermal;
     double m_torqueConstant = 0, m_resistance = 0, m_gearRatio = 1, m_maxVoltage = 0, m_inductance = 0, m_efficiency = 1,
-           m_rotorInertia = 0;
+           m_rotorInertia = 0, m_frictionTorque = 0, m_viscousFriction = 0;
+    double m_windingResistance = 0, m_housingResistance = 0, m_windingTime = 10, m_housingTime = 600, m_ambient = 25;
+    std::optional<double> m_highestTemperature;
+    std::optional<double> m_backdrivingEfficiency, m_currentLimit;
+    double m_deadBand = 0, m_backlash = 0;
+    int m_pwmSteps = 0;
     std::optional<double> m_speedConstant, m_backEmfConstant;
 
     JointId m_joint;
-    bool m_beyond = false; ///< the command, MaxVoltage
+    MotorConstants m_now; ///< in this tick, with the losses at its state
+    LossLine m_line;
+    WindingHeat m_heat;
+    GearPlay m_play;
+    double m_freeRate = 0, m_freeTorque = 0; ///< of the motor while the teeth are apart, at the joint with an ideal gear
+    bool m_beyond = false;                   ///< the command, MaxVoltage
     bool m_reported = false;
 };
 

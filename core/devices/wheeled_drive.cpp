@@ -36,6 +36,18 @@ double WheeledDrive::Wheel::turnedSince(const Services& world) {
     return turned;
 }
 
+double WheeledDrive::Wheel::slip(const Services& world, double radius) {
+    Vec3 now, axis;
+    if (!world.jointAnchor(joint, now, axis)) return 0;
+    const bool known = isPlaced && world.time() > 0;
+    const Vec3 moved = known ? Vec3(now - anchor) : Vec3(Vec3::Zero());
+    const Vec3 rolls = axis.cross(Vec3::UnitZ());
+    anchor = now;
+    isPlaced = true;
+    const double length = rolls.norm();
+    return known && length > 0 ? radius * world.jointRate(joint) - moved.dot(rolls) / length / world.tick() : 0;
+}
+
 void WheeledDrive::mountWheels(Mount& mount, const std::vector<std::string>& motors) {
     std::vector<std::string> sorted = motors;
     std::sort(sorted.begin(), sorted.end());

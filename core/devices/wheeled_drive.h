@@ -64,7 +64,12 @@ protected:
         double errorAngle = 0; ///< rad, integral of the rate error
         double angle = 0;      ///< rad, at the last sense
 
+        Vec3 anchor = Vec3::Zero(); ///< of the joint in the world, at the last sense
+        bool isPlaced = false;      ///< whether that is known
+
         double turnedSince(const Services& world); ///< rad, since the last call
+        /// m/s by which it rolls faster over level ground than its axle moves, in this tick; to be called once in each.
+        double slip(const Services& world, double radius);
     };
 
     template <class T> static void describeRadius(Describe<T>& d) {

@@ -185,6 +185,24 @@ struct MountCalls {
         return host.objects.jointHasPosition(joint) && host.engine.addAxialInertia({joint}, inertia).ok() ? 0 : 1;
     }
 
+    static std::int32_t measureJoint(void* context, const char* name, std::uint32_t* out) {
+        Device& d = device(context);
+        const auto& joints = config(d).joints;
+        const std::string asked = moduleName(name);
+        const int i = indexOf(joints, asked);
+        if (i < 0) {
+            d.note(unknownName("joint", asked, joints));
+            return -1;
+        }
+        const JointHandle joint = robot(d).handles.joints[static_cast<std::size_t>(i)];
+        if (const Status measured = d.host->engine.measureWrench(joint); !measured.ok()) {
+            d.note("the joint " + asked + " cannot be measured: " + measured.error().message);
+            return -1;
+        }
+        if (out) *out = joint.index;
+        return 0;
+    }
+
     static std::int32_t provideSupply(void* context, double nominal, double voltage) {
         Device& d = device(context);
         if (!(nominal > 0) || !std::isfinite(nominal) || !std::isfinite(voltage) ||
@@ -224,7 +242,8 @@ void fillMount(Device& device, double tick) {
                     MountCalls::addAxialInertia,
                     MountCalls::print,
                     mountRadio(),
-                    MountCalls::provideSupply};
+                    MountCalls::provideSupply,
+                    MountCalls::measureJoint};
 }
 
 } // namespace trundle

@@ -4,6 +4,7 @@
 
 #include "base/platform/module_text.h"
 #include "base/rng.h"
+#include "world/device_joints.h"
 #include "world/device_light.h"
 #include "world/device_radio.h"
 #include "world/device_rays.h"
@@ -68,7 +69,7 @@ struct ServiceCalls {
     }
     static double jointMotorEffort(void* context, std::uint32_t joint) {
         const DeviceHost& w = world(context);
-        return w.objects.jointHasPosition(joint) ? w.engine.jointMotorEffort({joint}) : 0;
+        return w.objects.jointHasPosition(joint) ? w.engine.jointEffort({joint}).motor : 0;
     }
     static void jointAnchor(void* context, std::uint32_t joint, double anchor[3], double axis[3]) {
         const DeviceHost& w = world(context);
@@ -167,7 +168,8 @@ void fillServices(TrundleServices& services, ServiceContext& context, double tic
                 ServiceCalls::servoRow,
                 servicesRays(),
                 servicesLight(),
-                servicesSupply()};
+                servicesSupply(),
+                servicesJoints()};
 }
 
 } // namespace trundle

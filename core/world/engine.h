@@ -94,11 +94,31 @@ struct CouplingState {
 /// A constraint row that drives a joint to `rate` with the torque (rate - actual) / softness, at most `limit`. Limit 0: no row.
 /// With a damping it is a servo: softness is ignored, and the torque along the joint's motion is at most limit - damping * |actual|.
 struct MotorConstraint {
-    double rate = 0;     ///< rad/s or m/s
-    double softness = 0; ///< rad/s per N m; 0: as stiff as the engine allows
-    double limit = 0;    ///< N m or N
-    double damping = 0;  ///< N m s/rad
+    double rate = 0;            ///< rad/s or m/s
+    double softness = 0;        ///< rad/s per N m; 0: as stiff as the engine allows
+    double limit = 0;           ///< N m or N
+    double damping = 0;         ///< N m s/rad
+    double dryFriction = 0;     ///< of the drive, N m or N
+    double viscousFriction = 0; ///< N m s/rad or N s/m
     bool operator==(const MotorConstraint&) const = default;
+};
+
+/// What acted on a joint in the last step.
+struct JointEffort {
+    double motor = 0, friction = 0; ///< of the motor and of the friction of its drive, N m or N along the joint's motion
+};
+
+/// Of a joint's parent on its child, world frame: N, and N m about the anchor.
+struct JointWrench {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+};
+
+/// Of the whole run.
+struct EngineSolves {
+    std::uint64_t quickTicks = 0;   ///< solved by the quick solver, whether selected or as a fallback
+    std::uint64_t rescuedTicks = 0; ///< that the exact solver could not solve at the first attempt, whatever the outcome
+    /// Most contacts in a cluster that the exact solver has solved because of Solver = exact; counted only above kExactClusterMax.
+    std::size_t largestExactCluster = 0;
 };
 
 /// One contact of the last step, sorted by (actor, partner, geom).
@@ -156,6 +176,9 @@ public:
     /// sliders.
     [[nodiscard]] virtual Status addAxialInertia(JointHandle joint, double inertia) = 0;
 
+    /// Measures the wrench of a joint from the next step on.
+    [[nodiscard]] virtual Status measureWrench(JointHandle joint) = 0;
+
     /// Updates contactCount() and contact() for the current poses without a step; the contact forces are zero.
     virtual void findContacts() = 0;
 
@@ -166,7 +189,9 @@ public:
     [[nodiscard]] virtual const BodyState& state(BodyHandle body) const = 0;
     [[nodiscard]] virtual double jointPosition(JointHandle joint) const = 0; ///< unwrapped
     [[nodiscard]] virtual double jointRate(JointHandle joint) const = 0;
-    [[nodiscard]] virtual double jointMotorEffort(JointHandle joint) const = 0;
+    [[nodiscard]] virtual JointEffort jointEffort(JointHandle joint) const = 0;
+    /// Of a joint that measureWrench was called for.
+    [[nodiscard]] virtual JointWrench jointWrench(JointHandle joint) const = 0;
     [[nodiscard]] virtual CouplingState coupling(CouplingHandle coupling) const = 0;
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
     [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
@@ -175,13 +200,7 @@ public:
     /// Casts rays against all geoms.
     [[nodiscard]] virtual const RayTargets& rays() const = 0;
 
-    /// Steps solved by the quick solver, whether selected or as a fallback.
-    [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
-    /// Steps that the exact solver could not solve at the first attempt, whatever the outcome.
-    [[nodiscard]] virtual std::uint64_t rescuedTicks() const = 0;
-    /// Largest number of contacts in a cluster that the exact solver has solved because of Solver = exact; counted only above
-    /// kExactClusterMax.
-    [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
+    [[nodiscard]] virtual EngineSolves solves() const = 0;
     [[nodiscard]] virtual EngineSweeps sweeps() const = 0;
     [[nodiscard]] virtual ActorFaultReport faults() const = 0;
 };

@@ -126,6 +126,115 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.signal("encoder/angle")[0] + 11 * kTurn / 400) < 1e-12);
     }
 
+    /// At 2.5 times its highest frequency it counts 2 of 5 lines, in quadrature with four counts each; below it all of them.
+    void missesCountsAboveItsFrequency_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {.005, .01, .03}) QTest::addRow("%g ms", 1e3 * tick) << tick;
+    }
+    void missesCountsAboveItsFrequency() {
+        QFETCH(double, tick);
+        BenchRobot robot(tick);
+        BenchDevice& encoder = addEncoder(robot, 100);
+        encoder.numbers["Quadrature"] = {1};
+        encoder.numbers["MaxFrequency"] = {230}; // lines per second
+        QCOMPARE(robot.setup(), std::string());
+        robot.joint("axle").rate = 2.2 * kTurn;
+        robot.run(3);
+        QCOMPARE(robot.signal("encoder/missed")[0], 0.);
+        QVERIFY(std::abs(robot.signal("encoder/count")[0] - 2640) <= 1); // 3 s may end just before an edge
+        robot.joint("axle").rate = -5.75 * kTurn;
+        robot.run(6);
+        QVERIFY(std::abs(robot.signal("encoder/count")[0] - (2640 - 6 * 4 * 230)) <= 1);
+        QVERIFY(std::abs(robot.signal("encoder/missed")[0] - 6 * 4 * (575 - 230)) <= 2);
+        QCOMPARE(robot.signal("encoder/count")[0] - robot.signal("encoder/missed")[0],
+                 encoderCount(robot.joint("axle").position, 400)); // all backwards
+    }
+
+    void anAbsoluteEncoderWraps() {
+        BenchRobot robot(.01);
+        BenchDevice& encoder = addEncoder(robot, 360);
+        encoder.texts["Type"] = {"absolute"};
+        encoder.numbers["Offset"] = {kTurn / 4};
+        QCOMPARE(robot.setup(), std::string());
+        const auto codeAt = [&](double turns) {
+            robot.joint("axle").position = turns * kTurn;
+            robot.tick();
+            return robot.signal("encoder/count")[0];
+        };
+        QCOMPARE(codeAt(0), 90.);
+        QCOMPARE(codeAt(.5), 270.);
+        QCOMPARE(codeAt(.749), 359.);
+        QCOMPARE(codeAt(.75), 0.);
+        QCOMPARE(codeAt(-.251), 359.);
+        QVERIFY(std::abs(robot.signal("encoder/angle")[0] - kTurn * 359 / 360) < 1e-12);
+        QCOMPARE(codeAt(1000), 90.);
+        robot.joint("axle").rate = -kTurn; // 3.6 codes a tick, past 0 after 25 ticks
+        for (int i = 0; i < 50; ++i) {
+            robot.tick();
+            QVERIFY(std::abs(robot.signal("encoder/rate")[0] + kTurn) < kTurn / 360 / .01);
+        }
+        QCOMPARE(robot.signal("encoder/count")[0], 270.);
+    }
+
+    /// A line of 0.02 mm; an index mark every 500 lines, which is 10 mm.
+    void anEncoderOnASlider() {
+        BenchRobot robot(.01);
+        BenchDevice& encoder = addEncoder(robot, 500);
+        encoder.numbers["Pitch"] = {2e-5};
+        encoder.numbers["Quadrature"] = encoder.numbers["Index"] = {1};
+        QCOMPARE(robot.setup(), std::string());
+        robot.joint("axle").rate = .1;
+        int pulses = 0;
+        for (int i = 0; i < 35; ++i) {
+            robot.tick();
+            pulses += robot.signal("encoder/index")[0] != 0;
+        }
+        QCOMPARE(robot.signal("encoder/count")[0], 7000.);
+        QVERIFY(std::abs(robot.signal("encoder/angle")[0] - .035) < 1e-12);
+        QVERIFY(std::abs(robot.signal("encoder/rate")[0] - .1) < 1e-3);
+        QCOMPARE(pulses, 3);
+    }
+
+    void anEncoderOfOneTypeHasNothingOfTheOther() {
+        BenchRobot absolute(.01), incremental(.01);
+        BenchDevice& a = addEncoder(absolute, 100);
+        a.texts["Type"] = {"absolute"};
+        a.numbers["MaxFrequency"] = {100};
+        addEncoder(incremental, 100).numbers["Offset"] = {1};
+        QVERIFY(absolute.setup().find("MaxFrequency") != std::string::npos);
+        QVERIFY(incremental.setup().find("Offset") != std::string::npos);
+    }
+
+    /// Pressed from 2 N on, until less than 1 N.
+    void touchHasHysteresis() {
+        BenchRobot robot(.01);
+        BenchDevice& touch = robot.device("TouchSensor", "touch");
+        touch.texts = {{"Geom", {"body.pad"}}};
+        touch.numbers = {{"MinForce", {2}}, {"ReleaseForce", {1}}};
+        robot.contacts["body.pad"] = {};
+        QCOMPARE(robot.setup(), std::string());
+        const auto pressedAt = [&](double force) {
+            robot.contacts["body.pad"] = {contactOf(force)};
+            robot.tick();
+            return robot.signal("touch/pressed")[0] != 0;
+        };
+        QVERIFY(!pressedAt(1.5) && !pressedAt(1.999) && pressedAt(2) && pressedAt(1.5) && pressedAt(1));
+        QCOMPARE(robot.signal("touch/force")[0], 1.);
+        QVERIFY(!pressedAt(.999) && !pressedAt(1.5) && pressedAt(3));
+        robot.contacts["body.pad"].clear();
+        robot.tick();
+        QCOMPARE(robot.signal("touch/pressed")[0], 0.);
+    }
+
+    void touchRefusesAReleaseAboveItsThreshold() {
+        BenchRobot robot(.01);
+        BenchDevice& touch = robot.device("TouchSensor", "touch");
+        touch.texts = {{"Geom", {"body.pad"}}};
+        touch.numbers = {{"MinForce", {2}}, {"ReleaseForce", {3}}};
+        robot.contacts["body.pad"] = {};
+        QVERIFY(robot.setup().find("ReleaseForce") != std::string::npos);
+    }
+
     /// A period below the tick, of one tick, and just above it: a picture at the first tick at or after each due time, numbered by those.
     void aCameraNearItsTick_data() {
         QTest::addColumn<double>("period");

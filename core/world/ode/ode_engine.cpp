@@ -38,6 +38,20 @@ Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
     return trundle::addAxialInertia(joint, m_objects.bodies[joint.child], inertia);
 }
 
+Status OdeEngine::measureWrench(JointHandle joint) {
+    m_wrenches.add(joint.index);
+    return {};
+}
+
+JointEffort OdeEngine::jointEffort(JointHandle id) const {
+    const OdeJoint& joint = m_objects.joints[id.index];
+    return {joint.effort, joint.frictionEffort};
+}
+
+EngineSolves OdeEngine::solves() const {
+    return {m_dynamics.solver().quickTicks(), m_dynamics.solver().rescuedTicks(), m_dynamics.largestExactCluster()};
+}
+
 void OdeEngine::findContacts() {
     try {
         prepareThread();
@@ -56,6 +70,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         applyWrites();
         m_search.findForStep(m_contacts.all);
         m_rows.update(h, m_contacts.all, m_objects.geoms, m_settings.errorReduction);
+        m_wrenches.prepare();
         m_couplings.update(h, m_contacts.all, m_settings.errorReduction);
         m_dynamics.step(h);
         const std::size_t ended = m_faults.ended().size();

@@ -13,6 +13,7 @@
 #include "world/ode/actor_faults.h"
 #include "world/ode/collision/contacts_by_geom.h"
 #include "world/ode/collision/ode_rays.h"
+#include "world/ode/joints/joint_wrenches.h"
 #include "world/ode/motion/ode_sweep.h"
 #include "world/ode/ode_dynamics.h"
 #include "world/ode/pending_writes.h"
@@ -32,20 +33,20 @@ public:
     void setSurface(std::size_t surface, const SurfaceSpec& values) override;
     void moveActor(ActorHandle actor, const Pose& motion) override { m_writes.addMotion(actor.index, motion); }
     [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override;
+    [[nodiscard]] Status measureWrench(JointHandle joint) override;
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_objects.states[body.index]; }
     [[nodiscard]] double jointPosition(JointHandle joint) const override { return m_objects.joints[joint.index].position; }
     [[nodiscard]] double jointRate(JointHandle joint) const override { return m_objects.joints[joint.index].rate; }
-    [[nodiscard]] double jointMotorEffort(JointHandle joint) const override { return m_objects.joints[joint.index].effort; }
+    [[nodiscard]] JointEffort jointEffort(JointHandle joint) const override;
+    [[nodiscard]] JointWrench jointWrench(JointHandle joint) const override { return m_wrenches.of(joint.index); }
     [[nodiscard]] CouplingState coupling(CouplingHandle c) const override { return m_objects.couplings[c.index].state; }
     [[nodiscard]] std::size_t contactCount() const override { return m_contacts.all.size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override;
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
-    [[nodiscard]] std::uint64_t quickTicks() const override { return m_dynamics.solver().quickTicks(); }
-    [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_dynamics.solver().rescuedTicks(); }
-    [[nodiscard]] std::size_t largestExactCluster() const override { return m_dynamics.largestExactCluster(); }
+    [[nodiscard]] EngineSolves solves() const override;
     [[nodiscard]] EngineSweeps sweeps() const override { return {m_sweep.count(), m_sweep.passages()}; }
     [[nodiscard]] ActorFaultReport faults() const override { return {m_faults.ended(), m_faults.closed()}; }
 
@@ -60,6 +61,7 @@ private:
     JointRows m_rows{m_objects.bodies, m_objects.joints};
     CouplingRows m_couplings{m_objects, m_rows.inertias()};
     ActorBuilder m_builder{m_settings, m_world, m_objects, m_rows, m_couplings};
+    JointWrenches m_wrenches{m_objects};
     PendingWrites m_writes;
     GeomCollider m_collider{m_objects};
     ContactSearch m_search{m_settings, m_objects, m_collider};

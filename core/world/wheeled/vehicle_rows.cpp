@@ -205,7 +205,8 @@ void VehicleRows::finish(WheeledObjects& objects) const {
     for (std::size_t i = 0; i < m_wheelCount; ++i) {
         WheelState& wheel = objects.wheels[unit.wheels + i];
         wheel.spin = m_motors[i].spin(m_momenta[i]);
-        wheel.impulse = m_motors[i].impulse(m_momenta[i]);
+        wheel.impulse = m_motors[i].motorImpulse(m_momenta[i]);
+        wheel.friction = m_motors[i].impulse(m_momenta[i]) - wheel.impulse - m_h * wheel.motor.viscousFriction * wheel.spin;
         wheel.angle += m_h * wheel.spin;
     }
 }

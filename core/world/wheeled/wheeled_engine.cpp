@@ -142,6 +142,10 @@ Status WheeledEngine::addAxialInertia(JointHandle joint, double inertia) {
     return {};
 }
 
+Status WheeledEngine::measureWrench(JointHandle) {
+    return Error{Code::NotInEngine, "it has no forces in joints"};
+}
+
 void WheeledEngine::findContacts() {
     m_contacts.find();
     m_list.clear(1);
@@ -177,7 +181,7 @@ void WheeledEngine::applyMotions() {
         unit.setPlane();
         for (std::size_t i = 0; i < unit.shape->supports.size(); ++i) m_objects.supports[unit.supports + i] = {};
         for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
-            m_objects.wheels[unit.wheels + i].spin = m_objects.wheels[unit.wheels + i].impulse = 0;
+            m_objects.wheels[unit.wheels + i].stop();
         m_contacts.forget(m.unit);
         if (unit.shape->kind == ActorKind::Fixed) publishStates(m_objects, m.unit);
     }
@@ -216,7 +220,7 @@ void WheeledEngine::endFaulty() {
         for (std::size_t i = 0; i < unit.shape->bodies.size(); ++i)
             m_objects.states[unit.bodies + i].linear = m_objects.states[unit.bodies + i].angular = Vec3::Zero();
         for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
-            m_objects.wheels[unit.wheels + i].spin = m_objects.wheels[unit.wheels + i].impulse = 0;
+            m_objects.wheels[unit.wheels + i].stop();
     }
 }
 
@@ -230,9 +234,11 @@ double WheeledEngine::jointRate(JointHandle joint) const {
     return wheel == kNoGeom ? 0 : m_objects.wheels[wheel].spin;
 }
 
-double WheeledEngine::jointMotorEffort(JointHandle joint) const {
-    const std::uint32_t wheel = m_objects.wheelOf[joint.index];
-    return wheel == kNoGeom || m_h == 0 ? 0 : m_objects.wheels[wheel].impulse / m_h;
+JointEffort WheeledEngine::jointEffort(JointHandle joint) const {
+    const std::uint32_t index = m_objects.wheelOf[joint.index];
+    if (index == kNoGeom || m_h == 0) return {};
+    const WheelState& wheel = m_objects.wheels[index];
+    return {wheel.impulse / m_h, wheel.friction / m_h};
 }
 
 } // namespace trundle

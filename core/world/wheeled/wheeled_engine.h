@@ -28,20 +28,20 @@ public:
     void setSurface(std::size_t surface, const SurfaceSpec& values) override;
     void moveActor(ActorHandle actor, const Pose& motion) override { m_motions.push_back({actor.index, motion}); }
     [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override;
+    [[nodiscard]] Status measureWrench(JointHandle joint) override;
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_objects.states[body.index]; }
     [[nodiscard]] double jointPosition(JointHandle joint) const override;
     [[nodiscard]] double jointRate(JointHandle joint) const override;
-    [[nodiscard]] double jointMotorEffort(JointHandle joint) const override;
+    [[nodiscard]] JointEffort jointEffort(JointHandle joint) const override;
+    [[nodiscard]] JointWrench jointWrench(JointHandle) const override { return {}; } // it measures none
     [[nodiscard]] CouplingState coupling(CouplingHandle) const override { return {}; } // it has none
     [[nodiscard]] std::size_t contactCount() const override { return m_list.all().size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override { return m_list.all()[index]; }
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override { return m_list.of(geom.index); }
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
-    [[nodiscard]] std::uint64_t quickTicks() const override { return 0; }
-    [[nodiscard]] std::uint64_t rescuedTicks() const override { return 0; }
-    [[nodiscard]] std::size_t largestExactCluster() const override { return 0; }
+    [[nodiscard]] EngineSolves solves() const override { return {}; }
     [[nodiscard]] EngineSweeps sweeps() const override { return {}; }
     [[nodiscard]] ActorFaultReport faults() const override { return {m_ended, {}}; }
 

@@ -24,6 +24,9 @@ struct WheelState {
     MotorConstraint motor;
     double torque = 0;  ///< of devices for one tick, N m
     double inertia = 0; ///< kg m^2
+    double friction = 0; ///< of the motor's drive in the last tick, N m s
+
+    void stop() { spin = impulse = friction = 0; }
 };
 
 /// One of the world's actors: its state is that of its centre of mass.

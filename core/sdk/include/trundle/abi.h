@@ -119,9 +119,8 @@ typedef struct TrundleMount {
     const TrundleMountRadio* radio; /* since 1.2 */
     /* Since 1.7. The device becomes the supply of its robot and senses after all others of it. -1: there is another one. */
     int32_t (*provideSupply)(void* context, double nominal, double voltage);
+    int32_t (*measureJoint)(void* context, const char* name, uint32_t* joint); /* since 1.8; a joint of any kind. 0: its wrench is measured */
 } TrundleMount;
-
-struct TrundleServicesLight;
 /* Access of a device to the world in act and sense. Actuation is ignored outside act. */
 typedef struct TrundleServices {
     uint32_t size, reserved;
@@ -150,6 +149,7 @@ typedef struct TrundleServices {
     const TrundleServicesRays* rays; /* since 1.5 */
     const struct TrundleServicesLight* light; /* since 1.6; in abi_light.h */
     const TrundleServicesSupply* supply; /* since 1.7 */
+    const struct TrundleServicesJoints* joints; /* since 1.8; in abi_joint.h */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

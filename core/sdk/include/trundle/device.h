@@ -8,6 +8,7 @@
 
 #include <trundle/describe.h>
 #include <trundle/geometry.h>
+#include <trundle/joints.h>
 #include <trundle/light.h>
 #include <trundle/module.h>
 #include <trundle/mount.h>
@@ -33,6 +34,10 @@ public:
     [[nodiscard]] double jointMotorEffort(JointId joint) const {
         return m_services.jointMotorEffort(m_services.context, joint.index);
     }
+    /// Of the friction of the joint's drive in the last step, N m or N, positive along the positive motion. Since 1.10.
+    [[nodiscard]] double jointFrictionEffort(JointId joint) const { return detail::frictionEffort(m_services, joint.index); }
+    /// What acts across a joint of Mount::measuredJoint, in the last step. False if it is not measured. Since 1.10.
+    bool jointWrench(JointId joint, Wrench& out) const { return detail::wrench(m_services, joint.index, out); }
     /// Anchor (m) and unit axis of the joint in the world frame, moving with its parent body. False if not available.
     bool jointAnchor(JointId joint, Vec3& anchor, Vec3& axis) const {
         if (!m_services.jointAnchor) return false;
@@ -147,6 +152,8 @@ public:
     void servoRow(JointId joint, double rate, double limit, double damping) {
         m_services.servoRow(m_services.context, joint.index, rate, limit, damping);
     }
+    /// Both of these in one, with friction of the drive. An older program has no such friction. Since 1.10.
+    void driveJoint(JointId joint, const JointDrive& drive) { detail::driveJoint(m_services, joint.index, drive); }
     void jointTorque(JointId joint, double torque) { m_services.jointTorque(m_services.context, joint.index, torque); }
     void bodyForce(BodyId body, const Vec3& force, const Vec3& point) {
         m_services.bodyForce(m_services.context, body.index, force.data(), point.data());

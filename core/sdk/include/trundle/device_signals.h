@@ -20,6 +20,7 @@ struct DifferentialDriveSignals {
     OutputSlot<std::array<double, 3>> odometry;
     OutputSlot<bool> done, busy;
     OutputSlot<std::int64_t> finished;
+    TruthSlot<std::array<double, 2>> slip;
 
     template <class D> static void describe(D& d) {
         using S = DifferentialDriveSignals;
@@ -33,6 +34,8 @@ struct DifferentialDriveSignals {
         d.output("done", &S::done, "", "No amount is under way.");
         d.output("busy", &S::busy, "", "An amount is under way.");
         d.output("finished", &S::finished, "", "Sequence number of the amount last ended or refused.");
+        d.truth("slip", &S::slip, "m/s",
+                "By which the wheels on the left and on the right roll faster than their axle moves, on average.");
     }
 };
 
@@ -42,6 +45,7 @@ struct RotaryMotorSignals {
     CommandSlot<bool> servo;
     OutputSlot<double> current, terminalVoltage, torque, rate;
     OutputSlot<bool> saturated;
+    OutputSlot<double> temperature;
 
     template <class D> static void describe(D& d) {
         using S = RotaryMotorSignals;
@@ -55,7 +59,8 @@ struct RotaryMotorSignals {
         d.output("torque", &S::torque, "N m", "At the joint, at the end of the last tick.");
         d.output("rate", &S::rate, "rad/s", "Of the joint.");
         d.output("saturated", &S::saturated, "",
-                 "MaxVoltage is not enough: the voltage is clipped, or the servo does not reach its rate.");
+                 "MaxVoltage or CurrentLimit is not enough: one of them limits the motor, or the servo does not reach its rate.");
+        d.output("temperature", &S::temperature, "degC", "Of the winding; without a ThermalResistance the ambient one.");
     }
 };
 
@@ -64,13 +69,16 @@ struct EncoderSignals {
     OutputSlot<std::int64_t> count;
     OutputSlot<double> angle, rate;
     OutputSlot<bool> index;
+    OutputSlot<std::int64_t> missed;
 
     template <class D> static void describe(D& d) {
         using S = EncoderSignals;
-        d.output("count", &S::count, "", "Counts since the start, negative backwards.");
-        d.output("angle", &S::angle, "rad", "The angle that the count represents.");
-        d.output("rate", &S::rate, "rad/s", "Counts of the last tick as a rate.");
+        d.output("count", &S::count, "",
+                 "Counts since the start, negative backwards; of an absolute encoder the code of its position.");
+        d.output("angle", &S::angle, "rad", "The angle that the count represents; on a Slider the way, m.");
+        d.output("rate", &S::rate, "rad/s", "Counts of the last tick as a rate; on a Slider m/s.");
         d.output("index", &S::index, "", "In the last tick the index mark passed.");
+        d.output("missed", &S::missed, "", "Counts that passed faster than MaxFrequency and were lost, since the start.");
     }
 };
 

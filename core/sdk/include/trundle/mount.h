@@ -45,6 +45,13 @@ public:
             if (s.bind) s.bind(&device, signal(s.name.c_str(), d.countOf(s, device)), s.name.c_str());
     }
     [[nodiscard]] JointId joint(const std::string& name) { return find<JointId>(m_mount.joint, "joint", name); }
+    /// A joint of any kind, across which force and torque are measured from now on (Services::jointWrench). Since 1.10.
+    [[nodiscard]] JointId measuredJoint(const std::string& name) {
+        if (m_mount.size >= offsetof(TrundleMount, measureJoint) + sizeof m_mount.measureJoint)
+            return find<JointId>(m_mount.measureJoint, "joint", name);
+        fail("this version of Trundle measures no joints");
+        return {};
+    }
     [[nodiscard]] BodyId body(const std::string& name) { return find<BodyId>(m_mount.body, "body", name); }
     [[nodiscard]] GeomId geom(const std::string& path) { return find<GeomId>(m_mount.geom, "geom", path); } ///< "body.geom"
 

@@ -176,8 +176,9 @@ void JointRows::update(double h, std::span<const OdeContact> contacts, std::span
     }
     for (const std::uint32_t index : m_driven) {
         OdeJoint& joint = m_joints[index];
-        if (!joint.motorChanged && joint.motor.damping == 0 && joint.motor.softness == 0) continue;
-        if ((joint.motor.damping > 0 || joint.motor.softness > 0) && !m_touched[joint.child]) updateInertia(index);
+        const bool damped = joint.motor.damping > 0 || joint.motor.softness > 0 || joint.motor.viscousFriction > 0;
+        if (!joint.motorChanged && !damped) continue;
+        if (damped && !m_touched[joint.child]) updateInertia(index);
         updateMotor(joint, h);
     }
     ++m_ticks;
@@ -242,13 +243,13 @@ void JointRows::updateSpring(OdeJoint& joint, double h) const {
         }
     }
     const bool held = axes == 1 && joint.stiffness > 0 && isHeld(joint, -away[0]);
-    const double motor = motorDamping(joint);
+    const double motor = motorDamping(joint) + (joint.driven && axes == 1 ? joint.motor.viscousFriction : 0);
     for (int k = 0; k < axes; ++k) {
         const bool second = axes == 2 && k == 1;
         const double stiffness = second ? joint.stiffness2 : joint.stiffness, damping = second ? joint.damping2 : joint.damping;
         SpringRow row = springRow(stiffness, damping + motor, (held ? joint.heldInertia : joint.inertia)[k], h);
-        if (motor > 0) { // the motor's share is in its own row
-            const SpringRow share = damperRow(joint, motor, h);
+        if (motor > 0) { // the share of motor and friction is in their own rows
+            const SpringRow share = damperRow(joint, motor, motor + joint.damping, h);
             row = {row.give - share.give, row.carry - share.carry};
         }
         row.give = std::max(row.give, kLeastGive);
@@ -318,7 +319,9 @@ void JointRows::measure(OdeJoint& joint, double h) const {
         joint.position = unwrap(angle, joint.position + joint.rate * h);
         if (joint.type == JointType::Universal) measureSecond(joint, c, turned, spin, h);
     }
-    if (joint.driven) joint.effort = effortOf(joint);
+    if (!joint.driven) return;
+    joint.effort = effortOf(joint);
+    joint.frictionEffort = frictionOf(joint);
 }
 
 } // namespace trundle

@@ -46,9 +46,13 @@ private:
     void updateMotor(OdeJoint& joint, double h);
     void updateServo(OdeJoint& joint, double h);
     void writeMotor(OdeJoint& joint, double rate, double cfm, double limit);
+    void updateLosses(OdeJoint& joint, double h);
+    dJointFeedback* makeFeedback();
     [[nodiscard]] double effortOf(const OdeJoint& joint) const;
+    [[nodiscard]] double frictionOf(const OdeJoint& joint) const;
     [[nodiscard]] double motorDamping(const OdeJoint& joint) const;
-    [[nodiscard]] SpringRow damperRow(const OdeJoint& joint, double damping, double h) const;
+    [[nodiscard]] double dampingOf(const OdeJoint& joint) const;
+    [[nodiscard]] SpringRow damperRow(const OdeJoint& joint, double damping, double all, double h) const;
 
     /// A contact with something that does not move.
     struct Touch {

@@ -35,30 +35,36 @@ double JointRows::motorDamping(const OdeJoint& joint) const {
     return line && joint.type == JointType::Hinge && !m_touched[joint.child] ? 1 / motor.softness : 0;
 }
 
-/// Part of the joint's damping, as one damper with the rest of it.
-SpringRow JointRows::damperRow(const OdeJoint& joint, double damping, double h) const {
+/// Of a joint about its axis without its motor.
+double JointRows::dampingOf(const OdeJoint& joint) const {
     const bool wheel = joint.type == JointType::Suspension; // its damping is along the spring
-    const double all = damping + (wheel ? 0 : joint.damping);
-    const SpringRow row = springRow(0, all, joint.inertia[wheel ? 1 : 0], h);
+    return (wheel ? 0 : joint.damping) + (joint.driven ? joint.motor.viscousFriction : 0);
+}
+
+/// Part of all of the joint's damping, as one damper with the rest of it.
+SpringRow JointRows::damperRow(const OdeJoint& joint, double damping, double all, double h) const {
+    const SpringRow row = springRow(0, all, joint.inertia[joint.type == JointType::Suspension ? 1 : 0], h);
     return {row.give * damping / all, row.carry * damping / all};
 }
 
 void JointRows::updateMotor(OdeJoint& joint, double h) {
     joint.motorChanged = false;
     const MotorConstraint& motor = joint.motor;
+    if (joint.losses || motor.dryFriction > 0 || motor.viscousFriction > 0) updateLosses(joint, h);
     if (motor.damping > 0) return updateServo(joint, h);
     if (joint.damper) setRow(joint.damper, joint.type, 0, dParamFMax, 0);
     joint.damperGive = 0;
     const double limit = std::max(0.0, motor.limit);
     if (motor.softness < kSoftEnough || m_touched[joint.child])
         return writeMotor(joint, motor.rate, std::max(motor.softness, kWorldCfm), limit);
-    const SpringRow row = damperRow(joint, 1 / motor.softness, h);
+    const double slope = 1 / motor.softness;
+    const SpringRow row = damperRow(joint, slope, slope + dampingOf(joint), h);
     writeMotor(joint, (motor.rate / motor.softness - row.carry * joint.rate) / row.give, 1 / row.give, limit);
 }
 
 /// Far from its limits a servo is only a stiff row.
 void JointRows::updateServo(OdeJoint& joint, double h) {
-    const auto& [rate, softness, limit, damping] = joint.motor;
+    const double rate = joint.motor.rate, limit = joint.motor.limit, damping = joint.motor.damping;
     const double now = std::abs(joint.rate), reserve = limit - damping * now;
     const bool near = std::abs(joint.effort) > kFarFromLine * reserve || reserve < kLeastReserve * limit ||
                       damping * std::abs(rate - joint.rate) > kSmallChange * limit;
@@ -68,7 +74,7 @@ void JointRows::updateServo(OdeJoint& joint, double h) {
         return writeMotor(joint, rate, kWorldCfm, joint.effort * joint.rate >= 0 ? reserve : limit);
     }
     SpringRow row{damping, 0};
-    if (!m_touched[joint.child]) row = damperRow(joint, damping, h);
+    if (!m_touched[joint.child]) row = damperRow(joint, damping, damping + dampingOf(joint), h);
     if (!joint.damper) {
         const Vec3 axis = turn(m_bodies[joint.child].r, joint.childAxis);
         joint.damper = axisMotor(joint, m_bodies, std::span(&axis, 1),
@@ -107,10 +113,39 @@ void JointRows::writeMotor(OdeJoint& joint, double rate, double cfm, double limi
     }
     if (joint.motor.softness < kSoftEnough && joint.feedback == kNone) {
         joint.feedback = static_cast<std::uint32_t>(m_feedbacks.size());
-        m_feedbacks.push_back(std::make_unique<dJointFeedback>());
-        *m_feedbacks.back() = {};
-        dJointSetFeedback(joint.drive ? joint.drive : joint.id, m_feedbacks.back().get());
+        dJointSetFeedback(joint.drive ? joint.drive : joint.id, makeFeedback());
     }
+}
+
+dJointFeedback* JointRows::makeFeedback() {
+    m_feedbacks.push_back(std::make_unique<dJointFeedback>());
+    *m_feedbacks.back() = {};
+    return m_feedbacks.back().get();
+}
+
+/// Two rows about one axis: dry friction is a stiff row to rest with a limit, viscous friction a damper.
+void JointRows::updateLosses(OdeJoint& joint, double h) {
+    const MotorConstraint& motor = joint.motor;
+    if (!joint.losses) {
+        const Vec3 axis = turn(m_bodies[joint.child].r, joint.childAxis), axes[] = {axis, axis};
+        const bool parent = joint.type == JointType::Universal || joint.type == JointType::Slider;
+        joint.losses = axisMotor(joint, m_bodies, axes, parent);
+        dJointSetFeedback(joint.losses, makeFeedback());
+    }
+    setRow(joint.losses, joint.type, 0, dParamFMax, motor.dryFriction);
+    setRow(joint.losses, joint.type, 1, dParamFMax, motor.viscousFriction > 0 ? dInfinity : 0);
+    if (!(motor.viscousFriction > 0)) return;
+    SpringRow row{motor.viscousFriction, 0};
+    if (!m_touched[joint.child]) row = damperRow(joint, row.give, motorDamping(joint) + dampingOf(joint), h);
+    setRow(joint.losses, joint.type, 1, dParamVel, -row.carry * joint.rate / row.give);
+    setRow(joint.losses, joint.type, 1, dParamCFM, 1 / row.give);
+}
+
+double JointRows::frictionOf(const OdeJoint& joint) const {
+    if (!joint.losses) return 0;
+    const dJointFeedback& f = *dJointGetFeedback(joint.losses);
+    const Vec3 axis = turn(m_bodies[joint.child].r, joint.childAxis);
+    return axis.dot(vec(joint.type == JointType::Slider ? f.f1 : f.t1));
 }
 
 /// Torque or force of the motor at the end of the step: by its law where that is a line, else the joint's reaction.

@@ -94,6 +94,8 @@ struct OdeJoint {
     MotorConstraint motor;
     dJointID id = nullptr, drive = nullptr;
     dJointID spring = nullptr, friction = nullptr, stop = nullptr, damper = nullptr;
+    dJointID losses = nullptr; ///< dry and viscous friction of the drive
+    double frictionEffort = 0; ///< of these
     double damperRate = 0, damperGive = 0; ///< of a servo's damper in this step; give 0: none
     double lowStop = 0, highStop = 0;      ///< of a ball: how far `childAxis` tilts from `parentAxis`
     Vec3 slideAxis = Vec3::UnitZ();        ///< of a suspension, in the parent's axes
