@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/queries/led_model.h"
-
 namespace trundle {
 namespace {
 

@@ -1,20 +1,17 @@
 #pragma once
 // World poses of all robot bodies: from the model before the first tick, from signal blocks afterwards.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include <trundle/geometry.h>
 
 #include "model/experiment_spec.h"
+#include "scene/queries/led_model.h"
 #include "signals/block.h"
 #include "signals/layout.h"
 
 namespace trundle {
-
-/// A display colour; black: it is dark.
-using LedColour = std::array<float, 3>;
 
 /// World poses of all robot bodies: robots in text order, each with its bodies in the order of its config; and what their Leds show.
 struct BodyPoses : std::vector<Pose> {
