@@ -1,13 +1,16 @@
 #pragma once
 // The Leds of an experiment, as pictures show them.
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "model/experiment_spec.h"
-#include "scene/queries/poses.h"
 
 namespace trundle {
+
+/// A display colour; black: it is dark.
+using LedColour = std::array<float, 3>;
 
 struct LedModel {
     std::string path;                            ///< "robot0/beacon"

@@ -5,8 +5,6 @@
 
 #include <trundle/equipment_signals.h>
 
-#include "scene/queries/led_model.h"
-
 namespace trundle {
 namespace {
 

@@ -10,6 +10,7 @@
 #include <trundle/geometry.h>
 
 #include "model/experiment_spec.h"
+#include "scene/queries/led_model.h"
 #include "signals/block.h"
 #include "signals/layout.h"
 
@@ -25,9 +26,6 @@ struct PenLine {
     };
     std::vector<Point> points;
 };
-
-/// A display colour; black: it is dark.
-using LedColour = std::array<float, 3>;
 
 /// What differs between pictures of one experiment. World poses of all robot bodies: robots in text order, each with its bodies in the
 /// order of its config; what their Leds show and their Pens have drawn.
