@@ -6,7 +6,8 @@
 
 namespace trundle {
 
-/// Pressed from when the forces of its geoms' contacts sum to at least MinForce until they sum to less than ReleaseForce. Uses the contacts of the last step.
+/// Pressed from when the forces of its geoms' contacts sum to at least MinForce until they sum to less than ReleaseForce. Uses the contacts of the
+/// last step.
 class TouchSensor final : public Device, public TouchSensorSignals {
 public:
     static void describe(Describe<TouchSensor>& d);

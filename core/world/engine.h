@@ -21,6 +21,7 @@
 #include "model/body_spec.h"
 #include "model/experiment_spec.h"
 #include "model/joint_spec.h"
+#include "world/joint_constraint.h"
 #include "world/rays/ray_query.h"
 
 namespace trundle {
@@ -89,28 +90,6 @@ struct BodyState {
 struct CouplingState {
     double length = 0, rate = 0; ///< of a spring, m and m/s
     double effort = 0;           ///< of a spring N, positive where it pulls; of a gear what it does to its first joint: N m or N
-};
-
-/// A constraint row that drives a joint to `rate` with the torque (rate - actual) / softness, at most `limit`. Limit 0: no row.
-/// With a damping it is a servo: softness is ignored, and the torque along the joint's motion is at most limit - damping * |actual|.
-struct MotorConstraint {
-    double rate = 0;            ///< rad/s or m/s
-    double softness = 0;        ///< rad/s per N m; 0: as stiff as the engine allows
-    double limit = 0;           ///< N m or N
-    double damping = 0;         ///< N m s/rad
-    double dryFriction = 0;     ///< of the drive, N m or N
-    double viscousFriction = 0; ///< N m s/rad or N s/m
-    bool operator==(const MotorConstraint&) const = default;
-};
-
-/// What acted on a joint in the last step.
-struct JointEffort {
-    double motor = 0, friction = 0; ///< of the motor and of the friction of its drive, N m or N along the joint's motion
-};
-
-/// Of a joint's parent on its child, world frame: N, and N m about the anchor.
-struct JointWrench {
-    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
 };
 
 /// Of the whole run.

@@ -174,6 +174,10 @@ private Q_SLOTS:
             "leftMotor", true);
         row("two motors on one joint", rover("Joint=rightAxle", "Joint=leftAxle"), Code::DeviceSetup,
             "turn the same joint, leftAxle", "leftAxle", false);
+        row("an encoder without a pitch",
+            "RobotConfig Rail { Body b { Box g { Size=0.2,0.2,0.2 Mass=2 } } Slider rail { Parent=world Child=b Axis=1,0,0 } "
+            "Encoder count { Joint=rail } }\nRobot a { Config=Rail Pos=0,0,0.1 }",
+            Code::DeviceSetup, "needs the Pitch", "count", false);
         row("a wheel of a feather",
             rover("Body leftWheel { Pos=0.1,0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.2",
                   "Body leftWheel { Pos=0.1,0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.0001"),

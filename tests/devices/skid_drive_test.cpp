@@ -47,6 +47,26 @@ const std::string kFour =
 class SkidDriveTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// Wheels that roll do not slip; on the spot against a wall they slip by all of their speed.
+    void slipIsWhatWheelsRollTooFast() {
+        const std::string drive = "DifferentialDrive base { LeftMotor=left0Motor RightMotor=right0Motor WheelRadius=0.05 WheelSeparation=0.3 }",
+                          slider = "Sphere foot { Radius=0.02 Pos=-0.12,0,0.02 Mass=0.1 Surface=slick }",
+                          wall = "StaticConfig Wall { Box wall { Size=0.2,2,0.4 Surface=slick } }\nStatic wall { Config=Wall Pos=0.9,0,0.2 }\n";
+        SensorWorld w(base({0}, drive, slider) + wall);
+        QVERIFY2(w.ok(), w.failure().c_str());
+        command(w, "linearVelocity", 0.4);
+        command(w, "angularVelocity", 0.05);
+        QVERIFY(w.run(200));
+        QVERIFY(std::abs(w.value("r/base/slip", 0)) < 1e-3 && std::abs(w.value("r/base/slip", 1)) < 1e-3);
+        command(w, "angularVelocity", 0);
+        QVERIFY(w.run(1000));
+        for (const char* side : {"left0", "right0"}) {
+            const double rolls = 0.05 * w.value(std::string("r/") + side + "Motor/rate");
+            QVERIFY(rolls > 0.1);
+            QVERIFY(std::abs(w.value("r/base/slip", side[0] == 'l' ? 0 : 1) - rolls) < 0.02 * rolls);
+        }
+    }
+
     void withOneWheelOnEachSideItIsADifferentialDrive() {
         const std::string sizes = "WheelRadius=0.05 WheelSeparation=0.3 }",
                           slider = "Sphere foot { Radius=0.02 Pos=-0.12,0,0.02 Mass=0.1 Surface=slick }";

@@ -2,7 +2,8 @@
 // What a motor gives a wheel in one tick, as a function of the wheel's angular momentum without it.
 //
 // Method: a motor is a line, torque = slope (rate - spin), between two limits; a servo is a steep line between the lines of the motor at
-// full voltage forwards and backwards. Dry friction opposes the spin, and holds the wheel at rest. Each piece is linear in the spin at the end of the tick (implicit Euler), so the spin is linear in
+// full voltage forwards and backwards. Dry friction opposes the spin, and holds the wheel at rest. Each piece is linear in the spin at the
+// end of the tick (implicit Euler), so the spin is linear in
 // the momentum piece by piece, and falls nowhere.
 
 #include "world/wheeled/wheeled_objects.h"

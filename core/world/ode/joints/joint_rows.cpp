@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "world/ode/joints/drive_friction.h"
 #include "world/ode/objects/ode_math.h"
 
 namespace trundle {
@@ -321,7 +322,7 @@ void JointRows::measure(OdeJoint& joint, double h) const {
     }
     if (!joint.driven) return;
     joint.effort = effortOf(joint);
-    joint.frictionEffort = frictionOf(joint);
+    joint.frictionEffort = frictionEffortOf(joint, m_bodies);
 }
 
 } // namespace trundle

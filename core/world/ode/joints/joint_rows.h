@@ -49,10 +49,7 @@ private:
     void updateLosses(OdeJoint& joint, double h);
     dJointFeedback* makeFeedback();
     [[nodiscard]] double effortOf(const OdeJoint& joint) const;
-    [[nodiscard]] double frictionOf(const OdeJoint& joint) const;
     [[nodiscard]] double motorDamping(const OdeJoint& joint) const;
-    [[nodiscard]] double dampingOf(const OdeJoint& joint) const;
-    [[nodiscard]] SpringRow damperRow(const OdeJoint& joint, double damping, double all, double h) const;
 
     /// A contact with something that does not move.
     struct Touch {

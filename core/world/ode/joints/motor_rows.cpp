@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/ode/joints/drive_friction.h"
 #include "world/ode/objects/ode_math.h"
 
 namespace trundle {
@@ -33,18 +34,6 @@ double JointRows::motorDamping(const OdeJoint& joint) const {
     const MotorConstraint& motor = joint.motor;
     const bool line = joint.driven && motor.damping == 0 && motor.softness >= kSoftEnough && motor.limit > 0;
     return line && joint.type == JointType::Hinge && !m_touched[joint.child] ? 1 / motor.softness : 0;
-}
-
-/// Of a joint about its axis without its motor.
-double JointRows::dampingOf(const OdeJoint& joint) const {
-    const bool wheel = joint.type == JointType::Suspension; // its damping is along the spring
-    return (wheel ? 0 : joint.damping) + (joint.driven ? joint.motor.viscousFriction : 0);
-}
-
-/// Part of all of the joint's damping, as one damper with the rest of it.
-SpringRow JointRows::damperRow(const OdeJoint& joint, double damping, double all, double h) const {
-    const SpringRow row = springRow(0, all, joint.inertia[joint.type == JointType::Suspension ? 1 : 0], h);
-    return {row.give * damping / all, row.carry * damping / all};
 }
 
 void JointRows::updateMotor(OdeJoint& joint, double h) {
@@ -123,29 +112,11 @@ dJointFeedback* JointRows::makeFeedback() {
     return m_feedbacks.back().get();
 }
 
-/// Two rows about one axis: dry friction is a stiff row to rest with a limit, viscous friction a damper.
 void JointRows::updateLosses(OdeJoint& joint, double h) {
-    const MotorConstraint& motor = joint.motor;
-    if (!joint.losses) {
-        const Vec3 axis = turn(m_bodies[joint.child].r, joint.childAxis), axes[] = {axis, axis};
-        const bool parent = joint.type == JointType::Universal || joint.type == JointType::Slider;
-        joint.losses = axisMotor(joint, m_bodies, axes, parent);
-        dJointSetFeedback(joint.losses, makeFeedback());
-    }
-    setRow(joint.losses, joint.type, 0, dParamFMax, motor.dryFriction);
-    setRow(joint.losses, joint.type, 1, dParamFMax, motor.viscousFriction > 0 ? dInfinity : 0);
-    if (!(motor.viscousFriction > 0)) return;
-    SpringRow row{motor.viscousFriction, 0};
-    if (!m_touched[joint.child]) row = damperRow(joint, row.give, motorDamping(joint) + dampingOf(joint), h);
-    setRow(joint.losses, joint.type, 1, dParamVel, -row.carry * joint.rate / row.give);
-    setRow(joint.losses, joint.type, 1, dParamCFM, 1 / row.give);
-}
-
-double JointRows::frictionOf(const OdeJoint& joint) const {
-    if (!joint.losses) return 0;
-    const dJointFeedback& f = *dJointGetFeedback(joint.losses);
-    const Vec3 axis = turn(m_bodies[joint.child].r, joint.childAxis);
-    return axis.dot(vec(joint.type == JointType::Slider ? f.f1 : f.t1));
+    SpringRow row{joint.motor.viscousFriction, 0};
+    if (row.give > 0 && !m_touched[joint.child]) row = damperRow(joint, row.give, motorDamping(joint) + dampingOf(joint), h);
+    if (!joint.losses) addFrictionRows(joint, m_bodies, makeFeedback());
+    setFrictionRows(joint, row);
 }
 
 /// Torque or force of the motor at the end of the step: by its law where that is a line, else the joint's reaction.
