@@ -49,6 +49,7 @@ NewArenaDialog::NewArenaDialog(Locations locations, const QString& folder, QWidg
     setAttribute(Qt::WA_DeleteOnClose);
     m_file->setObjectName(QStringLiteral("arenaPicture"));
     m_file->setPlaceholderText(tr("PNG, JPEG, BMP, PGM or PPM"));
+    m_file->setMinimumWidth(scaledToFont(220));
     m_name->setObjectName(QStringLiteral("arenaName"));
     m_folder->setObjectName(QStringLiteral("arenaFolder"));
     m_width->setObjectName(QStringLiteral("arenaWidth"));
@@ -211,10 +212,8 @@ void NewArenaDialog::check() {
     if (!fault.isEmpty()) return showResult(fault, true);
     if (!m_plan) return showResult(tr("Choose the picture of a floor plan, for which you know its width."), false);
     const FloorPlan& plan = *m_plan;
-    QString text = tr("%1 walls, %2 m × %3 m.")
-                       .arg(plan.walls.size())
-                       .arg(plan.columns * plan.cell, 0, 'g', 4)
-                       .arg(plan.rows * plan.cell, 0, 'g', 4);
+    const auto metres = [&](std::uint32_t cells) { return QString::number(cells * plan.cell, 'g', 4); };
+    QString text = tr("%1 walls, %2 m × %3 m.").arg(QString::number(plan.walls.size()), metres(plan.columns), metres(plan.rows));
     if (plan.step > 1)
         text += QLatin1Char(' ') + tr("Made coarser, %1 pixels to a cell, since more boxes would be needed.").arg(plan.step);
     const QString name = toQString(moduleNameFor(m_name->text().trimmed().toStdString()));

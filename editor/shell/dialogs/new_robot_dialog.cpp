@@ -164,6 +164,7 @@ QWidget* NewRobotDialog::makeBases() {
         layout->addWidget(button);
     }
     m_bases->button(0)->setChecked(true);
+    m_bases->button(0)->setFocus();
     connect(m_bases, &QButtonGroup::idClicked, this, [this](int id) { useBase(static_cast<BaseShape>(id)); });
     return column;
 }
@@ -269,11 +270,9 @@ void NewRobotDialog::check() {
         if (const Result<MotorChoice> choice = chooseMotor(m_design); choice) {
             const auto& [motor, speed, slope] = choice.value();
             m_motor->setText(tr("%1 × %2: up to %3 m/s with a reserve of 20 %, slopes of up to %4°, %5 N·m at stall.")
-                                 .arg(drivenWheels(m_design.base))
-                                 .arg(QString::fromUtf8(motor.name.data(), qsizetype(motor.name.size())))
-                                 .arg(speed, 0, 'g', 2)
-                                 .arg(std::floor(slope * 180 / std::numbers::pi))
-                                 .arg(motor.stallTorque, 0, 'g', 2));
+                                 .arg(QString::number(drivenWheels(m_design.base)), toQString(std::string(motor.name)),
+                                      QString::number(speed, 'g', 2), QString::number(std::floor(slope * 180 / std::numbers::pi)),
+                                      QString::number(motor.stallTorque, 'g', 2)));
         } else {
             fault = toQString(choice.error().message);
         }

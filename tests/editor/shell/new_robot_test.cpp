@@ -110,7 +110,7 @@ private Q_SLOTS:
     void withoutAMouse() {
         openByKeys();
         const WindowHand hand(*m_window);
-        QCOMPARE(focusName(), QStringLiteral("base0"));
+        EVENTUALLY(focusName() == QStringLiteral("base0"));
         hand.key(Qt::Key_Down);
         QCOMPARE(focusName(), QStringLiteral("base1"));
         hand.key(Qt::Key_Tab);
