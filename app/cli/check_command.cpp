@@ -135,8 +135,8 @@ constexpr const char* kCheckExamples = R"(Examples:
   trundle-cli check --model my_robot.sim
 
 Beside mistakes in the text it says what starts inside something else, below the floor or in the air, which bodies no joint holds or
-differ too much in mass, which drives disagree with their wheels or are too weak, and what a run would refuse. For that it sets up robots with the controllers
-of trusted modules, as a run does, but takes no step.
+differ too much in mass, which drives disagree with their wheels or are too weak, and what a run would refuse. For that it sets up
+robots with the controllers of trusted modules, as a run does, but takes no step.
 
 Exit codes: 0 no errors (there may be warnings), 1 errors, 2 a FILE that cannot be read.)";
 

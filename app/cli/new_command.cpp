@@ -3,6 +3,7 @@
 #include "app/module_template.h"
 #include "base/clean_text.h"
 #include "cli/messages.h"
+#include "cli/new_arena.h"
 #include "cli/new_robot.h"
 #include "cli/standard_streams.h"
 #include "cli/subcommands.h"
@@ -14,6 +15,7 @@ struct NewArguments {
     std::string what, kind, parent = ".";
     bool python = false;
     RobotArguments robot;
+    ArenaArguments arena;
 };
 
 bool isTaken(const Application& application, const std::string& kind) {
@@ -51,34 +53,43 @@ constexpr const char* kNewExamples = R"(Examples:
   trundle-cli new controller WallFollow --python
   trundle-cli new component Thermometer --in my_project/modules
   trundle-cli new robot Rover --base mecanum --mass 5 --top-speed 0.8
+  trundle-cli new arena Office --plan office.png --plan-width 24
+  trundle-cli new arena Yard --obstacles 25 --room-length 8 --field-seed 3
 
 The new folder holds one C++ file and a CMakeLists.txt, or one Python file. What is printed builds it and uses it.
 The folder of a robot holds its description, with motors that reach the top speed and climb 10 degrees, an experiment, and a controller in
-Python that drives a square.
+Python that drives a square. That of an arena holds its walls as boxes, and an experiment with a robot between them.
 Exit codes: 0 done, 1 the output cannot be written, 2 the folder exists or cannot be written, NAME is no name for a kind,
-or no motor fits the robot.)";
+no motor fits the robot, or the picture has no walls.)";
 
 } // namespace
 
 void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
-    CLI::App* command = app.add_subcommand("new", "Start a controller, a component or a robot of your own");
+    CLI::App* command = app.add_subcommand("new", "Start a controller, a component, a robot or an arena of your own");
     auto arguments = std::make_shared<NewArguments>();
-    command->add_option("WHAT", arguments->what, "controller, component: a sensor to start from, or robot")
+    command->add_option("WHAT", arguments->what, "controller, component: a sensor to start from, robot, or arena")
         ->required()
         ->type_name("")
-        ->check(CLI::IsMember({"controller", "component", "robot"}));
-    command->add_option("NAME", arguments->kind, "Of the new kind or robot, like WallFollow")->required()->type_name("");
+        ->check(CLI::IsMember({"controller", "component", "robot", "arena"}));
+    command->add_option("NAME", arguments->kind, "Of the new kind, robot or arena, like WallFollow")->required()->type_name("");
     command->add_option("--in", arguments->parent, "Make its folder in DIR instead of in this one")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
     command->add_flag("--python", arguments->python, "A controller in Python, not in C++");
     addRobotOptions(*command, arguments->robot);
+    addArenaOptions(*command, arguments->arena);
     command->footer(kNewExamples);
     command->callback([arguments, &application, &chosen] {
         if (arguments->python && arguments->what != "controller")
             throw CLI::ValidationError("--python", "only controllers can be in Python");
         if (arguments->what == "robot") {
             chosen = [arguments] { return makeNewRobot(arguments->robot, arguments->kind, arguments->parent); };
+            return;
+        }
+        if (arguments->what == "arena") {
+            chosen = [arguments, &application] {
+                return makeNewArena(arguments->arena, arguments->kind, arguments->parent, application().locations());
+            };
             return;
         }
         chosen = [arguments, &application] { return makeNew(application(), *arguments); };

@@ -7,7 +7,9 @@ static constexpr ActionRow kTable[] = {
     // id              menu           text                       icon           shortcut          help
     {"file.newExperiment", "File/New", "&Experiment…",           "new",         "Ctrl+N",         "Start an experiment from a template."},
     {"file.newRobot",  "File/New",    "&Robot…",                 "",            "",               "Start a robot from a template."},
+    {"file.newFromDimensions", "File/New", "Robot from &Dimensions…", "", "",              "Make a robot that drives from its base, its dimensions, its mass and its top speed."},
     {"file.newArena",  "File/New",    "&Arena…",                 "",            "",               "Start an arena from a template."},
+    {"file.newFromPlan", "File/New",  "Arena from &Floor Plan…", "",            "",               "Make an arena from the picture of a floor plan: what is dark becomes walls."},
     {"file.newEmpty",  "File/New",    "E&mpty File",             "",            "",               "Start a file without anything in it."},
     {"file.open",      "File",        "&Open…",                  "open",        "Ctrl+O",         "Open an experiment, a robot or an arena."},
     {"file.openSample", "File",       "Open Sa&mple…",           "",            "",               "Go back to the Welcome page, where the sample experiments are."},

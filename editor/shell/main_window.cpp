@@ -26,6 +26,7 @@
 #include "editor/running/panels/transport_bar.h"
 #include "editor/shell/action_table.h"
 #include "editor/shell/commands/camera_commands.h"
+#include "editor/shell/commands/design_commands.h"
 #include "editor/shell/commands/edit_commands.h"
 #include "editor/shell/commands/file_commands.h"
 #include "editor/shell/commands/help_commands.h"
@@ -261,8 +262,9 @@ void MainWindow::makeCommands(Application& application, RenderService* render, c
     new ModelCommands(*this, *m_actions,
                       {*m_document, *m_selection, *m_session, *m_edits, *m_viewport, *m_work, *m_layouts, *m_status});
     m_modules = new ModuleCommands(*this, *m_actions,
-                                   {application, *m_document, *m_selection, *m_session, *m_files, *m_controllers, *m_problems, *m_text,
-                                    *m_work, *m_layouts, *m_status});
+                                   {application, *m_document, *m_selection, *m_session, *m_files, *m_controllers, *m_problems,
+                                    *m_text, *m_work, *m_layouts, *m_status});
+    new DesignCommands(*this, *m_actions, *m_document, *m_files, *m_controllers, places);
     new CameraCommands(*this, *m_actions, {application, *m_document, *m_session, *m_viewport, *m_status, render});
     new HelpCommands(*this, *m_actions, {*m_document, *m_selection, *m_text, *m_help, *m_layouts});
 }

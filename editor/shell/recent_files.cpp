@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 
 #include "editor/widgets/resources.h"
 
@@ -21,6 +22,11 @@ void addRecentFile(const QString& path) {
     files.removeAll(path);
     files.prepend(path);
     QSettings().setValue(QStringLiteral("recentFiles"), files.mid(0, kMaxRecent));
+}
+
+QString documentsFolder() {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
 QList<Sample> sampleExperiments(const QString& configs) {

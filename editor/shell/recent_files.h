@@ -7,6 +7,9 @@ namespace trundle {
 [[nodiscard]] QStringList recentFiles();
 void addRecentFile(const QString& path);
 
+/// Where files of the user's own are saved at first: Documents, else the home folder.
+[[nodiscard]] QString documentsFolder();
+
 /// The sample experiments installed with Trundle, in a recommended order for newcomers.
 struct Sample {
     QString path, title, description, picture;

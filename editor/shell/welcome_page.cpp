@@ -12,6 +12,7 @@
 #include <QScrollArea>
 
 #include "editor/shell/recent_files.h"
+#include "editor/widgets/resources.h"
 #include "editor/widgets/theme.h"
 #include "project/journal/journal.h"
 #include "project/loading/search.h"
@@ -148,6 +149,19 @@ private:
     QList<SampleCard*> m_cards;
 };
 
+/// Begins a robot of one's own.
+SampleCard* newRobotCard(QAction& action, QWidget* parent) {
+    auto* card = new SampleCard({{},
+                                 WelcomePage::tr("New robot from dimensions"),
+                                 WelcomePage::tr("Five bases: give its size, mass and speed, and it drives."),
+                                 resourcePath(QStringLiteral("pictures/gallery/new_robot.png"))},
+                                parent);
+    card->setToolTip(action.toolTip());
+    card->setObjectName(QStringLiteral("welcome.newRobot"));
+    QObject::connect(card, &QAbstractButton::clicked, &action, &QAction::trigger);
+    return card;
+}
+
 /// Makes the content scroll, so that it does not limit the window's minimum height.
 QScrollArea* scrolled(QWidget* content) {
     auto* scroll = new QScrollArea;
@@ -175,7 +189,7 @@ WelcomePage::WelcomePage(const Actions& actions, const QString& configs, QWidget
     layout->setContentsMargins(48, 40, 48, 24);
     layout->setSpacing(48);
     layout->addWidget(m_start = makeStart(actions));
-    layout->addWidget(makeSamples(configs), 1);
+    layout->addWidget(makeSamples(actions, configs), 1);
     fitStart();
     refresh();
 }
@@ -199,7 +213,8 @@ QWidget* WelcomePage::makeStart(const Actions& actions) {
     layout->addWidget(line);
     layout->addSpacing(24);
     layout->addWidget(heading(tr("Start"), 15));
-    for (const char* id : {"file.newExperiment", "file.newRobot", "file.newArena", "file.open", "help.guide"}) {
+    for (const char* id :
+         {"file.newExperiment", "file.newRobot", "file.newFromDimensions", "file.newArena", "file.open", "help.guide"}) {
         QAction& action = actions.at(id);
         QString text = action.text().remove(QLatin1Char('&'));
         if (std::string_view(id).starts_with("file.new")) text = tr("New %1").arg(text.toLower());
@@ -219,7 +234,7 @@ QWidget* WelcomePage::makeStart(const Actions& actions) {
     return scroll;
 }
 
-QWidget* WelcomePage::makeSamples(const QString& configs) {
+QWidget* WelcomePage::makeSamples(const Actions& actions, const QString& configs) {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 10, 0, 0);
@@ -229,6 +244,7 @@ QWidget* WelcomePage::makeSamples(const QString& configs) {
           std::tuple(tr("Robots and arenas"), sampleParts(configs), &WelcomePage::tryRequested)}) {
         layout->addWidget(heading(title, 15));
         auto* flow = new CardFlow;
+        if (wanted == &WelcomePage::tryRequested) flow->add(newRobotCard(actions.at("file.newFromDimensions"), flow));
         for (const Sample& sample : samples) {
             auto* card = new SampleCard(sample, flow);
             connect(card, &QAbstractButton::clicked, this, [this, path = sample.path, wanted = wanted] {

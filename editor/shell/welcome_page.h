@@ -25,7 +25,7 @@ protected:
 private:
     void fitStart();
     QWidget* makeStart(const Actions& actions);
-    QWidget* makeSamples(const QString& configs);
+    QWidget* makeSamples(const Actions& actions, const QString& configs);
 
     QWidget* m_start = nullptr; ///< left column; as wide as the font needs
     QVBoxLayout* m_recent = nullptr;

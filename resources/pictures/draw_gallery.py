@@ -74,6 +74,15 @@ def main():
                 view = ["--view", "shown"] if name in ROBOTS else []
                 subprocess.run([cli, "render", experiment, "--size", SIZE, "-o", picture, *view], check=True)
                 print(picture)
+        # The card of File > New > Robot from Dimensions: a robot that `trundle-cli new robot` makes.
+        subprocess.run([cli, "new", "robot", "Rover", "--base", "mecanum", "--in", folder], check=True)
+        experiment = os.path.join(folder, "rover", "shown.sim")
+        with open(experiment, "w", encoding="utf-8") as file:
+            file.write("#import arenas/open_floor.sim\n#import rover.sim\nStatic floor { Config=OpenFloor }\nRobot it { Config=Rover }\n"
+                       "View shown { Eye=0.5,-0.47,0.36 Target=0.01,0,0.06 FieldOfView=40 }\n")
+        picture = os.path.join(HERE, "gallery", "new_robot.png")
+        subprocess.run([cli, "render", experiment, "--size", SIZE, "-o", picture, "--view", "shown"], check=True)
+        print(picture)
     for name, (seconds, eye, target) in SAMPLES.items():
         picture = os.path.join(HERE, "samples", name + ".png")
         place = ["--at", seconds, "--eye=" + eye, "--target=" + target]

@@ -1,29 +1,7 @@
 // Robots from dimensions: the experiment that `trundle-cli new robot` writes drives its square, measured by the true pose of the robot.
 
 #include "flow/cli.h"
-
-namespace {
-
-struct Place {
-    double x = 0, y = 0;
-};
-
-/// The columns x and y of a PoseLog.
-std::vector<Place> pathOf(const QByteArray& csv) {
-    std::vector<Place> path;
-    for (const QByteArray& line : csv.split('\n').mid(1))
-        if (const QList<QByteArray> cells = line.split(','); cells.size() > 3)
-            path.push_back({cells[2].toDouble(), cells[3].toDouble()});
-    return path;
-}
-
-double nearest(const std::vector<Place>& path, const Place& to) {
-    double least = 1e9;
-    for (const Place& at : path) least = std::min(least, std::hypot(at.x - to.x, at.y - to.y));
-    return least;
-}
-
-} // namespace
+#include "square_path.h"
 
 class WizardFlowTest : public QObject {
     Q_OBJECT
@@ -68,20 +46,12 @@ private Q_SLOTS:
         const Outcome run = cli({"run", "--trust", experiment, "--log-dir", at + "/logs"});
         QVERIFY2(run.code == 0 && !run.err.contains("warning"), shown(run));
 
-        const std::vector<Place> path = pathOf(contentOf(at + "/logs/" + file + "_square.csv"));
-        QVERIFY(path.size() > 100);
-        // Round corners: the straight ways end where the arcs begin.
-        const double flat = side - 2 * radius, off = radius;
-        const std::vector<Place> corners{{0, 0},       {flat, 0}, {flat + off, off},  {flat + off, off + flat},
-                                         {flat, side}, {0, side}, {-off, off + flat}, {-off, off}};
-        double worst = std::hypot(path.back().x, path.back().y);
-        for (const Place& corner : corners) worst = std::max(worst, nearest(path, corner));
-        double least = 0, most = 0;
-        for (const Place& p : path) least = std::min(least, p.y), most = std::max(most, p.y);
-        qInfo("%s: at most %.1f mm beside a corner, %.4f m from edge to edge", QTest::currentDataTag(), worst * 1e3,
-              most - least);
-        QVERIFY2(worst < 0.02 * side, shown(run));
-        QVERIFY2(std::abs(most - least - side) < 0.02 * side, shown(run));
+        const SquarePath path(contentOf(at + "/logs/" + file + "_square.csv"), side, radius);
+        QVERIFY(path.places.size() > 100);
+        qInfo("%s: at most %.1f mm beside a corner, %.4f m from edge to edge", QTest::currentDataTag(), path.worst * 1e3,
+              path.across);
+        QVERIFY2(path.worst < 0.02 * side, shown(run));
+        QVERIFY2(std::abs(path.across - side) < 0.02 * side, shown(run));
     }
 
     void aSecondOneOfTheSameNameIsRefused() {

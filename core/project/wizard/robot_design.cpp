@@ -21,26 +21,13 @@ template <class... T> std::string say(const char* format, T... values) {
     return text;
 }
 
-struct Limit {
-    const char* what;
-    double value, least, most;
-    const char* unit;
-};
-
 std::optional<std::string> rangeFault(const RobotDesign& d) {
-    const Limit limits[] = {
-        {"The length of the hull", d.length, 0.05, 5, "m"},
-        {"The width of the hull", d.width, 0.03, 5, "m"},
-        {"The height of the hull", d.height, 0.01, 3, "m"},
-        {"The wheel radius", d.wheelRadius, 0.01, 1, "m"},
-        {"The wheel separation", d.wheelSeparation, 0.03, 10, "m"},
-        {"The wheelbase", hasWheelBase(d.base) ? d.wheelBase : 1, 0.03, 10, "m"},
-        {"The mass", d.mass, 0.1, 1000, "kg"},
-        {"The top speed", d.topSpeed, 0.01, 20, "m/s"},
-    };
-    for (const Limit& l : limits)
-        if (!(l.value >= l.least && l.value <= l.most)) // not a number fails too
-            return say("%s must be from %g to %g %s, not %g.", l.what, l.least, l.most, l.unit, l.value);
+    for (const DesignNumber& n : designNumbers()) {
+        const double value = d.*n.value;
+        if (n.value == &RobotDesign::wheelBase && !hasWheelBase(d.base)) continue;
+        if (!(value >= n.least && value <= n.most)) // not a number fails too
+            return say("%s must be from %g to %g %s, not %g.", n.name, n.least, n.most, n.unit, value);
+    }
     return std::nullopt;
 }
 
@@ -109,6 +96,20 @@ bool turns(const GearMotor& motor, const RobotDesign& d) { return motor.usableTo
 Error failure(std::string text) { return Error{Code::OutOfRange, std::move(text)}; }
 
 } // namespace
+
+const std::array<DesignNumber, 8>& designNumbers() {
+    static constexpr std::array<DesignNumber, 8> numbers{{
+        {"The length of the hull", &RobotDesign::length, 0.05, 5, "m"},
+        {"The width of the hull", &RobotDesign::width, 0.03, 5, "m"},
+        {"The height of the hull", &RobotDesign::height, 0.01, 3, "m"},
+        {"The wheel radius", &RobotDesign::wheelRadius, 0.01, 1, "m"},
+        {"The wheel separation", &RobotDesign::wheelSeparation, 0.03, 10, "m"},
+        {"The wheelbase", &RobotDesign::wheelBase, 0.03, 10, "m"},
+        {"The mass", &RobotDesign::mass, 0.1, 1000, "kg"},
+        {"The top speed", &RobotDesign::topSpeed, 0.01, 20, "m/s"},
+    }};
+    return numbers;
+}
 
 RobotDesign usualDesign(BaseShape base) {
     RobotDesign d;

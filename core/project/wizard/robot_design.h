@@ -1,6 +1,7 @@
 #pragma once
 // What a person says of a new robot, and the motor that this needs.
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,15 @@ struct RobotDesign {
     double mass = 3; ///< of the whole robot
     double topSpeed = 0.5;
 };
+
+/// A number of a design and its limits.
+struct DesignNumber {
+    const char* name; ///< as a sentence begins: "The wheel radius"
+    double RobotDesign::*value;
+    double least, most;
+    const char* unit;
+};
+[[nodiscard]] const std::array<DesignNumber, 8>& designNumbers();
 
 /// Dimensions to start from.
 [[nodiscard]] RobotDesign usualDesign(BaseShape base);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kSteering = 25 * kPi / 180; // rad, of the tightest corner
-constexpr double kRamp = 1;               // m/s^2, as a base does
+constexpr double kRamp = 1;                  // m/s^2, as a base does
 
 std::string number(double value) {
     char text[40];

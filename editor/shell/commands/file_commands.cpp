@@ -6,7 +6,6 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QRegularExpression>
-#include <QStandardPaths>
 
 #include "editor/shell/recent_files.h"
 #include "editor/shell/unsaved_files.h"
@@ -163,8 +162,7 @@ bool FileCommands::saveAs() {
     if (!m_document.isOpen()) return true;
     QString start = QString::fromStdString(m_document.path());
     if (m_document.isNew() || m_document.texts().isSample(m_document.path())) {
-        const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        start = (QFileInfo(documents).isDir() ? documents : QDir::homePath()) + QLatin1Char('/') + QFileInfo(start).fileName();
+        start = documentsFolder() + QLatin1Char('/') + QFileInfo(start).fileName();
     }
     const QString path = askWhereToSave(&m_window, tr("Save As"), start, tr(kFilter), QStringLiteral("sim"));
     if (path.isEmpty()) return false;

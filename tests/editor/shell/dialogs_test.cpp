@@ -59,6 +59,8 @@ constexpr Question kQuestions[] = {
     {"shell/commands/file_commands.cpp", "unsavedQuestion", "Save"},
     {"shell/dialogs/group_dialog.cpp", "groupDialog", "Group"},
     {"shell/dialogs/new_module_dialog.h", "newModule", "Create"},
+    {"shell/dialogs/new_arena_dialog.h", "newArena", "Create"},
+    {"shell/dialogs/new_robot_dialog.h", "newRobot", "Create"},
     {"shell/dialogs/repeat_dialog.h", "repeatDialog", "Repeat"},
     {"shell/dialogs/sensor_ring_dialog.h", "sensorRingDialog", "Insert"},
     {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
@@ -342,6 +344,8 @@ private:
         m_openers[QStringLiteral("sensorRingDialog")] = [this] { trigger("sensors.ring", {"robot0.b"}); };
         m_openers[QStringLiteral("repeatDialog")] = [this] { trigger("parts.repeat", {"robot0.b"}); };
         m_openers[QStringLiteral("newModule")] = [this] { trigger("controllers.new", {"robot0"}); };
+        m_openers[QStringLiteral("newArena")] = [this] { trigger("file.newFromPlan"); };
+        m_openers[QStringLiteral("newRobot")] = [this] { trigger("file.newFromDimensions"); };
         m_openers[QStringLiteral("about")] = [this] { trigger("help.about"); };
         m_openers[QStringLiteral("preferences")] = [this] { trigger("edit.preferences"); };
         m_openers[QStringLiteral("arrayDialog")] = [this] { trigger("tool.array", {"robot0"}); };

@@ -1,0 +1,117 @@
+#include "project/wizard/arena_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <numbers>
+
+#include "base/rng.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kTries = 2000;               // of places for one obstacle
+constexpr double kWall = 0.1, kHigh = 0.4; // m
+
+__attribute__((format(printf, 1, 2))) std::string arenaLine(const char* format, ...) {
+    char text[500];
+    va_list values;
+    va_start(values, format);
+    std::vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    return text;
+}
+
+/// To the tenth of a millimetre, and never "-0".
+double tidy(double metres) { return std::round(metres * 1e4) / 1e4 + 0.0; }
+
+std::string arenaHead(const std::string& comment, const std::string& name, double height) {
+    return "// " + comment + "\n#import common/materials.sim\n#import common/surfaces.sim\n\nStaticConfig " + name + " {\n" +
+           arenaLine("  Param height = %.6g   // m, of the walls\n\n", tidy(height)) +
+           "  Plane floor { Material=concrete Surface=ground }\n";
+}
+
+/// A wall by its middle and its sides along x and y.
+std::string wallLine(const std::string& name, double x, double y, double along, double across) {
+    return arenaLine("  Box %s { Pos=%.6g,%.6g,$(height/2) Size=%.6g,%.6g,$height Material=wood Surface=wall }\n", name.c_str(),
+                     tidy(x), tidy(y), tidy(along), tidy(across));
+}
+
+struct Obstacle {
+    double x = 0, y = 0, radius = 0; ///< of the circle around it, m
+};
+
+} // namespace
+
+std::string arenaText(const std::string& name, const FloorPlan& plan, double height, const std::string& source) {
+    std::string text = arenaHead(arenaLine("%s: %.4g m x %.4g m, from the floor plan %s. Its middle is the origin.", name.c_str(),
+                                           plan.columns * plan.cell, plan.rows * plan.cell, source.c_str()),
+                                 name, height);
+    int number = 0;
+    for (const PlanBox& wall : plan.walls)
+        text +=
+            wallLine("wall" + std::to_string(++number), (wall.x + wall.width / 2. - plan.columns / 2.) * plan.cell,
+                     (plan.rows / 2. - wall.y - wall.height / 2.) * plan.cell, wall.width * plan.cell, wall.height * plan.cell);
+    return text + "}\n";
+}
+
+Result<std::string> obstacleText(const std::string& name, const ObstacleField& f) {
+    const bool isRoom = f.length >= 1 && f.length <= 1000 && f.width >= 1 && f.width <= 1000;
+    if (!isRoom) return Error{Code::OutOfRange, "The room must be from 1 to 1000 m long and wide."};
+    if (f.count < 0 || f.count > 2000) return Error{Code::OutOfRange, "There can be up to 2000 obstacles."};
+    if (!(f.least >= 0.02 && f.least <= f.most && f.most <= 100 && f.apart >= 0 && f.apart <= 100))
+        return Error{Code::OutOfRange, "Obstacles are from 0.02 to 100 m across, and at most 100 m apart."};
+    std::uint64_t draws = 0;
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * toUnit(randomBits(f.seed, fnv1a64("obstacles"), 0, draws++));
+    };
+    std::string text =
+        arenaHead(arenaLine("%s: a room, %.4g m x %.4g m inside, with %d obstacles of the seed %llu. Its middle is "
+                            "the origin, and free.",
+                            name.c_str(), f.length, f.width, f.count, static_cast<unsigned long long>(f.seed)),
+                  name, kHigh);
+    const double x = f.length / 2 + kWall / 2, y = f.width / 2 + kWall / 2;
+    text += wallLine("north", 0, y, f.length + 2 * kWall, kWall) + wallLine("south", 0, -y, f.length + 2 * kWall, kWall) +
+            wallLine("east", x, 0, kWall, f.width) + wallLine("west", -x, 0, kWall, f.width) + "\n";
+    std::vector<Obstacle> placed{{0, 0, 0.2}}; // a robot
+    for (int i = 1; i <= f.count; ++i) {
+        const bool isRound = between(0, 1) < 0.5;
+        const double across = between(f.least, f.most), deep = isRound ? across : between(f.least, across);
+        const double heading = isRound ? 0 : between(-90, 90), high = between(0.5, 1) * kHigh;
+        const double radius = isRound ? across / 2 : std::hypot(across, deep) / 2;
+        Obstacle at{0, 0, radius};
+        int tries = 0;
+        const auto isTaken = [&] {
+            return std::ranges::any_of(
+                placed, [&](const Obstacle& o) { return std::hypot(o.x - at.x, o.y - at.y) < o.radius + at.radius + f.apart; });
+        };
+        const double farX = f.length / 2 - radius, farY = f.width / 2 - radius;
+        do {
+            if (++tries > kTries || farX <= 0 || farY <= 0)
+                return Error{Code::PlacementFailed, "There is no room for " + std::to_string(f.count) +
+                                                        " obstacles: the room has " + std::to_string(i - 1) +
+                                                        ". Make it larger, or them fewer, smaller or closer."};
+            at.x = between(-farX, farX), at.y = between(-farY, farY);
+        } while (isTaken());
+        placed.push_back(at);
+        text += isRound
+                    ? arenaLine("  Cylinder drum%d { Pos=%.4g,%.4g,%.3g Radius=%.3g Length=%.3g Material=blue Surface=wall }\n",
+                                i, tidy(at.x), tidy(at.y), high / 2, across / 2, high)
+                    : arenaLine("  Box crate%d { Pos=%.4g,%.4g,%.3g Size=%.3g,%.3g,%.3g HPR=%.0f,0,0 Material=wood Surface=wall "
+                                "}\n",
+                                i, tidy(at.x), tidy(at.y), high / 2, across, deep, high, std::round(heading) + 0.0);
+    }
+    return text + "}\n";
+}
+
+std::string arenaExperimentText(const std::string& name, const std::string& file, const std::array<double, 2>& place,
+                                double across) {
+    const double far = std::max(1.5, across);
+    return "// " + name + ", with a robot to drive through it: Run, then Drive with the Keyboard.\nTick = 0.01\n#import " + file +
+           ".sim\n#import robots/simple_robot.sim\n\nStatic arena { Config=" + name + " }\n" +
+           arenaLine("Robot robot0 { Config=SimpleRobot Pos=%.4g,%.4g,0 }\n", tidy(place[0]), tidy(place[1])) +
+           arenaLine("View overview { Eye=%.3g,%.3g,%.3g Target=0,0,0 }\n", -0.1 * far, -0.7 * far, 0.9 * far);
+}
+
+} // namespace trundle
