@@ -1,6 +1,7 @@
 #include "editor/shell/layouts.h"
 
 #include <algorithm>
+#include <span>
 
 #include <QLayout>
 #include <QSettings>
@@ -8,7 +9,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kVersion = 3; // increase when docks are added or removed: old settings are then ignored
+constexpr int kVersion = 4; // increase when docks are added or removed: old settings are then ignored
 
 const QString kGuide = QStringLiteral("guide");
 
@@ -16,6 +17,36 @@ const QString kGuide = QStringLiteral("guide");
 bool isSmall(const QWidget& window) { return window.width() < 1000 && window.height() < 600; }
 
 QString settingOf(Layout layout) { return QStringLiteral("layouts/") + nameOf(layout); }
+
+/// Where a dock is in a layout at first.
+struct DockPlace {
+    const char* name;
+    Qt::DockWidgetArea area;
+    const char* tabWith; // nullptr: an area of its own
+    bool shown;
+};
+const DockPlace kEditPlaces[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
+                                 {"library", Qt::LeftDockWidgetArea, "", true},
+                                 {"properties", Qt::RightDockWidgetArea, "", true},
+                                 {"history", Qt::RightDockWidgetArea, "properties", true},
+                                 {"guide", Qt::RightDockWidgetArea, "history", false},
+                                 {"problems", Qt::BottomDockWidgetArea, "", true},
+                                 {"console", Qt::BottomDockWidgetArea, "problems", true},
+                                 {"controllers", Qt::BottomDockWidgetArea, "console", true},
+                                 {"cameras", Qt::BottomDockWidgetArea, "controllers", false},
+                                 {"radios", Qt::BottomDockWidgetArea, "cameras", false},
+                                 {"sensors", Qt::BottomDockWidgetArea, "radios", false}};
+const DockPlace kRunPlaces[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
+                                {"library", Qt::LeftDockWidgetArea, "scene", false},
+                                {"properties", Qt::RightDockWidgetArea, "", true},
+                                {"history", Qt::RightDockWidgetArea, "properties", false},
+                                {"guide", Qt::RightDockWidgetArea, "properties", false},
+                                {"console", Qt::BottomDockWidgetArea, "", true},
+                                {"problems", Qt::BottomDockWidgetArea, "console", true},
+                                {"controllers", Qt::BottomDockWidgetArea, "problems", true},
+                                {"cameras", Qt::BottomDockWidgetArea, "controllers", true},
+                                {"radios", Qt::BottomDockWidgetArea, "cameras", true},
+                                {"sensors", Qt::BottomDockWidgetArea, "radios", true}};
 
 } // namespace
 
@@ -109,38 +140,13 @@ void Layouts::raise(const QString& name) {
 }
 
 void Layouts::arrange(Layout layout) {
-    struct Place {
-        const char* name;
-        Qt::DockWidgetArea area;
-        const char* tabWith; // nullptr: an area of its own
-        bool shown;
-    };
-    static const Place edit[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
-                                 {"library", Qt::LeftDockWidgetArea, "", true},
-                                 {"properties", Qt::RightDockWidgetArea, "", true},
-                                 {"history", Qt::RightDockWidgetArea, "properties", true},
-                                 {"guide", Qt::RightDockWidgetArea, "history", false},
-                                 {"problems", Qt::BottomDockWidgetArea, "", true},
-                                 {"console", Qt::BottomDockWidgetArea, "problems", true},
-                                 {"controllers", Qt::BottomDockWidgetArea, "console", true},
-                                 {"cameras", Qt::BottomDockWidgetArea, "controllers", false},
-                                 {"radios", Qt::BottomDockWidgetArea, "cameras", false}};
-    static const Place run[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
-                                {"library", Qt::LeftDockWidgetArea, "scene", false},
-                                {"properties", Qt::RightDockWidgetArea, "", true},
-                                {"history", Qt::RightDockWidgetArea, "properties", false},
-                                {"guide", Qt::RightDockWidgetArea, "properties", false},
-                                {"console", Qt::BottomDockWidgetArea, "", true},
-                                {"problems", Qt::BottomDockWidgetArea, "console", true},
-                                {"controllers", Qt::BottomDockWidgetArea, "problems", true},
-                                {"cameras", Qt::BottomDockWidgetArea, "controllers", true},
-                                {"radios", Qt::BottomDockWidgetArea, "cameras", true}};
     for (QDockWidget* dock : m_docks) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
     }
     const bool small = isSmall(m_window); // all docks in one column of tabs
-    for (const Place& place : layout == Layout::Edit ? edit : run) {
+    for (const DockPlace& place :
+         layout == Layout::Edit ? std::span<const DockPlace>(kEditPlaces) : std::span<const DockPlace>(kRunPlaces)) {
         QDockWidget* dock = m_docks.value(QLatin1String(place.name));
         if (!dock) continue;
         const bool aside = small && place.area != Qt::BottomDockWidgetArea;

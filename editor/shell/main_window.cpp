@@ -24,6 +24,7 @@
 #include "editor/running/panels/controllers_panel.h"
 #include "editor/running/panels/run_status.h"
 #include "editor/running/panels/transport_bar.h"
+#include "editor/sensors/sensors_panel.h"
 #include "editor/shell/action_table.h"
 #include "editor/shell/commands/camera_commands.h"
 #include "editor/shell/commands/design_commands.h"
@@ -124,7 +125,8 @@ void MainWindow::makePanels(Application& application, RenderService* render, con
     m_pages->addWidget(m_work);
     setCentralWidget(m_pages);
 
-    m_memory = new SavedWindowState(*m_document, *m_marks, *m_viewport, this);
+    m_sensors = new SensorsPanel(*m_document, *m_selection, *m_session, render);
+    m_memory = new SavedWindowState(*m_document, *m_marks, *m_viewport, m_sensors->pins(), this);
     m_outline = new OutlinePanel(*m_document, *m_selection, *m_marks, *m_edits);
     m_outline->showValuesOf(*m_session);
     for (const char* id : {"model.edit", "parts.make", "parts.mirrorY", "parts.repeat", "view.pinValues"})
@@ -152,6 +154,7 @@ void MainWindow::makeDocks() {
         {m_controllers, "controllers", tr("Controllers")},
         {m_cameras, "cameras", tr("Cameras")},
         {m_radios, "radios", tr("Radio")},
+        {m_sensors, "sensors", tr("Sensors")},
         {m_help, "guide", tr("Guide")}};
     for (const auto& [panel, name, title] : docks) {
         panel->setObjectName(QLatin1String(name));

@@ -30,6 +30,7 @@ class ProblemsPanel;
 class ProjectQuestions;
 class PropertiesPanel;
 class RadiosPanel;
+class SensorsPanel;
 class RenderService;
 class ObjectMarks;
 class StatusLine;
@@ -118,6 +119,7 @@ private:
     ConsolePanel* m_console = nullptr;
     CamerasPanel* m_cameras = nullptr;
     RadiosPanel* m_radios = nullptr;
+    SensorsPanel* m_sensors = nullptr;
     ControllersPanel* m_controllers = nullptr;
     HelpPanel* m_help = nullptr;
     TransportBar* m_transport = nullptr;

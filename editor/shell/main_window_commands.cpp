@@ -12,6 +12,7 @@
 #include "editor/cameras/movie_dialog.h"
 #include "editor/outline/library_panel.h"
 #include "editor/radios/radios_panel.h"
+#include "editor/sensors/sensors_panel.h"
 #include "editor/shell/commands/file_commands.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/saved_window_state.h"
@@ -56,7 +57,7 @@ void MainWindow::raiseProblemsOnce() {
 
 bool MainWindow::isSettled() const {
     return !m_document->opening().isOpening() && m_viewport->isSettled() && m_library->isSettled() && m_cameras->isSettled() &&
-           m_radios->isSettled();
+           m_radios->isSettled() && m_sensors->isSettled();
 }
 
 void MainWindow::showPlace(const std::string& file, TextRange range) {

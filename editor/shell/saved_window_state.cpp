@@ -94,8 +94,9 @@ void tidy() {
 
 } // namespace
 
-SavedWindowState::SavedWindowState(Document& document, ObjectMarks& marks, ViewportPanel& viewport, QObject* parent)
-    : QObject(parent), m_document(document), m_marks(marks), m_viewport(viewport) {
+SavedWindowState::SavedWindowState(Document& document, ObjectMarks& marks, ViewportPanel& viewport, PinnedValues& sensorPins,
+                                   QObject* parent)
+    : QObject(parent), m_document(document), m_marks(marks), m_viewport(viewport), m_sensorPins(sensorPins) {
     connect(&document, &Document::opened, this, &SavedWindowState::onOpened);
     connect(&document, &Document::changed, this, &SavedWindowState::onChanged);
     for (const auto signal : {&ObjectMarks::hiddenChanged, &ObjectMarks::lockedChanged})
@@ -105,9 +106,10 @@ SavedWindowState::SavedWindowState(Document& document, ObjectMarks& marks, Viewp
     m_saveSoon.setSingleShot(true);
     m_saveSoon.setInterval(kSaveSoonMs);
     connect(&m_saveSoon, &QTimer::timeout, this, &SavedWindowState::save);
-    connect(&viewport.pinned(), &PinnedValues::changed, this, [this] {
-        if (!m_fresh) m_saveSoon.start();
-    });
+    for (PinnedValues* pins : {&viewport.pinned(), &sensorPins})
+        connect(pins, &PinnedValues::changed, this, [this] {
+            if (!m_fresh) m_saveSoon.start();
+        });
 }
 
 void SavedWindowState::start() {
@@ -135,6 +137,7 @@ void SavedWindowState::restore() {
     const std::vector<std::string> hidden = marksIn(kept.value(QStringLiteral("hidden")), *m_document.loaded()),
                                    locked = marksIn(kept.value(QStringLiteral("locked")), *m_document.loaded());
     const std::vector<Pin> pins = pinsFrom(kept.value(QStringLiteral("pins")).toList(), *m_document.loaded());
+    const std::vector<Pin> sensors = pinsFrom(kept.value(QStringLiteral("sensors")).toList(), *m_document.loaded());
     std::vector<ViewState> viewStates;
     for (int i = 0; i < 4; ++i) {
         const QString view = QStringLiteral("view%1/").arg(i);
@@ -146,6 +149,7 @@ void SavedWindowState::restore() {
     m_marks.setHidden(hidden, true);
     m_marks.setLocked(locked, true);
     m_viewport.pinned().setPins(pins);
+    m_sensorPins.setPins(sensors);
 }
 
 void SavedWindowState::save() const {
@@ -156,6 +160,7 @@ void SavedWindowState::save() const {
     kept.setValue(QStringLiteral("hidden"), listOf(m_marks.hidden()));
     kept.setValue(QStringLiteral("locked"), listOf(m_marks.locked()));
     kept.setValue(QStringLiteral("pins"), listOf(m_viewport.pinned().pins()));
+    kept.setValue(QStringLiteral("sensors"), listOf(m_sensorPins.pins()));
     kept.setValue(QStringLiteral("views"), m_viewport.views().viewCount());
     const std::vector<ViewState> viewStates = m_viewport.views().viewStates();
     for (std::size_t i = 0; i < viewStates.size(); ++i) {

@@ -110,6 +110,19 @@ Robot {'middle' if middle else f'robot{i}'} {{
     return text
 
 
+def lidars(count):
+    """`count` shipped robots with a lidar of 360 beams each, in a walled room."""
+    columns, rows = pattern(count)
+    return f"""Tick = 0.01   Duration = 1000
+#import robots/lidar_robot.sim
+#import common/materials.sim
+#import common/surfaces.sim
+
+{_room(max(columns, 4), max(rows, 4))}
+Grid robots {{ Config=LidarRobot  Count={columns},{rows}  Spacing=1,1 }}
+"""
+
+
 def long_text(lines=2000, robots=150):
     """A text of so many lines: robots, a robot described in it, and scenery of many blocks."""
     here = os.path.dirname(os.path.abspath(__file__))

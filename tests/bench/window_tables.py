@@ -7,7 +7,7 @@ import experiments
 import report
 from programs import median, progress
 
-TYPING_MS, FILTER_MS, GAP_MS, START_MS, PICTURES, RATIO = 150, 50, 100, 1000, 30, 1.3
+TYPING_MS, FILTER_MS, GAP_MS, START_MS, PICTURES, RATIO, SENSORS_MS = 150, 50, 100, 1000, 30, 1.3, 33
 
 
 def measure(programs, options, results, page):
@@ -17,7 +17,7 @@ def measure(programs, options, results, page):
         report.write_csv(os.path.join(results, f"window_{name}.csv"), header, rows)
         report.put_table(page, f"window-{name}", header, rows)
 
-    for part in (answers, gaps, starts, frames):
+    for part in (answers, gaps, starts, frames, sensors):
         failed += part(programs, options, table)
     return failed
 
@@ -103,3 +103,16 @@ def frames(programs, options, table):
     if found["pictures_per_second"] < PICTURES:
         failed.append(f"{found['pictures_per_second']:.1f} pictures a second of 30 robots, {PICTURES} are wanted")
     return failed
+
+
+def sensors(programs, options, table):
+    """Processor time of the fans over the view and of the Sensors dock for 20 lidars of 360 beams."""
+    progress("20 lidars")
+    found = programs.window("sensors", programs.write("lidars20", experiments.lidars(20)), 0.5 if options.quick else 2)
+    fans = found["view_with_fans"]["median"] - found["view"]["median"]
+    parts = [("their fans over the 3D view", fans), ("values and traces of their cards", found["values"]["median"]),
+             ("painting all of their cards", found["cards"]["median"])]
+    total = sum(ms for _, ms in parts)
+    rows = [[what, round(ms, 2), ""] for what, ms in parts] + [["together", round(total, 2), f"at most {SENSORS_MS}"]]
+    table("sensors", [f"{found['lidars']} lidars of 360 beams, for each picture", "processor time [ms]", "wanted"], rows)
+    return wanted("sensors in the window", round(total, 2), SENSORS_MS)

@@ -50,15 +50,22 @@ RangeModel modelFrom(const ComponentSpec& spec) {
 
 } // namespace
 
+std::optional<RangeModel> rangeModelOf(const ComponentSpec& device) {
+    if ((!device.find("MaxRange") && !device.find("MaxHeight")) || !device.find("Body")) return std::nullopt;
+    RangeModel model = modelFrom(device);
+    if (model.directions.empty()) return std::nullopt;
+    return model;
+}
+
 std::vector<RangeModel> rangeModelsOf(const ExperimentSpec& experiment) {
     std::vector<RangeModel> models;
     std::size_t firstBody = 0;
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
         for (const ComponentSpec& device : robot.config->devices) {
-            if ((!device.find("MaxRange") && !device.find("MaxHeight")) || !device.find("Body")) continue;
-            RangeModel model = modelFrom(device);
-            if (model.directions.empty()) continue;
+            std::optional<RangeModel> known = rangeModelOf(device);
+            if (!known) continue;
+            RangeModel& model = *known;
             model.path = robot.name + "/" + device.name;
             model.robot = robot.name;
             const std::string body = device.text("Body");

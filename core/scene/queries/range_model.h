@@ -2,6 +2,7 @@
 // The distance and ground sensors of an experiment for overlays: where they are and in which directions they measure.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct RangeModel {
     /// The signal with its readings, one for each direction: "robot0/scan/ranges", "robot0/front/range", "robot0/eye/reflectance".
     [[nodiscard]] std::string signal() const { return path + (ground ? "/reflectance" : beams > 0 ? "/ranges" : "/range"); }
 };
+
+/// The model of one sensor, without its path, robot and body. None if the component measures no distances and no reflectance.
+[[nodiscard]] std::optional<RangeModel> rangeModelOf(const ComponentSpec& device);
 
 /// Robots in text order, and for each robot its sensors in text order.
 [[nodiscard]] std::vector<RangeModel> rangeModelsOf(const ExperimentSpec& experiment);

@@ -12,6 +12,7 @@
 #include "editor/viewport/overlays/beams.h"
 #include "editor/viewport/overlays/contact_arrows.h"
 #include "editor/viewport/overlays/frusta.h"
+#include "editor/viewport/overlays/motion_arrows.h"
 #include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/overlays/springs.h"
 #include "editor/viewport/overlays/trails.h"
@@ -255,6 +256,7 @@ void paintOverlays(QPainter& painter, const ToolView& view) {
     if (settings.shows(kOverlayLinks)) paintRadioLinks(painter, view);
     paintFrusta(painter, view, settings.shows(kOverlayFrusta));
     paintBeams(painter, view, settings.shows(kOverlayBeams));
+    paintMotionArrows(painter, view);
     paintSprings(painter, view);
     paintJoints(painter, view, settings.shows(kOverlayJoints));
     if (settings.shows(kOverlayMass)) paintMass(painter, view);

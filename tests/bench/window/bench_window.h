@@ -104,6 +104,7 @@ struct BenchWindow {
 [[nodiscard]] QJsonObject measureFilter(const QString& file, int rounds);
 [[nodiscard]] QJsonObject measureGaps(const QString& file);
 [[nodiscard]] QJsonObject measureFrames(const QString& file, double seconds);
+[[nodiscard]] QJsonObject measureSensors(const QString& file, double seconds);
 [[nodiscard]] QJsonObject measureStart(const QString& file, double startedMs);
 
 } // namespace trundle

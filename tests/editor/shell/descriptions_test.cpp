@@ -152,6 +152,24 @@ private Q_SLOTS:
         keep(QStringLiteral("radios-and-cameras"), all, Numbers::Hidden);
     }
 
+    /// The Sensors dock before and during a run.
+    void sensors() {
+        write(QStringLiteral("sensors.sim"), "Tick = 0.01\n#import robots/lidar_robot.sim\n#import arenas/medium_arena.sim\n"
+                                             "Static arena { Config=MediumArena }\nRobot scanner { Config=LidarRobot }\n");
+        start(QStringLiteral("sensors.sim"));
+        m_window->selection().set({"scanner.scan", "scanner.imu", "scanner.leftMotor"});
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("dock.sensors"));
+        dock->show();
+        dock->raise();
+        settle();
+        QString all = describedWidget(*dock->widget());
+        m_window->session().runFor(0.1);
+        EVENTUALLY(m_window->session().state() == RunState::Paused);
+        settle();
+        all += QStringLiteral("== paused\n") + describedWidget(*dock->widget());
+        keep(QStringLiteral("sensors"), all, Numbers::Hidden);
+    }
+
     /// The properties of one object of each kind, selected in the tree.
     void propertiesOfEachKind() {
         start(QStringLiteral("kinds.sim"));

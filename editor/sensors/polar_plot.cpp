@@ -1,0 +1,92 @@
+#include "editor/sensors/polar_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainter>
+
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kPlotHeight = 190;
+
+/// 1, 2 or 5 times a power of ten, so that at most three rings fit.
+double ringDistance(double reach) {
+    const double power = std::pow(10, std::floor(std::log10(reach / 3)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * power * 3 >= reach * 0.999) return step * power;
+    return 10 * power;
+}
+
+} // namespace
+
+PolarPlot::PolarPlot(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("polarPlot"));
+    setAccessibleName(tr("Distances around the sensor"));
+    setToolTip(tr("Distances from above, in the frame of the sensor: x upwards, y to the left"));
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+QSize PolarPlot::sizeHint() const { return {200, scaledToFont(kPlotHeight)}; }
+
+void PolarPlot::setFan(std::shared_ptr<const RangeModel> fan) {
+    m_fan = std::move(fan);
+    m_distances.clear();
+    update();
+}
+
+void PolarPlot::setDistances(std::span<const double> distances) {
+    m_distances.assign(distances.begin(), distances.end());
+    update();
+}
+
+void PolarPlot::paintEvent(QPaintEvent*) {
+    if (!m_fan) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double radius = 0.5 * std::min(width(), height()) - 3, scale = radius / m_fan->maxRange;
+    const QPointF middle(0.5 * width(), 0.5 * height());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::AlternateBase));
+    painter.drawEllipse(middle, radius, radius);
+    const bool read = m_distances.size() == m_fan->directions.size();
+    const auto at = [&](std::size_t beam) {
+        const Vec3 p = std::clamp(m_distances[beam], 0.0, m_fan->maxRange) * scale * m_fan->directions[beam];
+        return middle + QPointF(-p.y(), -p.x());
+    };
+    QColor fill = ink(Ink::Accent);
+    fill.setAlpha(std::max(12, 70 / int(m_fan->layers)));
+    QPolygonF area, echoes;
+    for (std::uint32_t layer = 0; read && layer < m_fan->layers; ++layer) {
+        area.clear();
+        if (!m_fan->closed) area << middle;
+        for (std::uint32_t i = 0; i < m_fan->beams; ++i) {
+            const std::size_t beam = std::size_t(layer) * m_fan->beams + i;
+            area << at(beam);
+            if (m_distances[beam] < m_fan->maxRange) echoes << area.back();
+        }
+        painter.setBrush(fill);
+        painter.drawPolygon(area);
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(ink(Ink::Accent), 2));
+    painter.drawPoints(echoes);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    const double ring = ringDistance(m_fan->maxRange);
+    painter.setFont(figuresFont(10));
+    for (int i = 1; i * ring <= m_fan->maxRange * 1.001; ++i) {
+        painter.setPen(QPen(ink(Ink::Line), 1));
+        painter.drawEllipse(middle, i * ring * scale, i * ring * scale);
+        painter.setPen(ink(Ink::Faint));
+        painter.drawText(middle + QPointF(3, -i * ring * scale + painter.fontMetrics().ascent() + 1),
+                         tr("%1 m").arg(QString::number(i * ring)));
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Text));
+    painter.drawPolygon(QPolygonF{middle + QPointF(0, -6), middle + QPointF(-4, 4), middle + QPointF(4, 4)});
+}
+
+} // namespace trundle

@@ -1,0 +1,69 @@
+#include "editor/sensors/shown_devices.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "model/dotted_path.h"
+
+namespace trundle {
+namespace {
+
+/// "swarm_3" is a member of the Grid "swarm".
+bool isMemberOf(const std::string& robot, std::string_view layout) {
+    if (robot.size() <= layout.size() + 1 || !robot.starts_with(layout) || robot[layout.size()] != '_') return false;
+    return std::all_of(robot.begin() + std::ptrdiff_t(layout.size()) + 1, robot.end(),
+                       [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
+}
+
+bool refersTo(const ComponentSpec& device, std::string_view part) {
+    return std::ranges::any_of(device.values, [part](const auto& item) {
+        return std::ranges::any_of(item.second.value.texts, [part](const std::string& text) {
+            return text == part || (text.starts_with(part) && text[part.size()] == '.') ||
+                   (part.starts_with(text) && !text.empty() && part[text.size()] == '.');
+        });
+    });
+}
+
+std::vector<std::string> devicesOf(const RobotSpec& robot, std::string_view part) {
+    std::vector<std::string> all, referring;
+    if (robot.controller && (robot.controller->name == part || (part.empty() && !robot.published.empty())))
+        all.push_back(robot.name + "." + robot.controller->name);
+    if (!part.empty() && !all.empty()) return all;
+    for (const ComponentSpec& device : robot.config->devices) {
+        const std::string path = robot.name + "." + device.name;
+        if (device.name == part) return {path};
+        all.push_back(path);
+        if (!part.empty() && refersTo(device, part)) referring.push_back(path);
+    }
+    return referring.empty() ? all : referring;
+}
+
+} // namespace
+
+std::vector<std::string> devicesOf(const ExperimentSpec& experiment, const std::string& path) {
+    std::string_view first = firstWord(path), part = withoutFirstWord(path);
+    const bool ofConfig = first == "RobotConfig";
+    if (ofConfig) {
+        first = firstWord(part);
+        part = withoutFirstWord(part);
+    }
+    std::vector<std::string> devices;
+    for (const RobotSpec& robot : experiment.robots) {
+        if (!robot.config) continue;
+        const bool fits = ofConfig ? robot.config->name == first : robot.name == first || isMemberOf(robot.name, first);
+        if (!fits) continue;
+        std::ranges::copy(devicesOf(robot, part), std::back_inserter(devices));
+        if (ofConfig) break;
+    }
+    return devices;
+}
+
+std::vector<std::string> devicesOf(const ExperimentSpec& experiment, const std::vector<std::string>& paths) {
+    std::vector<std::string> all;
+    for (const std::string& path : paths)
+        for (std::string& device : devicesOf(experiment, path))
+            if (std::ranges::find(all, device) == all.end()) all.push_back(std::move(device));
+    return all;
+}
+
+} // namespace trundle

@@ -1,0 +1,59 @@
+// Measures what many lidars cost the window: the fans over the 3D picture and the cards of the Sensors dock.
+
+#include "bench/window/bench_window.h"
+#include "editor/document/selection.h"
+#include "editor/sensors/sensor_card.h"
+#include "editor/sensors/sensors_panel.h"
+#include "editor/shell/work_area.h"
+#include "editor/viewport/view/view.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kRounds = 50;
+
+/// Processor times of some rounds, ms.
+QJsonObject timesOf(const std::function<void()>& work) {
+    std::vector<double> times;
+    for (int i = 0; i < kRounds; ++i) {
+        const double before = computedByAllMs();
+        work();
+        times.push_back(computedByAllMs() - before);
+    }
+    return summary(times);
+}
+
+} // namespace
+
+QJsonObject measureSensors(const QString& file, double seconds) {
+    BenchWindow w;
+    w.open(file);
+    w.act([&] { w.window->work().showText(false); });
+    w.sizeView(1280, 500);
+    auto* panel = w.window->findChild<SensorsPanel*>();
+    w.window->findChild<QAction*>(QStringLiteral("show.sensors"))->trigger();
+    w.act([&] { w.window->session().runFor(seconds); });
+    w.until("it has run", [&] { return w.window->session().state() == RunState::Paused; });
+    w.untilSettled();
+    const QJsonObject bare = timesOf([&] { w.view().repaint(); });
+    std::vector<std::string> lidars;
+    for (const RobotSpec& robot : w.window->session().results().experiment->robots) lidars.push_back(robot.name + ".scan");
+    w.act([&] { w.window->selection().set(lidars); });
+    w.until("the cards are there", [&] { return panel->cards().size() == lidars.size(); });
+    w.untilSettled();
+    const QJsonObject fans = timesOf([&] { w.view().repaint(); });
+    const RunResults& run = w.window->session().results();
+    const QJsonObject values = timesOf([&] {
+        for (SensorCard* card : panel->cards()) card->display(run, true);
+    });
+    const QJsonObject cards = timesOf([&] { // also those that are scrolled out of sight
+        for (SensorCard* card : panel->cards()) (void)card->grab();
+    });
+    return {{QStringLiteral("lidars"), qint64(lidars.size())},
+            {QStringLiteral("view"), bare},
+            {QStringLiteral("view_with_fans"), fans},
+            {QStringLiteral("values"), values},
+            {QStringLiteral("cards"), cards}};
+}
+
+} // namespace trundle

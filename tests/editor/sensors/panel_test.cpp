@@ -1,0 +1,332 @@
+// The Sensors dock shows what the selected and the pinned devices of a run measure.
+
+#include <numbers>
+
+#include <QLabel>
+#include <QToolButton>
+#include <QtTest>
+
+#include "editor/document/selection.h"
+#include "editor/running/session_fixture.h"
+#include "editor/sensors/battery_gauge.h"
+#include "editor/sensors/heading_dial.h"
+#include "editor/sensors/polar_plot.h"
+#include "editor/sensors/reading_row.h"
+#include "editor/sensors/sensor_card.h"
+#include "editor/sensors/sensors_panel.h"
+#include "editor/sensors/shown_devices.h"
+#include "editor/viewport/overlays/pinned_values.h"
+#include "editor/widgets/apply_theme.h"
+#include "editor/widgets/theme.h"
+#include "eventually.h"
+
+using namespace trundle;
+
+namespace {
+
+/// A box that rests on a floor before a wall, 1 m from the sensors at its centre.
+const QByteArray kStation = R"(Tick = 0.01  Seed = 3
+#import common/materials.sim
+#import common/surfaces.sim
+RobotConfig Station {
+  Body box { Box hull { Size=0.2,0.2,0.1 Pos=0,0,0.05 Mass=1 } }
+  Body wheel { Pos=0,0.2,0.1 Cylinder tyre { Radius=0.05 Length=0.02 HPR=0,0,90 Mass=0.1 } }
+  Hinge axle { Parent=box Child=wheel Axis=0,1,0 }
+  RotaryMotor motor { Joint=axle TorqueConstant=0.03 BackEmfConstant=0.03 Resistance=2 MaxVoltage=12 }
+  RangeSensor front { Body=box Pos=0,0,0.3 MinRange=0.02 MaxRange=4 }
+  Lidar scan { Body=box Pos=0,0,0.3 Beams=8 MinRange=0.1 MaxRange=4 UpdatePeriod=0.05 }
+  Imu imu { Body=box }
+  Compass north { Body=box Bias=10 }
+  Gps gps { Body=box Pos=0,0,0.1 Noise=0.5 }
+  GroundSensor floor { Body=box Pos=0.2,0,0.05 MaxHeight=0.2 }
+  TouchSensor feel { Geom=box.hull }
+  Battery pack { Capacity=1 Voltage=12 StartLevel=0.5 }
+  Camera eye { Body=box Pos=0,0,0.3 Resolution=32,24 }
+}
+StaticConfig Yard { Plane ground { } Box wall { Size=0.1,4,2 Pos=1.05,0,1 } }
+Static yard { Config=Yard }
+Robot one { Config=Station }
+Robot two { Config=Station Pos=0,2,0 HPR=90,0,0 }
+)";
+
+struct SensorsFixture : SessionFixture {
+    SensorsFixture() {
+        panel.resize(900, 500);
+        panel.show();
+        (void)QTest::qWaitForWindowExposed(&panel, kTimeoutMs);
+    }
+    bool runFor(double seconds) {
+        const std::uint64_t ticks = tick() + std::uint64_t(std::lround(100 * seconds));
+        session.runFor(seconds);
+        return QTest::qWaitFor([&] { return session.state() == RunState::Paused && tick() == ticks; }, 60000) && settled();
+    }
+    bool settled() {
+        return QTest::qWaitFor([&] { return panel.isSettled(); }, 10000);
+    }
+    [[nodiscard]] QStringList shown() const {
+        QStringList paths;
+        for (const SensorCard* card : panel.cards()) paths << QString::fromStdString(card->device().path);
+        return paths;
+    }
+    [[nodiscard]] SensorCard* card(const char* path) const {
+        return panel.findChild<SensorCard*>(QStringLiteral("sensor.") + QLatin1String(path));
+    }
+    [[nodiscard]] ReadingRow* row(const char* device, const char* name) const {
+        const SensorCard* found = card(device);
+        return found ? found->findChild<ReadingRow*>(QStringLiteral("reading.") + QLatin1String(name)) : nullptr;
+    }
+    [[nodiscard]] QString hint() const {
+        const auto* label = panel.findChild<QLabel*>(QStringLiteral("sensorsEmpty"));
+        return label->isVisible() ? label->text() : QString();
+    }
+
+    Selection selection;
+    SensorsPanel panel{document, selection, session, nullptr};
+};
+
+/// The first number of a signal.
+double numberOf(const SensorsFixture& f, const char* signal) {
+    const RunResults& run = f.session.results();
+    return run.snapshot->block->slots()[run.layout->find(signal)->offset];
+}
+
+} // namespace
+
+class SensorsPanelTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<SensorsFixture> m_fixture;
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, ThemeKind::Light); }
+    void init() { m_fixture = std::make_unique<SensorsFixture>(); }
+    void cleanup() { m_fixture.reset(); }
+
+    void hintsSayWhatToDo() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.hint().startsWith(QStringLiteral("Open an experiment")));
+        QVERIFY(f.open(kStation));
+        EVENTUALLY(f.hint().startsWith(QStringLiteral("Run the experiment (F5)")));
+        QVERIFY(f.runFor(0.01));
+        EVENTUALLY(f.hint().startsWith(QStringLiteral("Select a robot")));
+        f.selection.select("yard");
+        EVENTUALLY(f.hint().startsWith(QStringLiteral("The selection has no devices")));
+        f.selection.select("one");
+        EVENTUALLY(f.hint().isEmpty());
+        f.session.reset();
+        EVENTUALLY(f.hint().startsWith(QStringLiteral("Run the experiment")));
+        QVERIFY(f.panel.cards().empty());
+    }
+
+    void showsWhatIsSelected() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("two.north");
+        QVERIFY(f.runFor(0.02));
+        QCOMPARE(f.shown(), QStringList{QStringLiteral("two.north")});
+        f.selection.select("one"); // all of its devices, in the order of the text
+        EVENTUALLY_EQUAL(f.panel.cards().size(), std::size_t(10));
+        QCOMPARE(f.shown().front(), QStringLiteral("one.motor"));
+        f.selection.select("one.axle"); // a joint: what is mounted on it
+        EVENTUALLY_EQUAL(f.shown(), QStringList{QStringLiteral("one.motor")});
+        f.selection.select("RobotConfig.Station.imu"); // in the config: of the first robot
+        EVENTUALLY_EQUAL(f.shown(), QStringList{QStringLiteral("one.imu")});
+        f.selection.set({"two.front", "one.front", "two.front"});
+        EVENTUALLY_EQUAL(f.shown(), (QStringList{QStringLiteral("two.front"), QStringLiteral("one.front")}));
+    }
+
+    void everySignalOfADeviceIsReadable() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.set({"one", "two"});
+        QVERIFY(f.runFor(0.1));
+        int signalCount = 0;
+        for (const SensorCard* card : f.panel.cards()) {
+            const QString prefix = QString::fromStdString(card->device().path).replace(u'.', u'/') + u'/';
+            for (const SignalEntry& entry : f.session.results().layout->entries()) {
+                if (!entry.path.starts_with(prefix.toStdString())) continue;
+                ++signalCount;
+                const std::string name = entry.path.substr(std::size_t(prefix.size()));
+                const bool found = std::ranges::any_of(card->rows(), [&](const ReadingRow* row) {
+                    const bool isTrueOf =
+                        name.starts_with("true") && row->reading().readTrue && row->reading().name.substr(1) == name.substr(5);
+                    return row->reading().signal == entry.path || isTrueOf;
+                });
+                QVERIFY2(found, entry.path.c_str());
+            }
+            for (const ReadingRow* row : card->rows())
+                QVERIFY2(row->text() != QStringLiteral("–"), qPrintable(row->objectName()));
+        }
+        QVERIFY(signalCount > 60);
+    }
+
+    void numbersAreThoseOfTheRun() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("one");
+        QVERIFY(f.runFor(0.5));
+        QCOMPARE(f.row("one.front", "range")->text(), QStringLiteral("1.000 m"));
+        QCOMPARE(f.row("one.pack", "voltage")->text(), QStringLiteral("12.00 V"));
+        QCOMPARE(f.row("one.feel", "pressed")->text(), QStringLiteral("true"));
+        const ReadingRow* ranges = f.row("one.scan", "ranges least, greatest");
+        QVERIFY(ranges && ranges->text().startsWith(QStringLiteral("1.000, ")));
+        const ReadingRow* acceleration = f.row("one.imu", "acceleration");
+        QVERIFY(acceleration->text().endsWith(QStringLiteral("9.810 m/s^2")) ||
+                acceleration->text().contains(QStringLiteral("9.8")));
+    }
+
+    void trueValuesAreThoseOfThePoses() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("two");
+        QVERIFY(f.runFor(0.2));
+        QCOMPARE(f.row("two.north", "heading")->text().section(u' ', 0, 0).toDouble(), 100.0);
+        QCOMPARE(f.row("two.north", "heading")->trueText().section(u' ', 0, 0).toDouble(), 90.0);
+        const QStringList place = f.row("two.gps", "position")->trueText().split(QStringLiteral(", "));
+        QCOMPARE(place.size(), 3);
+        QVERIFY(std::abs(place[1].toDouble() - 2) < 0.01 && std::abs(place[0].toDouble()) < 0.01);
+        QVERIFY(f.row("two.gps", "position")->text() != f.row("two.gps", "position")->trueText());
+        QVERIFY(f.row("two.front", "range")->reading().readTrue);
+        QVERIFY(!f.row("two.front", "trueRange")); // beside "range"
+        QVERIFY(!f.row("two.pack", "voltage")->reading().readTrue);
+        const int high = f.row("two.north", "heading")->sizeHint().height();
+        f.panel.findChild<QToolButton*>(QStringLiteral("sensorsTrue"))->click();
+        QVERIFY(f.row("two.north", "heading")->sizeHint().height() < high);
+    }
+
+    void limitsComeFromTheProperties() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("one");
+        QVERIFY(f.runFor(0.05));
+        const auto limits = [&](const char* device, const char* name) { return f.row(device, name)->reading().limits; };
+        QCOMPARE(limits("one.front", "range"), std::optional(std::pair(0.02, 4.0)));
+        QCOMPARE(limits("one.floor", "reflectance"), std::optional(std::pair(0.0, 1.0)));
+        QCOMPARE(limits("one.motor", "voltage"), std::optional(std::pair(-12.0, 12.0)));
+        QCOMPARE(limits("one.pack", "charge"), std::optional(std::pair(0.0, 3600.0)));
+        QVERIFY(!limits("one.pack", "voltage"));
+        QVERIFY(f.card("one.scan")->findChild<PolarPlot*>() && !f.card("one.front")->findChild<PolarPlot*>());
+        QVERIFY(f.card("one.north")->findChild<HeadingDial*>());
+        QVERIFY(f.card("one.pack")->findChild<BatteryGauge*>());
+    }
+
+    void traceKeepsTheLastValues() {
+        Trace trace(2);
+        for (int i = 0; i < 1000; ++i) {
+            const double values[] = {double(i), -double(i)};
+            trace.add(0.1 * i, values);
+        }
+        QCOMPARE(trace.size(), Trace::kCapacity);
+        for (std::size_t i = 0; i < trace.size(); ++i) {
+            QCOMPARE(trace.value(i, 0), 700.0 + double(i));
+            QCOMPARE(trace.value(i, 1), -700.0 - double(i));
+        }
+        QVERIFY(trace.isConnected(0));
+        trace.interrupt();
+        const double next[] = {7, 8}, again[] = {9, 10}, early[] = {1, 2};
+        trace.add(200, next);
+        QVERIFY(!trace.isConnected(trace.size() - 1) && trace.isConnected(trace.size() - 2));
+        trace.add(200, again); // the same time
+        QCOMPARE(trace.size(), Trace::kCapacity);
+        QCOMPARE(trace.value(trace.size() - 1, 1), 10.0);
+        trace.add(0, early); // another run
+        QCOMPARE(trace.size(), std::size_t(1));
+        QCOMPARE(trace.value(0, 0), 1.0);
+    }
+
+    void tracesGrowAndAResetClearsThem() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("one.gps");
+        QVERIFY(f.runFor(0.1));
+        for (int i = 0; i < 5; ++i) QVERIFY(f.runFor(0.1));
+        const ReadingRow* row = f.row("one.gps", "position");
+        QVERIFY(row->trace().size() >= 6);
+        QCOMPARE(row->trace().time(row->trace().size() - 1), f.session.results().time());
+        QCOMPARE(row->trace().value(row->trace().size() - 1, 0), numberOf(f, "one/gps/position"));
+        f.selection.set({"one.gps", "one.front"}); // the card stays with its trace
+        EVENTUALLY_EQUAL(f.panel.cards().size(), std::size_t(2));
+        QCOMPARE(f.row("one.gps", "position"), row);
+        f.session.reset();
+        EVENTUALLY(f.panel.cards().empty());
+        QVERIFY(f.runFor(0.01));
+        QVERIFY(f.row("one.gps", "position")->trace().size() <= 2);
+    }
+
+    void pinsStayWhateverIsSelected() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("one.front");
+        QVERIFY(f.runFor(0.01));
+        QTest::mouseClick(f.card("one.front")->findChild<QToolButton*>(QStringLiteral("sensorPin")), Qt::LeftButton);
+        f.selection.select("two.north");
+        EVENTUALLY_EQUAL(f.shown(), (QStringList{QStringLiteral("one.front"), QStringLiteral("two.north")}));
+        QTest::mouseClick(f.panel.findChild<QToolButton*>(QStringLiteral("sensorsUnpin")), Qt::LeftButton);
+        EVENTUALLY_EQUAL(f.shown(), QStringList{QStringLiteral("two.north")});
+    }
+
+    void hiddenItDoesNothing() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("one");
+        QVERIFY(f.runFor(0.1));
+        f.panel.hide();
+        const int before = f.panel.updateCount();
+        QVERIFY(f.runFor(0.5));
+        QCOMPARE(f.panel.updateCount(), before);
+        f.panel.show();
+        EVENTUALLY(f.panel.updateCount() > before && f.panel.isSettled());
+        QCOMPARE(f.row("one.front", "range")->trace().time(f.row("one.front", "range")->trace().size() - 1), 0.6);
+    }
+
+    void newValuesMoveNothing() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.select("one");
+        QVERIFY(f.runFor(0.01));
+        std::vector<QRect> before;
+        for (const SensorCard* card : f.panel.cards()) before.push_back(card->geometry());
+        QVERIFY(f.runFor(1));
+        for (std::size_t i = 0; i < before.size(); ++i) QCOMPARE(f.panel.cards()[i]->geometry(), before[i]);
+        for (const QSize& size : {QSize(280, 400), QSize(1600, 300)}) { // every card is whole at any width
+            f.panel.resize(size);
+            EVENTUALLY(f.panel.cards().front()->parentWidget()->width() <= size.width());
+            for (const SensorCard* card : f.panel.cards()) {
+                QVERIFY(card->geometry().right() <= card->parentWidget()->width());
+                QVERIFY(card->height() >= card->sizeHint().height());
+            }
+        }
+    }
+
+    void paintsBarAndPolarPlot() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.selection.set({"one.front", "one.scan"});
+        QVERIFY(f.runFor(0.3));
+        f.panel.showTrue(false);
+        // A bar of 1 m between 0.02 and 4 m: filled up to a quarter.
+        const QImage bar = f.row("one.front", "range")->grab().toImage();
+        const auto isAccent = [&](int x) {
+            for (int y = 0; y < bar.height() / 2; ++y)
+                if (bar.pixelColor(x, y) == ink(Ink::Accent)) return true;
+            return false;
+        };
+        QVERIFY(isAccent(bar.width() / 8));
+        QVERIFY(!isAccent(bar.width() / 2));
+        // The wall is 1 m ahead: a dot above the middle, none behind it.
+        auto* polar = f.card("one.scan")->findChild<PolarPlot*>();
+        const QImage plot = polar->grab().toImage();
+        const int radius = std::min(plot.width(), plot.height()) / 2 - 3;
+        const auto hasDot = [&](int dy) {
+            for (int y = -3; y <= 3; ++y)
+                for (int x = -3; x <= 3; ++x)
+                    if (plot.pixelColor(plot.width() / 2 + x, plot.height() / 2 + dy + y) == ink(Ink::Accent)) return true;
+            return false;
+        };
+        QVERIFY(hasDot(-radius / 4));
+        QVERIFY(!hasDot(radius / 4));
+    }
+};
+
+QTEST_MAIN(SensorsPanelTest)
+#include "panel_test.moc"
