@@ -117,9 +117,9 @@ class Docking(trundle.Controller):
         return False
 
     def work(self):
-        self.worked.set(self.worked.get() + distance(self.here, self.before))
+        self.worked += distance(self.here, self.before)
         self.wander()
-        if self.charges > 0 and self.charged.get() >= self.charges and self.elapsed() > 10:
+        if self.charges > 0 and self.charged >= self.charges and self.elapsed() > 10:
             self.drive.stop()
             self.finish("it works, charged")
         elif self.battery.level() < self.low:
@@ -180,7 +180,7 @@ class Docking(trundle.Controller):
 
     def charge(self):
         if self.battery.level() >= self.full:
-            self.charged.set(self.charged.get() + 1)
+            self.charged += 1
             self.print("charged for ", self.elapsed(), " s")
             self.enter(self.leave)
         elif self.battery.charging():

@@ -91,7 +91,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(w.value("r/battery/current")) < 1e-9);
     }
 
-    void anEmptyRobotComesBack() {
+    void anEmptyRobotWorksAgain() {
         SensorWorld w(docked({"Capacity=0.001 Voltage=6 BaseLoad=3 StartLevel=0"}, "Voltage=7 MaxCurrent=1",
                              "  LightSensor eye { Body=base }\n"));
         QVERIFY2(w.ok(), w.failure().c_str());
