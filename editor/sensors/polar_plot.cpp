@@ -58,21 +58,23 @@ void PolarPlot::paintEvent(QPaintEvent*) {
     };
     QColor fill = ink(Ink::Accent);
     fill.setAlpha(std::max(12, 70 / int(m_fan->layers)));
-    QPolygonF area, echoes;
+    QPolygonF area;
+    QList<QRectF> echoes;
     for (std::uint32_t layer = 0; read && layer < m_fan->layers; ++layer) {
         area.clear();
         if (!m_fan->closed) area << middle;
         for (std::uint32_t i = 0; i < m_fan->beams; ++i) {
             const std::size_t beam = std::size_t(layer) * m_fan->beams + i;
             area << at(beam);
-            if (m_distances[beam] < m_fan->maxRange) echoes << area.back();
+            if (m_distances[beam] < m_fan->maxRange)
+                echoes << QRectF(std::round(area.back().x()) - 1, std::round(area.back().y()) - 1, 2, 2);
         }
         painter.setBrush(fill);
         painter.drawPolygon(area);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QPen(ink(Ink::Accent), 2));
-    painter.drawPoints(echoes);
+    painter.setBrush(ink(Ink::Accent));
+    painter.drawRects(echoes);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     const double ring = ringDistance(m_fan->maxRange);

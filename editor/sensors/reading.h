@@ -1,15 +1,12 @@
 #pragma once
-// The quantities of a device that the Sensors dock shows: where they are in the signals, their limits and their true values.
+// A quantity of a device that the Sensors dock shows: where it is in the signals, its limits and its true value.
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "editor/running/active_run.h"
-#include "scene/queries/range_model.h"
-#include "schema/registry.h"
+#include "run/live/live_state.h"
 
 namespace trundle {
 
@@ -32,20 +29,5 @@ struct Reading {
     Read readTrue;                                   ///< the same without errors; empty if there is no such value
     std::optional<std::pair<double, double>> limits; ///< of the quantity, in SI; none: unknown
 };
-
-/// How a device is drawn, beside its readings.
-enum class SensorPicture { None, Polar, Dial, Battery, Camera };
-
-struct SensorDevice {
-    std::string path; ///< "robot0.front", as in the selection
-    const Kind* kind = nullptr;
-    std::vector<Reading> readings;
-    SensorPicture picture = SensorPicture::None;
-    std::shared_ptr<const RangeModel> fan;               ///< of Polar
-    std::function<bool(const LiveSnapshot&)> hasReading; ///< false before its first one
-};
-
-/// The device or the controller at `path` in a run. No readings if it has no signals there, none at all if there is no such part.
-[[nodiscard]] std::optional<SensorDevice> sensorDeviceAt(const RunResults& run, const std::string& path);
 
 } // namespace trundle

@@ -102,7 +102,7 @@ QString ReadingRow::textOf(const std::vector<double>& numbers) const {
 
 void ReadingRow::paintNumbers(QPainter& painter, QRectF line, const std::vector<double>& numbers, const QColor& colour) const {
     const QString unit = QString::fromStdString(m_scale.unit());
-    const double unitWidth = m_reading.unit.empty() ? 0 : fontMetrics().horizontalAdvance(QStringLiteral("m/s²")) + kUnitGap;
+    const double unitWidth = m_reading.unit.empty() ? 0 : fontMetrics().horizontalAdvance(QStringLiteral("mN m/s")) + kUnitGap;
     painter.setFont(font());
     painter.setPen(ink(Ink::Faint));
     if (unitWidth > 0)

@@ -1,7 +1,7 @@
 #pragma once
 #include <QFrame>
 
-#include "editor/sensors/reading.h"
+#include "editor/sensors/sensor_device.h"
 
 class QLabel;
 class QToolButton;

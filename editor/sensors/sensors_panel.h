@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "editor/sensors/reading.h"
+#include "editor/sensors/sensor_device.h"
 
 class QLabel;
 class QScrollArea;

@@ -1,4 +1,7 @@
 #pragma once
+#include <vector>
+
+#include "editor/running/active_run.h"
 #include "editor/sensors/reading.h"
 
 namespace trundle {

@@ -57,7 +57,10 @@ void ScenePainter::dots(std::span<const Vec3> points, const QColor& colour, doub
     }
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(colour);
+    const bool smooth = m_painter.testRenderHint(QPainter::Antialiasing);
+    m_painter.setRenderHint(QPainter::Antialiasing, false); // they are whole pixels, and many
     m_painter.drawRects(shown);
+    m_painter.setRenderHint(QPainter::Antialiasing, smooth);
 }
 
 /// Clips to the image with a small margin (Liang and Barsky).

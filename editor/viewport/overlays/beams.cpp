@@ -53,7 +53,10 @@ struct DrawnSensor {
             }
             painter.setPen(QPen(translucent(colour, sensor.layers > 1 ? 60 : 130), 1));
             painter.setBrush(translucent(colour, std::max(6, 34 / int(sensor.layers))));
+            const bool many = sensor.beams > kMaxBeamLines; // a smooth outline of hundreds of corners takes milliseconds
+            painter.setRenderHint(QPainter::Antialiasing, !many);
             pen.polygon(area);
+            painter.setRenderHint(QPainter::Antialiasing);
         }
         pen.dots(echoes, colour, 3);
     }

@@ -1,4 +1,4 @@
-#include "editor/sensors/reading.h"
+#include "editor/sensors/sensor_device.h"
 
 #include <algorithm>
 
