@@ -42,7 +42,6 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
             "Part of the joint's torque that passes the gear backwards, to the motor; not given: the torque of a motor that "
             "brakes is "
             "lowered by Efficiency too.");
-    d.field("Backlash", &RotaryMotor::m_backlash, degrees().within(0, 360), "Play of the gear, at the joint.");
     d.field("FrictionTorque", &RotaryMotor::m_frictionTorque, newtonMetres().within(0, 1e6).live(),
             "Dry friction of the rotor, before the gear: TorqueConstant times the current without load, less ViscousFriction.");
     d.field("ViscousFriction", &RotaryMotor::m_viscousFriction, unitOf("Nms/rad").within(0, 1e6).live(),
@@ -89,7 +88,6 @@ void RotaryMotor::setup(Mount& mount) {
         mount.fail("ThermalResistanceWinding and ThermalResistanceHousing are given together or not at all");
     m_thermal = {m_windingResistance, m_housingResistance, m_windingTime, m_housingTime, m_ambient, m_highestTemperature};
     m_heat.start(m_ambient);
-    m_play.setWidth(m_backlash);
     m_joint = mount.joint(m_jointName);
     // At the joint the rotor's inertia is G^2 times as large (energy: J (G w)^2 / 2).
     if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
@@ -123,26 +121,14 @@ void RotaryMotor::actByVoltage(Actuation& world, const Supply& supply, double wa
     m_beyond = wanted != clipped || (supply.present && std::abs(clipped) > supply.nominal);
     const double switched = m_driver.voltageOf(clipped, supply.present ? supply.nominal : m_motor.maxVoltage);
     const double driven = supply.driven(switched, m_motor.maxVoltage); // 0 of an empty battery: the motor brakes
-    if (m_losses.any() || m_play.any()) {
+    if (m_losses.any()) {
         const VoltageConstraint ideal = voltageConstraint(m_motor.withEfficiency(1), driven, current.get(), world.tick());
         const double turning = world.jointRate(m_joint), limit = torqueLimit() / m_now.efficiency;
         const double driving = std::clamp((ideal.rate - turning) / ideal.softness, -limit, limit);
-        if (std::abs(driving) > m_losses.dry) m_play.part(driving);
-        if (m_play.isApart()) return turnFreely(world, ideal);
         setLosses(driving, turning);
     } else setLosses(0, 0);
     const VoltageConstraint row = voltageConstraint(m_now, driven, current.get(), world.tick());
     apply(world, {row.rate, row.softness, torqueLimit()});
-}
-
-/// Implicit Euler of the rotor alone, which dry friction may hold.
-void RotaryMotor::turnFreely(Actuation& world, const VoltageConstraint& ideal) {
-    const double carried = m_gearRatio * m_gearRatio * m_rotorInertia / world.tick();
-    const double driving = carried * m_freeRate + ideal.rate / ideal.softness;
-    const double left = driving - std::clamp(driving, -m_losses.dry, m_losses.dry);
-    m_freeRate = left / (carried + 1 / ideal.softness + m_losses.viscous);
-    m_freeTorque = (ideal.rate - m_freeRate) / ideal.softness;
-    world.motorRow(m_joint, 0, 0, 0);
 }
 
 void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
@@ -166,10 +152,7 @@ void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
         drive.limit = most;
         drive.damping = reserve < most ? (most - reserve) / std::abs(turning) : 0;
     }
-    if (!m_play.isApart()) return apply(world, drive);
-    m_freeRate = drive.rate;
-    m_freeTorque = 0;
-    world.motorRow(m_joint, 0, 0, 0);
+    apply(world, drive);
 }
 
 /// `torque`: of the motor with an ideal gear, at the joint.
@@ -201,18 +184,11 @@ bool RotaryMotor::isLimited() const {
 }
 
 void RotaryMotor::sense(Sensing& world) {
-    const bool apart = m_play.isApart() && world.time() > 0;
     const double effort = world.jointMotorEffort(m_joint), turning = world.jointRate(m_joint);
-    const double amperes = apart ? m_freeTorque / m_motor.withEfficiency(1).torquePerAmpere() : effort / m_now.torquePerAmpere();
-    const double change = (amperes - current.get()) / world.tick(), motorRate = apart ? m_freeRate : turning;
+    const double amperes = effort / m_now.torquePerAmpere(), change = (amperes - current.get()) / world.tick();
     terminalVoltage.set(m_motor.resistance * amperes + m_motor.inductance * change +
-                        m_motor.gearRatio * motorRate / m_motor.speedConstant);
-    torque.set(m_losses.any() && !apart ? effort + m_line.offset + world.jointFrictionEffort(m_joint) : effort);
-    if (apart) m_play.turn(m_freeRate * world.tick(), turning * world.tick());
-    else {
-        m_freeRate = turning;
-        m_play.part(torque.get());
-    }
+                        m_motor.gearRatio * turning / m_motor.speedConstant);
+    torque.set(m_losses.any() ? effort + m_line.offset + world.jointFrictionEffort(m_joint) : effort);
     current.set(amperes);
     rate.set(turning);
     drawPower(world);

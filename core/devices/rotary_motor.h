@@ -4,7 +4,6 @@
 #include <trundle/device.h>
 #include <trundle/device_signals.h>
 
-#include "devices/gear_play.h"
 #include "devices/motor_driver.h"
 #include "devices/motor_losses.h"
 #include "devices/winding_heat.h"
@@ -60,8 +59,6 @@ private:
     void takeLiveConstants();
     void actByVoltage(Actuation& world, const Supply& supply, double wanted);
     void actAsServo(Actuation& world, const Supply& supply);
-    /// While the teeth of its gear are apart, as a line of the motor with an ideal gear.
-    void turnFreely(Actuation& world, const VoltageConstraint& ideal);
     void setLosses(double torque, double rate);
     void apply(Actuation& world, const JointDrive& drive);
     [[nodiscard]] double torqueLimit() const;
@@ -78,7 +75,7 @@ private:
     double m_windingResistance = 0, m_housingResistance = 0, m_windingTime = 10, m_housingTime = 600, m_ambient = 25;
     std::optional<double> m_highestTemperature;
     std::optional<double> m_backdrivingEfficiency, m_currentLimit;
-    double m_deadBand = 0, m_backlash = 0;
+    double m_deadBand = 0;
     int m_pwmSteps = 0;
     std::optional<double> m_speedConstant, m_backEmfConstant;
 
@@ -86,8 +83,6 @@ private:
     MotorConstants m_now; ///< in this tick, with the losses at its state
     LossLine m_line;
     WindingHeat m_heat;
-    GearPlay m_play;
-    double m_freeRate = 0, m_freeTorque = 0; ///< of the motor while the teeth are apart, at the joint with an ideal gear
     bool m_beyond = false;                   ///< the command, MaxVoltage
     bool m_reported = false;
 };

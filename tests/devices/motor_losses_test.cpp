@@ -1,8 +1,6 @@
 // A motor with friction, a gear with losses, a driver with limits, a winding that heats up: against closed forms, in whole worlds.
 #include "sensor_world.h"
 
-#include <numbers>
-
 #include "devices/motor_losses.h"
 #include "devices/winding_heat.h"
 
@@ -243,37 +241,6 @@ private Q_SLOTS:
         QVERIFY(isNear(voltageAt(0.5), 0.48, 1e-9)); // 4 of 100 steps of 0.12 V
         QVERIFY(isNear(voltageAt(6.1), 6.12, 1e-9) && isNear(voltageAt(-6.05), -6, 1e-9));
         QVERIFY(isNear(voltageAt(20), 12, 1e-9));
-    }
-
-    void aGearHasPlay_data() { addTicks(); }
-    /// Measured at the output: held by its friction, the joint is free for the play and no more. A motor that turns back crosses it first.
-    void aGearHasPlay() {
-        QFETCH(double, tick);
-        SensorWorld w(spinner(tick, "FrictionTorque=0.01 Backlash=1.5deg"));
-        QVERIFY2(w.ok(), w.failure().c_str());
-        const double play = 1.5 * std::numbers::pi / 180;
-        const auto restAfter = [&](double torque, double seconds) {
-            for (const double end = w.time() + seconds; w.time() < end;)
-                if (!turnBy(w, torque)) return std::nan("");
-            return w.value("r/axle/position");
-        };
-        const double high = restAfter(0.1, 3), low = restAfter(-0.1, 3), again = restAfter(0.1, 3);
-        QVERIFY2(std::abs(high - low - play) < 0.02 * play && std::abs(again - high) < 0.02 * play,
-                 qPrintable(QString("%1 %2 of %3").arg(high - low).arg(again - low).arg(play)));
-        QVERIFY(isNear(restAfter(0.1, 20), again, 1e-4)); // without creeping
-        SensorWorld turned(spinner(tick, "RotorInertia=1e-6 Backlash=20deg", "", "Mass=2"));
-        QVERIFY2(turned.ok(), turned.failure().c_str());
-        command(turned, "r/motor/voltage", 1);
-        double first = -1; // the joint stays at rest until the motor has crossed half of the play
-        for (int i = 0; i < 2000 && first < 0; ++i) {
-            QVERIFY(turned.run());
-            if (turned.value("r/axle/position") > 1e-9) first = turned.time();
-        }
-        const double slope = kKt * kGear * kGear / (kOhms * kKv), inertia = kGear * kGear * 1e-6, tau = inertia / slope;
-        const double rate = kKv / kGear; // without load at 1 V
-        double crossed = 0;
-        while (rate * (crossed - tau * -std::expm1(-crossed / tau)) < 10 * std::numbers::pi / 180) crossed += 1e-5;
-        QVERIFY2(std::abs(first - crossed) < 2.1 * tick, qPrintable(QString("%1 s, not %2").arg(first).arg(crossed)));
     }
 
     void itsWindingHeatsUp_data() { addTicks(); }
