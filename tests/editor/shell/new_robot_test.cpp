@@ -279,6 +279,7 @@ private:
         link->setFocus(Qt::TabFocusReason);
         QTest::keyClick(link, Qt::Key_Return);
         EVENTUALLY(dialog() && dialog()->isVisible());
+        dialog()->activateWindow(); // as a window manager does
         QVERIFY(QTest::qWaitForWindowActive(dialog(), kTimeoutMs));
     }
 
