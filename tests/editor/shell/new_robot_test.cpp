@@ -119,8 +119,8 @@ private Q_SLOTS:
             key(Qt::Key_Tab);
             order.append(focusName());
         }
-        QCOMPARE(order.mid(0, 9).join(u' '), QStringLiteral("robotWidth robotHeight robotWheelRadius robotWheelSeparation "
-                                                            "robotWheelbase robotMass robotTopSpeed robotName robotFolder"));
+        QCOMPARE(order.mid(0, 8).join(u' '), QStringLiteral("robotWidth robotHeight robotWheelRadius robotWheelSeparation "
+                                                            "robotMass robotTopSpeed robotName robotFolder"));
         QVERIFY(order.contains(QStringLiteral("robotCreate")));
         field("robotFolder")->setFocus(Qt::TabFocusReason);
         typeOver(field("robotFolder"), m_folder->path());
