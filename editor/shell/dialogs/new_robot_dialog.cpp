@@ -29,13 +29,13 @@ namespace {
 
 QString nameOf(BaseShape base) {
     switch (base) {
-    case BaseShape::Differential: return NewRobotDialog::tr("Differential");
-    case BaseShape::SkidSteer: return NewRobotDialog::tr("Skid-steer");
-    case BaseShape::Omni: return NewRobotDialog::tr("Three omni wheels");
-    case BaseShape::Mecanum: return NewRobotDialog::tr("Mecanum");
+    case BaseShape::Differential: return NewRobotDialog::tr("&Differential");
+    case BaseShape::SkidSteer: return NewRobotDialog::tr("S&kid-steer");
+    case BaseShape::Omni: return NewRobotDialog::tr("Three &omni wheels");
+    case BaseShape::Mecanum: return NewRobotDialog::tr("Me&canum");
     case BaseShape::Ackermann: break;
     }
-    return NewRobotDialog::tr("Ackermann");
+    return NewRobotDialog::tr("&Ackermann");
 }
 
 QString describedAs(BaseShape base) {
@@ -120,6 +120,7 @@ NewRobotDialog::NewRobotDialog(const QString& folder, QWidget* parent)
     makeLayout();
     useBase(BaseShape::Differential);
     for (QLineEdit* field : {m_name, m_folder}) connect(field, &QLineEdit::textChanged, this, &NewRobotDialog::check);
+    m_bases->button(0)->setFocus();
     resizeToFont(*this, {760, 470});
 }
 
@@ -144,7 +145,7 @@ void NewRobotDialog::makeLayout() {
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
-/// One is chosen; the arrow keys choose another one.
+/// One is chosen.
 QWidget* NewRobotDialog::makeBases() {
     auto* column = new QWidget;
     auto* layout = new QVBoxLayout(column);
@@ -164,7 +165,6 @@ QWidget* NewRobotDialog::makeBases() {
         layout->addWidget(button);
     }
     m_bases->button(0)->setChecked(true);
-    m_bases->button(0)->setFocus();
     connect(m_bases, &QButtonGroup::idClicked, this, [this](int id) { useBase(static_cast<BaseShape>(id)); });
     return column;
 }
