@@ -37,12 +37,12 @@ struct SavedDescriptor {
 };
 
 // global, because signal handlers use them
-SavedDescriptor s_results, s_messages, s_modules; // s_modules: where the output of modules goes
+SavedDescriptor s_savedResults, s_messages, s_modules; // s_modules: where the output of modules goes
 
 } // namespace
 
 void keepStandardStreams() {
-    if (openStandardDescriptors()) s_results.keep(STDOUT_FILENO);
+    if (openStandardDescriptors()) s_savedResults.keep(STDOUT_FILENO);
     s_messages.keep(STDERR_FILENO);
     startOutputCleaner();
 }
@@ -73,7 +73,7 @@ void writeMessage(std::string_view text) {
     }
 }
 
-int resultsFile() { return s_results.isWhole() ? s_results.file : -1; }
+int resultsFile() { return s_savedResults.isWhole() ? s_savedResults.file : -1; }
 
 int messagesFile() { return s_messages.isWhole() ? s_messages.file : STDERR_FILENO; }
 
