@@ -44,9 +44,11 @@ std::optional<RobotAddress> addressFrom(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     const std::string port = colon == std::string::npos ? text : text.substr(colon + 1);
     if (colon != std::string::npos) address.host = text.substr(0, colon);
-    if (address.host.starts_with('[') && address.host.ends_with(']')) address.host = address.host.substr(1, address.host.size() - 2);
+    if (address.host.starts_with('[') && address.host.ends_with(']'))
+        address.host = address.host.substr(1, address.host.size() - 2);
     const auto [end, fault] = std::from_chars(port.data(), port.data() + port.size(), address.port);
-    if (fault != std::errc() || end != port.data() + port.size() || address.port == 0 || address.host.empty()) return std::nullopt;
+    if (fault != std::errc() || end != port.data() + port.size() || address.port == 0 || address.host.empty())
+        return std::nullopt;
     return address;
 }
 
@@ -127,9 +129,12 @@ const RobotSpec* DriveCommand::chooseRobot() {
         if (++count <= 10) names += (names.empty() ? "" : ", ") + robot.name;
     }
     if (count == 1) return found;
-    if (count > 1) printProblem("several robots have a controller: " + names + (count > 10 ? " ..." : "") + "; choose one with --robot");
+    if (count > 1)
+        printProblem("several robots have a controller: " + names + (count > 10 ? " ..." : "") + "; choose one with --robot");
     else if (m_arguments.robot.empty()) printProblem("no robot in " + cleanLine(m_arguments.file) + " has a controller");
-    else printProblem("there is no robot " + cleanLine(m_arguments.robot) + " with a controller in " + cleanLine(m_arguments.file));
+    else
+        printProblem("there is no robot " + cleanLine(m_arguments.robot) + " with a controller in " +
+                     cleanLine(m_arguments.file));
     return nullptr;
 }
 
@@ -152,7 +157,9 @@ RunOptions DriveCommand::runOptions() {
         if (m_progress) m_progress->line(lines);
         else writeMessage(lines);
     };
-    options.replaceWorld = [this](std::unique_ptr<World> world, Diagnostics& diagnostics) { return connect(std::move(world), diagnostics); };
+    options.replaceWorld = [this](std::unique_ptr<World> world, Diagnostics& diagnostics) {
+        return connect(std::move(world), diagnostics);
+    };
     return options;
 }
 
@@ -162,13 +169,13 @@ std::unique_ptr<World> DriveCommand::connect(std::unique_ptr<World> described, D
     const RobotAddress at = *addressFrom(m_arguments.at);
     Result<Socket> socket = Socket::connect(at.host, at.port);
     if (!socket) return diagnostics.error(socket.error().code, robot.nameRange, socket.error().message), nullptr;
-    Result<std::unique_ptr<RobotLink>> link =
-        RobotLink::open(std::move(socket).value(), {m_arguments.token, robot.name, m_arguments.timeout, [] { return interrupted(); }});
+    Result<std::unique_ptr<RobotLink>> link = RobotLink::open(
+        std::move(socket).value(), {m_arguments.token, robot.name, m_arguments.timeout, [] { return interrupted(); }});
     if (!link) return diagnostics.error(link.error().code, robot.nameRange, link.error().message), nullptr;
     if (std::abs(link.value()->tick() - tick) > kTickTolerance) {
         diagnostics.error(Code::SystemRefused, robot.nameRange,
-                          robot.name + " at the other end has a tick of " + exactText(link.value()->tick()) + " s, the text one of " +
-                              exactText(tick) + " s; try --set Tick=" + exactText(link.value()->tick()));
+                          robot.name + " at the other end has a tick of " + exactText(link.value()->tick()) +
+                              " s, the text one of " + exactText(tick) + " s; try --set Tick=" + exactText(link.value()->tick()));
         return nullptr;
     }
     auto world = std::make_unique<RemoteWorld>(std::move(described), std::move(link).value());
@@ -181,14 +188,15 @@ void DriveCommand::warnOfMissing(const std::vector<std::string>& missing, double
     std::string names;
     for (std::size_t i = 0; i < std::min(missing.size(), kShown); ++i) names += (i > 0 ? ", " : "") + missing[i];
     if (missing.size() > kShown) names += " and " + std::to_string(missing.size() - kShown) + " more";
-    if (!missing.empty()) writeMessage(consoleLines(time, {}, TRUNDLE_WARNING, "the robot at the other end does not have " + names));
+    if (!missing.empty())
+        writeMessage(consoleLines(time, {}, TRUNDLE_WARNING, "the robot at the other end does not have " + names));
 }
 
 ExitCode DriveCommand::report(const LoopOutcome& outcome) {
     const RunFinish* finish = m_runner->finished();
     if (!m_arguments.quiet) {
-        std::string text = "drove " + m_runner->world().experiment().robots[0].name + " for " + exactText(m_runner->world().time()) + " s, " +
-                           std::to_string(m_runner->world().ticks()) + " ticks\n";
+        std::string text = "drove " + m_runner->world().experiment().robots[0].name + " for " +
+                           exactText(m_runner->world().time()) + " s, " + std::to_string(m_runner->world().ticks()) + " ticks\n";
         if (finish) text += "the controller " + finish->controller + " finished: " + finish->reason + "\n";
         for (const std::string& file : m_runner->logFiles()) text += "log " + file + "\n";
         if (!writeOut(cleanText(text))) return kExitText;
@@ -234,7 +242,8 @@ ExitCode DriveCommand::go() {
     if (!robot) return kExitUsage;
     std::string left;
     m_loaded.experiment = experimentOf(m_loaded, RobotSpec(*robot), left);
-    if (!left.empty() && !m_arguments.quiet) writeMessage("trundle-cli: note: logs of other things are not written: " + cleanLine(left) + "\n");
+    if (!left.empty() && !m_arguments.quiet)
+        writeMessage("trundle-cli: note: logs of other things are not written: " + cleanLine(left) + "\n");
     return drive();
 }
 
@@ -262,11 +271,17 @@ void addDrive(CLI::App& app, ChosenCommand& chosen) {
         ->required()
         ->type_name("[ADDRESS:]PORT")
         ->check(&addressProblem);
-    command->add_option("--robot", a.robot, "Its name, the same in FILE and at the other end; by default the only one with a controller")
+    command
+        ->add_option("--robot", a.robot,
+                     "Its name, the same in FILE and at the other end; by default the only one with a controller")
         ->type_name("NAME")
         ->check(&emptyProblem);
-    CLI::Option* token = command->add_option("--token", a.token, "The token of the other end")->type_name("TOKEN")->envname(kTokenName);
-    command->add_option("--token-file", a.tokenFile, "A file with the token")->type_name("FILE")->check(&emptyProblem)->excludes(token);
+    CLI::Option* token =
+        command->add_option("--token", a.token, "The token of the other end")->type_name("TOKEN")->envname(kTokenName);
+    command->add_option("--token-file", a.tokenFile, "A file with the token")
+        ->type_name("FILE")
+        ->check(&emptyProblem)
+        ->excludes(token);
     command->add_option("--duration", a.duration, "Seconds to drive, instead of the text's Duration")
         ->type_name("S")
         ->check(&finiteProblem)

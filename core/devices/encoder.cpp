@@ -43,7 +43,7 @@ double Encoder::countedOf(double passed, const Services& world) {
     if (!m_maxFrequency) return passed;
     const double most = m_left + *m_maxFrequency * world.tick() * m_perTurn / m_countsPerRevolution;
     const double counted = std::min(std::abs(passed), std::floor(most + 1e-9));
-    m_left = counted < std::abs(passed) ? most - counted : 0;
+    m_left = std::min(most - counted, 1.0); // edges of an even turn do not come evenly in ticks
     m_missed += std::abs(passed) - counted;
     return std::copysign(counted, passed);
 }

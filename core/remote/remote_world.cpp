@@ -21,7 +21,8 @@ void RemoteWorld::join() {
             if (entry.direction != SignalDirection::Truth && !isPublished(entry.path)) m_missing.push_back(entry.path);
             continue;
         }
-        if (isCommand && entry.count == 1) m_commands.push_back({entry.offset, found->offset, entry.path, m_link->values()[found->offset]});
+        if (isCommand && entry.count == 1)
+            m_commands.push_back({entry.offset, found->offset, entry.path, m_link->values()[found->offset]});
         if (isCommand) continue;
         m_read.push_back({entry.offset, found->offset, entry.count});
         if (entry.path == robot + "/pose") m_pose = &entry;
@@ -37,7 +38,8 @@ bool RemoteWorld::isPublished(const std::string& path) const {
 void RemoteWorld::takeValues() {
     const std::span<double> slots = block().slots();
     for (const Span& span : m_read)
-        std::ranges::copy(m_link->values().subspan(span.there, span.count), slots.begin() + static_cast<std::ptrdiff_t>(span.here));
+        std::ranges::copy(m_link->values().subspan(span.there, span.count),
+                          slots.begin() + static_cast<std::ptrdiff_t>(span.here));
     for (CommandOf& command : m_commands) // a drive commands its motors
         slots[command.here] = command.known = m_link->values()[command.there];
 }

@@ -28,7 +28,9 @@ template <class T> std::optional<T> memberOf(const nlohmann::ordered_json& objec
 
 } // namespace
 
-Error RobotLink::broken(const std::string& why) const { return {Code::SystemRefused, m_options.robot + " at the other end: " + why}; }
+Error RobotLink::broken(const std::string& why) const {
+    return {Code::SystemRefused, m_options.robot + " at the other end: " + why};
+}
 
 Result<std::unique_ptr<RobotLink>> RobotLink::open(Socket socket, RobotLinkOptions options) {
     std::unique_ptr<RobotLink> link(new RobotLink(std::move(socket), std::move(options)));
@@ -50,10 +52,12 @@ Status RobotLink::begin() {
     std::map<std::string, std::string> directions;
     if (const auto signals = robot.value().find("signals"); signals != robot.value().end() && signals->is_array())
         for (const Json& signal : *signals)
-            directions[memberOf<std::string>(signal, "path").value_or("")] = memberOf<std::string>(signal, "direction").value_or("");
+            directions[memberOf<std::string>(signal, "path").value_or("")] =
+                memberOf<std::string>(signal, "direction").value_or("");
     m_hasController = robot.value().contains("controller") && robot.value()["controller"].is_object();
     if (m_hasController)
-        if (const Result<Json> held = request({{"op", "hold"}, {"robot", m_options.robot}, {"held", true}}); !held) return held.error();
+        if (const Result<Json> held = request({{"op", "hold"}, {"robot", m_options.robot}, {"held", true}}); !held)
+            return held.error();
     m_taken = true;
     const Result<Json> subscribed = request({{"op", "subscribe"}, {"signals", {m_options.robot + "/*"}}, {"every", 0}});
     if (!subscribed) return subscribed.error();
@@ -121,7 +125,8 @@ Result<RobotLink::Json> RobotLink::replyTo(std::uint64_t number) {
         if (memberOf<std::string>(message, "event") == "reset") return broken("its run was reset by another program");
         if (message.contains("event")) continue;
         if (message.contains("id") && message["id"].is_number() && message["id"] != number) continue;
-        if (memberOf<bool>(message, "ok") != true) return broken(cleanLine(memberOf<std::string>(message, "message").value_or("it refused a request")));
+        if (memberOf<bool>(message, "ok") != true)
+            return broken(cleanLine(memberOf<std::string>(message, "message").value_or("it refused a request")));
         m_bytes = std::move(frame.value()->bytes);
         return message;
     }

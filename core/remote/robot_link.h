@@ -17,9 +17,9 @@
 namespace trundle {
 
 struct RobotLinkOptions {
-    std::string token, robot;           ///< what the other end asks for; the robot's name, the same at both ends
-    double seconds = 10;                ///< without an answer, then the connection has failed
-    std::function<bool()> isCancelled;  ///< asked while waiting
+    std::string token, robot;          ///< what the other end asks for; the robot's name, the same at both ends
+    double seconds = 10;               ///< without an answer, then the connection has failed
+    std::function<bool()> isCancelled; ///< asked while waiting
 };
 
 class RobotLink {

@@ -19,18 +19,22 @@ private Q_SLOTS:
                       "RobotConfig Block { Body b { Box g { Size=0.2,0.2,0.1 Mass=1.2 } } TouchSensor pad { Geom=b.g MinForce=15 "
                       "ReleaseForce=13 } }\nRobot r { Config=Block Pos=0,0,0.05 }\n");
         QVERIFY2(w.ok(), w.failure().c_str());
-        const auto pressedAt = [&](double more) {
-            for (int i = 0; i < 100; ++i)
-                if (!w.world().push("r/b", {0, 0, -more}, {0, 0, 0.05}).ok() || !w.run()) return -1.;
+        double before = 0;
+        const auto pressedAt = [&](double more) { // slowly, so that nothing overshoots
+            for (int i = 1; i <= 200; ++i)
+                if (const double now = before + (more - before) * std::min(1., i / 100.);
+                    !w.world().push("r/b", {0, 0, -now}, {0, 0, 0.05}).ok() || !w.run())
+                    return -1.;
+            before = more;
             const double force = 1.2 * 9.81 + more;
             return std::abs(w.value("r/pad/force") - force) < 1e-3 * force ? w.value("r/pad/pressed") : -1;
         };
         QCOMPARE(pressedAt(0), 0.);
-        QCOMPARE(pressedAt(3.2), 0.);
-        QCOMPARE(pressedAt(3.3), 1.);
-        QCOMPARE(pressedAt(1.3), 1.);
-        QCOMPARE(pressedAt(1.2), 0.);
-        QCOMPARE(pressedAt(3.2), 0.);
+        QCOMPARE(pressedAt(3.1), 0.); // 14.87 N
+        QCOMPARE(pressedAt(3.4), 1.);
+        QCOMPARE(pressedAt(1.4), 1.); // 13.17 N
+        QCOMPARE(pressedAt(1.1), 0.);
+        QCOMPARE(pressedAt(3.1), 0.);
     }
 };
 

@@ -248,7 +248,7 @@ private Q_SLOTS:
         host.slots["base/odometry"] = {1, 2, 3};
         for (const char* s : {"voltage", "targetRate", "servo", "current", "terminalVoltage", "torque", "rate", "saturated"})
             host.slots[std::string("motor/") + s] = {double(s[0])};
-        for (const char* s : {"count", "angle", "rate", "index"}) host.slots[std::string("encoder/") + s] = {double(s[0])};
+        for (const char* s : {"count", "angle", "rate", "index", "missed"}) host.slots[std::string("encoder/") + s] = {double(s[0])};
         for (const char* s : {"pressed", "force", "count"}) host.slots[std::string("touch/") + s] = {double(s[0])};
         host.slots["groundTruth/pose"] = {1, 2, 3, 0.5, 0.5, 0.5, 0.5};
         host.slots["groundTruth/velocity"] = {4, 5, 6, 7, 8, 9};

@@ -277,7 +277,11 @@ private:
             if (choice == "Joint") kind = m_loaded.registry->find("Hinge");
             if (choice == "Geom" || (kind && kind->role == Role::Geom))
                 return block(*m_loaded.registry->find("Body"), depth + 1) + ".box";
-            if (kind && kind->role != Role::Settings) return block(*kind, depth + 1);
+            if (!kind || kind->role == Role::Settings) continue;
+            const std::string name = block(*kind, depth + 1);
+            if (p.name == "Other" && kind->find("Anchor")) // the two joints of a Gear are not on one line
+                m_texts.back().insert(m_texts.back().size() - 2, " Anchor=0.2,0,0");
+            return name;
         }
         for (const std::string& choice : p.choices) // choices that are roles
             for (const Kind* kind : m_loaded.registry->all())
