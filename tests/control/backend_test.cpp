@@ -36,9 +36,10 @@ struct Stage {
             add((std::string("base/") + s).c_str(), SignalDirection::Command);
         add("base/pose", SignalDirection::Truth, 3);
         add("base/odometry", SignalDirection::Output, 3);
-        for (const char* s : {"base/done", "base/busy", "base/finished", "frontTouch/pressed", "frontTouch/force",
-                              "frontTouch/count", "leftEncoder/count", "leftEncoder/angle", "leftEncoder/rate",
-                              "leftEncoder/index", "still/frame", "still/time", "stream/frame", "stream/time"})
+        for (const char* s :
+             {"base/done", "base/busy", "base/finished", "frontTouch/pressed", "frontTouch/force", "frontTouch/count",
+              "leftEncoder/count", "leftEncoder/angle", "leftEncoder/rate", "leftEncoder/index", "leftEncoder/missed",
+              "still/frame", "still/time", "stream/frame", "stream/time"})
             add(s, SignalDirection::Output);
     }
     Status start(const char* library = "controllers/libgood.so") {

@@ -82,10 +82,10 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QCOMPARE(error.error, QJsonParseError::NoError);
     QStringList keys = json.keys();
     keys.sort();
-    QStringList expected{"ticks",       "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash",
-                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks",  "finished",
-                         "objects",     "ended",
-                         "stopped"};
+    QStringList expected{"ticks",          "simulated_s", "wall_s",        "real_time_factor",
+                         "peak_memory_kb", "state_hash",  "quick_ticks",   "interrupted",
+                         "robots",         "diagnostics", "rescued_ticks", "finished",
+                         "objects",        "ended",       "stopped",       "engine"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);

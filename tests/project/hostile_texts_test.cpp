@@ -94,7 +94,8 @@ void checkSound(const ExperimentSpec& e) {
         QVERIFY(robot.pose.position.allFinite());
         const int bodies = static_cast<int>(robot.config->bodies.size());
         for (const BodySpec& body : robot.config->bodies) {
-            QVERIFY(body.mass.mass > 0 && body.mass.inertia.allFinite() && body.mass.inertia.diagonal().minCoeff() > 0);
+            QVERIFY(body.isFixed || body.mass.mass > 0);
+            QVERIFY(body.mass.inertia.allFinite() && (body.isFixed || body.mass.inertia.diagonal().minCoeff() > 0));
             for (const GeomSpec& geom : body.geoms)
                 QVERIFY(geom.material < e.materials.size() && geom.surface < e.surfaces.size());
         }

@@ -246,9 +246,11 @@ private Q_SLOTS:
              {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence", "done", "busy", "finished"})
             host.slots[std::string("base/") + s] = {0};
         host.slots["base/odometry"] = {1, 2, 3};
-        for (const char* s : {"voltage", "targetRate", "servo", "current", "terminalVoltage", "torque", "rate", "saturated"})
+        for (const char* s :
+             {"voltage", "targetRate", "servo", "current", "terminalVoltage", "torque", "rate", "saturated", "temperature"})
             host.slots[std::string("motor/") + s] = {double(s[0])};
-        for (const char* s : {"count", "angle", "rate", "index", "missed"}) host.slots[std::string("encoder/") + s] = {double(s[0])};
+        for (const char* s : {"count", "angle", "rate", "index", "missed"})
+            host.slots[std::string("encoder/") + s] = {double(s[0])};
         for (const char* s : {"pressed", "force", "count"}) host.slots[std::string("touch/") + s] = {double(s[0])};
         host.slots["groundTruth/pose"] = {1, 2, 3, 0.5, 0.5, 0.5, 0.5};
         host.slots["groundTruth/velocity"] = {4, 5, 6, 7, 8, 9};
