@@ -25,7 +25,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kPreview = 260; // pixels of a side
+constexpr int kPreview = 240; // pixels of a side
 
 Property lengthProperty(const QString& name, double least, double most) {
     Property property;
