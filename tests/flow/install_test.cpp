@@ -103,7 +103,7 @@ private Q_SLOTS:
         QTest::newRow("built-in kind") << QStringList{"component", "Lidar"} << QByteArray("has a kind Lidar");
         QTest::newRow("kind of a shipped module")
             << QStringList{"controller", "WallFollow"} << QByteArray("has a kind WallFollow");
-        QTest::newRow("no such word") << QStringList{"robot", "Wall"} << QByteArray("controller");
+        QTest::newRow("no such word") << QStringList{"gadget", "Wall"} << QByteArray("controller");
         QTest::newRow("no such folder") << QStringList{"controller", "Wall", "--in", at("none")} << QByteArray("none");
     }
     void refusesNewModules() {

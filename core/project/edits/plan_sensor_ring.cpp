@@ -15,9 +15,11 @@ namespace {
 constexpr double kClear = 0.002, kGrain = 1e-3; // m
 
 const BodySpec* resolvedBody(const LoadedProject& loaded, const Part& part) {
-    for (const RobotSpec& robot : loaded.experiment->robots)
-        for (const BodySpec& body : robot.config ? robot.config->bodies : std::vector<BodySpec>())
+    for (const RobotSpec& robot : loaded.experiment->robots) {
+        if (!robot.config) continue;
+        for (const BodySpec& body : robot.config->bodies)
             if (body.range == part.range && !body.isFixed) return &body;
+    }
     return nullptr;
 }
 

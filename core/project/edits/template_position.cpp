@@ -22,10 +22,12 @@ std::optional<GeomShape> shapeOf(std::string_view kind) {
 
 /// A geom as the experiment has it, with its mesh; nullptr if its config has no instance.
 const GeomSpec* resolved(const LoadedProject& loaded, const Part& part) {
-    for (const RobotSpec& robot : loaded.experiment->robots)
-        for (const BodySpec& body : robot.config ? robot.config->bodies : std::vector<BodySpec>())
+    for (const RobotSpec& robot : loaded.experiment->robots) {
+        if (!robot.config) continue;
+        for (const BodySpec& body : robot.config->bodies)
             for (const GeomSpec& geom : body.geoms)
                 if (geom.range == part.range) return &geom;
+    }
     return nullptr;
 }
 

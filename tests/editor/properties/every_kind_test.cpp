@@ -106,7 +106,7 @@ class EveryKindTest : public QObject {
             fixture.type(qPrintable(id), tried);
         } else {
             for (const char* text :
-                 {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3", "seer/eye"}) {
+                 {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3", "seer/eye", "left,right"}) {
                 if (changed()) break;
                 tried += QLatin1String(text) + QLatin1Char('|');
                 fixture.type(qPrintable(id), QLatin1String(text));

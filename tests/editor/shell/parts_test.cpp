@@ -170,10 +170,12 @@ private:
         QVERIFY(!document().loaded()->diagnostics.hasErrors());
     }
     void trigger(const QByteArray& id) {
-        auto* menu = m_window->findChild<QMenu*>(QStringLiteral("menu.Edit/Parts"));
-        QVERIFY(menu);
-        for (QAction* action : menu->actions())
-            if (action->objectName() == QLatin1String(id)) return action->trigger();
+        for (const auto* name : {"menu.Edit/Parts", "menu.Insert"}) {
+            auto* menu = m_window->findChild<QMenu*>(QLatin1String(name));
+            QVERIFY(menu);
+            for (QAction* action : menu->actions())
+                if (action->objectName() == QLatin1String(id)) return action->trigger();
+        }
         QFAIL(id.constData());
     }
     void checkUndo(const QString& name) {

@@ -196,6 +196,5 @@ inline void Services::contacts(GeomId geom, std::vector<TrundleContact>& out) co
     }
     out.resize(there < room ? there : room);
 }
-
 } // namespace sdk1
 } // namespace trundle

@@ -1,6 +1,6 @@
 #include "world/ode/joints/drive_friction.h"
 
-#include "world/ode/joints/joint_rows.h"
+#include "world/ode/joints/axis_motor.h"
 #include "world/ode/objects/ode_math.h"
 
 namespace trundle {

@@ -81,35 +81,7 @@ void measureSecond(OdeJoint& joint, const OdeBody& child, const Quat& turned, co
     joint.position2 = unwrap(2 * std::atan2(turned.vec().dot(axis), turned.w()), joint.position2 + joint.rate2 * h);
 }
 
-/// Attaches the child as first body, then the parent or the world.
-dJointID attached(dJointID id, const OdeJoint& joint, const std::vector<OdeBody>& bodies) {
-    dJointAttach(id, bodies[joint.child].id, joint.parent == kNone ? nullptr : bodies[joint.parent].id);
-    return id;
-}
-
 } // namespace
-
-void setRow(dJointID motor, JointType of, int axis, int parameter, double value) {
-    if (of == JointType::Slider) dJointSetLMotorParam(motor, parameter + axis * kParamStep, value);
-    else dJointSetAMotorParam(motor, parameter + axis * kParamStep, value);
-}
-
-dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, std::span<const Vec3> axes, bool parentFirst) {
-    const dWorldID world = dBodyGetWorld(bodies[joint.child].id);
-    const bool linear = joint.type == JointType::Slider;
-    const dJointID motor =
-        attached(linear ? dJointCreateLMotor(world, nullptr) : dJointCreateAMotor(world, nullptr), joint, bodies);
-    if (linear) dJointSetLMotorNumAxes(motor, static_cast<int>(axes.size()));
-    else dJointSetAMotorNumAxes(motor, static_cast<int>(axes.size()));
-    const int withParent = joint.parent == kNone ? 0 : 2; // axis fixed to the parent, or to the world
-    const int withChild = joint.type == JointType::Ball ? 0 : 1;
-    for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
-        const Vec3& a = axes[static_cast<std::size_t>(i)];
-        if (linear) dJointSetLMotorAxis(motor, i, withParent, a.x(), a.y(), a.z());
-        else dJointSetAMotorAxis(motor, i, parentFirst && i == 0 ? withParent : withChild, a.x(), a.y(), a.z());
-    }
-    return motor;
-}
 
 void JointRows::forget(std::uint32_t joint) {
     for (auto* const list : {&m_updated, &m_driven}) std::erase_if(*list, [joint](std::uint32_t i) { return i >= joint; });

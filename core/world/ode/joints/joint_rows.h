@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "world/ode/joints/axis_motor.h"
 #include "world/ode/joints/joint_inertia.h"
 #include "world/ode/objects/ode_records.h"
 #include "world/spring_row.h"
@@ -67,10 +68,5 @@ private:
     std::vector<Touch> m_touches;
     std::uint32_t m_ticks = 0;
 };
-
-/// A motor joint with one row for each of the axes (world), beside a joint.
-[[nodiscard]] dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, std::span<const Vec3> axes,
-                                 bool parentFirst);
-void setRow(dJointID motor, JointType of, int axis, int parameter, double value);
 
 } // namespace trundle
