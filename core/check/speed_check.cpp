@@ -26,7 +26,7 @@ constexpr double kRay = 10;                           // m
 
 struct Ramp {
     double slope = kUsualSlope;
-    std::string name; ///< empty: there is none
+    std::string name; ///< empty: nothing is that thin
 };
 
 /// The steepest upper face of a box that a robot could drive on.

@@ -14,15 +14,15 @@ void RemoteWorld::join() {
     const std::string robot = experiment().robots[0].name;
     for (const SignalEntry& entry : layout().entries()) {
         const auto found = std::ranges::find(m_link->signals(), entry.path, &RobotLink::Signal::path);
-        const bool isThere = found != m_link->signals().end() && found->count == entry.count;
         const bool isCommand = entry.direction == SignalDirection::Command;
+        // The protocol sets commands of one number.
+        const bool isThere = found != m_link->signals().end() && found->count == entry.count && (!isCommand || entry.count == 1);
         if (!isThere || (found->direction == "command") != isCommand) {
             // What the controller publishes is an output without a device.
             if (entry.direction != SignalDirection::Truth && !isPublished(entry.path)) m_missing.push_back(entry.path);
             continue;
         }
-        if (isCommand && entry.count == 1)
-            m_commands.push_back({entry.offset, found->offset, entry.path, m_link->values()[found->offset]});
+        if (isCommand) m_commands.push_back({entry.offset, found->offset, entry.path, m_link->values()[found->offset]});
         if (isCommand) continue;
         m_read.push_back({entry.offset, found->offset, entry.count});
         if (entry.path == robot + "/pose") m_pose = &entry;

@@ -11,7 +11,7 @@ struct SensorRing {
 };
 
 /// The body that a path names, is in, or is that of: of a robot, piece of scenery or config the first one. Fails, with the reason, if
-/// there is none.
+/// it has no body.
 [[nodiscard]] Result<std::string> bodyForSensors(const LoadedProject& loaded, const std::string& path);
 /// Around what collides of a body, at half its height; the default where the body has no instance in the experiment.
 [[nodiscard]] SensorRing proposedRing(const LoadedProject& loaded, const std::string& body);

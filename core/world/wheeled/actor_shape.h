@@ -80,7 +80,7 @@ struct NotWheeled {
 class GroundSearch {
 public:
     void add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose);
-    /// The highest below a place that can carry an actor whose lowest point is at `bottom`; nothing where there is none.
+    /// The highest below a place that can carry an actor whose lowest point is at `bottom`; empty where nothing can.
     [[nodiscard]] std::optional<LevelGround> under(double bottom, const Vec2& place) const;
 
 private:

@@ -19,7 +19,7 @@ typedef struct TrundleLight {
     uint32_t type, shadows;
 } TrundleLight;
 
-/* How a lamp shines. Along a way at the angle a from its axis its light is light * cos(a)^exponent, and there is none behind it; with an
+/* How a lamp shines. Along a way at the angle a from its axis its light is light * cos(a)^exponent, and nothing behind it; with an
  * exponent of 0 it is the same all around. */
 typedef struct TrundleBeam {
     double axis[3];  /* unit vector: in the world frame, of `emitBeam` in that of the body */
