@@ -143,7 +143,7 @@ void ServeCommand::printWarnings() {
     if (!m_run.exists()) return;
     const std::vector<Diagnostic>& warnings = m_run.runner().warnings();
     for (; m_warned < warnings.size(); ++m_warned) {
-        if (m_arguments.descriptor < 0) printDiagnostics({warnings[m_warned]}, m_run.sources());
+        if (m_arguments.descriptor < 0) printDiagnostics({warnings[m_warned]}, m_run.built().sources);
         m_server->addLine(m_run.world().time(), {}, 2, warnings[m_warned].message);
     }
 }
@@ -189,7 +189,7 @@ bool ServeCommand::announce() {
 /// Why there is nothing to serve, in text or, for a client that is connected already, as an event.
 void ServeCommand::reportFailedStart() {
     if (m_arguments.descriptor < 0) {
-        printDiagnostics(m_run.problems(), m_run.sources());
+        printDiagnostics(m_run.built().problems, m_run.built().sources);
         writeMessage(cleanLine(m_arguments.file) + ": not served\n");
         return;
     }
@@ -202,11 +202,11 @@ ExitCode ServeCommand::go() {
     m_guard.emplace(GuardOptions{m_calls, "run", true, false}); // module code runs from here on
     if (!m_run.reset()) {
         reportFailedStart();
-        for (const Diagnostic& problem : m_run.problems())
+        for (const Diagnostic& problem : m_run.built().problems)
             if (problem.severity == Severity::Error) return m_loaded || problem.range.known() ? exitCodeFor(problem.code) : kExitUsage;
         return kExitText;
     }
-    if (m_arguments.descriptor < 0) printDiagnostics(m_run.problems(), m_run.sources());
+    if (m_arguments.descriptor < 0) printDiagnostics(m_run.built().problems, m_run.built().sources);
     if (!announce()) return kExitUsage;
     if (m_arguments.freeRun) m_run.run(m_arguments.speed);
     auto maintained = std::chrono::steady_clock::now();

@@ -96,6 +96,8 @@ void HostWorker::handle(HostRequest request, WireReader& in) {
     case HostRequest::Set: return set(in);
     case HostRequest::Stop: return stop(in.number<std::uint32_t>());
     case HostRequest::Unload: return unload();
+    case HostRequest::SaveState: return saveState(in.number<std::uint32_t>());
+    case HostRequest::LoadState: return loadState(in);
     }
 }
 
@@ -181,6 +183,25 @@ void HostWorker::set(WireReader& in) {
     enter(HostPhase::Set, number);
     const MonitoredCall call(*m_calls, found->second.target, "set");
     done(found->second.instance->set(property, in.value()));
+}
+
+void HostWorker::saveState(std::uint32_t number) {
+    const auto found = m_controllers.find(number);
+    if (found == m_controllers.end() || !found->second.instance) return done({});
+    enter(HostPhase::SaveState, number);
+    const MonitoredCall call(*m_calls, found->second.target, "saveState");
+    const Result<std::string> state = found->second.instance->saveState();
+    if (!state) return done(state.error());
+    done({}, state.value());
+}
+
+void HostWorker::loadState(WireReader& in) {
+    const auto number = in.number<std::uint32_t>();
+    const auto found = m_controllers.find(number);
+    if (found == m_controllers.end() || !found->second.instance) return done(Error{Code::Internal, "no such controller"});
+    enter(HostPhase::LoadState, number);
+    const MonitoredCall call(*m_calls, found->second.target, "loadState");
+    done(found->second.instance->loadState(in.bytes()));
 }
 
 void HostWorker::stop(std::uint32_t number) {

@@ -43,6 +43,8 @@ private:
     void start(WireReader& in);
     void update(WireReader& in);
     void set(WireReader& in);
+    void saveState(std::uint32_t number);
+    void loadState(WireReader& in);
     void stop(std::uint32_t number);
     void unload();
     void done(const Status& status, std::string_view more = {});

@@ -23,7 +23,6 @@ public:
     Result<std::string> encode(const CameraImage& frame, const std::string& camera, const std::string& fileName) override {
         return m_source->encode(frame, camera, fileName);
     }
-    std::string objectName(std::uint32_t object) const override { return m_source->objectName(object); }
 
 private:
     DynamicLibrary m_library; // destroyed last

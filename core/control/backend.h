@@ -67,6 +67,10 @@ public:
     /// Sets a live field of the controller.
     [[nodiscard]] virtual Status set(const std::string& property, const PropertyValue& value) = 0;
     virtual void stop() = 0;
+    /// What the controller's code saves for a later version of itself; empty: nothing.
+    [[nodiscard]] virtual Result<std::string> saveState() { return std::string(); }
+    /// After start(): hands that over.
+    [[nodiscard]] virtual Status loadState(std::string_view) { return {}; }
     /// Loads the module again, in a new process that replaces the old one; start() then starts the controller there. The first
     /// call with this `request` does it for all controllers of the process. Fails, and changes nothing, if the module cannot be
     /// loaded or has other properties or published values than those of this run.

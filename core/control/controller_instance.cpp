@@ -2,6 +2,7 @@
 #include "control/controller_instance.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -16,6 +17,13 @@ namespace {
 
 /// Random numbers drawn in setup must differ from those of tick 0.
 constexpr std::uint64_t kSetupTick = std::numeric_limits<std::uint64_t>::max();
+
+constexpr std::size_t kMostState = 64u << 20; // bytes
+
+/// Modules that are built for an older interface have shorter tables.
+bool savesState(const TrundleKind& code) {
+    return code.size >= offsetof(TrundleKind, loadState) + sizeof code.loadState && code.saveState && code.loadState;
+}
 
 Status noPictures() { return Error{Code::NoGraphics, "this run takes no pictures"}; }
 
@@ -78,6 +86,23 @@ Status ControllerInstance::tick(std::uint64_t tick, double time, double sinceLas
 
 Status ControllerInstance::set(const std::string& property, const PropertyValue& value) {
     return setLive(m_code, m_instance, "the controller of " + m_robot.name, property, value);
+}
+
+Result<std::string> ControllerInstance::saveState() {
+    std::string state;
+    if (!m_instance || !savesState(m_code)) return state;
+    const auto write = [](void* to, const char* bytes, std::uint64_t count) {
+        if (bytes) static_cast<std::string*>(to)->assign(bytes, count);
+    };
+    if (m_code.saveState(m_instance, write, &state) != 0) return failed("failed in saveState", m_code.lastError(m_instance));
+    if (state.size() > kMostState) return failed("saved more than 64 MiB of state", nullptr);
+    return state;
+}
+
+Status ControllerInstance::loadState(std::string_view state) {
+    if (!m_instance || !savesState(m_code)) return {};
+    if (m_code.loadState(m_instance, state.data(), state.size()) == 0) return {};
+    return failed("failed in loadState", m_code.lastError(m_instance));
 }
 
 void ControllerInstance::stop() {

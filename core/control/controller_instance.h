@@ -30,6 +30,8 @@ public:
     [[nodiscard]] Status start(const SignalLayout& layout, SlotImages images, ControllerOutputs outputs);
     [[nodiscard]] Status tick(std::uint64_t tick, double time, double sinceLast);
     [[nodiscard]] Status set(const std::string& property, const PropertyValue& value);
+    [[nodiscard]] Result<std::string> saveState();
+    [[nodiscard]] Status loadState(std::string_view state);
     void stop();
 
     /// Whether the error of the last tick() came from fail(): the controller asked for the end of the run. Otherwise it threw.

@@ -94,9 +94,10 @@ bool hasFunctions(const TrundleKind& kind) {
 
 /// Size of a kind built before ABI 1.1, without the alternatives.
 constexpr std::size_t kSizeWithoutAlternatives = offsetof(TrundleKind, alternatives);
+constexpr std::size_t kSizeWithAlternatives = offsetof(TrundleKind, saveState);
 
 bool copyAlternatives(const TrundleKind& from, Kind& to) {
-    if (from.size < sizeof(TrundleKind)) return true;
+    if (from.size < kSizeWithAlternatives) return true;
     if (from.alternativesCount > kMaxFields || (from.alternativesCount > 0 && !from.alternatives)) return false;
     bool ok = true;
     for (std::uint32_t i = 0; i < from.alternativesCount; ++i) {

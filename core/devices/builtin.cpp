@@ -12,6 +12,7 @@
 #include "devices/compass.h"
 #include "devices/differential_drive.h"
 #include "devices/encoder.h"
+#include "devices/force_sensor.h"
 #include "devices/gps.h"
 #include "devices/gripper.h"
 #include "devices/ground_sensor.h"
@@ -61,6 +62,7 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<AckermannDrive>(), "AckermannDrive");
     visit(std::type_identity<Led>(), "Led");
     visit(std::type_identity<Charger>(), "Charger");
+    visit(std::type_identity<ForceSensor>(), "ForceSensor");
 }
 
 } // namespace

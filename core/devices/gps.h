@@ -18,7 +18,8 @@ private:
 
     std::vector<double> m_noise{0};                                      ///< m
     double m_velocityNoise = 0, m_correlationTime = 0, m_resolution = 0; ///< m/s, s, m
-    double m_dropouts = 0;
+    double m_dropouts = 0, m_minSky = 0;
+    [[nodiscard]] bool seesSky(Sensing& world, const Vec3& antenna) const;
 
     bool m_hasError = false; ///< drawn once
     Vec3 m_error = Vec3::Zero();

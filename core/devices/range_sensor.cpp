@@ -60,33 +60,41 @@ void RangeSensor::begin(Mount& mount) {
     m_rays.resize(m_directions.size());
     m_distances.resize(m_directions.size());
     m_normals.resize(m_directions.size());
-    const double nothing[] = {m_maxRange, m_maxRange};
+    m_geoms.resize(m_directions.size());
+    const double nothing[] = {m_maxRange, m_maxRange, 0};
     publish(nothing, -1);
 }
 
-/// Its reading: the range, and the true distance of the nearest surface.
+/// Its reading: the range, and the true distance of the nearest surface with the number of its object.
 void RangeSensor::measure(Sensing& world, std::vector<double>& reading) {
     const Pose eye = pose(world);
     for (std::size_t i = 0; i < m_rays.size(); ++i) m_rays[i] = {eye.position, eye.rotation * m_directions[i], m_maxRange};
     std::ranges::fill(m_distances, m_maxRange);
-    world.castRays(m_rays, {m_distances, {}, m_normals});
+    world.castRays(m_rays, {m_distances, m_geoms, m_normals});
     double nearest = m_maxRange, echo = m_maxRange;
+    GeomId seen;
     for (std::size_t i = 0; i < m_rays.size(); ++i) {
         const double distance = m_distances[i];
-        nearest = std::min(nearest, distance);
+        if (distance < nearest) {
+            nearest = distance;
+            seen = m_geoms[i];
+        }
         if (m_isUltrasonic) {
             const double cosine = std::abs(m_normals[i].dot(m_rays[i].direction));
             if (distance < m_minRange || cosine < std::cos(m_maxIncidence) - 1e-12) continue;
         }
         echo = std::min(echo, distance);
     }
-    reading = {apply(echo, m_minRange, m_maxRange, world, 0), nearest};
+    TrundleGeomInfo info;
+    const double number = seen && world.geomInfo(seen, info) ? info.object : 0;
+    reading = {apply(echo, m_minRange, m_maxRange, world, 0), nearest, number};
 }
 
 void RangeSensor::publish(std::span<const double> reading, double measured) {
     range.set(reading[0]);
     voltage.set(m_isUltrasonic ? 0 : voltageAt(reading[0]));
     trueRange.set(reading[1]);
+    object.set(static_cast<std::int64_t>(reading[2]));
     time.set(measured);
 }
 

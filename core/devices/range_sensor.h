@@ -30,6 +30,7 @@ private:
     std::vector<Ray> m_rays;        ///< the same in the world
     std::vector<double> m_distances;
     std::vector<Vec3> m_normals;
+    std::vector<GeomId> m_geoms;
 };
 
 /// Unit vectors in a cone about x, evenly in rings from the axis to the edge; one for a cone without width. `coneAngle` is the

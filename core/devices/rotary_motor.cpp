@@ -7,6 +7,7 @@
 namespace trundle {
 namespace {
 
+constexpr double kStiff = 1e-6;   // of a motor's softness: a servo that turns freely
 constexpr double kReached = 1e-3; // of the no-load rate: a servo that is farther off its rate has no more torque
 
 } // namespace
@@ -54,6 +55,8 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     steps.type = TRUNDLE_INTEGER;
     d.field("PwmSteps", &RotaryMotor::m_pwmSteps, steps,
             "Steps of the driver's duty cycle from 0 to full, 255 for 8 bits; 0: continuous.");
+    d.field("Backlash", &RotaryMotor::m_backlash, degrees().within(0, 90),
+            "Play of the gear, at the joint: on its way from one flank to the other the motor moves nothing.");
     d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
     describeHeat(d);
     RotaryMotorSignals::describe(d);
@@ -88,6 +91,7 @@ void RotaryMotor::setup(Mount& mount) {
         mount.fail("ThermalResistanceWinding and ThermalResistanceHousing are given together or not at all");
     m_thermal = {m_windingResistance, m_housingResistance, m_windingTime, m_housingTime, m_ambient, m_highestTemperature};
     m_heat.start(m_ambient);
+    m_play.start(m_backlash);
     m_joint = mount.joint(m_jointName);
     // At the joint the rotor's inertia is G^2 times as large (energy: J (G w)^2 / 2).
     if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
@@ -121,10 +125,11 @@ void RotaryMotor::actByVoltage(Actuation& world, const Supply& supply, double wa
     m_beyond = wanted != clipped || (supply.present && std::abs(clipped) > supply.nominal);
     const double switched = m_driver.voltageOf(clipped, supply.present ? supply.nominal : m_motor.maxVoltage);
     const double driven = supply.driven(switched, m_motor.maxVoltage); // 0 of an empty battery: the motor brakes
-    if (m_losses.any()) {
+    if (m_losses.any() || m_play.exists()) {
         const VoltageConstraint ideal = voltageConstraint(m_motor.withEfficiency(1), driven, current.get(), world.tick());
         const double turning = world.jointRate(m_joint), limit = torqueLimit() / m_now.efficiency;
         const double driving = std::clamp((ideal.rate - turning) / ideal.softness, -limit, limit);
+        if (actInPlay(world, m_play.reaches(driving), {ideal.rate, ideal.softness, limit})) return;
         setLosses(driving, turning);
     } else setLosses(0, 0);
     const VoltageConstraint row = voltageConstraint(m_now, driven, current.get(), world.tick());
@@ -146,6 +151,10 @@ void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
         world.warn(text);
     }
     JointDrive drive{std::clamp(wanted, -possible, possible), 0, now.stallTorque(), now.damping()};
+    const double error = drive.rate - turning, slack = kReached * m_motor.noLoadRate();
+    if (actInPlay(world, m_play.reaches(error, slack, world.jointMotorEffort(m_joint)),
+                  {drive.rate, kStiff / drive.damping, drive.limit}))
+        return;
     if (const double most = torqueLimit(); most < drive.limit) {
         // Either the voltage or the driver's current is the limit at this rate.
         const double reserve = drive.limit - drive.damping * std::abs(turning);
@@ -153,6 +162,20 @@ void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
         drive.damping = reserve < most ? (most - reserve) / std::abs(turning) : 0;
     }
     apply(world, drive);
+}
+
+bool RotaryMotor::actInPlay(Actuation& world, bool reaches, const GearPlay::Free& wanted) {
+    if (m_momentum != 0) world.jointTorque(m_joint, m_momentum / world.tick());
+    m_momentum = 0;
+    if (reaches) return false;
+    GearPlay::Free free = wanted;
+    free.inertia = m_gearRatio * m_gearRatio * m_rotorInertia;
+    free.dryFriction = m_losses.dry;
+    free.viscousFriction = m_losses.viscous;
+    m_freeTorque = m_play.turn(free, world.jointRate(m_joint), world.tick());
+    m_line = {m_motor.efficiency};
+    world.motorRow(m_joint, 0, 1, 0);
+    return true;
 }
 
 /// `torque`: of the motor with an ideal gear, at the joint.
@@ -185,10 +208,13 @@ bool RotaryMotor::isLimited() const {
 
 void RotaryMotor::sense(Sensing& world) {
     const double effort = world.jointMotorEffort(m_joint), turning = world.jointRate(m_joint);
-    const double amperes = effort / m_now.torquePerAmpere(), change = (amperes - current.get()) / world.tick();
+    const bool isFree = m_play.isFree();
+    const double amperes = isFree ? m_freeTorque / m_motor.withEfficiency(1).torquePerAmpere() : effort / m_now.torquePerAmpere();
+    const double change = (amperes - current.get()) / world.tick(), ownRate = isFree ? m_play.rate() : turning;
     terminalVoltage.set(m_motor.resistance * amperes + m_motor.inductance * change +
-                        m_motor.gearRatio * turning / m_motor.speedConstant);
-    torque.set(m_losses.any() ? effort + m_line.offset + world.jointFrictionEffort(m_joint) : effort);
+                        m_motor.gearRatio * ownRate / m_motor.speedConstant);
+    m_momentum = m_play.follow(turning, world.tick());
+    torque.set(m_losses.any() && !isFree ? effort + m_line.offset + world.jointFrictionEffort(m_joint) : effort);
     current.set(amperes);
     rate.set(turning);
     drawPower(world);

@@ -4,6 +4,7 @@
 #include <trundle/device.h>
 #include <trundle/device_signals.h>
 
+#include "devices/gear_play.h"
 #include "devices/motor_driver.h"
 #include "devices/motor_losses.h"
 #include "devices/winding_heat.h"
@@ -59,6 +60,8 @@ private:
     void takeLiveConstants();
     void actByVoltage(Actuation& world, const Supply& supply, double wanted);
     void actAsServo(Actuation& world, const Supply& supply);
+    /// Lets the motor turn on its own, if what it does now does not reach the joint. `wanted`: its constraint with an ideal gear.
+    bool actInPlay(Actuation& world, bool reaches, const GearPlay::Free& wanted);
     void setLosses(double torque, double rate);
     void apply(Actuation& world, const JointDrive& drive);
     [[nodiscard]] double torqueLimit() const;
@@ -75,7 +78,7 @@ private:
     double m_windingResistance = 0, m_housingResistance = 0, m_windingTime = 10, m_housingTime = 600, m_ambient = 25;
     std::optional<double> m_highestTemperature;
     std::optional<double> m_backdrivingEfficiency, m_currentLimit;
-    double m_deadBand = 0;
+    double m_deadBand = 0, m_backlash = 0;
     int m_pwmSteps = 0;
     std::optional<double> m_speedConstant, m_backEmfConstant;
 
@@ -83,7 +86,10 @@ private:
     MotorConstants m_now; ///< in this tick, with the losses at its state
     LossLine m_line;
     WindingHeat m_heat;
-    bool m_beyond = false;                   ///< the command, MaxVoltage
+    GearPlay m_play;
+    double m_freeTorque = 0; ///< N m at the joint with an ideal gear, of the motor while it turns within the play
+    double m_momentum = 0;   ///< N m s, that it brings to the joint where the play ends
+    bool m_beyond = false;   ///< the command, MaxVoltage
     bool m_reported = false;
 };
 

@@ -11,7 +11,10 @@ constexpr double kLateShare = 1e-3; // of MaxSpeed: a joint that is farther off 
 
 } // namespace
 
-void JointServo::setup(Mount& mount) { m_joint = mount.joint(m_jointName); }
+void JointServo::setup(Mount& mount) {
+    m_joint = mount.joint(m_jointName);
+    m_play.start(m_backlash);
+}
 
 /// In Mode=position the rate is proportional to the way to go, so that the way shrinks by 63 % in each TimeConstant.
 void JointServo::act(Actuation& world) {
@@ -20,6 +23,11 @@ void JointServo::act(Actuation& world) {
     if (m_mode == "position") m_rate = (m_target - world.jointPosition(m_joint)) / std::max(m_timeConstant, double(world.tick()));
     const double share = shareOf(world.supply());
     m_rate = std::clamp(m_rate, -m_maxSpeed * share, m_maxSpeed * share);
+    const double moving = world.jointRate(m_joint);
+    if (!m_play.reaches(m_rate - moving, kLateShare * m_maxSpeed, world.jointMotorEffort(m_joint))) {
+        m_play.turn({m_rate}, moving, world.tick());
+        return world.motorRow(m_joint, 0, 1, 0);
+    }
     world.servoRow(m_joint, m_rate, m_maxEffort * share, m_maxEffort / m_maxSpeed);
 }
 
@@ -38,6 +46,7 @@ void JointServo::drawPower(Sensing& world, double rate, double effort) const {
 
 void JointServo::sense(Sensing& world) {
     const double rate = world.jointRate(m_joint);
+    m_play.follow(rate, world.tick());
     const bool tooFast = m_mode == "speed" && std::abs(m_target) > m_maxSpeed * (1 + 1e-9);
     const bool isLate = world.time() > 0 && std::abs(m_rate - rate) > kLateShare * m_maxSpeed;
     const double effort = world.jointMotorEffort(m_joint);
@@ -54,6 +63,7 @@ void Servo::describe(Describe<Servo>& d) {
     d.field("MaxSpeed", &Servo::m_maxSpeed, radiansPerSecond().within(1e-6, 1e6).required().live(), "Without load.");
     d.field("TimeConstant", &Servo::m_timeConstant, seconds().within(0, 1e3).live(),
             "In Mode=position the way to go shrinks by 63 % in this time; 0: in one tick.");
+    d.field("Backlash", &Servo::m_backlash, degrees().within(0, 90), "Play of its gear, at the joint.");
     ServoSignals::describe(d);
 }
 
@@ -73,6 +83,7 @@ void LinearMotor::describe(Describe<LinearMotor>& d) {
     d.field("MaxSpeed", &LinearMotor::m_maxSpeed, metresPerSecond().within(1e-6, 1e6).required().live(), "Without load.");
     d.field("TimeConstant", &LinearMotor::m_timeConstant, seconds().within(0, 1e3).live(),
             "In Mode=position the way to go shrinks by 63 % in this time; 0: in one tick.");
+    d.field("Backlash", &LinearMotor::m_backlash, metres().within(0, 10), "Play of its gear or spindle.");
     LinearMotorSignals::describe(d);
 }
 

@@ -2,6 +2,8 @@
 #include <trundle/device.h>
 #include <trundle/device_signals.h>
 
+#include "devices/gear_play.h"
+
 namespace trundle {
 
 /// Moves a joint to a position, or keeps it at a rate, by a controller of its own. As a motor with a gear, its torque or force falls from
@@ -20,6 +22,7 @@ protected:
     std::string m_jointName, m_mode = "position";
     double m_maxEffort = 0, m_maxSpeed = 0; ///< N m or N; rad/s or m/s
     double m_timeConstant = 0.05;           ///< s
+    double m_backlash = 0;                  ///< rad or m
 
 private:
     [[nodiscard]] static double shareOf(const Supply& supply);
@@ -27,6 +30,7 @@ private:
 
     JointId m_joint;
     double m_target = 0, m_rate = 0; ///< of this tick
+    GearPlay m_play;
 };
 
 class Servo final : public JointServo, public ServoSignals {

@@ -115,9 +115,10 @@ Reply RunOperations::reset() {
     std::optional<std::uint64_t> seed;
     if (m_arguments.has("seed")) seed = m_arguments.count("seed", kLargestSeed);
     if (auto wrong = m_request.mistake()) return *wrong;
+    if (m_run.isPacedElsewhere()) return Reply::failed("refused", "the run is one of a window, which resets it");
     const bool built = m_run.reset(seed);
     Reply reply = built ? Reply{statusOf(m_run), {}, {}, {}, false} : Reply::failed("failed", "the experiment could not be built");
-    reply.members["diagnostics"] = problemsJson(m_run.problems(), m_run.sources());
+    reply.members["diagnostics"] = problemsJson(m_run.built().problems, m_run.built().sources);
     return reply;
 }
 

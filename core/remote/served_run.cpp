@@ -22,6 +22,17 @@ Error noRun() { return {Code::SystemRefused, "there is no run; reset it"}; }
 
 } // namespace
 
+ServedRun::ServedRun(Runner& runner) : m_state(ServedState::Paused) {
+    m_built.runner = {std::shared_ptr<void>(), &runner}; // owned elsewhere
+    if (runner.finished()) m_state = ServedState::Ended;
+}
+
+void ServedRun::follow(bool running, double speed) {
+    if (m_state == ServedState::Ended) return;
+    m_state = running ? ServedState::Running : ServedState::Paused;
+    m_speed = speed;
+}
+
 bool ServedRun::reset(std::optional<std::uint64_t> seed) {
     m_built.runner.reset(); // its logs are closed before the next one opens them
     m_commands.clear();
@@ -55,11 +66,12 @@ std::string ServedRun::endReason() const {
     return {};
 }
 
-void ServedRun::tick() {
-    if (m_state == ServedState::Ended) return;
+void ServedRun::beginTick() {
     for (auto& [key, command] : m_commands) runner().command(std::move(command));
     m_commands.clear();
-    const bool good = runner().tick().ok();
+}
+
+void ServedRun::endTick(bool good) {
     m_atDuration = false;
     if (!good || runner().finished()) m_state = ServedState::Ended;
     if (m_state != ServedState::Running || m_durationTicks == 0 || world().ticks() != m_durationTicks) return;

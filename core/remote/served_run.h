@@ -20,7 +20,7 @@ namespace trundle {
 
 /// What was built from a text, or why it was not.
 struct ServedExperiment {
-    std::unique_ptr<Runner> runner; ///< null: see the problems
+    std::shared_ptr<Runner> runner; ///< null: see the problems
     SourceTable sources;            ///< of the problems, and of the run's diagnostics
     std::vector<Diagnostic> problems;
 };
@@ -33,11 +33,15 @@ enum class ServedState { Paused, Running, Ended };
 class ServedRun {
 public:
     explicit ServedRun(ExperimentMaker maker) : m_maker(std::move(maker)) {}
+    /// A run that is paced elsewhere, and outlives this object: it is not reset, and ticks come from beginTick() and endTick().
+    explicit ServedRun(Runner& runner);
+    [[nodiscard]] bool isPacedElsewhere() const { return !m_maker; }
+    /// Of such a run: what it does now.
+    void follow(bool running, double speed);
 
-    /// Builds the experiment again. False, with problems(), if that fails; there is no run then.
+    /// Builds the experiment again. False, with problems in built(), if that fails; there is no run then.
     bool reset(std::optional<std::uint64_t> seed = {});
-    [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_built.problems; }
-    [[nodiscard]] const SourceTable& sources() const { return m_built.sources; }
+    [[nodiscard]] const ServedExperiment& built() const { return m_built; }
 
     [[nodiscard]] bool exists() const { return m_built.runner != nullptr; }
     [[nodiscard]] Runner& runner() { return *m_built.runner; } ///< only if it exists
@@ -51,8 +55,10 @@ public:
     [[nodiscard]] std::string endReason() const;
     [[nodiscard]] const Diagnostic* failure() const { return exists() ? m_built.runner->failure() : nullptr; }
 
-    /// One tick, with the commands that came before it. At the text's Duration a running one pauses, once.
-    void tick();
+    /// Before a tick: passes on the commands for it.
+    void beginTick();
+    /// At the text's Duration a running one pauses, once.
+    void endTick(bool good);
     /// It has just paused at the text's Duration.
     [[nodiscard]] bool isAtDuration() const { return m_atDuration; }
 

@@ -66,7 +66,7 @@ void RemoteServer::adopt(Socket socket) {
 }
 
 void RemoteServer::fail() {
-    const Json event{{"event", "failed"}, {"diagnostics", problemsJson(m_run.problems(), m_run.sources())}};
+    const Json event{{"event", "failed"}, {"diagnostics", problemsJson(m_run.built().problems, m_run.built().sources)}};
     for (const auto& connection : m_connections) {
         connection->client.send(event);
         send(*connection);
@@ -74,10 +74,9 @@ void RemoteServer::fail() {
 }
 
 void RemoteServer::serve(std::chrono::milliseconds longest) {
-    exchange(timeToWait(longest));
+    exchange(m_run.isPacedElsewhere() ? std::chrono::nanoseconds(0) : timeToWait(longest));
     answerAll();
-    const Clock::time_point now = Clock::now();
-    if (isStepping() || isTickDue(now)) tick();
+    if (!m_run.isPacedElsewhere() && (isStepping() || isTickDue(Clock::now()))) tick();
     finishSteps();
     announce();
     for (const auto& connection : m_connections) {
@@ -213,18 +212,53 @@ Reply RemoteServer::hello(RemoteClient& client, Arguments& arguments) {
 }
 
 void RemoteServer::tick() {
-    if (m_run.state() == ServedState::Paused) { // of several steps one is executed after the other
-        for (std::size_t i = 0; i < m_connections.size(); ++i) {
-            RemoteClient& client = m_connections[(m_next + i) % m_connections.size()]->client;
-            if (!client.step) continue;
-            m_next = (m_next + i) % m_connections.size();
-            if (client.step->done >= client.step->ticks) return;
-            ++client.step->done;
-            break;
-        }
-    }
-    m_run.tick();
+    if (!countStep()) return;
+    m_run.beginTick();
     m_pace.ticked();
+    afterTick(m_run.runner().tick().ok());
+}
+
+void RemoteServer::beforeTick() {
+    (void)countStep();
+    m_run.beginTick();
+}
+
+void RemoteServer::afterTick(bool good) {
+    m_run.endTick(good);
+    publishTick();
+}
+
+std::uint64_t RemoteServer::wantedTicks() const {
+    std::uint64_t most = 0;
+    for (const auto& each : m_connections)
+        if (const auto& step = each->client.step) most = std::max(most, step->ticks - step->done);
+    return most;
+}
+
+void RemoteServer::close() {
+    m_run.endTick(false);
+    finishSteps();
+    announce();
+    for (const auto& connection : m_connections) send(*connection);
+    m_connections.clear();
+    m_listener.close();
+}
+
+/// Of several steps one is executed after the other. False: it was one of no ticks.
+bool RemoteServer::countStep() {
+    if (m_run.state() != ServedState::Paused) return true;
+    for (std::size_t i = 0; i < m_connections.size(); ++i) {
+        RemoteClient& client = m_connections[(m_next + i) % m_connections.size()]->client;
+        if (!client.step) continue;
+        m_next = (m_next + i) % m_connections.size();
+        if (client.step->done >= client.step->ticks) return false;
+        ++client.step->done;
+        return true;
+    }
+    return true;
+}
+
+void RemoteServer::publishTick() {
     for (const auto& connection : m_connections) publish(connection->client);
 }
 

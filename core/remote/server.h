@@ -34,6 +34,13 @@ public:
 
     /// One round: handles what clients sent, runs at most one tick, and sends. Waits at most `longest` if there is nothing to do.
     void serve(std::chrono::milliseconds longest);
+    // Of a run that is paced elsewhere, around its ticks.
+    void beforeTick();
+    void afterTick(bool good);
+    /// Ticks that clients ask of a paused run.
+    [[nodiscard]] std::uint64_t wantedTicks() const;
+    /// Ends all connections, after the news that the run is over.
+    void close();
     /// Sends the problems of the build to the adopted client, as there is nothing to serve.
     void fail();
     /// The adopted client has gone.
@@ -63,6 +70,8 @@ private:
     void answer(RemoteClient& client, const Frame& frame);
     [[nodiscard]] Reply hello(RemoteClient& client, Arguments& arguments);
     void tick();
+    bool countStep();
+    void publishTick();
     void publish(RemoteClient& client);
     void publish(RemoteClient& client, std::uint32_t number, Subscription& subscription);
     void publishLate(RemoteClient& client);

@@ -8,7 +8,7 @@ namespace trundle {
 
 CameraImageRenderer::CameraImageRenderer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout,
                                          ImageSourceRequest imageRequest)
-    : m_experiment(std::move(experiment)), m_reader(*m_experiment, layout), m_objects(objectNames(*m_experiment)),
+    : m_experiment(std::move(experiment)), m_reader(*m_experiment, layout),
       m_imageRequest(std::move(imageRequest)) {
     for (CameraModel& model : camerasOf(*m_experiment)) {
         std::optional<LensMap> lens = lensMapOf(model);
@@ -155,10 +155,6 @@ Result<std::string> CameraImageRenderer::encode(const CameraImage& frame, const 
     Result<std::string> bytes = imageBytes(image, fileName);
     if (!bytes) return bytes;
     return withMetadata(std::move(bytes).value(), note);
-}
-
-std::string CameraImageRenderer::objectName(std::uint32_t object) const {
-    return object < m_objects.size() ? m_objects[object] : std::string();
 }
 
 } // namespace trundle

@@ -33,7 +33,6 @@ public:
                                            const SignalBlock& block) override;
     [[nodiscard]] Result<std::string> encode(const CameraImage& frame, const std::string& camera,
                                              const std::string& fileName) override;
-    [[nodiscard]] std::string objectName(std::uint32_t object) const override;
 
     /// The image that capture() would give for these poses; `mode` overrides the camera's own.
     [[nodiscard]] Result<CameraImage> capture(const std::string& camera, const ImageTime& moment,
@@ -58,7 +57,6 @@ private:
     std::shared_ptr<const ExperimentSpec> m_experiment;
     PoseReader m_reader;
     std::map<std::string, Camera> m_cameras;
-    std::vector<std::string> m_objects;
     ImageSourceRequest m_imageRequest; // for its own service
     std::unique_ptr<RenderService> m_own;
     RenderService* m_service = nullptr;

@@ -82,9 +82,4 @@ Result<std::string> CameraCapture::viewFile(const std::string& name, std::uint32
     return m_source->encode(frame.value(), "", fileName);
 }
 
-std::string CameraCapture::objectName(std::uint32_t object) {
-    const Result<ImageSource*> source = this->source();
-    return source ? source.value()->objectName(object) : std::string();
-}
-
 } // namespace trundle

@@ -34,7 +34,6 @@ public:
     /// The image of view(), encoded as a file.
     [[nodiscard]] Result<std::string> viewFile(const std::string& name, std::uint32_t width, std::uint32_t height,
                                                const std::string& fileName);
-    [[nodiscard]] std::string objectName(std::uint32_t object);
     /// The newest image of each camera that was captured so far.
     [[nodiscard]] const RunImages& images() const { return m_taken; }
 

@@ -15,14 +15,8 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMaxControllerErrors = 20; // equal errors of several robots count once
 constexpr std::size_t kMaxControllerLogs = 1000;
 constexpr std::size_t kLongestReason = 1000; // bytes
-
-CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
-    const std::string& kind = robot.controller->kind;
-    return {"the controller " + kind + " of " + robot.name, robot.name, kind, {}, static_cast<std::uint32_t>(index)};
-}
 
 /// The number of a log that a controller opens; -1: refused, with a message.
 int openControllerLog(LogFolder& folder, std::vector<LogFile*>& logs, const std::string& fileName,
@@ -47,25 +41,19 @@ std::vector<std::string> writtenFiles(const LogFolder& folder) {
     return paths;
 }
 
-Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, SourceRange range) {
-    return {severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, range, {}, {}, {}};
-}
-
 std::string droppedText(std::size_t lines) {
     return codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) + (lines == 1 ? " line dropped" : " lines dropped");
-}
-
-std::string slowText(const RobotSpec& robot, double seconds, double budget) {
-    return "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
-           " ms; its Budget is " + numberText(1e3 * budget) + " ms";
 }
 
 } // namespace
 
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
     : m_options(std::move(options)), m_world(std::move(world)), m_cameras(*m_world, m_options.pictures),
-      m_folder(m_options.logFolder), m_reportsDropped(1, m_world->experiment().settings.tick) {
-    if (!m_options.calls) m_options.calls = std::make_shared<CallMonitor>();
+      m_folder(m_options.logFolder),
+      m_controllers({*m_world, *m_options.calls, m_warnings, [this](const RobotSpec& robot) { return outputsFor(robot); },
+                     [this](const std::string& who, int severity, const std::string& text) { say(who, severity, text); },
+                     m_options.measuresControllers}),
+      m_reportsDropped(1, m_world->experiment().settings.tick) {
     (void)m_reportsDropped.due(0);
     m_world->setDeviceText(
         [this](const std::string& device, int severity, const std::string& text) { addMessage(device, severity, text); });
@@ -108,28 +96,6 @@ ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot) {
     return outputs;
 }
 
-void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnostics& diagnostics) {
-    std::set<std::string> said;
-    const auto report = [&](const Error& error, const ComponentSpec& spec) {
-        if (said.insert(spec.kind + "\n" + error.message).second) diagnostics.error(error.code, spec.nameRange, error.message);
-    };
-    const std::vector<RobotSpec>& robots = experiment().robots;
-    for (std::size_t i = 0; i < robots.size() && said.size() < kMaxControllerErrors; ++i) {
-        if (!robots[i].controller) continue;
-        const ComponentSpec& spec = *robots[i].controller;
-        Result<std::unique_ptr<ControllerBackend>> backend = backends(robots[i], experiment().settings);
-        if (!backend) {
-            report(backend.error(), spec);
-            continue;
-        }
-        m_controllers.push_back({i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick),
-                                 m_options.calls->add(targetOf(robots[i], i)), spec.number("Budget")});
-        const MonitoredCall call(*m_options.calls, m_controllers.back().target, "setup");
-        const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outputsFor(robots[i]));
-        if (!started) report(started.error(), spec);
-    }
-}
-
 void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
     std::set<std::string> said; // report a folder that cannot be written once, not for each log
     for (const ComponentSpec& spec : experiment().logs) {
@@ -163,179 +129,20 @@ Status ExperimentRunner::apply(const Command& command) {
     if (const auto* push = std::get_if<PushCommand>(&command.what)) return m_world->push(push->body, push->force, push->point);
     if (const auto* place = std::get_if<PlaceCommand>(&command.what)) return m_world->place(place->robot, place->pose);
     if (const auto* signal = std::get_if<SignalCommand>(&command.what)) return setSignal(*m_world, *signal);
-    if (const auto* hold = std::get_if<HoldCommand>(&command.what)) return apply(*hold);
-    if (const auto* restart = std::get_if<RestartCommand>(&command.what)) return apply(*restart);
-    if (const auto* reload = std::get_if<ReloadCommand>(&command.what)) return apply(*reload);
-    if (const auto* stop = std::get_if<StopCommand>(&command.what)) return apply(*stop);
+    if (const auto* hold = std::get_if<HoldCommand>(&command.what)) return m_controllers.apply(*hold);
+    if (const auto* restart = std::get_if<RestartCommand>(&command.what)) return m_controllers.apply(*restart);
+    if (const auto* reload = std::get_if<ReloadCommand>(&command.what)) return m_controllers.apply(*reload);
+    if (const auto* stop = std::get_if<StopCommand>(&command.what)) return m_controllers.apply(*stop);
     if (const auto* surface = std::get_if<SurfaceCommand>(&command.what)) return m_world->setSurface(surface->surface);
-    return apply(std::get<PropertyCommand>(command.what));
-}
-
-ExperimentRunner::Controller* ExperimentRunner::controllerOf(const std::string& robot) {
-    const auto it =
-        std::ranges::find_if(m_controllers, [&](const Controller& c) { return experiment().robots[c.robot].name == robot; });
-    return it == m_controllers.end() ? nullptr : &*it;
-}
-
-/// Ignored for a robot without a controller.
-Status ExperimentRunner::apply(const HoldCommand& hold) {
-    if (Controller* controller = controllerOf(hold.robot)) controller->held = hold.held;
-    return {};
-}
-
-Status ExperimentRunner::apply(const PropertyCommand& command) {
-    const std::size_t slash = command.object.find('/');
-    Controller* controller = controllerOf(command.object.substr(0, slash));
-    const bool meant = controller && slash != std::string::npos &&
-                       experiment().robots[controller->robot].controller->name == command.object.substr(slash + 1);
-    if (meant) {
-        const MonitoredCall call(*m_options.calls, controller->target, "set");
-        return controller->backend->set(command.property, command.value);
-    }
-    return m_world->setProperty(command.object, command.property, command.value);
-}
-
-Status ExperimentRunner::apply(const RestartCommand& restart) {
-    Controller* chosen = controllerOf(restart.robot);
-    if (!chosen) return Error{Code::NoSuchPath, restart.robot + " has no controller"};
-    const ControllerFault* fault = chosen->backend->fault();
-    const std::string process = fault ? fault->process : std::string();
-    for (Controller& controller : m_controllers) {
-        const ControllerFault* other = controller.backend->fault();
-        if (&controller != chosen && (process.empty() || !other || other->process != process)) continue;
-        const RobotSpec& robot = experiment().robots[controller.robot];
-        if (startAgain(controller)) say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was started again");
-    }
-    stopFaulty(); // a crash in setup ends the process of other robots too
-    return {};
-}
-
-Status ExperimentRunner::apply(const StopCommand& stop) {
-    const Controller* controller = controllerOf(stop.robot);
-    if (!controller || isStopped(*controller)) return {};
-    const RobotSpec& robot = experiment().robots[controller->robot];
-    m_stopped.push_back({controller->robot, m_world->time(), {}, true});
-    say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was stopped");
-    setCommandsToZero(*m_world, robot);
-    return {};
-}
-
-/// From its setup, in a new process if the old one has ended.
-bool ExperimentRunner::startAgain(Controller& controller) {
-    std::erase_if(m_stopped, [&](const StoppedController& stopped) { return stopped.robot == controller.robot; });
-    controller.called = controller.slow = false;
-    ++controller.cost.restarts;
-    const RobotSpec& robot = experiment().robots[controller.robot];
-    const MonitoredCall call(*m_options.calls, controller.target, "setup");
-    const Status started = controller.backend->start(m_world->layout(), m_world->block(), outputsFor(robot));
-    if (started || controller.backend->fault()) return started.ok(); // the fault is reported by stopFaulty()
-    m_stopped.push_back({controller.robot, m_world->time(), {started.error().message, {}, {}, true}});
-    say(robot.name, TRUNDLE_ERROR, started.error().message);
-    setCommandsToZero(*m_world, robot);
-    return false;
-}
-
-Status ExperimentRunner::apply(const ReloadCommand& reload) {
-    std::set<std::string> said;
-    for (Controller& controller : m_controllers) {
-        const std::string library = controller.backend->module();
-        if (!reload.module.empty() && library != reload.module) continue;
-        const RobotSpec& robot = experiment().robots[controller.robot];
-        const MonitoredCall call(*m_options.calls, controller.target, "load");
-        if (const Status renewed = controller.backend->renew(m_applied + 1); !renewed) {
-            if (said.insert(robot.controller->kind + renewed.error().message).second)
-                say(robot.name, TRUNDLE_ERROR, "the controller " + robot.controller->kind + " continues with its old code: " + renewed.error().message);
-        } else if (startAgain(controller)) {
-            say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " has the new code of " + library);
-        }
-    }
-    stopFaulty();
-    return {};
+    const auto& value = std::get<PropertyCommand>(command.what);
+    const std::optional<Status> ofController = m_controllers.set(value);
+    return ofController ? *ofController : m_world->setProperty(value.object, value.property, value.value);
 }
 
 void ExperimentRunner::applyCommands() {
     for (; m_applied < m_commands.size(); ++m_applied)
         if (const Status done = apply(m_commands[m_applied]); !done)
             addMessage("", TRUNDLE_ERROR, "command refused: " + done.error().message);
-}
-
-bool ExperimentRunner::isStopped(const Controller& controller) const {
-    return std::ranges::find(m_stopped, controller.robot, &StoppedController::robot) != m_stopped.end();
-}
-
-/// Announces all updates of this tick before the first, so that a host process gets them together.
-void ExperimentRunner::prepareUpdates(std::uint64_t tick, double time) {
-    for (Controller& controller : m_controllers) {
-        controller.due = controller.schedule.due(tick) && !controller.held && !hasEnded(*m_world, controller.robot) &&
-                         !isStopped(controller);
-        if (controller.due) controller.prepare(tick, time);
-    }
-}
-
-Status ExperimentRunner::update(Controller& controller, std::uint64_t tick, double time) {
-    const Status done = controller.update(tick, time, *m_options.calls, m_options.measuresControllers);
-    // Once for each controller. The time depends on the machine, so it goes to the console and affects nothing.
-    const RobotSpec& robot = experiment().robots[controller.robot];
-    if (const auto slow = controller.takeSlow()) say(robot.name, TRUNDLE_WARNING, slowText(robot, *slow, controller.budget));
-    return done;
-}
-
-/// After a fault of one controller: its robot gets commands of 0. Those whose controllers shared its process continue in a new one.
-/// That may have a fault too, but each stops one controller more, so this ends.
-void ExperimentRunner::stopFaulty() {
-    for (bool again = true; std::exchange(again, false);)
-        for (Controller& controller : m_controllers) {
-            const ControllerFault* fault = controller.backend->fault();
-            if (!fault || isStopped(controller)) continue;
-            again = true;
-            if (!fault->isOwn && !m_finished) {
-                goOnInNewProcess(controller);
-                continue;
-            }
-            reportFault(controller);
-            setCommandsToZero(*m_world, experiment().robots[controller.robot]);
-        }
-}
-
-void ExperimentRunner::goOnInNewProcess(Controller& controller) {
-    const std::string reason = controller.backend->fault()->reason;
-    if (!startAgain(controller)) return;
-    m_warnings.push_back(faultDiagnostic(Severity::Warning, m_world->time(),
-                                         reason + "; it was started again in a new process, without what it had stored",
-                                         experiment().robots[controller.robot].controller->nameRange));
-}
-
-void ExperimentRunner::reportFault(const Controller& controller) {
-    const ControllerFault& fault = *controller.backend->fault();
-    const double time = tickTime(m_world->ticks(), experiment().settings.tick);
-    m_stopped.push_back({controller.robot, time, fault});
-    const SourceRange range = experiment().robots[controller.robot].controller->nameRange;
-    m_warnings.push_back(faultDiagnostic(
-        Severity::Error, time, fault.reason + (m_finished ? "" : "; the run continues without it"), range));
-}
-
-/// At the end of the run; a destructor may have a fault too.
-void ExperimentRunner::stopControllers() {
-    for (Controller& controller : m_controllers) {
-        const MonitoredCall call(*m_options.calls, controller.target, "destructor");
-        controller.backend->stop();
-        const ControllerFault* fault = controller.backend->fault();
-        if (fault && fault->isOwn && !isStopped(controller)) reportFault(controller);
-    }
-}
-
-Status ExperimentRunner::think() {
-    const std::uint64_t tick = m_world->ticks();
-    const double time = m_world->time();
-    prepareUpdates(tick, time);
-    for (Controller& controller : m_controllers)
-        while (controller.due && !isStopped(controller)) { // again if it was started in a new process
-            const Status done = update(controller, tick, time);
-            if (done) break;
-            if (!controller.backend->fault()) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
-            stopFaulty();
-        }
-    return {};
 }
 
 Status ExperimentRunner::writeLogs() {
@@ -358,7 +165,7 @@ Status ExperimentRunner::tick() {
     if (m_failure) return Error{m_failure->code, m_failure->message};
     m_options.calls->recordTicks(m_world->ticks(), m_world->time());
     applyCommands();
-    if (Status done = think(); !done) return done;
+    if (const auto failed = m_controllers.think()) return fail(failed->first, failed->second);
     const Status ticked = m_world->tick();
     m_worldWarnings.update(*m_world, m_warnings);
     if (!ticked) {
@@ -389,18 +196,12 @@ void ExperimentRunner::flushLogs() {
 Status ExperimentRunner::finish() {
     if (m_finished) return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
     m_finished = true;
-    stopControllers();
+    m_controllers.stop();
     reportDropped();
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
     m_folder.settle();
     return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
-}
-
-std::vector<ControllerCost> ExperimentRunner::controllerCosts() const {
-    std::vector<ControllerCost> costs;
-    for (const Controller& controller : m_controllers) costs.push_back(controller.costNow());
-    return costs;
 }
 
 std::vector<std::string> ExperimentRunner::logFiles() const { return writtenFiles(m_folder); }

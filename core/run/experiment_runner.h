@@ -6,11 +6,11 @@
 
 #include "base/clean_text.h"
 #include "run/console_limit.h"
+#include "run/controller_set.h"
 #include "run/logs/log.h"
 #include "run/logs/log_folder.h"
 #include "run/run_pictures.h"
 #include "run/runner.h"
-#include "run/running_controller.h"
 #include "run/schedule.h"
 #include "run/world_warnings.h"
 
@@ -18,11 +18,14 @@ namespace trundle {
 
 class ExperimentRunner final : public Runner {
 public:
+    /// The options have a monitor of calls.
     ExperimentRunner(std::unique_ptr<World> world, RunOptions options);
     ~ExperimentRunner() override { (void)finish(); }
 
     // Steps of create(), in this order. Errors go to `diagnostics`.
-    void startControllers(const BackendFactory& backends, Diagnostics& diagnostics);
+    void startControllers(const BackendFactory& backends, Diagnostics& diagnostics) {
+        m_controllers.start(backends, diagnostics);
+    }
     void openLogs(Diagnostics& diagnostics);
 
     Status tick() override;
@@ -30,8 +33,8 @@ public:
     const std::vector<Command>& commands() const override { return m_commands; }
     const std::vector<Diagnostic>& warnings() const override { return m_warnings; }
     const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
-    const std::vector<StoppedController>& stoppedControllers() const override { return m_stopped; }
-    std::vector<ControllerCost> controllerCosts() const override;
+    const std::vector<StoppedController>& stoppedControllers() const override { return m_controllers.stopped(); }
+    std::vector<ControllerCost> controllerCosts() const override { return m_controllers.costs(); }
     const RunFinish* finished() const override { return m_finish ? &*m_finish : nullptr; }
     void flushLogs() override;
     Status finish() override;
@@ -40,7 +43,6 @@ public:
     std::vector<std::string> logFiles() const override;
 
 private:
-    using Controller = RunningController;
     struct OpenLog {
         std::unique_ptr<Log> log;
         LogFile* file;
@@ -61,21 +63,6 @@ private:
 
     void applyCommands();
     Status apply(const Command& command);
-    Status apply(const HoldCommand& command);
-    Status apply(const PropertyCommand& command);
-    Status apply(const RestartCommand& command);
-    Status apply(const ReloadCommand& command);
-    Status apply(const StopCommand& command);
-    [[nodiscard]] Controller* controllerOf(const std::string& robot);
-    Status think();
-    void prepareUpdates(std::uint64_t tick, double time);
-    Status update(Controller& controller, std::uint64_t tick, double time);
-    void stopFaulty();
-    void stopControllers();
-    void reportFault(const Controller& controller);
-    bool startAgain(Controller& controller);
-    void goOnInNewProcess(Controller& controller);
-    [[nodiscard]] bool isStopped(const Controller& controller) const;
     Status writeLogs();
     void closeFinish();
 
@@ -84,14 +71,13 @@ private:
     std::unique_ptr<World> m_world; // before the controllers, which refer to its signal block
     CameraCapture m_cameras;
     LogFolder m_folder; // before the controllers, which write into it
+    std::vector<Diagnostic> m_warnings;
     RunPictures m_pictures{*m_world, m_cameras, m_folder, m_warnings};
-    std::vector<Controller> m_controllers;
-    std::vector<StoppedController> m_stopped;
+    ControllerSet m_controllers;
     std::vector<OpenLog> m_logs;
     std::vector<LogFile*> m_controllerLogs; // index: the number returned to the controller
     std::vector<Command> m_commands;
     std::size_t m_applied = 0; // number of commands already applied
-    std::vector<Diagnostic> m_warnings;
     std::optional<Diagnostic> m_failure;
     std::optional<RunFinish> m_finishAsked, m_finish; // requested in the current tick; set after that tick
     Schedule m_reportsDropped;                        // once per second

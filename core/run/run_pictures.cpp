@@ -1,5 +1,7 @@
 #include "run/run_pictures.h"
 
+#include "model/object_numbers.h"
+
 namespace trundle {
 namespace {
 
@@ -38,7 +40,10 @@ void RunPictures::addTo(ControllerOutputs& outputs, const std::string& robot) {
         if (!saved) warnOfPictures(saved.error());
         return saved;
     };
-    outputs.objectName = [this](std::uint32_t object) { return m_cameras.objectName(object); };
+    outputs.objectName = [this](std::uint32_t object) {
+        if (m_objects.empty()) m_objects = objectNames(m_world.experiment());
+        return object < m_objects.size() ? m_objects[object] : std::string();
+    };
 }
 
 Status RunPictures::saveImage(const std::string& camera, const std::string& fileName) {

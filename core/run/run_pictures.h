@@ -35,6 +35,7 @@ private:
     LogFolder& m_folder;
     std::vector<Diagnostic>& m_warnings;
     std::size_t m_saved = 0;              ///< number of saved pictures
+    std::vector<std::string> m_objects;   ///< their names, once one is asked for
     std::set<std::string> m_reportedLost; ///< log name and cause of left-out pictures, already reported
     bool m_reportedNoPictures = false, m_reportedLostPicture = false;
 };

@@ -7,20 +7,6 @@
 
 namespace trundle {
 
-std::vector<std::string> objectNames(const ExperimentSpec& experiment) {
-    std::vector<std::string> names{""};
-    const auto add = [&](const std::string& owner, const std::vector<GeomSpec>& geoms) {
-        for (const GeomSpec& geom : geoms) names.push_back(owner + "/" + geom.name);
-    };
-    for (const RobotSpec& robot : experiment.robots) {
-        if (!robot.config) continue;
-        for (const BodySpec& body : robot.config->bodies) add(robot.name + "/" + body.name, body.geoms);
-    }
-    for (const StaticSpec& fixed : experiment.statics)
-        if (fixed.geoms) add(fixed.name, *fixed.geoms);
-    return names;
-}
-
 DataNodes::DataNodes(osg::Group& scene) {
     m_data->setNodeMask(kMaskData);
     scene.addChild(m_data);
@@ -34,7 +20,7 @@ void DataNodes::make(const ExperimentSpec& experiment, const SceneObjects& objec
     state->setMode(GL_BLEND, osg::StateAttribute::OVERRIDE | osg::StateAttribute::OFF);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, true), force);
 
-    unsigned next = 1; // numbering of objectNames()
+    unsigned next = 1; // numbering of objectNames() in model
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
         for (const BodySpec& body : robot.config->bodies) {

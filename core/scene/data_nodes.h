@@ -7,10 +7,6 @@
 
 namespace trundle {
 
-/// Names of the objects in kMaskData images: "robot0/chassis/hull", "arena/north". The first entry means "no object" and is
-/// empty.
-[[nodiscard]] std::vector<std::string> objectNames(const ExperimentSpec& experiment);
-
 class DataNodes {
 public:
     explicit DataNodes(osg::Group& scene);

@@ -47,8 +47,6 @@ public:
     /// metadata.
     [[nodiscard]] virtual Result<std::string> encode(const CameraImage& frame, const std::string& camera,
                                                      const std::string& fileName) = 0;
-    /// "robot0/chassis/hull" for a number in CameraImage::objects; empty if there is no such object.
-    [[nodiscard]] virtual std::string objectName(std::uint32_t object) const = 0;
 };
 
 } // namespace trundle

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "world/engine.h"
@@ -83,7 +84,7 @@ struct RayCalls {
 
     static std::int32_t geomInfo(void* context, std::uint32_t geom, TrundleGeomInfo* info) {
         const DeviceHost& host = *caller(context).host;
-        if (!info || info->size < sizeof(TrundleGeomInfo) || !host.objects.isGeom(geom)) return -1;
+        if (!info || info->size < offsetof(TrundleGeomInfo, object) || !host.objects.isGeom(geom)) return -1;
         const std::uint32_t index = host.objects.geomMaterial(geom);
         const MaterialSpec fallback,
             &material = index < host.experiment.materials.size() ? host.experiment.materials[index] : fallback;
@@ -93,6 +94,7 @@ struct RayCalls {
         info->reflectance = host.objects.reflectance(index);
         info->opacity = material.opacity;
         info->shininess = material.shininess;
+        if (info->size >= sizeof(TrundleGeomInfo)) info->object = host.objects.objectNumber(geom);
         return 0;
     }
 };

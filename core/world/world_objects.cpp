@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "model/object_numbers.h"
 #include "model/passive_objects.h"
 #include "world/reflectance.h"
 #include "world/signal_plan.h"
@@ -40,9 +41,11 @@ void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagn
     buildScenery(experiment, engine, diagnostics);
     buildRobots(experiment, engine, diagnostics);
     if (diagnostics.errorCount() > before) return;
+    const FirstObjects first = firstObjects(experiment);
     for (const BuiltRobot& robot : m_robots) {
-        m_robotByName.emplace(robot.spec->name, static_cast<std::uint32_t>(&robot - m_robots.data()));
-        nameBodies(robot);
+        const auto index = static_cast<std::size_t>(&robot - m_robots.data());
+        m_robotByName.emplace(robot.spec->name, static_cast<std::uint32_t>(index));
+        nameBodies(robot, first.robots[index]);
         locateJoints(robot);
     }
     m_hashOrder.resize(m_bodyPaths.size());
@@ -53,6 +56,7 @@ void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagn
 
 /// Sorted by name, so that the result does not depend on the order of blocks in the text.
 void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
+    const FirstObjects first = firstObjects(experiment);
     for (const std::size_t i : byName(experiment.statics)) {
         const StaticSpec& s = experiment.statics[i];
         if (!s.geoms) continue;
@@ -70,7 +74,8 @@ void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine
                 diagnostics.error(id.error().code, g.nameRange, s.name + "/" + id.error().message);
                 continue;
             }
-            addGeom(id.value().index, {s.name + "/" + g.name, &g, BuiltGeom::kNoBody, s.pose * g.pose});
+            const auto object = first.statics[i] + static_cast<std::uint32_t>(&g - s.geoms->data());
+            addGeom(id.value().index, {s.name + "/" + g.name, &g, BuiltGeom::kNoBody, s.pose * g.pose, object});
             if (moving) moving->scenery.push_back(id.value());
         }
     }
@@ -103,8 +108,9 @@ void WorldObjects::addGeom(std::uint32_t index, BuiltGeom geom) {
     m_geoms[index] = std::move(geom);
 }
 
-void WorldObjects::nameBodies(const BuiltRobot& robot) {
+void WorldObjects::nameBodies(const BuiltRobot& robot, std::uint32_t firstObject) {
     const auto& bodies = robot.spec->config->bodies;
+    std::uint32_t object = firstObject;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const std::uint32_t id = robot.handles.bodies[b].index;
         m_bodyPaths.resize(std::max<std::size_t>(m_bodyPaths.size(), id + 1));
@@ -114,10 +120,10 @@ void WorldObjects::nameBodies(const BuiltRobot& robot) {
         m_isFixed.resize(m_bodyPaths.size());
         m_isFixed[id] = robot.isFixed(b);
         m_bodyByPath.emplace(m_bodyPaths[id], id);
-        for (std::size_t g = 0; g < bodies[b].geoms.size(); ++g) {
+        for (std::size_t g = 0; g < bodies[b].geoms.size(); ++g, ++object) {
             const GeomHandle geom = robot.handles.geoms[b][g];
             const GeomSpec& spec = bodies[b].geoms[g];
-            if (geom.valid()) addGeom(geom.index, {m_bodyPaths[id] + "/" + spec.name, &spec, id, spec.pose});
+            if (geom.valid()) addGeom(geom.index, {m_bodyPaths[id] + "/" + spec.name, &spec, id, spec.pose, object});
         }
     }
 }

@@ -32,6 +32,7 @@ struct BuiltGeom {
     const GeomSpec* spec = nullptr; ///< of the experiment, which outlives it; nullptr: none
     std::uint32_t body = kNoBody;
     Pose pose;                                    ///< in its body, of scenery in the world
+    std::uint32_t object = 0;                     ///< its number in objectNames() of the experiment
     Vec3 low = Vec3::Zero(), size = Vec3::Zero(); ///< of its bounding box, if its material has a picture
     static constexpr std::uint32_t kNoBody = 0xffffffffu;
 };
@@ -64,6 +65,8 @@ public:
     /// False also for a joint without a position.
     [[nodiscard]] bool jointHasPosition(std::uint32_t joint) const { return joint < m_jointTurns.size() && m_jointTurns[joint]; }
     [[nodiscard]] const BuiltGeom& geom(std::uint32_t index) const { return m_geoms[index]; }
+    /// Its number in objectNames() of the experiment.
+    [[nodiscard]] std::uint32_t objectNumber(std::uint32_t geom) const { return m_geoms[geom].object; }
     [[nodiscard]] const std::string& geomPath(std::uint32_t geom) const { return m_geoms[geom].path; }
     [[nodiscard]] std::uint32_t geomMaterial(std::uint32_t geom) const {
         return m_geoms[geom].spec ? m_geoms[geom].spec->material : 0;
@@ -88,7 +91,7 @@ private:
     void buildScenery(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
     void buildRobots(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
     void addGeom(std::uint32_t index, BuiltGeom geom);
-    void nameBodies(const BuiltRobot& robot);
+    void nameBodies(const BuiltRobot& robot, std::uint32_t firstObject);
     void locateJoints(const BuiltRobot& robot);
 
     std::vector<BuiltRobot> m_robots;

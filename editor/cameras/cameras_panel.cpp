@@ -22,6 +22,7 @@
 #include "editor/widgets/empty_page.h"
 #include "editor/widgets/save_question.h"
 #include "editor/widgets/theme.h"
+#include "model/object_numbers.h"
 #include "scene/scene.h"
 
 namespace trundle {

@@ -10,7 +10,7 @@ namespace trundle {
 // clang-format off
 static constexpr auto kDrawn = std::to_array<std::string_view>({
     "AckermannDrive", "Ball", "Battery", "Belt", "Body", "Box", "Camera", "Capsule", "Charger", "Compass", "ContactLog", "Convex", "Cylinder",
-    "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "Gear", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
+    "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "ForceSensor", "Gear", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
     "Hinge", "Imu", "Led", "Lidar", "LightSensor", "LinearMotor", "Material", "MecanumDrive", "Mesh", "OmniDrive", "Part", "PartConfig", "Pen", "Plane",
     "PoseLog", "RangeSensor", "Robot", "RobotConfig", "RotaryMotor", "Scatter", "Servo", "SignalLog", "SkidDrive",
     "Slider", "Sphere", "Spring", "Static", "StaticConfig", "Surface", "Suspension", "TouchSensor", "Track", "TrackDrive", "Transceiver", "Universal",

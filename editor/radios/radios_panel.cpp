@@ -115,11 +115,11 @@ void RadiosPanel::updatePages() {
 }
 
 void RadiosPanel::showEvent(QShowEvent*) {
-    m_session.setRadioEnabled(true);
+    m_session.enable(RunSession::Extra::Radio, true);
     markStale();
 }
 
-void RadiosPanel::hideEvent(QHideEvent*) { m_session.setRadioEnabled(false); }
+void RadiosPanel::hideEvent(QHideEvent*) { m_session.enable(RunSession::Extra::Radio, false); }
 
 void RadiosPanel::resizeEvent(QResizeEvent*) {
     const bool narrow = width() < kRoomForOneRow;

@@ -62,7 +62,8 @@ RunSession::RunSession(Document& document, Application& application, QObject* pa
       m_logs(std::make_unique<RunLogs>(document)), m_edits(std::make_unique<RunEdits>()),
       m_ended(std::make_unique<EndedRobots>(m_active, *m_edits)), m_values(std::make_unique<RunValues>(m_active, *m_edits)),
       m_responses(std::make_unique<ResponseWatch>(m_active, *m_messages)),
-      m_robots(std::make_unique<RobotCommands>(m_active, *m_edits, *m_ended, *m_messages, document)) {
+      m_robots(std::make_unique<RobotCommands>(m_active, *m_edits, *m_ended, *m_messages, document)),
+      m_remote(std::make_unique<RemoteAccess>()) {
     m_notifier->session = this;
     m_frames.setInterval(kFrameMs);
     m_frames.setTimerType(Qt::PreciseTimer);
@@ -71,6 +72,7 @@ RunSession::RunSession(Document& document, Application& application, QObject* pa
     connect(this, &RunSession::advanced, m_values.get(), &RunValues::advanced);
     connect(m_robots.get(), &RobotCommands::placed, this,
             [this] { showSnapshot(std::make_shared<LiveSnapshot>(*m_active.snapshot)); }); // the same tick with the new pose
+    connect(m_remote.get(), &RemoteAccess::switched, this, &RunSession::serveOthers);
     connect(&document, &Document::opened, this, [this] {
         reset();
         m_logs->forget();
@@ -120,6 +122,7 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     options.canContinue = true;
     options.contacts = m_contacts;
     options.radio = m_radio;
+    options.guest = m_remote->guestFor(m_document.path());
     options.changed = [bell = m_notifier] { bell->notify(); };
     options.after = m_leaving.empty() ? nullptr : m_leaving.back().get();
     Application* application = &m_source->application(); // makeRunner() uses only members that outlive the window
@@ -133,6 +136,19 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     setState(RunState::Building);
     Q_EMIT experimentChanged();
     return true;
+}
+
+/// Without a run there is nothing to serve: it is built, and waits.
+void RunSession::serveOthers() {
+    if (m_active.live) m_active.live->setGuest(m_remote->guestFor(m_document.path()));
+    else if (m_remote->isOn() && m_document.isOpen()) begin(false);
+}
+
+/// Another program has set it.
+void RunSession::followSpeed(double speed) {
+    if (speed == m_speed) return;
+    m_speed = speed;
+    Q_EMIT speedChanged();
 }
 
 void RunSession::leave() {
@@ -208,14 +224,11 @@ void RunSession::setSpeed(double factor) {
     Q_EMIT speedChanged();
 }
 
-void RunSession::setContactsEnabled(bool wanted) {
-    m_contacts = wanted;
-    if (m_active.live) m_active.live->setContactsEnabled(wanted);
-}
-
-void RunSession::setRadioEnabled(bool wanted) {
-    m_radio = wanted;
-    if (m_active.live) m_active.live->setRadioEnabled(wanted);
+void RunSession::enable(Extra what, bool wanted) {
+    (what == Extra::Contacts ? m_contacts : m_radio) = wanted;
+    if (!m_active.live) return;
+    if (what == Extra::Contacts) m_active.live->setContactsEnabled(wanted);
+    else m_active.live->setRadioEnabled(wanted);
 }
 
 LiveRadio RunSession::takeRadio() { return m_active.live ? m_active.live->takeRadio() : LiveRadio(); }
@@ -239,6 +252,7 @@ void RunSession::readSnapshot() {
     const LiveView view = run->view(); // before the reports: those of an ended run are complete then
     const LiveLines lines = run->takeLines();
     std::vector<Diagnostic> warnings = run->takeWarnings();
+    if (m_remote->isOn()) followSpeed(run->speed());
     m_messages->add(lines);
     if (!warnings.empty()) // the snapshot that they are about was published before them
         m_messages->add(faultLines(warnings, run->view().snapshot.get(), *m_active.experiment));

@@ -13,6 +13,7 @@
 #include "editor/document/document.h"
 #include "editor/running/active_run.h"
 #include "editor/running/ended_robots.h"
+#include "editor/running/remote_access.h"
 #include "editor/running/response_watch.h"
 #include "editor/running/robot_commands.h"
 #include "editor/running/run_edits.h"
@@ -37,9 +38,9 @@ public:
     [[nodiscard]] RunState state() const { return m_active.state; }
     [[nodiscard]] double speed() const { return m_speed; } ///< 1: real time; 0: as fast as possible
     [[nodiscard]] const RunResults& results() const { return m_active; }
-    /// Enables contacts in RunResults::snapshot, also while paused.
-    void setContactsEnabled(bool wanted);
-    void setRadioEnabled(bool wanted);   ///< enables recording of radio frames for takeRadio()
+    /// Contacts: in RunResults::snapshot, also while paused. Radio: frames for takeRadio().
+    enum class Extra { Contacts, Radio };
+    void enable(Extra what, bool wanted);
     [[nodiscard]] LiveRadio takeRadio(); ///< of the current run; nothing at Start
 
     [[nodiscard]] RunSource& source() const { return *m_source; }
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] RunValues& values() const { return *m_values; }
     [[nodiscard]] ResponseWatch& responses() const { return *m_responses; }
     [[nodiscard]] RobotCommands& robots() const { return *m_robots; }
+    [[nodiscard]] RemoteAccess& remote() const { return *m_remote; }
 
 public Q_SLOTS:
     void run(); ///< starts if there is no world; restarts if edits wait or it did not end at its Duration; else resumes
@@ -77,6 +79,8 @@ private:
     void resume(RunState state);
     void endRun();
     void setState(RunState state);
+    void serveOthers();
+    void followSpeed(double speed);
     void followDocument(const ChangeSet& changes);
     void reportLogs(), reportWaitingEdits();
     void addConsoleLine(int severity, const QString& text);
@@ -98,6 +102,7 @@ private:
     const std::unique_ptr<RunValues> m_values;
     const std::unique_ptr<ResponseWatch> m_responses;
     const std::unique_ptr<RobotCommands> m_robots;
+    const std::unique_ptr<RemoteAccess> m_remote;
 };
 
 } // namespace trundle

@@ -33,6 +33,7 @@ QSize PolarPlot::sizeHint() const { return {200, scaledToFont(kPlotHeight)}; }
 
 void PolarPlot::setFan(std::shared_ptr<const RangeModel> fan) {
     m_fan = std::move(fan);
+    m_rings = {};
     m_distances.clear();
     update();
 }
@@ -42,53 +43,71 @@ void PolarPlot::setDistances(std::span<const double> distances) {
     update();
 }
 
-void PolarPlot::paintEvent(QPaintEvent*) {
-    if (!m_fan) return;
-    QPainter painter(this);
+double PolarPlot::radius() const { return 0.5 * std::min(width(), height()) - 3; }
+
+void PolarPlot::changeEvent(QEvent* event) {
+    m_rings = {};
+    QWidget::changeEvent(event);
+}
+
+QPixmap PolarPlot::drawnRings() const {
+    QPixmap rings(size() * devicePixelRatioF());
+    rings.setDevicePixelRatio(devicePixelRatioF());
+    rings.fill(Qt::transparent);
+    QPainter painter(&rings);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double radius = 0.5 * std::min(width(), height()) - 3, scale = radius / m_fan->maxRange;
-    const QPointF middle(0.5 * width(), 0.5 * height());
+    const double scale = radius() / m_fan->maxRange, ring = ringDistance(m_fan->maxRange);
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::AlternateBase));
-    painter.drawEllipse(middle, radius, radius);
-    const bool read = m_distances.size() == m_fan->directions.size();
-    const auto at = [&](std::size_t beam) {
-        const Vec3 p = std::clamp(m_distances[beam], 0.0, m_fan->maxRange) * scale * m_fan->directions[beam];
-        return middle + QPointF(-p.y(), -p.x());
-    };
-    QColor fill = ink(Ink::Accent);
-    fill.setAlpha(std::max(12, 70 / int(m_fan->layers)));
-    QPolygonF area;
-    QList<QRectF> echoes;
-    for (std::uint32_t layer = 0; read && layer < m_fan->layers; ++layer) {
-        area.clear();
-        if (!m_fan->closed) area << middle;
-        for (std::uint32_t i = 0; i < m_fan->beams; ++i) {
-            const std::size_t beam = std::size_t(layer) * m_fan->beams + i;
-            area << at(beam);
-            if (m_distances[beam] < m_fan->maxRange)
-                echoes << QRectF(std::round(area.back().x()) - 1, std::round(area.back().y()) - 1, 2, 2);
-        }
-        painter.setBrush(fill);
-        painter.drawPolygon(area);
-    }
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setBrush(ink(Ink::Accent));
-    painter.drawRects(echoes);
-    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawEllipse(middle(), radius(), radius());
     painter.setBrush(Qt::NoBrush);
-    const double ring = ringDistance(m_fan->maxRange);
     painter.setFont(figuresFont(10));
     for (int i = 1; i * ring <= m_fan->maxRange * 1.001; ++i) {
         painter.setPen(QPen(ink(Ink::Line), 1));
-        painter.drawEllipse(middle, i * ring * scale, i * ring * scale);
+        painter.drawEllipse(middle(), i * ring * scale, i * ring * scale);
         painter.setPen(ink(Ink::Faint));
-        painter.drawText(middle + QPointF(3, -i * ring * scale + painter.fontMetrics().ascent() + 1),
+        painter.drawText(middle() + QPointF(3, -i * ring * scale + painter.fontMetrics().ascent() + 1),
                          tr("%1 m").arg(QString::number(i * ring)));
     }
+    return rings;
+}
+
+/// What the beams crossed, and a dot where each met something. Drawn without smoothing: hundreds of corners would take milliseconds.
+void PolarPlot::paintArea(QPainter& painter) const {
+    if (m_distances.size() != m_fan->directions.size()) return;
+    const double scale = radius() / m_fan->maxRange;
+    QColor fill = ink(Ink::Accent);
+    fill.setAlpha(std::max(12, 70 / int(m_fan->layers)));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    QPolygonF area;
+    QList<QRectF> echoes;
+    for (std::uint32_t layer = 0; layer < m_fan->layers; ++layer) {
+        area.clear();
+        if (!m_fan->closed) area << middle();
+        for (std::uint32_t i = 0; i < m_fan->beams; ++i) {
+            const std::size_t beam = std::size_t(layer) * m_fan->beams + i;
+            const Vec3 p = std::clamp(m_distances[beam], 0.0, m_fan->maxRange) * scale * m_fan->directions[beam];
+            area << middle() + QPointF(-p.y(), -p.x());
+            if (m_distances[beam] < m_fan->maxRange)
+                echoes << QRectF(std::round(area.back().x()) - 1, std::round(area.back().y()) - 1, 2, 2);
+        }
+        painter.drawPolygon(area);
+    }
+    painter.setBrush(ink(Ink::Accent));
+    painter.drawRects(echoes);
+}
+
+void PolarPlot::paintEvent(QPaintEvent*) {
+    if (!m_fan) return;
+    if (m_rings.size() != size() * devicePixelRatioF()) m_rings = drawnRings();
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_rings);
+    paintArea(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::Text));
-    painter.drawPolygon(QPolygonF{middle + QPointF(0, -6), middle + QPointF(-4, 4), middle + QPointF(4, 4)});
+    painter.drawPolygon(QPolygonF{middle() + QPointF(0, -6), middle() + QPointF(-4, 4), middle() + QPointF(4, 4)});
 }
 
 } // namespace trundle

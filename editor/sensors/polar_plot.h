@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include <QPixmap>
 #include <QWidget>
 
 #include "run/live/live_state.h"
@@ -21,10 +22,17 @@ public:
 
 protected:
     void paintEvent(QPaintEvent*) override;
+    void changeEvent(QEvent* event) override;
 
 private:
+    [[nodiscard]] QPixmap drawnRings() const;
+    void paintArea(QPainter& painter) const;
+    [[nodiscard]] QPointF middle() const { return {0.5 * width(), 0.5 * height()}; }
+    [[nodiscard]] double radius() const;
+
     std::shared_ptr<const RangeModel> m_fan;
     std::vector<double> m_distances;
+    QPixmap m_rings; ///< disc, rings and their labels: they change with the widget's size, screen and colours only
 };
 
 } // namespace trundle

@@ -2,9 +2,11 @@
 // A quantity of a device that the Sensors dock shows: where it is in the signals, its limits and its true value.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "run/live/live_state.h"
 
@@ -27,6 +29,7 @@ struct Reading {
     std::size_t count = 1;                           ///< numbers, at most kMaxShownNumbers
     Read read;                                       ///< writes `count` numbers
     Read readTrue;                                   ///< the same without errors; empty if there is no such value
+    std::shared_ptr<const std::vector<std::string>> names; ///< it is the number of one of these, an empty one is nothing; null: a quantity
     std::optional<std::pair<double, double>> limits; ///< of the quantity, in SI; none: unknown
 };
 

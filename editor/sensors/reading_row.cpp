@@ -54,7 +54,7 @@ bool ReadingRow::rebind(const Reading& reading) {
 }
 
 /// The time of a reading only grows.
-bool ReadingRow::hasTrace() const { return m_reading.name != "time"; }
+bool ReadingRow::hasTrace() const { return m_reading.name != "time" && !m_reading.names; }
 
 void ReadingRow::take(const LiveSnapshot& snapshot, bool measured) {
     std::vector<double> sample(2 * m_reading.count, std::numeric_limits<double>::quiet_NaN());
@@ -89,6 +89,11 @@ QSize ReadingRow::sizeHint() const {
 }
 
 QString ReadingRow::numberText(double number) const {
+    if (m_reading.names) {
+        const bool known = number >= 0 && number < double(m_reading.names->size());
+        const std::string name = known ? (*m_reading.names)[std::size_t(number)] : std::string();
+        return name.empty() ? tr("none") : QString::fromStdString(name);
+    }
     if (m_reading.type == SignalType::Boolean) return number != 0 ? tr("true") : tr("false");
     return QString::fromStdString(m_scale.text(number));
 }
@@ -112,6 +117,12 @@ void ReadingRow::paintNumbers(QPainter& painter, QRectF line, const std::vector<
     painter.setFont(figuresFont(12));
     painter.setPen(colour);
     if (numbers.empty()) return painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, kNoValue);
+    if (m_reading.names) {
+        line.setLeft(line.left() + 0.3 * line.width());
+        painter.setFont(font());
+        return painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
+                                painter.fontMetrics().elidedText(numberText(numbers[0]), Qt::ElideLeft, int(line.width())));
+    }
     const double column = painter.fontMetrics().horizontalAdvance(QString(kNumberDigits, u'0'));
     for (std::size_t i = numbers.size(); i-- > 0;) {
         painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, numberText(numbers[i]));

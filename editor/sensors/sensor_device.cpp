@@ -4,6 +4,7 @@
 
 #include "editor/sensors/true_values.h"
 #include "model/dotted_path.h"
+#include "model/object_numbers.h"
 #include "run/logs/signal_columns.h"
 
 namespace trundle {
@@ -116,6 +117,7 @@ SensorDevice deviceOf(const RunResults& run, const RobotSpec& robot, const Compo
     SensorDevice device;
     device.kind = run.built->registry->find(spec.kind);
     ReadingList list;
+    std::shared_ptr<const std::vector<std::string>> objects;
     for (const SignalEntry& entry : run.layout->entries()) {
         if (!entry.path.starts_with(prefix)) continue;
         Reading reading;
@@ -124,6 +126,10 @@ SensorDevice deviceOf(const RunResults& run, const RobotSpec& robot, const Compo
             for (const SignalDescription& described : device.kind->signals)
                 if (described.name == reading.name) reading.help = described.help;
         reading.limits = limitsOf(spec, reading.name);
+        if (entry.path.ends_with("/object") && entry.direction == SignalDirection::Truth && run.experiment) {
+            if (!objects) objects = std::make_shared<const std::vector<std::string>>(objectNames(*run.experiment));
+            reading.names = objects;
+        }
         list.addSignal(entry, std::move(reading));
     }
     device.readings = std::move(list.readings);

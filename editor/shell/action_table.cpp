@@ -125,6 +125,8 @@ static constexpr ActionRow kTable[] = {
 
     {"sim.record",     "|Simulation", "Record &Movie…",          "record",      "",               "Make a movie of the experiment, or of this run."},
 
+    {"sim.remote",     "Simulation",  "Remote &Control…",          "",            "",               "Let other programs on this computer take part in the run."},
+
     {"sim.openLogs",   "Simulation",  "Open Lo&g Folder",          "open",        "",               "Show the folder with the logs of this run or the last one."},
 
     {"controllers.new", "Controllers",  "&New Controller…",       "new",         "",               "Start a controller of your own, in C++ or Python, and edit its source here."},

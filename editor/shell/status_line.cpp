@@ -25,24 +25,25 @@ QString painted(const QString& text, Ink which) {
 
 StatusLine::StatusLine(QStatusBar& bar, Document& document)
     : QObject(&bar), m_bar(bar), m_document(document), m_file(new QLabel), m_saved(new QLabel), m_problems(new QLabel),
-      m_logs(new QLabel), m_run(new QLabel) {
+      m_logs(new QLabel), m_remote(new QLabel), m_run(new QLabel) {
     m_bar.setSizeGripEnabled(false);
     m_bar.installEventFilter(this);
     m_file->setObjectName(QStringLiteral("status.file"));
     m_saved->setObjectName(QStringLiteral("status.saved"));
     m_problems->setObjectName(QStringLiteral("status.problems"));
     m_logs->setObjectName(QStringLiteral("status.logs"));
+    m_remote->setObjectName(QStringLiteral("status.remote"));
     m_run->setObjectName(QStringLiteral("status.run"));
-    for (QLabel* label : {m_saved, m_problems, m_logs}) label->setTextFormat(Qt::RichText);
-    for (QLabel* label : {m_file, m_saved, m_problems, m_logs}) {
+    for (QLabel* label : {m_saved, m_problems, m_logs, m_remote}) label->setTextFormat(Qt::RichText);
+    for (QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote}) {
         label->setContentsMargins(8, 2, 8, 2);
         m_bar.addWidget(label);
     }
     m_run->setContentsMargins(8, 2, 10, 2);
     m_run->setTextFormat(Qt::PlainText); // it may contain text of a module
     m_bar.addPermanentWidget(m_run);
-    for (QLabel* label : {m_file, m_saved, m_problems, m_logs, m_run}) label->setMinimumWidth(1); // fit() chooses their texts
-    for (QLabel* label : {m_problems, m_logs}) {
+    for (QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote, m_run}) label->setMinimumWidth(1); // fit() chooses their texts
+    for (QLabel* label : {m_problems, m_logs, m_remote}) {
         label->setCursor(Qt::PointingHandCursor);
         label->installEventFilter(this);
     }
@@ -67,6 +68,7 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     }
     if (watched == &m_bar && event->type() == QEvent::Resize) fit();
     if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsRequested();
+    if (watched == m_remote && event->type() == QEvent::MouseButtonRelease) Q_EMIT remoteRequested();
     if (watched == m_logs && event->type() == QEvent::MouseButtonRelease) Q_EMIT logsRequested();
     return QObject::eventFilter(watched, event);
 }
@@ -84,12 +86,13 @@ void StatusLine::refresh() {
 /// In a narrow window the folder of the logs is left out, then the names of unsaved files, then a part of the name of the file; the
 /// tool tips have them whole.
 void StatusLine::fit() {
+    m_remote->setText(m_remoteText.isEmpty() ? QString() : painted(m_remoteText, Ink::Accent));
     showFile(kUnlimited);
     showSaved(true);
     showLogs(true);
     const auto missing = [this] {
         int needed = 0;
-        for (const QLabel* label : {m_file, m_saved, m_problems, m_logs, m_run}) needed += label->sizeHint().width() + kSpacing;
+        for (const QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote, m_run}) needed += label->sizeHint().width() + kSpacing;
         return needed - m_bar.width();
     };
     if (missing() > 0) showLogs(false);
@@ -129,6 +132,12 @@ void StatusLine::showLogs(bool whole) {
     const QString shown = QString::fromStdString(m_document.texts().shown(m_logFolder.toStdString()));
     m_logs->setText(m_logFolder.isEmpty() ? QString() : painted(whole ? tr("logs in %1").arg(shown) : tr("logs"), Ink::Accent));
     m_logs->setToolTip(m_logFolder.isEmpty() ? QString() : tr("Open %1").arg(m_logFolder));
+}
+
+void StatusLine::setRemote(const QString& text) {
+    m_remoteText = text;
+    m_remote->setToolTip(text.isEmpty() ? QString() : tr("Other programs can take part in the run: Remote Control"));
+    fit();
 }
 
 void StatusLine::setProblems(int errors, int warnings) {

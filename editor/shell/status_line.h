@@ -17,12 +17,15 @@ public:
     void refuse(const QString& reason);
     /// Shows a link to the folder of the run's logs; empty: none.
     void setLogs(const QString& folder);
+    /// Shows whether other programs take part in the run; empty: they cannot.
+    void setRemote(const QString& text);
     /// Totals of the texts and of the run, as in the Problems panel.
     void setProblems(int errors, int warnings);
 
 Q_SIGNALS:
     void problemsRequested();
     void logsRequested();
+    void remoteRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -37,8 +40,8 @@ private:
 
     QStatusBar& m_bar;
     Document& m_document;
-    QLabel *m_file, *m_saved, *m_problems, *m_logs, *m_run;
-    QString m_refused, m_logFolder;
+    QLabel *m_file, *m_saved, *m_problems, *m_logs, *m_remote, *m_run;
+    QString m_refused, m_logFolder, m_remoteText;
     QStringList m_unsaved;
     int m_errors = 0, m_warnings = 0;
 };

@@ -276,6 +276,28 @@ private Q_SLOTS:
             QVERIFY2(isNear(found, force, 1e-7), shown(found));
         }
     }
+
+    void aReceiverNeedsItsShareOfTheSky_data() {
+        QTest::addColumn<QString>("scenery");
+        QTest::addColumn<double>("least");
+        QTest::addColumn<bool>("reads");
+        QTest::newRow("open") << "" << 1. << true;
+        QTest::newRow("under a roof") << "Box roof { Size=40,40,0.1 Pos=0,0,3 }" << 0.05 << false;
+        QTest::newRow("under a small roof") << "Box roof { Size=2,2,0.1 Pos=0,0,3 }" << 0.5 << true;
+        QTest::newRow("beside a high wall, half") << "Box wall { Size=0.1,2000,2000 Pos=1,0,0 }" << 0.6 << false;
+        QTest::newRow("beside a high wall, a third") << "Box wall { Size=0.1,2000,2000 Pos=1,0,0 }" << 0.4 << true;
+        QTest::newRow("what does not collide hides nothing") << "Box roof { Size=40,40,0.1 Pos=0,0,3 Collide=false }" << 1. << true;
+    }
+    void aReceiverNeedsItsShareOfTheSky() {
+        QFETCH(QString, scenery);
+        QFETCH(double, least);
+        QFETCH(bool, reads);
+        SensorWorld w(carried("Gps gps { Body=base Pos=0,0,0.3 MinSky=" + std::to_string(least) + " }", "", "Tick=0.01 Gravity=0,0,0",
+                              "StaticConfig F { Box low { Size=1,1,0.1 Pos=0,0,-2 } " + scenery.toStdString() + " }\nStatic floor { Config=F }"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(3));
+        QCOMPARE(w.value("r/gps/time") > 0, reads);
+    }
 };
 
 QTEST_GUILESS_MAIN(MotionTest)

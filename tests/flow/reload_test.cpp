@@ -1,5 +1,6 @@
 // A module that is rebuilt while its controllers run in a process of their own: the robots get the new code where they are.
 #include <QDir>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -28,16 +29,18 @@ class ReloadTest : public QObject {
                writeFile(library(), bytes.left(qsizetype(double(bytes.size()) * part))) &&
                writeFile(m_folder.filePath("mine/libmind.so.kinds.json"), contentOf(source + ".kinds.json"));
     }
-    std::unique_ptr<Runner> makeRunner() {
+    std::unique_ptr<Runner> makeRunner(const QByteArray& state = "none") {
+        return runnerOf("#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule mine/mind\n"
+                        "Static floor { Config=OpenFloor }\n"
+                        "Robot a { Config=SimpleRobot Pos=0,0,0.1 Rebuilt brain { State=" +
+                        state + " } }\nRobot b { Config=SimpleRobot Pos=0,2,0 Rebuilt brain { State=saved } }\n");
+    }
+    std::unique_ptr<Runner> runnerOf(const QByteArray& text) {
         m_console.clear();
         const QString path = m_folder.filePath("reload.sim");
         OpenOptions options;
         options.modules = {m_folder.filePath("mine").toStdString()};
-        if (!writeFile(path, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule mine/mind\n"
-                             "Static floor { Config=OpenFloor }\n"
-                             "Robot a { Config=SimpleRobot Pos=0,0,0.1 Rebuilt brain { } }\nRobot b { Config=SimpleRobot "
-                             "Pos=0,2,0 Rebuilt brain { } }\n"))
-            return nullptr;
+        if (!writeFile(path, text)) return nullptr;
         auto loaded = m_application->open(path.toStdString(), options);
         if (!loaded) return nullptr;
         m_loaded = loaded.value();
@@ -81,7 +84,8 @@ private Q_SLOTS:
         QVERIFY(tick(*runner, 5));
         QCOMPARE(reported("behind life"), 0); // only when asked
         QVERIFY(reload(*runner));
-        QVERIFY2(reported("behind life 1 pace 0.2") == 1 && reported("behind life 2 pace 0.2") == 1, qPrintable(m_console.join('\n')));
+        QVERIFY2(reported("behind life 1 pace 0.2") == 1 && reported("behind life 2 pace 0.2") == 1,
+                 qPrintable(m_console.join('\n')));
         QCOMPARE(reported("has the new code of"), 2);
         QVERIFY(tick(*runner, 44));
         QCOMPARE(runner->world().ticks(), 100u);
@@ -90,6 +94,75 @@ private Q_SLOTS:
         runner = makeRunner(); // these controllers drive nowhere, so poses and time are those of an undisturbed run
         QVERIFY(runner && tick(*runner, 100));
         QCOMPARE(runner->world().stateHash(), hash);
+    }
+
+    void newCodeContinuesFromTheStateOfTheOld_data() {
+        QTest::addColumn<QByteArray>("state"); // of robot a; b saves its own
+        QTest::addColumn<QString>("message");
+        QTest::addColumn<int>("lives"); // setups of a after the reload
+        QTest::newRow("saved") << QByteArray("saved") << "a: behind continues from before after 50 of 17" << 1;
+        QTest::newRow("none") << QByteArray("none") << "" << 1;
+        QTest::newRow("save throws")
+            << QByteArray("throws")
+            << "a: no state is handed over: the controller Rebuilt of a failed in saveState: nothing is saved" << 1;
+        QTest::newRow("load throws")
+            << QByteArray("refused")
+            << "a: the state of the old code is not used: the controller Rebuilt of a failed in loadState: too old" << 2;
+    }
+    void newCodeContinuesFromTheStateOfTheOld() {
+        QFETCH(QByteArray, state);
+        QFETCH(QString, message);
+        QFETCH(int, lives);
+        QVERIFY(build("before", "before"));
+        const std::unique_ptr<Runner> runner = makeRunner(state);
+        QVERIFY(runner && tick(*runner, 50));
+        QVERIFY(build("before", "behind"));
+        QVERIFY(reload(*runner));
+        const QString all = m_console.join('\n');
+        QVERIFY2(message.isEmpty() || reported(message) == 1, qPrintable(all));
+        QCOMPARE(m_console.filter(QRegularExpression("^a: behind life")).size(), lives);
+        QVERIFY2(reported("b: behind continues from before after 50 of 17") == 1, qPrintable(all));
+        QCOMPARE(reported("continues from"), state == "saved" ? 2 : 1);
+        QVERIFY(tick(*runner, 10) && runner->stoppedControllers().empty());
+    }
+
+    /// Its process is shared, so what the others had stored is lost too.
+    void aCrashInSaveStateLosesTheState() {
+        QVERIFY(build("before", "before"));
+        const std::unique_ptr<Runner> runner = makeRunner("crashes");
+        QVERIFY(runner && tick(*runner, 50));
+        QVERIFY(build("before", "behind"));
+        QVERIFY(reload(*runner));
+        QVERIFY2(reported("a: no state is handed over: ") == 1 && reported("crashed in saveState") >= 1,
+                 qPrintable(m_console.join('\n')));
+        QCOMPARE(reported("has the new code of"), 2);
+        QVERIFY(tick(*runner, 10) && runner->stoppedControllers().empty());
+        QCOMPARE(runner->world().ticks(), 61u);
+    }
+
+    void aPythonFileContinuesFromItsStateToo() {
+        const auto code = [](const QByteArray& word, const QByteArray& load) {
+            return "import trundle\n\n\nclass Mind(trundle.Controller):\n    updates = 0\n\n    def update(self, since_last):\n"
+                   "        self.updates += 1\n\n    def save_state(self):\n        return {\"of\": \"" +
+                   word + "\", \"updates\": self.updates}\n\n    def load_state(self, state):\n        " + load + "\n";
+        };
+        const QString file = m_folder.filePath("mine/own.py");
+        QDir(m_folder.path()).mkpath("mine");
+        QVERIFY(writeFile(file, code("first", "pass")));
+        const std::unique_ptr<Runner> runner =
+            runnerOf("#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule mine/own.py\n"
+                     "Static floor { Config=OpenFloor }\nRobot a { Config=SimpleRobot Pos=0,0,0.1 Mind brain { } }\n");
+        QVERIFY(runner && tick(*runner, 50));
+        QVERIFY(writeFile(file, code("second", "self.print(state['of'], ' ', state['updates'])")));
+        runner->command(ReloadCommand{});
+        QVERIFY(tick(*runner, 10));
+        QVERIFY2(reported("a: first 50") == 1, qPrintable(m_console.join('\n')));
+        QVERIFY(writeFile(file, code("third", "raise KeyError('of')")));
+        runner->command(ReloadCommand{});
+        QVERIFY(tick(*runner, 10) && runner->stoppedControllers().empty());
+        QVERIFY2(
+            reported("the state of the old code is not used: the controller Mind of a failed in load_state: KeyError: 'of'") == 1,
+            qPrintable(m_console.join('\n')));
     }
 
     void aBadLibraryIsRefusedAndTheOldCodeGoesOn() {

@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "model/object_numbers.h"
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
 #include "scene/queries/object_index.h"
@@ -359,7 +360,7 @@ private Q_SLOTS:
         for (int y = 4; y < 236; y += 9) {
             for (int x = 4; x < 316; x += 9) {
                 const auto hits = castRay(objects, startPoses(*experiment), rayThrough(view, 320, 240, x + 0.5, y + 0.5));
-                const std::string drawn = drawer.objectName(frame.objects[std::size_t(y) * 320 + std::size_t(x)]);
+                const std::string drawn = objectNames(*experiment).at(frame.objects[std::size_t(y) * 320 + std::size_t(x)]);
                 bool rim = false; // a neighbouring pixel shows another object
                 for (const int step : {-1, 1, -320, 320})
                     rim = rim || frame.objects[std::size_t(y * 320 + x + step)] != frame.objects[std::size_t(y * 320 + x)];

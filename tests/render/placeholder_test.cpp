@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "base/platform/atomic_file.h"
+#include "model/object_numbers.h"
 #include "project/loading/project.h"
 #include "render/config_experiment.h"
 #include "render/started_service.h"

@@ -88,6 +88,12 @@ Result<Socket> Socket::connect(const std::string& address, std::uint16_t port, d
     return socket;
 }
 
+Result<Socket> Socket::duplicate() const {
+    const int copy = fcntl(m_file, F_DUPFD_CLOEXEC, 0);
+    if (copy < 0) return systemError("cannot use a socket twice");
+    return Socket(copy);
+}
+
 Result<Socket> Socket::adopt(int descriptor) {
     int type = 0;
     socklen_t size = sizeof type;

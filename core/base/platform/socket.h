@@ -22,6 +22,8 @@ public:
     [[nodiscard]] static Result<Socket> adopt(int descriptor);
     /// Two sockets connected with each other.
     [[nodiscard]] static Result<std::pair<Socket, Socket>> pair();
+    /// Another descriptor of the same socket.
+    [[nodiscard]] Result<Socket> duplicate() const;
     Socket() = default;
     Socket(Socket&& other) noexcept : m_file(std::exchange(other.m_file, -1)) {}
     Socket& operator=(Socket&& other) noexcept;

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kHostMagic = 0x54534854; // "THST"
 enum class Turn : std::uint32_t { Run = 0, Host = 1 };
 
 /// What a host process does in the code of a module.
-enum class HostPhase : std::uint32_t { None, Load, Setup, Update, Set, Destructor, Unload };
+enum class HostPhase : std::uint32_t { None, Load, Setup, Update, Set, Destructor, Unload, SaveState, LoadState };
 
 /// Why a host process ended, written by its handlers of signals and of exit().
 struct CrashRecord {
@@ -56,7 +56,7 @@ struct ControlPage {
 };
 
 /// Messages to a host. Each is answered by records, the last of which is Done.
-enum class HostRequest : std::uint32_t { Load, Map, Start, Update, Set, Stop, Unload };
+enum class HostRequest : std::uint32_t { Load, Map, Start, Update, Set, Stop, Unload, SaveState, LoadState };
 
 /// Records to a run: a kind, a controller, and bytes. After a request of the second group the host waits for a reply.
 enum class HostRecord : std::uint32_t {

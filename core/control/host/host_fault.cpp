@@ -53,6 +53,8 @@ const char* phaseName(HostPhase phase) {
     case HostPhase::Set: return "set";
     case HostPhase::Destructor: return "destructor";
     case HostPhase::Unload: return "unload";
+    case HostPhase::SaveState: return "saveState";
+    case HostPhase::LoadState: return "loadState";
     case HostPhase::None: break;
     }
     return "the middle of the run";

@@ -76,18 +76,13 @@ Result<std::vector<Kind>> HostGroup::load() {
 
 /// Returns the kinds of the module, as JSON.
 Result<std::string> HostGroup::loadInto(HostConnection& host) {
-    std::string json;
     m_done.reset();
-    const bool alive = host.call(HostRequest::Load, WireWriter().bytes(m_library).view(),
-                                 [&](HostRecord record, std::uint32_t number, WireReader& in) {
-                                     std::string reply = handle(record, number, in);
-                                     if (record == HostRecord::Done && m_done->ok()) json = in.text();
-                                     return reply;
-                                 });
+    const bool alive = host.call(
+        HostRequest::Load, WireWriter().bytes(m_library).view(),
+        [this](HostRecord record, std::uint32_t number, WireReader& in) { return handle(record, number, in); });
     m_waiting.reset();
     if (!alive) return Error{Code::ModuleUnreadable, faultOfLoading(host.end(), m_library)};
-    if (!*m_done) return m_done->error();
-    return json;
+    return *m_done ? Result<std::string>(std::exchange(m_more, {})) : m_done->error();
 }
 
 Status HostGroup::renew(std::uint64_t request) {
@@ -271,6 +266,18 @@ Status HostGroup::set(std::size_t number, const std::string& property, const Pro
                 WireWriter().number(static_cast<std::uint32_t>(number)).bytes(property).value(value).view());
 }
 
+Result<std::string> HostGroup::saveState(std::size_t number) {
+    if (!m_members[number].started) return std::string();
+    const WireWriter which = WireWriter().number(static_cast<std::uint32_t>(number));
+    if (const Status saved = call(number, HostRequest::SaveState, which.view()); !saved) return saved.error();
+    return std::exchange(m_more, {});
+}
+
+Status HostGroup::loadState(std::size_t number, std::string_view state) {
+    if (!m_members[number].started) return Error{Code::ControllerFailed, "it has stopped"};
+    return call(number, HostRequest::LoadState, WireWriter().number(static_cast<std::uint32_t>(number)).bytes(state).view());
+}
+
 void HostGroup::stop(std::size_t number) {
     Member& member = m_members[number];
     if (std::exchange(member.started, false) && m_host && m_host->alive()) {
@@ -313,6 +320,7 @@ HostGroup::Member* HostGroup::memberAt(std::uint32_t number) {
 std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReader& in) {
     if (record == HostRecord::Done) {
         m_done = in.status();
+        m_more = m_done->ok() ? in.text() : std::string();
         return {};
     }
     Member* member = memberAt(number);

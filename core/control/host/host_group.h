@@ -43,6 +43,8 @@ public:
     void prepare(std::size_t member, std::uint64_t tick, double time, double sinceLast);
     [[nodiscard]] Status update(std::size_t member, std::uint64_t tick, double time, double sinceLast);
     [[nodiscard]] Status set(std::size_t member, const std::string& property, const PropertyValue& value);
+    [[nodiscard]] Result<std::string> saveState(std::size_t member);
+    [[nodiscard]] Status loadState(std::size_t member, std::string_view state);
     void stop(std::size_t member);
     [[nodiscard]] Status renew(std::uint64_t request);
     [[nodiscard]] const ControllerFault* fault(std::size_t member) const;
@@ -113,6 +115,7 @@ private:
     std::uint64_t m_tick = 0;
     double m_time = 0;
     std::optional<Status> m_done;            // status of the request in progress
+    std::string m_more;                      // what came with it
     std::optional<MonitoredCall> m_waiting;  // names the controller that the clock waits for
 };
 

@@ -27,6 +27,8 @@ public:
     Status set(const std::string& property, const PropertyValue& value) override {
         return m_group.set(m_member, property, value);
     }
+    Result<std::string> saveState() override { return m_group.saveState(m_member); }
+    Status loadState(std::string_view state) override { return m_group.loadState(m_member, state); }
     void stop() override { m_group.stop(m_member); }
     Status renew(std::uint64_t request) override { return m_group.renew(request); }
     std::string module() const override { return m_group.library(); }

@@ -15,6 +15,7 @@ LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared
     m_shared->contacts = options.contacts;
     m_shared->radio.setEnabled(options.radio);
     m_shared->changed = std::move(options.changed);
+    if (options.guest) m_shared->guest = std::move(options.guest);
     m_shared->busySince = LiveClock::now();
     setSpeed(options.speed);
     try {
@@ -78,6 +79,12 @@ void LiveRun::setContactsEnabled(bool wanted) {
     const std::scoped_lock guard(m_shared->lock);
     m_shared->showAgain = m_shared->showAgain || (wanted && !m_shared->contacts);
     m_shared->contacts = wanted;
+    m_shared->wake.notify_all();
+}
+
+void LiveRun::setGuest(GuestMaker maker) {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->guest = std::move(maker);
     m_shared->wake.notify_all();
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "run/live/live_guest.h"
 #include "run/live/live_radio.h"
 #include "run/live/live_state.h"
 
@@ -24,6 +25,7 @@ public:
         bool startsRunning = false;           ///< starts when built; otherwise paused at tick 0
         std::uint64_t steps = 0;              ///< ticks to execute at the start, unless startsRunning
         bool canContinue = false;             ///< at Duration, keeps its logs open so that it can continue
+        GuestMaker guest;                     ///< see setGuest()
         bool contacts = false, radio = false; ///< initial values of setContactsEnabled(), setRadioEnabled()
         /// Called on the run's thread when phase() has changed or a step is done. Must not block.
         std::function<void()> changed;
@@ -47,6 +49,8 @@ public:
     void setSpeed(double factor);         ///< simulated s per s; 0: as fast as possible
     void setContactsEnabled(bool wanted); ///< for future snapshots; a paused run makes a new snapshot
     void setRadioEnabled(bool wanted);    ///< effective from the next tick
+    /// Lets another guest take part in place of the present one; an empty maker: none.
+    void setGuest(GuestMaker maker);
     /// Applies to the coming tick. Of several commands for one tick that push the same body, place the same robot or write the
     /// same signal, only the last counts.
     void command(decltype(Command::what) what);

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "run/live/live_guest.h"
 #include "run/live/live_radio.h"
 #include "run/live/live_state.h"
 
@@ -27,6 +28,7 @@ struct LiveRunShared {
     std::vector<decltype(Command::what)> commands;
     std::optional<PushCommand> push; ///< repeated before every tick
     std::function<void()> changed;
+    std::optional<GuestMaker> guest; ///< to replace the present one by; an empty maker: by none
 
     // results
     LivePhase phase = LivePhase::Building;

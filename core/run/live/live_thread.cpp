@@ -1,5 +1,6 @@
 #include "run/live/live_thread.h"
 
+#include <algorithm>
 #include <exception>
 
 #include <trundle/abi.h>
@@ -11,6 +12,7 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMaxLines = 10'000;           // limit for waiting console lines
+constexpr std::chrono::milliseconds kGuestWait(5);  // a guest is served at least so often
 constexpr std::chrono::milliseconds kFlushGap(200); // at most this much of the logs is lost in a crash
 
 std::shared_ptr<const std::vector<LiveContact>> copied(const std::vector<WorldContact>& contacts) {
@@ -29,10 +31,12 @@ void LiveThread::go(RunnerMaker maker) {
         waitForPrevious();
         build(maker);
         if (m_runner) loop();
+        m_guest.leave();
         end();
     } catch (const std::exception& e) { fail(e.what()); } catch (...) {
         fail("something was thrown that is no std::exception");
     }
+    m_guest.leave();
     m_runner.reset();
     maker = nullptr; // releases everything that it captured
     std::function<void()> changed;
@@ -60,6 +64,7 @@ void LiveThread::waitForPrevious() {
 }
 
 void LiveThread::addMessage(LiveLine line) {
+    if (m_guest.isTaken()) m_guest->addLine(line);
     const std::scoped_lock guard(m_shared->lock);
     if (m_shared->lines.size() >= kMaxLines) {
         m_shared->lines.pop_front();
@@ -114,9 +119,11 @@ void LiveThread::build(const RunnerMaker& maker) {
 
 void LiveThread::loop() {
     while (!atEnd() || holdAtDuration()) {
+        m_guest.serve(*m_shared, *m_runner);
         switch (awaitNext()) {
         case NextStep::Stop: return;
         case NextStep::Show: publish(true); break;
+        case NextStep::Serve: break;
         case NextStep::Tick:
             if (!tick()) return;
             break;
@@ -145,7 +152,7 @@ bool LiveThread::holdAtDuration() {
     return true;
 }
 
-/// Waits until there is something to do. For a tick, moves the pending commands to m_commands.
+/// Waits until there is something to do, at most for a while if there is a guest. For a tick, moves the pending commands to m_commands.
 LiveThread::NextStep LiveThread::awaitNext() {
     const double tickS = m_runner->world().experiment().settings.tick;
     std::unique_lock guard(m_shared->lock);
@@ -156,6 +163,11 @@ LiveThread::NextStep LiveThread::awaitNext() {
         if (!runs && m_shared->steps == 0) {
             const bool stops = m_shared->phase == LivePhase::Running; // publish() sets the phase together with the snapshot
             if (std::exchange(m_shared->showAgain, false) || stops) return NextStep::Show;
+            if (m_shared->guest) return NextStep::Serve;
+            if (m_guest.isTaken()) {
+                m_shared->wake.wait_for(guard, kGuestWait);
+                return NextStep::Serve;
+            }
             m_shared->wake.wait(guard);
             continue;
         }
@@ -176,7 +188,8 @@ LiveThread::NextStep LiveThread::awaitNext() {
         if (runs) {
             const LiveClock::time_point due = m_pace.due(now, tickS, m_shared->speed);
             if (due > now) {
-                m_shared->wake.wait_until(guard, due);
+                m_shared->wake.wait_until(guard, m_guest.isTaken() ? std::min(due, now + kGuestWait) : due);
+                if (m_guest.isTaken() || m_shared->guest) return NextStep::Serve;
                 continue;
             }
         }
@@ -190,6 +203,7 @@ LiveThread::NextStep LiveThread::awaitNext() {
 /// Executes one tick. False if it failed.
 bool LiveThread::tick() {
     for (auto& what : std::exchange(m_commands, {})) m_runner->command(std::move(what));
+    if (m_guest.isTaken()) m_guest->beforeTick();
     const LiveClock::time_point before = LiveClock::now();
     if (before - m_flushed >= kFlushGap) {
         m_runner->flushLogs();
@@ -198,6 +212,7 @@ bool LiveThread::tick() {
     if (m_medium) m_shared->radio.beforeTick(*m_medium);
     const bool good = m_runner->tick().ok();
     if (m_medium) m_shared->radio.afterTick(*m_medium);
+    if (m_guest.isTaken()) m_guest->afterTick(good);
     const LiveClock::time_point after = LiveClock::now();
     m_meter.ticked(after - before);
     m_pace.ticked();

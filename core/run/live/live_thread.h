@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "run/live/guest_seat.h"
 #include "run/live/live_clock.h"
 #include "run/live/live_run_shared.h"
 
@@ -22,7 +23,7 @@ public:
     void go(RunnerMaker maker);
 
 private:
-    enum class NextStep { Tick, Show, Stop };
+    enum class NextStep { Tick, Show, Serve, Stop };
 
     void build(const RunnerMaker& maker);
     void waitForPrevious();
@@ -44,6 +45,7 @@ private:
     std::chrono::milliseconds m_timeout{0};
     LogLocation m_logFolder;
     std::unique_ptr<Runner> m_runner;
+    GuestSeat m_guest;
     Medium* m_medium = nullptr;      ///< of the runner's world; null without radios
     std::uint64_t m_ticks = 0;       ///< total for the run; 0: no limit
     LiveClock::time_point m_flushed; // time of the last log flush

@@ -25,6 +25,7 @@ RunCommands::RunCommands(QWidget& window, Actions& actions, const Targets& targe
     connect(&m_targets.session, &RunSession::ended, this, &RunCommands::showEnd);
     connectLogs();
     connectDriving(window);
+    connectRemote(window);
 }
 
 void RunCommands::showMessages() {
@@ -64,6 +65,28 @@ void RunCommands::openLogs() {
     const QString& folder = m_targets.session.logs().folder();
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
         m_targets.status.refuse(tr("No file manager is available. The logs are in %1").arg(folder));
+}
+
+void RunCommands::connectRemote(QWidget& window) {
+    QAction& action = m_actions.at("sim.remote");
+    connect(&action, &QAction::triggered, this, [this, &window] {
+        if (!m_remoteDialog) m_remoteDialog = new RemoteDialog(m_targets.session.remote(), &window);
+        m_remoteDialog->show();
+        m_remoteDialog->raise();
+        m_remoteDialog->activateWindow();
+    });
+    connect(&m_targets.status, &StatusLine::remoteRequested, &action, &QAction::trigger);
+    connect(&m_targets.session.remote(), &RemoteAccess::switched, this, &RunCommands::showRemote);
+    connect(&m_targets.session.remote(), &RemoteAccess::clientsChanged, this, &RunCommands::showRemote);
+}
+
+void RunCommands::showRemote() {
+    const RemoteAccess& remote = m_targets.session.remote();
+    const std::size_t clients = remote.clientCount();
+    m_targets.status.setRemote(!remote.isOn() ? QString()
+                               : clients == 0 ? tr("remote: port %1").arg(remote.port())
+                               : clients == 1 ? tr("remote: 1 program")
+                                              : tr("remote: %1 programs").arg(clients));
 }
 
 void RunCommands::connectDriving(QWidget& window) {

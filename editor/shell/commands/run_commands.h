@@ -1,7 +1,9 @@
 #pragma once
 #include <QObject>
+#include <QPointer>
 #include <QWidget>
 
+#include "editor/shell/dialogs/remote_dialog.h"
 #include "editor/widgets/actions.h"
 
 namespace trundle {
@@ -35,9 +37,12 @@ private:
     void showEnd();
     void showLogs();
     void openLogs();
+    void connectRemote(QWidget& window);
+    void showRemote();
 
     Actions& m_actions;
     Targets m_targets;
+    QPointer<RemoteDialog> m_remoteDialog; ///< while it is open
 };
 
 } // namespace trundle

@@ -139,7 +139,7 @@ void ViewportActions::connectOverlays() {
     reportRenderStyle();
     connect(&m_context.settings, &ViewSettings::changed, this, reportRenderStyle);
     connect(&m_context.settings, &ViewSettings::changed, this, [this] {
-        m_context.session.setContactsEnabled(m_context.settings.shows(kOverlayContacts));
+        m_context.session.enable(RunSession::Extra::Contacts, m_context.settings.shows(kOverlayContacts));
         m_context.trails->setWanted(m_context.settings.shows(kOverlayTrails));
     });
 }

@@ -262,7 +262,7 @@ private Q_SLOTS:
     void skipsPoseOfRobotWithReusedName() {
         SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
-        o.session.setContactsEnabled(true);
+        o.session.enable(RunSession::Extra::Contacts, true);
         o.session.step();
         EVENTUALLY(o.session.state() == RunState::Paused && o.session.results().snapshot->contacts);
         QVERIFY(o.session.robots().place("robot0", {{1.25, -0.5, 0}, Quat::Identity()}));

@@ -166,6 +166,7 @@ private Q_SLOTS:
         f.selection.select("one");
         QVERIFY(f.runFor(0.5));
         QCOMPARE(f.row("one.front", "range")->text(), QStringLiteral("1.000 m"));
+        QCOMPARE(f.row("one.front", "object")->text(), QStringLiteral("yard/wall"));
         QCOMPARE(f.row("one.pack", "voltage")->text(), QStringLiteral("12.00 V"));
         QCOMPARE(f.row("one.feel", "pressed")->text(), QStringLiteral("true"));
         const ReadingRow* ranges = f.row("one.scan", "ranges least, greatest");

@@ -61,6 +61,7 @@ constexpr Question kQuestions[] = {
     {"shell/dialogs/new_module_dialog.h", "newModule", "Create"},
     {"shell/dialogs/new_arena_dialog.h", "newArena", "Create"},
     {"shell/dialogs/new_robot_dialog.h", "newRobot", "Create"},
+    {"shell/dialogs/remote_dialog.h", "remoteDialog", ""},
     {"shell/dialogs/repeat_dialog.h", "repeatDialog", "Repeat"},
     {"shell/dialogs/sensor_ring_dialog.h", "sensorRingDialog", "Insert"},
     {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
@@ -346,6 +347,7 @@ private:
         m_openers[QStringLiteral("newModule")] = [this] { trigger("controllers.new", {"robot0"}); };
         m_openers[QStringLiteral("newArena")] = [this] { trigger("file.newFromPlan"); };
         m_openers[QStringLiteral("newRobot")] = [this] { trigger("file.newFromDimensions"); };
+        m_openers[QStringLiteral("remoteDialog")] = [this] { trigger("sim.remote"); };
         m_openers[QStringLiteral("about")] = [this] { trigger("help.about"); };
         m_openers[QStringLiteral("preferences")] = [this] { trigger("edit.preferences"); };
         m_openers[QStringLiteral("arrayDialog")] = [this] { trigger("tool.array", {"robot0"}); };

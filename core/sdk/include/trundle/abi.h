@@ -14,8 +14,8 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 8u
-#define TRUNDLE_SDK_VERSION "1.10.0"
+#define TRUNDLE_ABI_MINOR 9u
+#define TRUNDLE_SDK_VERSION "1.11.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -70,9 +70,7 @@ typedef struct TrundleSignal {
 } TrundleSignal;
 
 /* ---- controllers ---- */
-
 enum { TRUNDLE_INFO = 1, TRUNDLE_WARNING = 2, TRUNDLE_ERROR = 3 };
-
 /* Access of a controller to its robot. Pointers are valid until the controller is destroyed. */
 typedef struct TrundleRobot {
     uint32_t size, reserved;
@@ -153,7 +151,6 @@ typedef struct TrundleServices {
 } TrundleServices;
 
 /* ---- kinds and the module ---- */
-
 enum { TRUNDLE_CONTROLLER = 1, TRUNDLE_DEVICE = 2 };
 
 /* Fields of which exactly one must be given; each is TRUNDLE_OPTIONAL. */
@@ -182,15 +179,17 @@ typedef struct TrundleKind {
     int32_t (*sense)(void* instance, const TrundleServices* services);
     const TrundleAlternatives* alternatives; /* since 1.1 */
     uint32_t alternativesCount, reserved;
+    /* Controllers, since 1.9; NULL: it has no state. saveState calls `write` with what a new version of it continues from, or not at all;
+     * loadState follows setupController. */
+    int32_t (*saveState)(void* instance, void (*write)(void* to, const char* bytes, uint64_t count), void* to);
+    int32_t (*loadState)(void* instance, const char* bytes, uint64_t count);
 } TrundleKind;
-
 typedef struct TrundleModule {
     uint32_t magic, size, abiMajor, abiMinor;
     const char* sdkVersion;
     const TrundleKind* const* kinds;
     uint32_t kindCount, reserved;
 } TrundleModule;
-
 /* The one exported symbol: `const TrundleModule* trundle_module(void)`. */
 typedef const TrundleModule* (*TrundleModuleEntry)(void);
 #define TRUNDLE_ENTRY_SYMBOL "trundle_module"

@@ -56,6 +56,7 @@ typedef struct TrundleGeomInfo {
     double colour[3];          /* red, green, blue as in the text, 0..1 */
     double reflectance;        /* share of light that the material returns, 0..1: Rec. 709 luminance of colour and texture */
     double opacity, shininess; /* 0..1 */
+    uint32_t object, reserved2; /* since 1.9: its number, as in pictures of cameras with Mode=segmentation; ground truth */
 } TrundleGeomInfo;
 
 /* For devices in act and sense, with the poses after the last step; uses the context of TrundleServices. Results of castFan are layer

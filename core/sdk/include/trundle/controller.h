@@ -39,6 +39,11 @@ public:
     virtual void setup(RobotPorts& robot) = 0;
     /// Called before a tick of the world. `sinceLast`: simulated seconds since the last call, 0 in the first.
     virtual void update(Seconds sinceLast) = 0;
+    /// What a new version of its code continues from: called when that is loaded during a run. Any bytes; none: it starts as in a new run.
+    /// An exception is reported, and no state is handed over. Since 1.11.
+    [[nodiscard]] virtual std::string saveState() const { return {}; }
+    /// Called after setup with what the old code saved, which may be an older version of it. After an exception it is created and set up again.
+    virtual void loadState(std::string_view) {}
 
     /// Called by the SDK before setup.
     void attach(const TrundleRobot* robot) { m_robot = robot; }

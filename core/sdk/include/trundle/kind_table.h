@@ -15,8 +15,6 @@
 namespace trundle {
 inline namespace sdk1 {
 
-class Controller;
-class RobotPorts;
 class Device;
 class Mount;
 class Actuation;
@@ -127,23 +125,6 @@ template <class T> std::unique_ptr<KindTable> commonTable(const char* name, std:
     return table;
 }
 
-template <class T, class Ports> std::int32_t setupController(void* handle, const TrundleRobot* robot) {
-    auto& instance = at<T>(handle);
-    bool complete = true;
-    const std::int32_t failed = guarded(instance.error, [&] {
-        Ports ports(*robot);
-        instance.object.attach(robot);
-        ports.publishOutputs(instance.object);
-        instance.object.setup(ports);
-        complete = ports.complete();
-    });
-    if (!failed && !complete) instance.error = "a port is missing";
-    return failed || !complete;
-}
-template <class T, class Span> std::int32_t updateController(void* handle, double sinceLast) {
-    auto& instance = at<T>(handle);
-    return guarded(instance.error, [&] { instance.object.update(Span{sinceLast}); });
-}
 template <class T, class OnRobot> std::int32_t setupDevice(void* handle, const TrundleMount* mount) {
     auto& instance = at<T>(handle);
     const std::int32_t failed = guarded(instance.error, [&] {
@@ -171,18 +152,7 @@ template <class T, class Asking> std::int32_t senseDevice(void* handle, const Tr
 
 } // namespace border
 
-struct Seconds;
-
-// The real classes are default template arguments, so that this header includes neither controller.h nor device.h.
-template <class T, class Base = Controller, class Ports = RobotPorts, class Span = Seconds>
-std::unique_ptr<KindTable> controllerTable(const char* name) {
-    static_assert(std::is_base_of_v<Base, T>, "a controller derives from trundle::Controller");
-    auto table = border::commonTable<T>(name, TRUNDLE_CONTROLLER);
-    table->kind.setupController = &border::setupController<T, Ports>;
-    table->kind.update = &border::updateController<T, Span>;
-    return table;
-}
-
+// The real classes are default template arguments, so that this header does not include device.h.
 template <class T, class Base = Device, class OnRobot = Mount, class Acting = Actuation, class Asking = Sensing>
 std::unique_ptr<KindTable> deviceTable(const char* name) {
     static_assert(std::is_base_of_v<Base, T>, "a device derives from trundle::Device");

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <trundle/controller_table.h>
 #include <trundle/kind_table.h>
 
 namespace trundle {

@@ -107,6 +107,10 @@ public:
     [[nodiscard]] LightPort lightSensor(PortName name);
     // since 1.8
     [[nodiscard]] SkidDrivePort skidDrive(PortName name);
+    // since 1.11
+    /// Name of an object by its number in a ground truth signal, "box1/block"; empty: there is none.
+    [[nodiscard]] std::string objectName(std::uint32_t object) const;
+    [[nodiscard]] ForcePort forceSensor(PortName name);
     /// A device of a module by the table of its signals (since 1.5): robot.port<SonarSignals>("front").
     template <class S> [[nodiscard]] Port<S> port(PortName name) { return bindPort<Port<S>, S>(name); }
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);

@@ -23,6 +23,13 @@ inline CompassPort RobotPorts::compass(PortName name) { return bindPort<CompassP
 inline GpsPort RobotPorts::gps(PortName name) { return bindPort<GpsPort, GpsSignals>(name); }
 inline GroundPort RobotPorts::groundSensor(PortName name) { return bindPort<GroundPort, GroundSensorSignals>(name); }
 inline LightPort RobotPorts::lightSensor(PortName name) { return bindPort<LightPort, LightSensorSignals>(name); }
+inline std::string RobotPorts::objectName(std::uint32_t object) const {
+    const bool known = m_robot.size >= offsetof(TrundleRobot, cameras) + sizeof m_robot.cameras && m_robot.cameras;
+    const char* name = known ? m_robot.cameras->objectName(m_robot.cameras->context, object) : nullptr;
+    return name ? name : "";
+}
+
+inline ForcePort RobotPorts::forceSensor(PortName name) { return bindPort<ForcePort, ForceSensorSignals>(name); }
 
 inline SkidDrivePort RobotPorts::skidDrive(PortName name) { return bindPort<SkidDrivePort, SkidDriveSignals>(name); }
 

@@ -42,6 +42,8 @@ public:
     /// m, layer by layer from below, each from -FieldOfView/2 counter-clockwise.
     [[nodiscard]] std::span<const double> ranges() const { return m_signals.ranges.values(); }
     [[nodiscard]] double range(std::uint32_t beam) const { return m_signals.ranges.get(beam); } ///< m
+    /// Share of light that is returned, in the order of ranges(); zeros unless Intensity is set. Since 1.11.
+    [[nodiscard]] std::span<const double> intensities() const { return m_signals.intensities.values(); }
 };
 
 class ImuPort : public SensorPort<ImuSignals> {
@@ -77,6 +79,13 @@ public:
 class LightPort : public SensorPort<LightSensorSignals> {
 public:
     [[nodiscard]] double illuminance() const { return m_signals.illuminance.get(); } ///< lx
+};
+
+/// Since 1.11.
+class ForcePort : public SensorPort<ForceSensorSignals> {
+public:
+    [[nodiscard]] Vec3 force() const { return vector(m_signals.force); }   ///< N in its own frame, of the joint's parent on its child
+    [[nodiscard]] Vec3 torque() const { return vector(m_signals.torque); } ///< N m in its own frame, about its place
 };
 
 } // namespace sdk1

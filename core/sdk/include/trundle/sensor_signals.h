@@ -3,6 +3,7 @@
 // The signals of the sensors that come with Trundle, since 1.6. `time` is when the reading was measured; -1 before the first one.
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include <trundle/slot.h>
@@ -14,6 +15,7 @@ struct RangeSensorSignals {
     static constexpr const char* kKind = "RangeSensor";
     OutputSlot<double> range, voltage, time;
     TruthSlot<double> trueRange;
+    TruthSlot<std::int64_t> object;
 
     template <class D> static void describe(D& d) {
         using S = RangeSensorSignals;
@@ -22,20 +24,28 @@ struct RangeSensorSignals {
         d.output("time", &S::time, "s", "When it was measured.");
         d.truth("trueRange", &S::trueRange, "m",
                 "Distance of the nearest surface in its cone, at the end of the tick it was measured.");
+        d.truth("object", &S::object, "", "Number of the object with that surface; 0: none. RobotPorts::objectName gives its name.");
     }
 };
 
 struct LidarSignals {
     static constexpr const char* kKind = "Lidar";
-    OutputSlot<std::vector<double>> ranges;
+    OutputSlot<std::vector<double>> ranges, intensities;
     OutputSlot<double> time;
+    TruthSlot<std::vector<double>> objects;
 
     template <class D> static void describe(D& d) {
         using S = LidarSignals;
         d.output("ranges", &S::ranges, "m",
                  "Layer by layer from below, each from -FieldOfView/2 counter-clockwise; MaxRange where nothing is hit.",
                  {"Beams", "Layers"});
-        d.output("time", &S::time, "s", "When they were measured.");
+        d.output("time", &S::time, "s", "When they were measured; with a SweepTime, the last of them.");
+        d.output("intensities", &S::intensities, "",
+                 "Share of light that each returns, in the order of `ranges`; zeros unless Intensity is set.",
+                 {"Beams", "Layers"});
+        d.truth("objects", &S::objects, "",
+                "Numbers of the objects that the beams hit, in the order of `ranges`, 0 for none; zeros unless Objects is set.",
+                {"Beams", "Layers"});
     }
 };
 
@@ -104,6 +114,23 @@ struct LightSensorSignals {
         d.output("illuminance", &S::illuminance, "lx", "From the lamps, the sun and the sky in front of it.");
         d.output("time", &S::time, "s", "When it was measured.");
         d.truth("trueIlluminance", &S::trueIlluminance, "lx", "The same without errors and limits.");
+    }
+};
+
+/// Since 1.11.
+struct ForceSensorSignals {
+    static constexpr const char* kKind = "ForceSensor";
+    OutputSlot<std::array<double, 3>> force, torque;
+    OutputSlot<double> time;
+    TruthSlot<std::array<double, 3>> trueForce, trueTorque;
+
+    template <class D> static void describe(D& d) {
+        using S = ForceSensorSignals;
+        d.output("force", &S::force, "N", "Of the joint's parent on its child, in the sensor's frame.");
+        d.output("torque", &S::torque, "N m", "The same, about the sensor's place.");
+        d.output("time", &S::time, "s", "When they were measured: the end of the tick over which they acted.");
+        d.truth("trueForce", &S::trueForce, "N", "The same without errors and limits.");
+        d.truth("trueTorque", &S::trueTorque, "N m", "The same without errors and limits.");
     }
 };
 

@@ -61,6 +61,14 @@ class Controller:
         """Called before a tick of the world. `since_last`: simulated seconds since the last call, 0 in the first."""
         raise NotImplementedError(f"{type(self).__name__} has no update()")
 
+    def save_state(self):
+        """What a new version of its code continues from: called when that is loaded during a run. Anything that json can write; None: it
+        starts as in a new run. After an exception, which is reported, no state is handed over."""
+
+    def load_state(self, state):
+        """Called after setup with what the old code saved, which may be an older version of it. After an exception it is made and set up
+        again."""
+
     @property
     def time(self):
         """Simulated time, s; 0 in the first update."""

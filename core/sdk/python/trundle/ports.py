@@ -227,6 +227,10 @@ class LidarPort(SensorPort):
         """m."""
         return self.get("ranges", beam)
 
+    def intensities(self):
+        """Share of light that is returned, in the order of ranges(); zeros unless Intensity is set. Memory as of ranges()."""
+        return self.values("intensities")
+
 
 class ImuPort(SensorPort):
     def angular_velocity(self):
@@ -263,6 +267,18 @@ class GroundPort(SensorPort):
     def reflectance(self):
         """From 0 (black) to 1 (white)."""
         return self.get("reflectance")
+
+
+class ForcePort(SensorPort):
+    """Of the joint's parent on its child, in the sensor's own frame."""
+
+    def force(self):
+        """N."""
+        return tuple(self.values("force"))
+
+    def torque(self):
+        """N m about the sensor's place."""
+        return tuple(self.values("torque"))
 
 
 class LightPort(SensorPort):
@@ -449,6 +465,7 @@ class RobotPorts:
     compass = _binder("compass", CompassPort, "Compass")
     gps = _binder("gps", GpsPort, "Gps")
     ground_sensor = _binder("ground_sensor", GroundPort, "GroundSensor")
+    force_sensor = _binder("force_sensor", ForcePort, "ForceSensor")
     light_sensor = _binder("light_sensor", LightPort, "LightSensor")
     servo = _binder("servo", ServoPort, "Servo")
     linear_motor = _binder("linear_motor", ServoPort, "LinearMotor")
@@ -464,6 +481,10 @@ class RobotPorts:
     pen = _binder("pen", PenPort, "Pen")
     led = _binder("led", LedPort, "Led")
     charger = _binder("charger", ChargerPort, "Charger")
+
+    def object_name(self, number):
+        """Name of an object by its number in a ground truth signal, "box1/block"; "" if there is none."""
+        return self._outside.object_name(int(number))
 
     def camera(self, device):
         """The port of a Camera."""

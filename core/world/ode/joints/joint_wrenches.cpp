@@ -17,7 +17,11 @@ std::array<dJointID, 7> rowsOf(const OdeJoint& joint) {
 void JointWrenches::prepare() {
     for (const std::uint32_t index : m_joints)
         for (const dJointID row : rowsOf(m_objects.joints[index])) {
-            if (!row || dJointGetFeedback(row)) continue;
+            if (!row) continue;
+            if (dJointFeedback* known = dJointGetFeedback(row)) {
+                *known = {}; // ODE leaves it as it is where the row is off in this step
+                continue;
+            }
             m_feedbacks.push_back(std::make_unique<dJointFeedback>());
             *m_feedbacks.back() = {};
             dJointSetFeedback(row, m_feedbacks.back().get());
@@ -26,16 +30,22 @@ void JointWrenches::prepare() {
 
 JointWrench JointWrenches::of(std::uint32_t index) const {
     const OdeJoint& joint = m_objects.joints[index];
-    const OdeBody& child = m_objects.bodies[joint.child];
+    const Vec3 centre = vec(m_objects.bodies[joint.child].p);
     JointWrench sum;
     for (const dJointID row : rowsOf(joint)) {
         const dJointFeedback* f = row ? dJointGetFeedback(row) : nullptr;
         if (!f) continue;
-        const bool first = dJointGetBody(row, 0) == child.id;
+        const bool first = dJointGetBody(row, 0) == m_objects.bodies[joint.child].id;
         sum.force += vec(first ? f->f1 : f->f2);
         sum.torque += vec(first ? f->t1 : f->t2);
     }
-    sum.torque -= turn(child.r, joint.childAnchor).cross(sum.force); // ODE's torques are about the centre of mass
+    // ODE's torques are about the centre of mass of each body. The parent's anchor is the one that jointAnchor gives.
+    Vec3 anchor = joint.parentAnchor;
+    if (joint.parent != kNone) {
+        const OdeBody& parent = m_objects.bodies[joint.parent];
+        anchor = vec(parent.p) + turn(parent.r, joint.parentAnchor);
+    }
+    sum.torque += (centre - anchor).cross(sum.force);
     return sum;
 }
 

@@ -4,6 +4,7 @@
 import atexit
 import gc
 import io
+import json
 import mmap
 import sys
 import time
@@ -16,8 +17,8 @@ from .module import Fault, Module
 from .outside import DONE, SETUP_TICK, UPDATED, Outside
 from .wire import Reader, Writer
 
-LOAD, MAP, START, UPDATE, SET, STOP, UNLOAD = range(7)  # requests
-_PHASES = {LOAD: 1, START: 2, UPDATE: 3, SET: 4, STOP: 5, UNLOAD: 6}
+LOAD, MAP, START, UPDATE, SET, STOP, UNLOAD, SAVE_STATE, LOAD_STATE = range(9)  # requests
+_PHASES = {LOAD: 1, START: 2, UPDATE: 3, SET: 4, STOP: 5, UNLOAD: 6, SAVE_STATE: 7, LOAD_STATE: 8}
 CONTROLLER_FAILED, UNKNOWN_PORT, PYTHON_MODULE, INTERNAL = 410, 411, 414, 599
 _NO_CONTROLLER = 0xffffffff
 # What code may raise to leave: also SystemExit and KeyboardInterrupt.
@@ -103,7 +104,7 @@ class Worker:
 
     def run(self):
         handlers = {LOAD: self._load, MAP: self._map, START: self._start, UPDATE: self._update, SET: self._set, STOP: self._stop,
-                    UNLOAD: self._unload}
+                    UNLOAD: self._unload, SAVE_STATE: self._save_state, LOAD_STATE: self._load_state}
         while True:
             reader = Reader(self._link.receive())
             handlers[reader.number("I")](reader)
@@ -204,6 +205,33 @@ class Worker:
             running.set(fields[name], reader.value())
         except _ANY as error:
             fault = (CONTROLLER_FAILED, running.failed(f"refuses the value of {name}", Fault(error).text))
+        self._done(fault)
+
+    def _save_state(self, reader):
+        number = reader.number("I")
+        running = self._controllers.get(number)
+        if running is None or running.instance is None:
+            return self._done()
+        self._enter(SAVE_STATE, number)
+        fault, text = None, ""
+        try:
+            state = running.instance.save_state()
+            text = "" if state is None else json.dumps(state)
+        except _ANY as error:
+            fault = (CONTROLLER_FAILED, running.failed("failed in save_state", Fault(error).text))
+        self._done(fault, text)
+
+    def _load_state(self, reader):
+        number, text = reader.number("I"), reader.text()
+        running = self._controllers.get(number)
+        if running is None or running.instance is None:
+            return self._done((INTERNAL, "no such controller"))
+        self._enter(LOAD_STATE, number)
+        fault = None
+        try:
+            running.instance.load_state(json.loads(text))
+        except _ANY as error:
+            fault = (CONTROLLER_FAILED, running.failed("failed in load_state", Fault(error).text))
         self._done(fault)
 
     def _stop(self, reader):

@@ -1,0 +1,64 @@
+#pragma once
+// The controllers of a run: their start, updates, faults, restarts and new code.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "run/command.h"
+#include "run/running_controller.h"
+
+namespace trundle {
+
+class ControllerSet {
+public:
+    /// What they need of the run, which outlives them.
+    struct Context {
+        World& world;
+        CallMonitor& calls;
+        std::vector<Diagnostic>& warnings;
+        std::function<ControllerOutputs(const RobotSpec& robot)> outputsFor;
+        std::function<void(const std::string& robot, int severity, const std::string& text)> say; ///< a message of the run itself
+        bool measures = false; ///< all calls, not only those that have a budget to keep
+    };
+    explicit ControllerSet(Context context) : m_context(std::move(context)) {}
+
+    /// Those of all robots. Errors go to `diagnostics`.
+    void start(const BackendFactory& backends, Diagnostics& diagnostics);
+    /// Calls all that are due. Returns an error that ends the run, with the place of its controller.
+    [[nodiscard]] std::optional<std::pair<Error, SourceRange>> think();
+    /// At the end of the run.
+    void stop();
+
+    Status apply(const HoldCommand& command);
+    Status apply(const RestartCommand& command);
+    Status apply(const ReloadCommand& command);
+    Status apply(const StopCommand& command);
+    [[nodiscard]] std::optional<Status> set(const PropertyCommand& command);
+
+    [[nodiscard]] const std::vector<StoppedController>& stopped() const { return m_stopped; }
+    [[nodiscard]] std::vector<ControllerCost> costs() const;
+
+private:
+    [[nodiscard]] const ExperimentSpec& experiment() const { return m_context.world.experiment(); }
+    [[nodiscard]] RunningController* controllerOf(const std::string& robot);
+    [[nodiscard]] bool isStopped(const RunningController& controller) const;
+    void prepareUpdates(std::uint64_t tick, double time);
+    Status update(RunningController& controller, std::uint64_t tick, double time);
+    void stopFaulty();
+    void reportFault(const RunningController& controller);
+    void goOnInNewProcess(RunningController& controller);
+    bool startAgain(RunningController& controller);
+    [[nodiscard]] std::string stateOf(RunningController& controller);
+    bool startFrom(RunningController& controller, const std::string& state);
+
+    Context m_context;
+    std::vector<RunningController> m_controllers;
+    std::vector<StoppedController> m_stopped;
+    std::uint64_t m_requests = 0; ///< to load new code
+    bool m_ending = false;
+};
+
+} // namespace trundle

@@ -1,0 +1,32 @@
+#pragma once
+#include <QDialog>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+class QToolButton;
+
+namespace trundle {
+
+class RemoteAccess;
+
+/// Switches the access of other programs to the run on and off, and shows how they connect. Stays open beside the window.
+class RemoteDialog final : public QDialog {
+    Q_OBJECT
+public:
+    explicit RemoteDialog(RemoteAccess& access, QWidget* parent = nullptr);
+
+private:
+    void setOn(bool on);
+    void refresh();
+
+    RemoteAccess& m_access;
+    QCheckBox* m_on;
+    QSpinBox* m_port;
+    QLineEdit* m_code;
+    QToolButton* m_copy;
+    QLabel* m_state;
+};
+
+} // namespace trundle

@@ -1,0 +1,116 @@
+// Forces and torques across joints, as sensors read them: against closed forms.
+#include "sensor_world.h"
+
+#include <numbers>
+
+using namespace trundle;
+using namespace trundle::test;
+
+namespace {
+
+constexpr double kGravity = 9.81;
+
+/// A load of 1.5 kg on a pan of 0.2 kg, which is on a fixed stand by this joint.
+std::string scale(const std::string& joint, const std::string& sensor, const std::string& more = "") {
+    return "Tick=0.005 Seed=3\nRobotConfig Scale {\n  Body stand { Box foot { Size=0.1,0.1,0.1 Pos=0,0,-1 Mass=5 } }\n"
+           "  Body pan { Box plate { Size=0.1,0.1,0.02 Mass=0.2 } Box load { Size=0.05,0.05,0.05 Pos=0.3,0.1,0.2 Mass=1.5 } }\n"
+           "  Fixed hold { Parent=world Child=stand }\n  " +
+           joint + "\n  ForceSensor cell { " + sensor + " }\n" + more + "}\nRobot r { Config=Scale Pos=0,0,3 }\n";
+}
+
+const Vec3 kWeight(0, 0, 1.7 * kGravity), kMoment =
+                                              Vec3(0.3, 0.1, 0.2).cross(Vec3(0, 0, 1.5 * kGravity)); // of the parent on the child
+
+bool isNear(const Vec3& value, const Vec3& expected, double within) {
+    if ((value - expected).norm() <= within) return true;
+    qWarning("%.6g %.6g %.6g, not %.6g %.6g %.6g", value.x(), value.y(), value.z(), expected.x(), expected.y(), expected.z());
+    return false;
+}
+
+} // namespace
+
+class ForceSensorTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void carriesAWeightInItsOwnFrame_data() {
+        QTest::addColumn<QString>("body");
+        QTest::addColumn<Vec3>("place");
+        QTest::addColumn<Vec3>("hpr"); // degrees
+        QTest::newRow("at the joint") << "stand" << Vec3(0, 0, 0) << Vec3(0, 0, 0);
+        QTest::newRow("another place") << "pan" << Vec3(0.1, 0.2, -0.1) << Vec3(0, 0, 0);
+        QTest::newRow("turned") << "pan" << Vec3(0.3, 0, 0.1) << Vec3(30, 50, -70);
+    }
+    void carriesAWeightInItsOwnFrame() {
+        QFETCH(QString, body);
+        QFETCH(Vec3, place);
+        QFETCH(Vec3, hpr);
+        char pose[200];
+        std::snprintf(pose, sizeof pose, " Pos=%g,%g,%g HPR=%g,%g,%g", place.x(), place.y(), place.z(), hpr.x(), hpr.y(),
+                      hpr.z());
+        SensorWorld w(scale("Fixed wrist { Parent=stand Child=pan }", "Joint=wrist Body=" + body.toStdString() + pose));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QCOMPARE(w.value("r/cell/time"), -1.);
+        QVERIFY(w.run(200));
+        const Quat turned = rotationFromHpr(hpr * std::numbers::pi / 180).conjugate();
+        QVERIFY(isNear(w.vector("r/cell/force"), turned * kWeight, 1e-3 * kWeight.norm()));
+        QVERIFY(isNear(w.vector("r/cell/torque"), turned * Vec3(kMoment - place.cross(kWeight)), 1e-3 * kMoment.norm()));
+        QVERIFY(isNear(w.vector("r/cell/trueTorque"), w.vector("r/cell/torque"), 0));
+        QVERIFY(std::abs(w.value("r/cell/time") - 1) < 1e-9);
+    }
+
+    /// Raised at constant speed, it carries its weight by the motor along the slider, and by the rail across it; the moment is about the
+    /// sensor on the stand, to which the pan has moved.
+    void includesTheMotorOfItsJoint() {
+        SensorWorld w(scale("Slider rail { Parent=stand Child=pan Axis=0.6,0,0.8 }", "Joint=rail Body=stand",
+                            "  LinearMotor lift { Joint=rail MaxForce=100 MaxSpeed=1 Mode=speed }\n"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        w.world().block().slots()[w.world().layout().find("r/lift/target")->offset] = 0.2;
+        QVERIFY(w.run(400));
+        const double way = w.value("r/rail/position");
+        QVERIFY(way > 0.3);
+        QVERIFY(isNear(w.vector("r/cell/force"), kWeight, 1e-3 * kWeight.norm()));
+        QVERIFY(isNear(w.vector("r/cell/torque"), kMoment + (way * Vec3(0.6, 0, 0.8)).cross(kWeight), 2e-3 * kMoment.norm()));
+    }
+
+    /// A hinge carries no moment about its axis; the rest is as of a rigid joint, wherever its anchor is.
+    void aHingeCarriesAllButItsOwnAxis() {
+        SensorWorld w(scale("Hinge wrist { Parent=stand Child=pan Axis=0,0,1 Anchor=0.2,-0.1,0.05 }",
+                            "Joint=wrist Body=stand Pos=0.1,0.2,-0.3"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(200));
+        QVERIFY(isNear(w.vector("r/cell/force"), kWeight, 1e-3 * kWeight.norm()));
+        QVERIFY(isNear(w.vector("r/cell/torque"), kMoment - Vec3(0.1, 0.2, -0.3).cross(kWeight), 1e-3 * kMoment.norm()));
+    }
+
+    void errsAsItsFieldsSay() {
+        SensorWorld w(scale("Fixed wrist { Parent=stand Child=pan }",
+                            "Joint=wrist Body=stand Noise=0.5,0.02 ForceBias=1,-2,3 TorqueBias=0.1,0.2,0.3 Resolution=0.01,0 "
+                            "Range=0,1"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(100));
+        std::vector<double> up, across;
+        for (int i = 0; i < 20000; ++i) {
+            QVERIFY(w.run());
+            up.push_back(w.value("r/cell/force", 2) - w.value("r/cell/trueForce", 2));
+            across.push_back(w.value("r/cell/torque", 2) - w.value("r/cell/trueTorque", 2));
+            QVERIFY(std::abs(w.value("r/cell/torque", 1)) <= 1); // about -4.4 without its range
+            QVERIFY(std::abs(std::remainder(w.value("r/cell/force", 0), 0.01)) < 1e-12);
+        }
+        const double n = 20000;
+        for (const auto& [samples, mean, deviation] : {std::tuple(up, 3.0, 0.5), std::tuple(across, 0.3, 0.02)}) {
+            const Moments m = momentsOf(samples);
+            QVERIFY(std::abs(m.mean - mean) < 4 * deviation / std::sqrt(n));
+            QVERIFY(std::abs(m.deviation / deviation - 1) < 4 / std::sqrt(2 * n));
+            QVERIFY(std::abs(correlationOf(samples, 1)) < 4 / std::sqrt(n));
+        }
+    }
+
+    void aJointThatIsNotThereIsAnErrorOfTheText() {
+        SensorWorld w(scale("Fixed wrist { Parent=stand Child=pan }", "Joint=wirst Body=stand"));
+        QVERIFY(!w.ok());
+        QVERIFY2(QString::fromStdString(w.failure()).contains("Joint names wirst"), w.failure().c_str());
+    }
+};
+
+QTEST_APPLESS_MAIN(ForceSensorTest)
+#include "force_sensor_test.moc"
