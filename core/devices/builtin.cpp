@@ -16,6 +16,7 @@
 #include "devices/gripper.h"
 #include "devices/ground_sensor.h"
 #include "devices/imu.h"
+#include "devices/latch.h"
 #include "devices/led.h"
 #include "devices/lidar.h"
 #include "devices/light_sensor.h"
@@ -61,6 +62,7 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<AckermannDrive>(), "AckermannDrive");
     visit(std::type_identity<Led>(), "Led");
     visit(std::type_identity<Charger>(), "Charger");
+    visit(std::type_identity<Latch>(), "Latch");
 }
 
 } // namespace

@@ -22,6 +22,18 @@ Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& geom, const Pose& pose) 
     return added;
 }
 
+Result<JointHandle> OdeEngine::addJoint(const JointSpec& joint, BodyHandle child, BodyHandle parent) {
+    return m_builder.addJoint(joint, child.index, parent.index);
+}
+
+Result<CouplingHandle> OdeEngine::addSpring(const SpringSpec& spring, BodyHandle child, BodyHandle parent) {
+    return m_builder.addSpring(spring, child.index, parent.index);
+}
+
+void OdeEngine::setLatch(std::uint32_t latch, BodyHandle body, std::optional<BodyHandle> held) {
+    m_latches.set(latch, body.index, held ? std::optional(held->index) : std::nullopt);
+}
+
 /// Nothing between two steps reads them, so they need not wait.
 void OdeEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
     if (surface < m_settings.surfaces.size()) m_settings.surfaces[surface] = values;
@@ -68,6 +80,10 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         prepareThread();
         m_dynamics.prepare();
         applyWrites();
+        if (m_latches.update()) {
+            m_dynamics.prepareAgain();
+            m_dynamics.prepare();
+        }
         m_search.findForStep(m_contacts.all);
         m_rows.update(h, m_contacts.all, m_objects.geoms, m_settings.errorReduction);
         m_wrenches.prepare();
@@ -75,8 +91,10 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         m_dynamics.step(h);
         const std::size_t ended = m_faults.ended().size();
         m_faults.check();
-        for (const EngineFault& fault : m_faults.ended().subspan(ended))
+        for (const EngineFault& fault : m_faults.ended().subspan(ended)) {
             m_dynamics.forget(m_objects.bodies[fault.body.index].actor);
+            m_latches.releaseActor(m_objects.bodies[fault.body.index].actor);
+        }
         m_sweep.run(h, m_contacts.all);
         publish(h);
     } catch (const OdeFault&) {
@@ -89,6 +107,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
 void OdeEngine::applyWrites() {
     for (const std::uint32_t moved : m_writes.apply(m_objects)) {
         m_dynamics.forget(moved);
+        m_latches.releaseActor(moved);
         m_search.markPlaced(moved);
     }
 }

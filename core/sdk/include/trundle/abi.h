@@ -14,8 +14,8 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 8u
-#define TRUNDLE_SDK_VERSION "1.10.0"
+#define TRUNDLE_ABI_MINOR 9u
+#define TRUNDLE_SDK_VERSION "1.11.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -150,6 +150,7 @@ typedef struct TrundleServices {
     const struct TrundleServicesLight* light; /* since 1.6; in abi_light.h */
     const TrundleServicesSupply* supply; /* since 1.7 */
     const struct TrundleServicesJoints* joints; /* since 1.8; in abi_joint.h */
+    const struct TrundleServicesLatch* latch; /* since 1.9; in abi_latch.h */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

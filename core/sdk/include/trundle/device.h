@@ -9,6 +9,7 @@
 #include <trundle/describe.h>
 #include <trundle/geometry.h>
 #include <trundle/joints.h>
+#include <trundle/latch.h>
 #include <trundle/light.h>
 #include <trundle/module.h>
 #include <trundle/mount.h>
@@ -83,6 +84,9 @@ public:
     void beams(std::vector<TrundleBeam>& out) const { detail::beams(m_services, out); }
     /// The battery of the robot. Since 1.8.
     [[nodiscard]] Supply supply() const { return detail::supply(m_services); }
+    /// Whether the latch of the device holds something, and what acted on that in the last step: N, and N m about its centre of mass.
+    /// Since 1.11.
+    bool held(Wrench& out) const { return detail::latchHeld(m_services, out); }
     /// A function of (seed, device, tick, index): the same in every run.
     [[nodiscard]] std::uint64_t randomBits(std::uint64_t index) const { return m_services.random(m_services.context, index); }
     [[nodiscard]] double random(std::uint64_t index) const {
@@ -169,6 +173,10 @@ public:
     void emitLight(BodyId body, const Vec3& point, double light, const TrundleBeam& beam) {
         detail::emitBeam(m_services, body, point, light, beam);
     }
+    /// Holds the body of a geom, or the scenery that it is part of, rigidly to a body of the own robot, as they are, until it is released or
+    /// one of them is placed elsewhere. A device holds one thing. False: it cannot. Since 1.11.
+    bool hold(BodyId body, GeomId geom) { return detail::latchHold(m_services, body.index, geom.index); }
+    void release() { detail::latchRelease(m_services); }
     /// What touches the geom can take power from the device: in all at most `amperes`, at most at `volts`; 0 A: none. It is offered until it
     /// is changed. Since 1.10.
     void offerPower(GeomId geom, double volts, double amperes) {

@@ -8,8 +8,8 @@ import math
 from .quantity import Quantity
 
 FORMAT = 1
-VERSION = "1.10.0"  # as in trundle/abi.h
-INTERFACE = (1, 8)
+VERSION = "1.11.0"  # as in trundle/abi.h
+INTERFACE = (1, 9)
 MOST_PUBLISHED = 1000
 MANY_ELEMENTS = 100000
 _SIGNAL_TYPES = {float: "real", int: "integer", bool: "boolean"}
