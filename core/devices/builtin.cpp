@@ -16,7 +16,7 @@
 #include "devices/gripper.h"
 #include "devices/ground_sensor.h"
 #include "devices/imu.h"
-#include "devices/latch.h"
+#include "devices/latch_device.h"
 #include "devices/led.h"
 #include "devices/lidar.h"
 #include "devices/light_sensor.h"

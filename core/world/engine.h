@@ -133,27 +133,18 @@ struct ActorFaultReport {
     std::span<const EngineFault> closedJoints; ///< the first joint of each actor that a tick tore open and that was closed again
 };
 
+class EngineLinks;
+
 class Engine {
 public:
     virtual ~Engine() = default;
+
+    EngineLinks* const links = nullptr; ///< joints between actors; nullptr: this engine has none
 
     /// Adds the whole actor; on failure nothing is added.
     [[nodiscard]] virtual Result<ActorHandles> addActor(const ActorDef& actor) = 0;
     /// Adds a geom fixed to the world at `pose` (the spec's own pose is ignored).
     [[nodiscard]] virtual Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) = 0;
-
-    // Between two actors; an invalid parent is the world. Points and axes are in the world, for the current poses. The joined bodies
-    // do not touch each other. Only before the first step. An engine without such joints refuses.
-    [[nodiscard]] virtual Result<JointHandle> addJoint(const JointSpec& joint, BodyHandle child, BodyHandle parent);
-    [[nodiscard]] virtual Result<CouplingHandle> addSpring(const SpringSpec& spring, BodyHandle child, BodyHandle parent);
-    /// They pass through each other.
-    virtual void separate(ActorHandle first, ActorHandle second);
-    /// Holds a body rigidly to another one, an invalid one: to the world, as they are in the next step, until it is given none or one of
-    /// them is moved by moveActor. `latch` is any number that the caller chose for it. An engine without latches ignores it.
-    virtual void setLatch(std::uint32_t latch, BodyHandle body, std::optional<BodyHandle> held);
-    [[nodiscard]] virtual bool latchHolds(std::uint32_t latch) const; ///< in the last step
-    /// Force (N) and torque (N m, about its centre of mass) on the held body in the last step, world frame.
-    [[nodiscard]] virtual JointWrench latchWrench(std::uint32_t latch) const;
 
     // Writes, applied in order at the start of the next step. A motor constraint stays until it is replaced, forces last one
     // step.
@@ -196,6 +187,9 @@ public:
     [[nodiscard]] virtual EngineSolves solves() const = 0;
     [[nodiscard]] virtual EngineSweeps sweeps() const = 0;
     [[nodiscard]] virtual ActorFaultReport faults() const = 0;
+
+protected:
+    explicit Engine(EngineLinks* joints = nullptr) : links(joints) {}
 };
 
 /// The rigid-body engine (ODE).

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "model/passive_objects.h"
+#include "world/engine_links.h"
 #include "world/reflectance.h"
 #include "world/signal_plan.h"
 
@@ -114,6 +115,7 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
 void WorldObjects::buildLinks(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
     m_groups.resize(m_robots.size());
     std::iota(m_groups.begin(), m_groups.end(), std::size_t{0});
+    if (!engine.links) return; // what it cannot join was refused with the experiment
     const auto bodyOf = [&](int robot, int body) {
         return robot == kWorldBody ? BodyHandle{}
                                    : m_robots[static_cast<std::size_t>(robot)].handles.bodies[static_cast<std::size_t>(body)];
@@ -128,12 +130,12 @@ void WorldObjects::buildLinks(const ExperimentSpec& experiment, Engine& engine, 
     };
     for (const auto& link : experiment.joints)
         add(link, m_joints,
-            engine.addJoint(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
+            engine.links->addJoint(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
     for (const auto& link : experiment.springs)
         add(link, m_springs,
-            engine.addSpring(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
+            engine.links->addSpring(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
     for (const auto& [first, second] : experiment.noContact)
-        engine.separate(m_robots[first].handles.actor, m_robots[second].handles.actor);
+        engine.links->separate(m_robots[first].handles.actor, m_robots[second].handles.actor);
 }
 
 std::vector<const BuiltRobot*> WorldObjects::joinedWith(const BuiltRobot& robot) const {

@@ -22,18 +22,6 @@ Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& geom, const Pose& pose) 
     return added;
 }
 
-Result<JointHandle> OdeEngine::addJoint(const JointSpec& joint, BodyHandle child, BodyHandle parent) {
-    return m_builder.addJoint(joint, child.index, parent.index);
-}
-
-Result<CouplingHandle> OdeEngine::addSpring(const SpringSpec& spring, BodyHandle child, BodyHandle parent) {
-    return m_builder.addSpring(spring, child.index, parent.index);
-}
-
-void OdeEngine::setLatch(std::uint32_t latch, BodyHandle body, std::optional<BodyHandle> held) {
-    m_latches.set(latch, body.index, held ? std::optional(held->index) : std::nullopt);
-}
-
 /// Nothing between two steps reads them, so they need not wait.
 void OdeEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
     if (surface < m_settings.surfaces.size()) m_settings.surfaces[surface] = values;
@@ -80,7 +68,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         prepareThread();
         m_dynamics.prepare();
         applyWrites();
-        if (m_latches.update()) {
+        if (m_links.latches().update()) {
             m_dynamics.prepareAgain();
             m_dynamics.prepare();
         }
@@ -93,7 +81,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         m_faults.check();
         for (const EngineFault& fault : m_faults.ended().subspan(ended)) {
             m_dynamics.forget(m_objects.bodies[fault.body.index].actor);
-            m_latches.releaseActor(m_objects.bodies[fault.body.index].actor);
+            m_links.latches().releaseActor(m_objects.bodies[fault.body.index].actor);
         }
         m_sweep.run(h, m_contacts.all);
         publish(h);
@@ -107,7 +95,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
 void OdeEngine::applyWrites() {
     for (const std::uint32_t moved : m_writes.apply(m_objects)) {
         m_dynamics.forget(moved);
-        m_latches.releaseActor(moved);
+        m_links.latches().releaseActor(moved);
         m_search.markPlaced(moved);
     }
 }

@@ -14,25 +14,19 @@
 #include "world/ode/collision/contacts_by_geom.h"
 #include "world/ode/collision/ode_rays.h"
 #include "world/ode/joints/joint_wrenches.h"
-#include "world/ode/joints/latches.h"
 #include "world/ode/motion/ode_sweep.h"
 #include "world/ode/ode_dynamics.h"
+#include "world/ode/ode_links.h"
 #include "world/ode/pending_writes.h"
 
 namespace trundle {
 
 class OdeEngine final : public Engine {
 public:
-    explicit OdeEngine(EngineSettings settings) : m_settings(std::move(settings)) {}
+    explicit OdeEngine(EngineSettings settings) : Engine(&m_links), m_settings(std::move(settings)) {}
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;
-    [[nodiscard]] Result<JointHandle> addJoint(const JointSpec& joint, BodyHandle child, BodyHandle parent) override;
-    [[nodiscard]] Result<CouplingHandle> addSpring(const SpringSpec& spring, BodyHandle child, BodyHandle parent) override;
-    void separate(ActorHandle first, ActorHandle second) override { m_objects.separateActors(first.index, second.index); }
-    void setLatch(std::uint32_t latch, BodyHandle body, std::optional<BodyHandle> held) override;
-    [[nodiscard]] bool latchHolds(std::uint32_t latch) const override { return m_latches.holds(latch); }
-    [[nodiscard]] JointWrench latchWrench(std::uint32_t latch) const override { return m_latches.wrench(latch); }
     void setMotor(JointHandle joint, const MotorConstraint& row) override { m_rows.setMotor(joint.index, row); }
     void addJointTorque(JointHandle joint, double torque) override { m_writes.addTorque(joint.index, torque); }
     void addForce(BodyHandle body, const Vec3& force, const Vec3& at) override { m_writes.addForce(body.index, force, at); }
@@ -67,8 +61,8 @@ private:
     TickContacts m_contacts;
     JointRows m_rows{m_objects.bodies, m_objects.joints};
     CouplingRows m_couplings{m_objects, m_rows.inertias()};
-    Latches m_latches{m_world, m_objects};
     ActorBuilder m_builder{m_settings, m_world, m_objects, m_rows, m_couplings};
+    OdeLinks m_links{m_world, m_objects, m_builder};
     JointWrenches m_wrenches{m_objects};
     PendingWrites m_writes;
     GeomCollider m_collider{m_objects};

@@ -184,7 +184,6 @@ typedef struct TrundleKind {
     const TrundleAlternatives* alternatives; /* since 1.1 */
     uint32_t alternativesCount, reserved;
 } TrundleKind;
-
 typedef struct TrundleModule {
     uint32_t magic, size, abiMajor, abiMinor;
     const char* sdkVersion;

@@ -57,7 +57,7 @@ public:
         return state;
     }
     /// Contacts of the geom in the last step; `out` is overwritten.
-    void contacts(GeomId geom, std::vector<TrundleContact>& out) const;
+    void contacts(GeomId geom, std::vector<TrundleContact>& out) const { detail::contacts(m_services, geom.index, out); }
     /// Nearest hit along a unit direction within `range` (m); geoms of the own robot are ignored unless `own`.
     bool ray(const Vec3& origin, const Vec3& direction, double range, TrundleHit& hit, bool own = false) const {
         return m_services.ray(m_services.context, origin.data(), direction.data(), range, own ? 1 : 0, &hit) != 0;
@@ -194,15 +194,5 @@ public:
     virtual void sense(Sensing&) {}
 };
 
-inline void Services::contacts(GeomId geom, std::vector<TrundleContact>& out) const {
-    out.resize(out.capacity() < 8 ? 8 : out.capacity());
-    auto room = static_cast<std::uint32_t>(out.size());
-    std::uint32_t there = m_services.contacts(m_services.context, geom.index, out.data(), room);
-    if (there > room) {
-        out.resize(room = there);
-        there = m_services.contacts(m_services.context, geom.index, out.data(), room);
-    }
-    out.resize(there < room ? there : room);
-}
 } // namespace sdk1
 } // namespace trundle

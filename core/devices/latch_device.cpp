@@ -1,4 +1,4 @@
-#include "devices/latch.h"
+#include "devices/latch_device.h"
 
 namespace trundle {
 
