@@ -35,6 +35,7 @@ constexpr RoleText kRoles[] = {
     {Role::Controller, "controller", "Controllers"},
     {Role::Log, "log", "Logs"},
     {Role::Look, "look", "Lights and views"},
+    {Role::Region, "region", "Regions"},
 };
 
 const char* roleWord(Role role) {

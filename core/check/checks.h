@@ -11,6 +11,8 @@ namespace trundle {
 
 /// Reports bodies that no joint holds, two joints for the same bodies, closed loops, and mass properties that do not fit the shapes.
 void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics);
+/// Reports joints at the top level whose point is far from a body that they join.
+void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 /// Reports springs of joints and surfaces that swing faster than the tick can follow.
 void checkSprings(const ExperimentSpec& experiment, Diagnostics& diagnostics);

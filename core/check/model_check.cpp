@@ -27,6 +27,7 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     checkUnused(loaded, diagnostics);
     checkBodies(loaded, diagnostics);
     checkMasses(experiment, diagnostics);
+    checkLinks(experiment, diagnostics);
     checkDrives(loaded, diagnostics);
     checkSprings(experiment, diagnostics);
     if (experiment.robots.empty() || stop.stop_requested()) return;

@@ -37,17 +37,21 @@ public:
     }
     /// Path of a geom, such as "robot0/chassis/hull" or "arena/north".
     [[nodiscard]] std::string pathOf(std::uint32_t geom) const;
+    /// Whether a joint or spring at the top level holds a body of a robot.
+    [[nodiscard]] bool isJoined(std::size_t robot, std::size_t body) const;
     /// Unit vector against gravity; zero without gravity.
     [[nodiscard]] Vec3 up() const;
 
 private:
     [[nodiscard]] bool addStatics(const std::stop_token& stop);
     [[nodiscard]] bool addRobots(const std::stop_token& stop);
+    [[nodiscard]] bool addLinks();
 
     const ExperimentSpec* m_experiment = nullptr;
     std::unique_ptr<Engine> m_engine;
     std::vector<GeomOwner> m_owners;   ///< by engine geom index
     std::vector<ActorHandle> m_actors; ///< by robot index
+    std::vector<std::vector<BodyHandle>> m_bodies;
 };
 
 } // namespace trundle

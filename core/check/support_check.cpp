@@ -102,7 +102,7 @@ private:
         std::set<std::uint32_t> supported;
         for (std::uint32_t b = 0; b < config.bodies.size(); ++b) {
             pieces[root(b)].bodies.push_back(b);
-            if (held[b] || m_touching.contains({r, b})) supported.insert(root(b));
+            if (held[b] || m_scene.isJoined(r, b) || m_touching.contains({r, b})) supported.insert(root(b));
         }
         std::vector<Piece> loose;
         for (auto& [at, p] : pieces) {

@@ -29,6 +29,16 @@ std::string listed(const std::vector<std::string>& words) {
     return words.empty() ? "none" : words.size() > most ? text + " ..." : text;
 }
 
+/// A port of the first kind also fits devices of the second, whose signals are the same.
+constexpr std::pair<std::string_view, std::string_view> kSameSignals[] = {{"DifferentialDrive", "SkidDrive"},
+                                                                          {"DifferentialDrive", "TrackDrive"}};
+
+bool fitsKind(const std::string& wanted, const std::string& device) {
+    return wanted.empty() || wanted == device ||
+           std::ranges::find(kSameSignals, std::pair<std::string_view, std::string_view>(wanted, device)) !=
+               std::end(kSameSignals);
+}
+
 Error unknown(const RobotSpec& robot, const std::string& what) { return {Code::UnknownPort, robot.name + " " + what}; }
 
 } // namespace
@@ -69,7 +79,7 @@ Result<const SignalEntry*> PortNames::bind(const std::string& kind, const std::s
         const std::string wanted = kind.empty() ? "port" : kind + " port";
         return unknown(m_robot, "has no " + wanted + " '" + device + "'" + meant(device, names) + " (" + devices(kind) + ")");
     }
-    if (!kind.empty() && spec->kind != kind)
+    if (!fitsKind(kind, spec->kind))
         return unknown(m_robot,
                        "has no " + kind + " port '" + device + "': that is of kind " + spec->kind + " (" + devices(kind) + ")");
     const std::string prefix = m_robot.name + "/" + device + "/";

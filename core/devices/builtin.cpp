@@ -17,6 +17,7 @@
 #include "devices/gripper.h"
 #include "devices/ground_sensor.h"
 #include "devices/imu.h"
+#include "devices/latch_device.h"
 #include "devices/led.h"
 #include "devices/lidar.h"
 #include "devices/light_sensor.h"
@@ -63,6 +64,7 @@ template <class Visit> void eachDevice(const Visit& visit) {
     visit(std::type_identity<Led>(), "Led");
     visit(std::type_identity<Charger>(), "Charger");
     visit(std::type_identity<ForceSensor>(), "ForceSensor");
+    visit(std::type_identity<Latch>(), "Latch");
 }
 
 } // namespace

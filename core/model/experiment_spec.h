@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/raster.h"
@@ -54,6 +55,7 @@ struct RobotConfigSpec {
     std::vector<ComponentSpec> devices; ///< in text order
     bool selfCollision = false;
     SourceRange range;
+    std::vector<std::pair<int, int>> noContact; ///< pairs of its bodies that do not touch each other
 };
 
 struct RobotSpec {
@@ -96,6 +98,15 @@ struct SettingsSpec {
     std::string isolation = "none", title, description;
 };
 
+/// A box in which robots are counted; nothing touches it.
+struct RegionSpec {
+    std::string name;
+    Pose pose;                       ///< of its middle
+    Vec3 size = Vec3::Ones();        ///< full lengths, m
+    std::vector<std::size_t> robots; ///< that it counts, by index, ascending
+    SourceRange range, nameRange;
+};
+
 struct ModuleSpec {
     std::string written; ///< as in the text
     std::string library; ///< absolute path; empty if not found
@@ -113,6 +124,10 @@ struct ExperimentSpec {
     std::vector<ComponentSpec> logs;
     std::vector<ComponentSpec> looks; ///< lights, sky and views
     std::vector<ModuleSpec> modules;
+    std::vector<Link<JointSpec>> joints; ///< at the top level, in text order
+    std::vector<Link<SpringSpec>> springs;
+    std::vector<RegionSpec> regions;
+    std::vector<std::pair<std::size_t, std::size_t>> noContact; ///< pairs of robots that do not touch each other
 };
 
 /// The pattern with that name, or the antenna model with that name and default values; nullptr if there is neither.

@@ -58,4 +58,12 @@ struct GearSpec {
     SourceRange range, nameRange;
 };
 
+/// What joins bodies of two robots, or a body and the world, as a JointSpec or a SpringSpec: `parent` and `child` of the spec are
+/// bodies of these robots, its points and axes are in the world at the start.
+template <class Spec> struct Link {
+    Spec spec;
+    int parentRobot = kWorldBody; ///< index into the experiment's robots; kWorldBody: the world
+    int childRobot = 0;
+};
+
 } // namespace trundle

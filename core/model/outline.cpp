@@ -68,6 +68,8 @@ const NameSpace* Outline::spaceOf(const Kind& kind) const {
     case Role::Layout:
     case Role::Medium:
     case Role::Look:
+    case Role::Joint: // at the top level, between robots
+    case Role::Region:
     case Role::Log: return &world;
     default: return nullptr;
     }

@@ -86,6 +86,7 @@ const char* roleName(Role role) {
     case Role::Controller: return "Controller";
     case Role::Log: return "Log";
     case Role::Look: return "Look";
+    case Role::Region: return "Region";
     }
     return "";
 }

@@ -34,7 +34,7 @@ std::string lowerFirst(std::string word) {
 void PartBuilder::findFragment(const BlockView& top) {
     const auto isInner = [&](const SourceBlock& block) {
         const Kind* kind = m_registry.find(block.block->type.text);
-        return block.file != 0 || (kind && kind->role != Role::Settings && !allows(nullptr, *kind));
+        return block.file != 0 || (kind && kind->role != Role::Settings && (!allows(nullptr, *kind) || kind->role == Role::Joint));
     };
     const auto isOwn = [](const auto& what) { return what.file == 0; };
     m_isFragment = std::ranges::any_of(top.blocks, isOwn) && std::ranges::all_of(top.blocks, isInner) &&
@@ -128,7 +128,8 @@ bool PartBuilder::fits(Part& part, const Part* parent) {
         unknownKind(part, parent);
         return false;
     }
-    if (allows(parent, *part.kind)) return true;
+    const bool isOfFragment = !parent && m_isFragment && part.file == 0 && part.is(Role::Joint); // joins what is beside it there
+    if (!isOfFragment && allows(parent, *part.kind)) return true;
     const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && isAllowedInside(*part.kind, "Body");
     if (!loose) misplaced(part, parent); // loose geoms get a message of their own, with a fix
     return false;

@@ -17,7 +17,8 @@ std::vector<std::string> robotNames(const ResolveContext& context) {
     return names;
 }
 
-/// Checks the robots that a log names; in a list, the name of a Grid or Scatter is replaced by those of its members.
+} // namespace
+
 bool checkRobots(ResolveContext& context, const Property& property, ResolvedValue& value) {
     std::vector<std::string> names;
     for (const std::string& name : value.value.texts) {
@@ -51,6 +52,8 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
     value.value.texts = std::move(names);
     return true;
 }
+
+namespace {
 
 void reportDefaults(ResolveContext& context) {
     if (context.defaulted.empty()) return;
@@ -92,6 +95,7 @@ std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLooku
     resolveSurfaces(context);
     resolveRadio(context);
     resolveInstances(context);
+    resolveLinks(context);
     checkRadios(context);
     resolveLogs(context);
     checkFrameLogs(context);

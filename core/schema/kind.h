@@ -60,7 +60,8 @@ enum class Role {
     Device,
     Controller,
     Log,
-    Look ///< lights, sky and views
+    Look,  ///< lights, sky and views
+    Region ///< a box that reports what is inside
 };
 
 struct Kind {

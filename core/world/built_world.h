@@ -5,6 +5,7 @@
 //   WorldDevices   devices: created, set up, called; what they can reach is a DeviceHost
 //   WorldRadio     the medium between the radios of devices
 //   WorldSupply    batteries, and what devices draw;  WorldChargers: what charges them;  WorldLamps: the lamps that devices are
+//   WorldRegions   which robots are in its regions
 //   RobotSignals   the layout of the block, and the states in it
 //
 // Building: world_build.cpp; ticks: world_tick.cpp; reading, commands, faults: world_state.cpp.
@@ -19,6 +20,7 @@
 #include "world/world_fault.h"
 #include "world/world_lamps.h"
 #include "world/world_radio.h"
+#include "world/world_regions.h"
 #include "world/world_supply.h"
 
 namespace trundle {
@@ -80,6 +82,7 @@ private:
     WorldLamps m_lamps;
     WorldChargers m_chargers;
     DeviceTexts m_texts;
+    WorldRegions m_regions{*m_experiment, m_texts};
     SignalLayout m_layout;
     std::unique_ptr<SignalBlock> m_block;
     std::optional<DeviceHost> m_host; ///< once the block is there

@@ -5,6 +5,7 @@
 #include "base/platform/module_text.h"
 #include "base/rng.h"
 #include "world/device_joints.h"
+#include "world/device_latch.h"
 #include "world/device_light.h"
 #include "world/device_radio.h"
 #include "world/device_rays.h"
@@ -169,7 +170,8 @@ void fillServices(TrundleServices& services, ServiceContext& context, double tic
                 servicesRays(),
                 servicesLight(),
                 servicesSupply(),
-                servicesJoints()};
+                servicesJoints(),
+                servicesLatch()};
 }
 
 } // namespace trundle

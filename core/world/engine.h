@@ -68,6 +68,7 @@ struct ActorDef {
     bool selfCollision = false;
     const std::vector<SpringSpec>* springs = nullptr;
     const std::vector<GearSpec>* gears = nullptr;
+    const std::vector<std::pair<int, int>>* noContact = nullptr; ///< pairs of bodies that do not touch each other
 };
 
 struct ActorHandles {
@@ -132,9 +133,13 @@ struct ActorFaultReport {
     std::span<const EngineFault> closedJoints; ///< the first joint of each actor that a tick tore open and that was closed again
 };
 
+class EngineLinks;
+
 class Engine {
 public:
     virtual ~Engine() = default;
+
+    EngineLinks* const links = nullptr; ///< joints between actors; nullptr: this engine has none
 
     /// Adds the whole actor; on failure nothing is added.
     [[nodiscard]] virtual Result<ActorHandles> addActor(const ActorDef& actor) = 0;
@@ -182,6 +187,9 @@ public:
     [[nodiscard]] virtual EngineSolves solves() const = 0;
     [[nodiscard]] virtual EngineSweeps sweeps() const = 0;
     [[nodiscard]] virtual ActorFaultReport faults() const = 0;
+
+protected:
+    explicit Engine(EngineLinks* joints = nullptr) : links(joints) {}
 };
 
 /// The rigid-body engine (ODE).

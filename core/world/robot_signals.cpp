@@ -22,6 +22,20 @@ double* put(double* to, const Vec3& position, const Quat& q) {
     return to + 4;
 }
 
+double* putJoint(double* to, JointHandle joint, const WorldObjects& objects, const Engine& engine) {
+    if (!objects.jointHasPosition(joint.index)) return to;
+    *to++ = engine.jointPosition(joint);
+    *to++ = engine.jointRate(joint);
+    return to;
+}
+
+double* putSpring(double* to, const CouplingState& state) {
+    *to++ = state.length;
+    *to++ = state.rate;
+    *to++ = state.effort;
+    return to;
+}
+
 /// Same order as planRobot().
 void publishRobot(const BuiltRobot& robot, const WorldObjects& objects, const Engine& engine, std::uint64_t ticks, double* to) {
     const BodyState& first = engine.state(robot.handles.bodies[0]);
@@ -35,25 +49,18 @@ void publishRobot(const BuiltRobot& robot, const WorldObjects& objects, const En
         to = put(to, s.linear);
         to = put(to, s.angular);
     }
-    for (const JointHandle joint : robot.handles.joints) {
-        if (!objects.jointHasPosition(joint.index)) continue;
-        *to++ = engine.jointPosition(joint);
-        *to++ = engine.jointRate(joint);
-    }
+    for (const JointHandle joint : robot.handles.joints) to = putJoint(to, joint, objects, engine);
     const std::size_t springs = robot.spec->config->springs.size();
     for (std::size_t i = 0; i < robot.handles.couplings.size(); ++i) {
         const CouplingState state = engine.coupling(robot.handles.couplings[i]);
-        if (i < springs) {
-            *to++ = state.length;
-            *to++ = state.rate;
-        }
-        *to++ = state.effort;
+        if (i < springs) to = putSpring(to, state);
+        else *to++ = state.effort;
     }
 }
 
 } // namespace
 
-SignalLayout RobotSignals::layOut(const WorldObjects& objects, WorldDevices& devices) {
+SignalLayout RobotSignals::layOut(const ExperimentSpec& experiment, const WorldObjects& objects, WorldDevices& devices) {
     SignalLayout layout;
     m_images.clear();
     for (const BuiltRobot& robot : objects.robots()) {
@@ -62,12 +69,18 @@ SignalLayout RobotSignals::layOut(const WorldObjects& objects, WorldDevices& dev
         devices.layOut(index, layout);
         planController(layout, *robot.spec);
     }
+    m_between = planBetweenRobots(layout, experiment);
     return layout;
 }
 
-void RobotSignals::publish(const WorldObjects& objects, const Engine& engine, std::uint64_t ticks, SignalBlock& block) const {
+void RobotSignals::publish(const WorldObjects& objects, const Engine& engine, const WorldRegions& regions, std::uint64_t ticks,
+                           SignalBlock& block) const {
     for (std::size_t i = 0; i < m_images.size(); ++i)
         publishRobot(objects.robots()[i], objects, engine, ticks, block.slots().data() + m_images[i]);
+    double* to = block.slots().data() + m_between;
+    for (const JointHandle joint : objects.joints()) to = putJoint(to, joint, objects, engine);
+    for (const CouplingHandle spring : objects.springs()) to = putSpring(to, engine.coupling(spring));
+    regions.write(to);
 }
 
 } // namespace trundle

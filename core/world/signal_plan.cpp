@@ -20,6 +20,17 @@ std::uint32_t addState(SignalLayout& layout, const std::string& path) {
     return first;
 }
 
+void addJoint(SignalLayout& layout, const std::string& path, bool linear) {
+    layout.add(path + "/position", linear ? "m" : "rad", kReal, kTruth);
+    layout.add(path + "/rate", linear ? "m/s" : "rad/s", kReal, kTruth);
+}
+
+void addSpring(SignalLayout& layout, const std::string& path) {
+    layout.add(path + "/length", "m", kReal, kTruth);
+    layout.add(path + "/rate", "m/s", kReal, kTruth);
+    layout.add(path + "/force", "N", kReal, kTruth);
+}
+
 std::uint64_t times(std::uint64_t count, double value) {
     if (!(value >= 1)) return count;
     return static_cast<double>(count) * value > 1e15 ? std::uint64_t{1000000000000000}
@@ -46,22 +57,36 @@ std::uint64_t signalCount(const TrundleKind& kind, const TrundleSignal& signal, 
     return count;
 }
 
+std::uint32_t planBetweenRobots(SignalLayout& layout, const ExperimentSpec& experiment) {
+    const std::uint32_t first = layout.slotCount();
+    for (const auto& link : experiment.joints) {
+        if (!hasPosition(link.spec.type)) continue;
+        layout.beginRobot(link.spec.name);
+        addJoint(layout, link.spec.name, link.spec.type == JointType::Slider);
+    }
+    for (const auto& link : experiment.springs) {
+        layout.beginRobot(link.spec.name);
+        addSpring(layout, link.spec.name);
+    }
+    for (const RegionSpec& region : experiment.regions) {
+        layout.beginRobot(region.name);
+        for (const char* number : {"/count", "/entered", "/left"})
+            layout.add(region.name + number, "", SignalType::Integer, SignalDirection::Output);
+        layout.add(region.name + "/inside", "", SignalType::Boolean, SignalDirection::Output,
+                   std::max<std::uint32_t>(1, static_cast<std::uint32_t>(region.robots.size())));
+    }
+    return first;
+}
+
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
     const std::string& name = robot.name;
     layout.beginRobot(name);
     const std::uint32_t first = addState(layout, name);
     for (const BodySpec& body : robot.config->bodies) addState(layout, name + "/" + body.name);
     for (const JointSpec& joint : robot.config->joints) {
-        if (!hasPosition(joint.type)) continue;
-        const bool linear = joint.type == JointType::Slider;
-        layout.add(name + "/" + joint.name + "/position", linear ? "m" : "rad", kReal, kTruth);
-        layout.add(name + "/" + joint.name + "/rate", linear ? "m/s" : "rad/s", kReal, kTruth);
+        if (hasPosition(joint.type)) addJoint(layout, name + "/" + joint.name, joint.type == JointType::Slider);
     }
-    for (const SpringSpec& spring : robot.config->springs) {
-        layout.add(name + "/" + spring.name + "/length", "m", kReal, kTruth);
-        layout.add(name + "/" + spring.name + "/rate", "m/s", kReal, kTruth);
-        layout.add(name + "/" + spring.name + "/force", "N", kReal, kTruth);
-    }
+    for (const SpringSpec& spring : robot.config->springs) addSpring(layout, name + "/" + spring.name);
     for (const GearSpec& gear : robot.config->gears) {
         const bool linear = robot.config->joints[static_cast<std::size_t>(gear.joint)].type == JointType::Slider;
         layout.add(name + "/" + gear.name + (linear ? "/force" : "/torque"), linear ? "N" : "N m", kReal, kTruth);
@@ -90,6 +115,7 @@ SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& reg
         }
         planController(layout, robot);
     }
+    (void)planBetweenRobots(layout, experiment);
     return layout;
 }
 

@@ -26,6 +26,9 @@ std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot);
 /// Adds the signals that the robot's controller publishes: "robot0/brain/hops". Called last for the robot.
 void planController(SignalLayout& layout, const RobotSpec& robot);
 
+/// Adds what joints and springs at the top level, and regions, report. Called last. Returns the first slot.
+std::uint32_t planBetweenRobots(SignalLayout& layout, const ExperimentSpec& experiment);
+
 /// The layout of a world of this experiment. Devices of kinds missing in the registry have no signals in it.
 [[nodiscard]] SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry);
 

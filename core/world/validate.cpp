@@ -31,6 +31,13 @@ public:
         surfaces();
         for (const StaticSpec& s : m_experiment.statics) scenery(s);
         for (const RobotSpec& r : m_experiment.robots) robot(r);
+        for (const auto& link : m_experiment.joints)
+            if (ends(link)) jointValues(link.spec, link.parentRobot == kWorldBody);
+        for (const auto& link : m_experiment.springs)
+            if (ends(link)) springValues(link.spec);
+        for (const RegionSpec& r : m_experiment.regions)
+            need(isPosition(r.pose) && r.size.allFinite() && r.size.minCoeff() > 0, Code::OutOfRange, r.nameRange,
+                 r.name + " has no valid position or size");
         return m_good;
     }
 
@@ -176,6 +183,23 @@ private:
         const int bodies = static_cast<int>(config.bodies.size());
         need(s.child >= 0 && s.child < bodies && s.parent >= kWorldBody && s.parent < bodies && s.child != s.parent,
              Code::BadJoint, s.nameRange, s.name + " must join two bodies");
+        springValues(s);
+    }
+
+    /// Of a joint or spring between robots.
+    template <class Spec> bool ends(const Link<Spec>& link) {
+        const auto known = [&](int robot, int body) {
+            const auto& robots = m_experiment.robots;
+            return robot >= 0 && static_cast<std::size_t>(robot) < robots.size() && robots[static_cast<std::size_t>(robot)].config &&
+                   body >= 0 &&
+                   static_cast<std::size_t>(body) < robots[static_cast<std::size_t>(robot)].config->bodies.size();
+        };
+        const bool parent = link.parentRobot == kWorldBody || known(link.parentRobot, link.spec.parent);
+        return need(parent && known(link.childRobot, link.spec.child), Code::BadJoint, link.spec.nameRange,
+                    link.spec.name + " joins a body that is not there");
+    }
+
+    void springValues(const SpringSpec& s) {
         for (const Vec3& end : {s.anchor, s.anchor2})
             need(end.allFinite() && end.norm() <= kFarthest, Code::BadJoint, s.nameRange,
                  "an end of " + s.name + " is not a valid position");
@@ -207,6 +231,10 @@ private:
         if (!need(known, Code::BadJoint, j.nameRange, j.name + " joins a body that is not there")) return;
         need(j.child != j.parent, Code::BadJoint, j.nameRange,
              j.name + " joins " + config.bodies[static_cast<std::size_t>(j.child)].name + " to itself");
+        jointValues(j, j.parent == kWorldBody);
+    }
+
+    void jointValues(const JointSpec& j, bool isOnWorld) {
         need(j.anchor.allFinite() && j.anchor.norm() <= kFarthest, Code::BadJoint, j.nameRange,
              "Anchor of " + j.name + " is not a valid position");
         need(isUnit(j.axis), Code::BadJoint, j.nameRange, "Axis of " + j.name + " must have a direction");
@@ -218,7 +246,7 @@ private:
             else need(along < 0.99, Code::BadJoint, j.nameRange, "Axis and Axis2 of " + j.name + " must not be parallel");
         }
         if (j.type == JointType::Suspension)
-            need(j.parent != kWorldBody, Code::BadJoint, j.nameRange, j.name + ": a Suspension needs a body as its Parent");
+            need(!isOnWorld, Code::BadJoint, j.nameRange, j.name + ": a Suspension needs a body as its Parent");
         const double low = j.lowStop.value_or(-1), high = j.highStop.value_or(1);
         need(isIn(low, -1e6, 1e6) && isIn(high, -1e6, 1e6), Code::BadJoint, j.nameRange,
              "the stops of " + j.name + " must be finite");

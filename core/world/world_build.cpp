@@ -48,7 +48,7 @@ bool BuiltWorld::build(const DeviceCode& code, Diagnostics& diagnostics) {
     m_calls->setBodies(m_objects.bodyPaths());
     m_devices.create(m_objects.robots(), code, diagnostics);
     if (failed()) return false;
-    m_layout = m_signals.layOut(m_objects, m_devices);
+    m_layout = m_signals.layOut(*m_experiment, m_objects, m_devices);
     m_block = std::make_unique<SignalBlock>(m_layout);
     m_host.emplace(DeviceHost{*m_experiment, *m_engine, m_objects, m_radio, m_supply, m_lamps, m_chargers, *m_block, m_texts, m_devices.list()});
     m_devices.setup(*m_host, diagnostics);

@@ -6,6 +6,7 @@
 
 #include "model/object_numbers.h"
 #include "model/passive_objects.h"
+#include "world/engine_links.h"
 #include "world/reflectance.h"
 #include "world/signal_plan.h"
 
@@ -18,6 +19,17 @@ template <class List> std::vector<std::size_t> byName(const List& list) {
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return list[a].name < list[b].name; });
     return order;
+}
+
+/// Of a joint between robots, whose anchor and axis are in the world.
+JointLocation placeOf(const Link<JointSpec>& link, const std::vector<BuiltRobot>& robots) {
+    const JointSpec& joint = link.spec;
+    const Vec3& axis = joint.type == JointType::Suspension ? joint.axis2 : joint.axis;
+    if (link.parentRobot == kWorldBody) return {0, false, joint.anchor, axis};
+    const BuiltRobot& robot = robots[static_cast<std::size_t>(link.parentRobot)];
+    const auto body = static_cast<std::size_t>(joint.parent);
+    const Pose inParent = (robot.spec->pose * robot.spec->config->bodies[body].pose).inverse();
+    return {robot.handles.bodies[body].index, true, inParent * joint.anchor, inParent.rotation * axis};
 }
 
 JointLocation placeOf(const JointSpec& joint, const BuiltRobot& robot) {
@@ -40,6 +52,7 @@ void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagn
     m_robots.resize(experiment.robots.size());
     buildScenery(experiment, engine, diagnostics);
     buildRobots(experiment, engine, diagnostics);
+    if (diagnostics.errorCount() == before) buildLinks(experiment, engine, diagnostics);
     if (diagnostics.errorCount() > before) return;
     const FirstObjects first = firstObjects(experiment);
     for (const BuiltRobot& robot : m_robots) {
@@ -48,6 +61,8 @@ void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagn
         nameBodies(robot, first.robots[index]);
         locateJoints(robot);
     }
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+        locate(m_joints[i], experiment.joints[i].spec.type, placeOf(experiment.joints[i], m_robots));
     m_hashOrder.resize(m_bodyPaths.size());
     std::iota(m_hashOrder.begin(), m_hashOrder.end(), 0u);
     std::stable_sort(m_hashOrder.begin(), m_hashOrder.end(),
@@ -86,7 +101,7 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
         const RobotSpec& spec = experiment.robots[i];
         BuiltRobot& robot = m_robots[i];
         robot.spec = &spec;
-        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs, &spec.config->gears};
+        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs, &spec.config->gears, &spec.config->noContact};
         for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
         auto made = engine.addActor(def);
         if (!made) {
@@ -99,6 +114,41 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
         if (isPassive(spec)) robot.centre = first * spec.config->bodies[0].mass.centre;
         robot.frameIsFirst = first.position.isZero(0) && first.rotation.coeffs() == Quat::Identity().coeffs();
     }
+}
+
+/// In text order, after all actors.
+void WorldObjects::buildLinks(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
+    m_groups.resize(m_robots.size());
+    std::iota(m_groups.begin(), m_groups.end(), std::size_t{0});
+    if (!engine.links) return; // what it cannot join was refused with the experiment
+    const auto bodyOf = [&](int robot, int body) {
+        return robot == kWorldBody ? BodyHandle{}
+                                   : m_robots[static_cast<std::size_t>(robot)].handles.bodies[static_cast<std::size_t>(body)];
+    };
+    const auto add = [&](const auto& link, auto& handles, auto made) {
+        if (made) handles.push_back(made.value());
+        else diagnostics.error(made.error().code, link.spec.nameRange, made.error().message);
+        if (link.parentRobot == kWorldBody) return;
+        const std::size_t a = m_groups[static_cast<std::size_t>(link.parentRobot)],
+                          b = m_groups[static_cast<std::size_t>(link.childRobot)];
+        std::ranges::replace(m_groups, std::max(a, b), std::min(a, b));
+    };
+    for (const auto& link : experiment.joints)
+        add(link, m_joints,
+            engine.links->addJoint(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
+    for (const auto& link : experiment.springs)
+        add(link, m_springs,
+            engine.links->addSpring(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
+    for (const auto& [first, second] : experiment.noContact)
+        engine.links->separate(m_robots[first].handles.actor, m_robots[second].handles.actor);
+}
+
+std::vector<const BuiltRobot*> WorldObjects::joinedWith(const BuiltRobot& robot) const {
+    std::vector<const BuiltRobot*> joined;
+    const std::size_t group = m_groups[static_cast<std::size_t>(&robot - m_robots.data())];
+    for (std::size_t i = 0; i < m_groups.size(); ++i)
+        if (m_groups[i] == group) joined.push_back(&m_robots[i]);
+    return joined;
 }
 
 void WorldObjects::addGeom(std::uint32_t index, BuiltGeom geom) {
@@ -130,13 +180,16 @@ void WorldObjects::nameBodies(const BuiltRobot& robot, std::uint32_t firstObject
 
 void WorldObjects::locateJoints(const BuiltRobot& robot) {
     const auto& joints = robot.spec->config->joints;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-        const std::uint32_t id = robot.handles.joints[j].index;
-        m_jointTurns.resize(std::max<std::size_t>(m_jointTurns.size(), id + 1));
-        m_jointTurns[id] = hasPosition(joints[j].type);
-        m_jointLocations.resize(m_jointTurns.size());
-        m_jointLocations[id] = placeOf(joints[j], robot);
-    }
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        locate(robot.handles.joints[j], joints[j].type, placeOf(joints[j], robot));
+}
+
+void WorldObjects::locate(JointHandle joint, JointType type, const JointLocation& location) {
+    const std::uint32_t id = joint.index;
+    m_jointTurns.resize(std::max<std::size_t>(m_jointTurns.size(), id + 1));
+    m_jointTurns[id] = hasPosition(type);
+    m_jointLocations.resize(m_jointTurns.size());
+    m_jointLocations[id] = location;
 }
 
 Pose WorldObjects::framePose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks) {

@@ -50,6 +50,11 @@ public:
     void build(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
 
     [[nodiscard]] const std::vector<BuiltRobot>& robots() const { return m_robots; } ///< in the order of the experiment
+    /// Joints and springs at the top level, in the order of the experiment.
+    [[nodiscard]] const std::vector<JointHandle>& joints() const { return m_joints; }
+    [[nodiscard]] const std::vector<CouplingHandle>& springs() const { return m_springs; }
+    /// A robot and all that joints or springs at the top level join to it.
+    [[nodiscard]] std::vector<const BuiltRobot*> joinedWith(const BuiltRobot& robot) const;
     /// Pose in the world of a robot's config frame; before the first tick exactly the pose of the text, bit for bit.
     [[nodiscard]] static Pose framePose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks);
     /// See World::reportedPose.
@@ -90,11 +95,16 @@ public:
 private:
     void buildScenery(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
     void buildRobots(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
+    void buildLinks(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics);
     void addGeom(std::uint32_t index, BuiltGeom geom);
     void nameBodies(const BuiltRobot& robot, std::uint32_t firstObject);
     void locateJoints(const BuiltRobot& robot);
+    void locate(JointHandle joint, JointType type, const JointLocation& location);
 
     std::vector<BuiltRobot> m_robots;
+    std::vector<JointHandle> m_joints;
+    std::vector<CouplingHandle> m_springs;
+    std::vector<std::size_t> m_groups; ///< by robot: the lowest one that it is joined to
     std::vector<BuiltGeom> m_geoms;
     std::vector<std::string> m_bodyPaths;
     std::vector<double> m_reflectances; ///< by material

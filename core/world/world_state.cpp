@@ -106,7 +106,9 @@ Status BuiltWorld::place(const std::string& name, const Pose& pose) {
     if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
     if (hasEnded(*this, static_cast<std::size_t>(robot - m_objects.robots().data())))
         return Error{Code::OutOfRange, name + " has ended and stays where it is until the run starts again"};
-    m_engine->moveActor(robot->handles.actor, pose * framePose(*robot).inverse());
+    const Pose motion = pose * framePose(*robot).inverse();
+    for (const BuiltRobot* joined : m_objects.joinedWith(*robot)) // a train stays one
+        if (!joined->spec->scenery) m_engine->moveActor(joined->handles.actor, motion);
     return {};
 }
 

@@ -40,7 +40,8 @@ Status BuiltWorld::endRobots() {
 }
 
 void BuiltWorld::publish() {
-    m_signals.publish(m_objects, *m_engine, m_ticks, *m_block);
+    m_regions.update(m_objects, *m_engine, m_ticks);
+    m_signals.publish(m_objects, *m_engine, m_regions, m_ticks, *m_block);
     m_block->header().tick = m_ticks;
     m_block->header().time = static_cast<double>(m_ticks) * m_experiment->settings.tick;
 }

@@ -35,6 +35,7 @@ QString roleTitle(Role role) {
     case Role::Look: return InsertMenu::tr("Light and Views");
     case Role::Pattern: return InsertMenu::tr("Antennas");
     case Role::Medium: return InsertMenu::tr("Radio");
+    case Role::Region: return InsertMenu::tr("Regions");
     case Role::Settings: break;
     }
     return {};
@@ -43,7 +44,7 @@ QString roleTitle(Role role) {
 /// In the order in which a robot is usually built.
 constexpr Role kRoles[] = {Role::Body,     Role::Geom,   Role::Joint,   Role::Device, Role::Controller,
                            Role::Instance, Role::Repeat, Role::Layout,  Role::Config, Role::Material,
-                           Role::Surface,  Role::Look,   Role::Pattern, Role::Medium, Role::Log};
+                           Role::Surface,  Role::Look,   Role::Pattern, Role::Medium, Role::Region, Role::Log};
 
 } // namespace
 

@@ -11,8 +11,8 @@ namespace trundle {
 static constexpr auto kDrawn = std::to_array<std::string_view>({
     "AckermannDrive", "Ball", "Battery", "Belt", "Body", "Box", "Camera", "Capsule", "Charger", "Compass", "ContactLog", "Convex", "Cylinder",
     "DifferentialDrive", "Encoder", "EnergyLog", "Fixed", "ForceSensor", "Gear", "Gps", "Grid", "Gripper", "GroundSensor", "Heightfield",
-    "Hinge", "Imu", "Led", "Lidar", "LightSensor", "LinearMotor", "Material", "MecanumDrive", "Mesh", "OmniDrive", "Part", "PartConfig", "Pen", "Plane",
-    "PoseLog", "RangeSensor", "Robot", "RobotConfig", "RotaryMotor", "Scatter", "Servo", "SignalLog", "SkidDrive",
+    "Hinge", "Imu", "Latch", "Led", "Lidar", "LightSensor", "LinearMotor", "Material", "MecanumDrive", "Mesh", "OmniDrive", "Part", "PartConfig", "Pen", "Plane",
+    "PoseLog", "RangeSensor", "Region", "Robot", "RobotConfig", "RotaryMotor", "Scatter", "Servo", "SignalLog", "SkidDrive",
     "Slider", "Sphere", "Spring", "Static", "StaticConfig", "Surface", "Suspension", "TouchSensor", "Track", "TrackDrive", "Transceiver", "Universal",
     "View"
 });
@@ -36,6 +36,7 @@ QString roleIcon(Role role) {
     case Role::Device: return QStringLiteral("kind-device");
     case Role::Controller: return QStringLiteral("kind-controller");
     case Role::Log: return QStringLiteral("kind-signallog");
+    case Role::Region: return QStringLiteral("kind-region");
     }
     return QStringLiteral("kind-unknown");
 }

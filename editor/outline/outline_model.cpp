@@ -32,6 +32,8 @@ QString iconOf(const OutlineRow& row) {
     case OutlineGroup::Robots: return QStringLiteral("kind-robot");
     case OutlineGroup::Objects: return QStringLiteral("kind-object");
     case OutlineGroup::Scenery: return QStringLiteral("kind-static");
+    case OutlineGroup::Joints: return QStringLiteral("kind-hinge");
+    case OutlineGroup::Regions: return QStringLiteral("kind-region");
     case OutlineGroup::Looks: return QStringLiteral("kind-look");
     case OutlineGroup::Radio: return QStringLiteral("kind-radio");
     case OutlineGroup::Logs: return QStringLiteral("kind-poselog");

@@ -35,6 +35,8 @@ OutlineGroup plainGroupOf(const Part& part) {
     switch (part.kind->role) {
     case Role::Instance: return part.kind->name == "Static" ? OutlineGroup::Scenery : OutlineGroup::Robots;
     case Role::Layout: return OutlineGroup::Robots;
+    case Role::Joint: return OutlineGroup::Joints;
+    case Role::Region: return OutlineGroup::Regions;
     case Role::Look: return OutlineGroup::Looks;
     case Role::Medium:
     case Role::Pattern: return OutlineGroup::Radio;
@@ -50,8 +52,8 @@ OutlineGroup plainGroupOf(const Part& part) {
 }
 
 constexpr std::array<const char*, kOutlineGroups> kGroupNames{
-    "Robots",        "Objects",         "Scenery",      "Light and views", "Radio",    "Logs",     "Modules",
-    "Robot configs", "Scenery configs", "Part configs", "Materials",       "Surfaces", "Misplaced"};
+    "Robots",  "Objects",       "Scenery",         "Joints",       "Regions",   "Light and views", "Radio",    "Logs",
+    "Modules", "Robot configs", "Scenery configs", "Part configs", "Materials", "Surfaces",        "Misplaced"};
 constexpr std::size_t kMaxBeside = 100; // members below one row; more are split into ranges
 
 /// "10×10" from `Count = 10, 10`.
@@ -112,8 +114,7 @@ void nameRow(OutlineRow& row, const Part& part, const OutlineRow& above, const O
         row.path = above.path + "." + part.name;
         row.selectable = true;
     } else if (above.type != OutlineRow::Type::Object && part.kind && outline.spaceOf(*part.kind)) {
-        const bool world = part.is(Role::Instance) || part.is(Role::Layout) || part.is(Role::Log) || part.is(Role::Look) ||
-                           part.is(Role::Medium);
+        const bool world = outline.spaceOf(*part.kind) == &outline.world;
         row.path = (world ? std::string() : part.kind->name + ".") + part.name;
         row.key = row.path;
         row.selectable = true;

@@ -20,6 +20,8 @@ enum class OutlineGroup {
     Robots,
     Objects, ///< robots without joints, devices and controller
     Scenery,
+    Joints, ///< between robots
+    Regions,
     Looks,
     Radio,
     Logs,
@@ -31,7 +33,7 @@ enum class OutlineGroup {
     Surfaces,
     Misplaced
 };
-inline constexpr std::size_t kOutlineGroups = 13;
+inline constexpr std::size_t kOutlineGroups = 15;
 
 struct OutlineRow {
     /// Members: robots of a Grid or Scatter, or a range of them if there are many.

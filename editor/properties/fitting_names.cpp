@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/config_blocks.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {
@@ -53,6 +54,10 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
             for (const Part* part : space->all())
                 if (fits(*part, choices)) found.push_back(part->name);
     if (config) addInside(*config, {}, choices, wantsGeom(*loaded.registry, choices), found);
+    if (!config && names("Body")) // of a joint between robots
+        for (const Part* part : outline.world.all())
+            if (const Part* used = isPlaced(*part) ? configOf(loaded, *part) : nullptr)
+                addInside(*used, part->name + (part->is(Role::Layout) ? "_0." : "."), choices, false, found);
     const bool looks = names("Material") || names("Surface");
     if (looks && !std::count(found.begin(), found.end(), "default")) found.insert(found.begin(), "default");
     if (names("world")) found.emplace_back("world");

@@ -31,7 +31,7 @@ private Q_SLOTS:
              {"controllers/libarc_motion.so", "controllers/libblob_follow.so", "controllers/libbraitenberg.so",
               "controllers/libbump_and_turn.so", "controllers/libcollect.so", "controllers/libdocking.so", "controllers/libline_follow.so",
               "controllers/liblinear_motion.so", "controllers/liblidar_map.so", "controllers/libmote.so",
-              "controllers/libnetwork_navigator.so", "controllers/librandom_drive.so", "controllers/libstriker.so",
+              "controllers/libnetwork_navigator.so", "controllers/libpick_and_place.so", "controllers/librandom_drive.so", "controllers/libstriker.so",
               "controllers/libwall_follow.so",
               "libMyRobotController.so", "libmy_controller.so"})
             QTest::newRow(module) << QString(module);

@@ -205,6 +205,25 @@ std::string robotConfig(Choices& c, const Registry& registry, const std::string&
     return text + "}\n";
 }
 
+/// What is between robots: joints, a spring, a region, and pairs that do not touch each other.
+std::string between(Choices& c, const Registry& registry, std::uint32_t robots) {
+    std::string text;
+    const auto robot = [&] { return "r" + std::to_string(c.pick(robots)); };
+    for (int i = 0; robots > 1 && i < 2; ++i) {
+        if (!c.chance(5)) continue;
+        Names names;
+        names.bodies = {robot() + ".b0", robot() + ".b0"};
+        text += joint(c, registry, names, "link" + std::to_string(i), 1);
+    }
+    const Kind* spring = registry.find("Spring");
+    if (spring && robots > 1 && c.chance(3))
+        text += "Spring rope { Parent=" + robot() + ".b0 Child=" + robot() + ".b0" +
+                properties(c, *spring, {}, {"Parent", "Child"}, 3) + " }\n";
+    if (c.chance(4)) text += "Region region {" + pose(c, 1) + " Size=1," + show(0.1 + 0.1 * c.pick(20)) + ",0.5 }\n";
+    if (robots > 1 && c.chance(3)) text += "NoContact=" + robot() + "," + robot() + "\n";
+    return text;
+}
+
 } // namespace
 
 std::string randomExperiment(Choices& c, const Registry& registry) {
@@ -228,7 +247,7 @@ std::string randomExperiment(Choices& c, const Registry& registry) {
     if (robots > 2 && c.chance(4))
         text += "Grid swarm { Config=C0 Count=" + std::to_string(1 + c.pick(4)) + " Spacing=" + show(0.1 + 0.1 * c.pick(10)) +
                 pose(c, 2) + " }\n";
-    return text;
+    return text + between(c, registry, robots);
 }
 
 } // namespace trundle::fuzz

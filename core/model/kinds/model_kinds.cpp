@@ -44,6 +44,7 @@ void addModelKinds(Registry& registry) {
     kinds.add<LightFields>("Light", Role::Look, {""}, true);
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
     kinds.add<ViewFields>("View", Role::Look, {""}, true);
+    kinds.add<RegionFields>("Region", Role::Region, {""});
     kinds.add<BodyFields>("Body", Role::Body, anyConfig);
     const std::vector<std::string> ground{"StaticConfig", "PartConfig", "Repeat", "Ring"};
     std::vector<std::string> solid{"Body"};
@@ -56,13 +57,15 @@ void addModelKinds(Registry& registry) {
     kinds.add<MeshFields>("Mesh", Role::Geom, solid, true);
     kinds.add<PlaneFields>("Plane", Role::Geom, ground, true);
     kinds.add<HeightfieldFields>("Heightfield", Role::Geom, ground, true);
-    kinds.add<HingeFields>("Hinge", Role::Joint, anyConfig);
-    kinds.add<SliderFields>("Slider", Role::Joint, anyConfig);
-    kinds.add<BallFields>("Ball", Role::Joint, anyConfig);
-    kinds.add<UniversalFields>("Universal", Role::Joint, anyConfig);
-    kinds.add<FixedFields>("Fixed", Role::Joint, anyConfig);
-    kinds.add<SuspensionFields>("Suspension", Role::Joint, anyConfig);
-    kinds.add<SpringFields>("Spring", Role::Joint, anyConfig);
+    std::vector<std::string> anyJointed = anyConfig;
+    anyJointed.emplace_back(); // at the top level between robots
+    kinds.add<HingeFields>("Hinge", Role::Joint, anyJointed);
+    kinds.add<SliderFields>("Slider", Role::Joint, anyJointed);
+    kinds.add<BallFields>("Ball", Role::Joint, anyJointed);
+    kinds.add<UniversalFields>("Universal", Role::Joint, anyJointed);
+    kinds.add<FixedFields>("Fixed", Role::Joint, anyJointed);
+    kinds.add<SuspensionFields>("Suspension", Role::Joint, anyJointed);
+    kinds.add<SpringFields>("Spring", Role::Joint, anyJointed);
     kinds.add<GearFields>("Gear", Role::Joint, anyConfig);
 }
 

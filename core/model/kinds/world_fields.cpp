@@ -46,6 +46,8 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
             "Share of what a joint gapes that one tick closes (ODE's ERP). Less makes joints softer.");
     d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"),
             "Which controllers share a process of their own; not given: none in trundle-cli, module in the window.");
+    d.field("NoContact", &SettingsFields::noContact, reference("Robot|Grid|Scatter").counted(2, 1000),
+            "Pairs of robots that pass through each other: a,b or a,b, c,d. The name of a Grid or Scatter means all its members.");
     d.field("Title", &SettingsFields::title, text(), "Name of the experiment.");
     d.field("Description", &SettingsFields::description, text(), "What the experiment is about.");
 }
@@ -84,6 +86,8 @@ void SurfaceFields::describe(Describe<SurfaceFields>& d) {
 void RobotConfigFields::describe(Describe<RobotConfigFields>& d) {
     d.help("A robot as a whole: bodies, joints and devices, to be placed by Robot, Grid or Scatter.");
     d.field("SelfCollision", &RobotConfigFields::selfCollision, flag(), "Its bodies collide with each other, save joined ones.");
+    d.field("NoContact", &RobotConfigFields::noContact, reference("Body").counted(2, 1000),
+            "Pairs of its bodies that do not touch each other in spite of SelfCollision: a,b or a,b, c,d.");
     describeVariant(d, "RobotConfig");
 }
 
@@ -190,6 +194,22 @@ void ViewFields::describe(Describe<ViewFields>& d) {
     d.field("Target", &ViewFields::target, position(), "What is in its middle, in the same frame.");
     d.field("Robot", &ViewFields::robot, reference("Robot"), "Which robot carries it.");
     d.field("FieldOfView", &ViewFields::fieldOfView, degrees().within(1, 170), "From the left edge to the right one.");
+}
+
+void RegionFields::describe(Describe<RegionFields>& d) {
+    d.help("A box in the world that reports which robots are in it: a goal, a lap line, a zone. Nothing touches it. A robot is inside "
+           "while the point that its pose reports is.");
+    d.field("Pos", &RegionFields::pos, position(), "Position of its centre.");
+    d.field("HPR", &RegionFields::hpr, angles(), "Heading, pitch and roll.");
+    d.field("Size", &RegionFields::size, metres().above(0).atMost(2 * kFarthestCoordinate).required(),
+            "Full lengths along x, y and z.");
+    d.field("Robots", &RegionFields::robots, reference("Robot|Grid|Scatter").counted(1, 1000),
+            "That it reports; all where absent.");
+    d.output("count", "", "How many robots are inside.", 1, TRUNDLE_INTEGER_SIGNAL);
+    d.output("entered", "", "How often one has entered since the start.", 1, TRUNDLE_INTEGER_SIGNAL);
+    d.output("left", "", "How often one has left since the start.", 1, TRUNDLE_INTEGER_SIGNAL);
+    d.output("inside", "", "Of each robot that it reports, in the order of the text: whether it is inside.", 1,
+             TRUNDLE_BOOLEAN_SIGNAL);
 }
 
 void ControllerFields::describe(Describe<ControllerFields>& d) {

@@ -22,6 +22,7 @@ struct SettingsFields {
     double errorReduction = 0.8;
     std::optional<std::string> isolation;
     std::string title, description;
+    std::optional<std::vector<std::string>> noContact; ///< pairs of robots
     static void describe(Describe<SettingsFields>& d);
 };
 
@@ -46,6 +47,7 @@ struct VariantFields {
 };
 struct RobotConfigFields : VariantFields {
     bool selfCollision = false;
+    std::optional<std::vector<std::string>> noContact; ///< pairs of bodies
     static void describe(Describe<RobotConfigFields>& d);
 };
 
@@ -115,6 +117,12 @@ struct ViewFields {
     Triple eye{3, -4, 3}, target{0, 0, 0};
     double fieldOfView = 50 * std::numbers::pi / 180;
     static void describe(Describe<ViewFields>& d);
+};
+
+struct RegionFields {
+    Triple pos{0, 0, 0}, hpr{0, 0, 0}, size{}; ///< m; rad; m
+    std::optional<std::vector<std::string>> robots;
+    static void describe(Describe<RegionFields>& d);
 };
 
 /// Fields of every controller block, in addition to those of its kind.

@@ -87,6 +87,27 @@ void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfig
     });
 }
 
+void resolveNoContact(ResolveContext& context, const Part& config, const Record& own, RobotConfigSpec& spec) {
+    const ResolvedValue* value = own.find("NoContact");
+    const auto indexOf = [&](const std::string& name) {
+        return static_cast<int>(std::ranges::find(spec.bodies, name, &BodySpec::name) - spec.bodies.begin());
+    };
+    for (const auto& [first, second] : namePairs(context, own, config.nameRange())) {
+        const int a = indexOf(first), b = indexOf(second), count = static_cast<int>(spec.bodies.size());
+        for (const auto& [name, index] : {std::pair(&first, a), std::pair(&second, b)}) {
+            if (index != count || config.findPath(*name)) continue; // what is there has errors of its own
+            std::vector<std::string> names;
+            for (const BodySpec& body : spec.bodies) names.push_back(body.name);
+            context.unknownReference("NoContact", "Body", *name, value->range, false, names);
+        }
+        if (a < count && b < count && a != b) spec.noContact.emplace_back(a, b);
+    }
+    if (!spec.noContact.empty() && !spec.selfCollision)
+        context.diagnostics.hint(Code::Conflict, value->range,
+                                 "NoContact has no effect: bodies of " + config.title() +
+                                     " touch each other with SelfCollision=true only");
+}
+
 /// Reports bodies of scenery that no joint, or chain of joints, holds to the world: they would be loose.
 void reportLooseBodies(ResolveContext& context, const RobotConfigSpec& spec) {
     std::vector<bool> held(spec.bodies.size(), false);
@@ -142,7 +163,8 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
     auto spec = std::make_shared<RobotConfigSpec>();
     spec->name = config.name;
     spec->range = config.range;
-    spec->selfCollision = fieldsFrom<RobotConfigFields>(readConfig(context, config, scope, overrides)).selfCollision;
+    const Record own = readConfig(context, config, scope, overrides);
+    spec->selfCollision = fieldsFrom<RobotConfigFields>(own).selfCollision;
     PartExpansion expansion(context, config, scope, overrides);
     const bool bodies = std::ranges::any_of(expansion.parts(), [](const ExpandedPart& part) {
         return part.part->is(Role::Body) || part.part->is(Role::Geom) || !part.part->kind;
@@ -154,6 +176,7 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
                                   config.title() + " needs a Body: the first one carries the robot's pose");
     }
     resolveParts(context, expansion, *spec);
+    resolveNoContact(context, config, own, *spec);
     return spec;
 }
 

@@ -38,14 +38,12 @@ public:
     JointReader(ResolveContext& context, const Part& part, const Record& record)
         : m_context(context), m_part(part), m_record(record) {}
 
-    bool read(JointSpec& joint, const BodyIndices& places) {
+    bool read(JointSpec& joint) {
         const JointFields f = jointFields(m_part.kind->name, m_record, joint.type);
         if (f.parent == f.child) return fail("Child", "the child of " + m_part.title() + " is its parent as well");
         joint.name = m_part.name;
         joint.range = m_part.range;
         joint.nameRange = m_part.nameRange();
-        if (!findBody(places, f.child, joint.child) || (f.parent != "world" && !findBody(places, f.parent, joint.parent)))
-            return false;
         if (f.anchor) joint.anchor = vec3(*f.anchor);
         joint.damping = f.damping;
         joint.friction = f.friction;
@@ -67,13 +65,6 @@ private:
     bool fail(const char* property, const std::string& message) {
         m_context.diagnostics.error(Code::BadJoint, m_record.rangeOf(property, m_part.nameRange()), message);
         return false;
-    }
-
-    static bool findBody(const BodyIndices& places, const std::string& name, int& index) {
-        const auto it = places.find(name);
-        if (it == places.end()) return false; // it exists but has errors of its own
-        index = it->second;
-        return true;
     }
 
     bool readAxes(JointSpec& joint, const JointFields& f) {
@@ -109,7 +100,21 @@ private:
     const Record& m_record;
 };
 
+/// False: it exists but has errors of its own.
+bool findBody(const BodyIndices& places, const std::string& name, int& index) {
+    const auto it = places.find(name);
+    if (it == places.end()) return false;
+    index = it->second;
+    return true;
+}
+
 } // namespace
+
+std::optional<JointSpec> readJoint(ResolveContext& context, const Part& part, const Record& record) {
+    JointSpec joint;
+    if (!JointReader(context, part, record).read(joint)) return std::nullopt;
+    return joint;
+}
 
 std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPart& expanded, const std::vector<BodySpec>& bodies,
                                       const BodyIndices& places) {
@@ -120,11 +125,13 @@ std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPar
     Record record = context.read(part, own, expanded.overrides(), Origin::Config);
     const bool known = context.checkReferences(record, *expanded.frame);
     if (!record.complete || !known) return std::nullopt;
-    JointSpec joint;
-    if (!JointReader(context, part, record).read(joint, places)) return std::nullopt;
-    expanded.place(joint);
-    joint.name = expanded.name();
-    if (!record.given("Anchor")) joint.anchor = bodies[static_cast<std::size_t>(joint.child)].pose.position;
+    std::optional<JointSpec> joint = readJoint(context, part, record);
+    const std::string &parent = record.find("Parent")->value.texts[0], &child = record.find("Child")->value.texts[0];
+    if (!joint || !findBody(places, child, joint->child) || (parent != "world" && !findBody(places, parent, joint->parent)))
+        return std::nullopt;
+    expanded.place(*joint);
+    joint->name = expanded.name();
+    if (!record.given("Anchor")) joint->anchor = bodies[static_cast<std::size_t>(joint->child)].pose.position;
     return joint;
 }
 

@@ -20,6 +20,8 @@ using BodyIndices = std::unordered_map<std::string, int>;
                                                     const std::vector<BodySpec>& bodies, const BodyIndices& places);
 [[nodiscard]] std::optional<SpringSpec> resolveSpring(ResolveContext& context, const ExpandedPart& expanded,
                                                       const std::vector<BodySpec>& bodies, const BodyIndices& places);
+/// A joint's own values, without its bodies; nothing, with a diagnostic, if they are wrong.
+[[nodiscard]] std::optional<JointSpec> readJoint(ResolveContext& context, const Part& part, const Record& record);
 /// Requires all joints of the config.
 [[nodiscard]] std::optional<GearSpec> resolveGear(ResolveContext& context, const ExpandedPart& expanded,
                                                   const std::vector<JointSpec>& joints);
@@ -38,6 +40,13 @@ void checkPartConfig(ResolveContext& context, const Part& config);
 /// Antenna patterns and the medium; requires the settings.
 void resolveRadio(ResolveContext& context);
 void resolveLogs(ResolveContext& context);
+/// Joints and springs at the top level, regions, and robots that do not touch each other; requires the robots.
+void resolveLinks(ResolveContext& context);
+/// Checks the robots that a property names; in a list, the name of a Grid or Scatter is replaced by those of its members.
+[[nodiscard]] bool checkRobots(ResolveContext& context, const Property& property, ResolvedValue& value);
+/// The pairs of a list of names; nothing, with a diagnostic, if one name is left over.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> namePairs(ResolveContext& context, const Record& record,
+                                                                         SourceRange otherwise);
 /// Checks the cameras and views that FrameLogs name; requires robots and views.
 void checkFrameLogs(ResolveContext& context);
 /// Checks views and lights for invalid combinations of values, one after another.

@@ -106,7 +106,6 @@ private:
 
     Result<Target> targetFor(const PastedBlocks::Entry& entry) const {
         if (!entry.kind) return unknown();
-        if (isAllowedIn(*entry.kind, nullptr)) return Target{};
         if (entry.kind->role == Role::Controller && m_member)
             return Error{Code::ReplaceBySingles, "a member of a Grid or Scatter has no text of its own; replace that by single "
                                                  "robots first"};
@@ -119,6 +118,7 @@ private:
             if (fits.ok()) return *it;
             if (refused.ok()) refused = fits;
         }
+        if (isAllowedIn(*entry.kind, nullptr)) return Target{}; // a joint near a config belongs there, others between robots
         if (!refused.ok()) return refused.error();
         return Error{Code::WrongPlace, allowedPlaces(*entry.kind) + ", not " +
                                            (m_near.empty() ? "at the top level" : "in " + m_near.front().part->title())};

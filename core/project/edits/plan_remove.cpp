@@ -50,7 +50,7 @@ std::vector<const NameReference*> outsideUsers(const std::vector<NameReference>&
 bool isRemovedToo(const NameReference& reference) {
     if (!reference.user) return false;
     const Part& user = *reference.user;
-    for (const Role role : {Role::Joint, Role::Device, Role::Controller, Role::Log, Role::Look})
+    for (const Role role : {Role::Joint, Role::Device, Role::Controller, Role::Log, Role::Look, Role::Region})
         if (user.is(role)) return true;
     return isPlaced(user) && reference.property == "Config";
 }

@@ -82,7 +82,7 @@ public:
 private:
     /// Writes a block, after the blocks that it needs; returns its name.
     std::string block(const Kind& kind, int depth) {
-        const Part* target = isAllowedIn(kind, nullptr) ? nullptr : holder(kind);
+        const Part* target = holder(kind);
         const NameSpace* space = target ? nullptr : m_loaded.outline->spaceOf(kind);
         UsedNames& names = m_names.try_emplace({target, space}, m_loaded, target, &kind).first->second;
         const std::string name = names.take(preferred(kind));
@@ -292,6 +292,7 @@ private:
     /// Parent and Child of a joint: Child is a body that is not yet the child of a joint, Parent another body, or the world if
     /// there is none.
     std::string ends(int depth) {
+        if (!m_config) return endsBetweenRobots(depth);
         std::vector<std::string> bodies = candidates("Body");
         std::string child, parent = "world";
         if (bodies.empty()) bodies.push_back(block(*m_loaded.registry->find("Body"), depth + 1));
@@ -305,6 +306,20 @@ private:
         for (const std::string& body : bodies)
             if (body != child && parent == "world") parent = body;
         return " Parent=" + parent + " Child=" + child;
+    }
+    /// The same at the top level: bodies of the last two robots.
+    std::string endsBetweenRobots(int depth) {
+        std::vector<std::string> bodies;
+        for (const Part* part : m_loaded.outline->world.all()) {
+            const Part* config = isPlaced(*part) && part->usable && part->kind->name != "Static" ? configOf(m_loaded, *part) : nullptr;
+            const auto first = config ? std::ranges::find_if(config->parts, [](const Part& p) { return p.usable && p.is(Role::Body); })
+                                      : std::vector<Part>::const_iterator();
+            if (config && first != config->parts.end())
+                bodies.push_back(part->name + (part->is(Role::Layout) ? "_0." : ".") + first->name);
+        }
+        if (bodies.empty()) bodies.push_back(block(*m_loaded.registry->find("Robot"), depth + 1) + ".chassis");
+        const std::string child = bodies.back();
+        return " Parent=" + (bodies.size() > 1 ? bodies[bodies.size() - 2] : std::string("world")) + " Child=" + child;
     }
     /// Of a joint of the config, or of this template.
     bool isChild(const std::string& body) const {

@@ -241,8 +241,21 @@ private:
             const Part* part = space ? space->find(said.text) : nullptr;
             if (part) return add(*part, said.range, {}, place, key);
         }
+        if (local && !place.config && place.kind && place.kind->role == Role::Joint) return bodyOfRobot(said, place, key);
         if (!local || !place.config) return;
         path(*place.config, said, place, key);
+    }
+
+    /// Of a joint at the top level: "tractor.chassis", "trailer_2.frame".
+    void bodyOfRobot(const ValueWord& said, const ValueContext& place, const std::string& key) {
+        const ValueWord first = said.piece(0, firstWord(said.text).size());
+        const Part* instance = m_outline.world.find(first.text);
+        const Part* layout = instance ? nullptr : layoutOfMember(m_outline, first.text);
+        if (!instance && !layout) return;
+        add(instance ? *instance : *layout, layout ? first.piece(0, layout->name.size()).range : first.range, {}, place, key);
+        const Part* config = configOf(m_loaded, instance ? *instance : *layout);
+        const std::size_t rest = first.text.size() + 1;
+        if (config && rest < said.text.size()) path(*config, said.piece(rest, said.text.size() - rest), place, key, false, first.range);
     }
 
     /// Of "roller_3", a member of a Repeat, the name of the Repeat.
@@ -252,7 +265,7 @@ private:
 
     /// Every word of "left.wheel.tyre" names something.
     void path(const Part& config, const ValueWord& said, const ValueContext& place, const std::string& key,
-              bool pattern = false) {
+              bool pattern = false, SourceRange before = {}) {
         const Part* at = &config;
         for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && at == &config && &config == place.config; ++it)
             if ((*it)->find(firstWord(said.text))) at = *it;
@@ -260,7 +273,6 @@ private:
         const auto inside = std::find_if(place.inside.rbegin(), place.inside.rend(), hasFirst);
         const bool isInside = &config == place.config && at == &config && inside != place.inside.rend() && !hasFirst(&config);
         if (isInside) at = *inside;
-        SourceRange before;
         for (std::size_t begin = 0; begin <= said.text.size();) {
             const ValueWord word = said.piece(begin, firstWord(said.text.substr(begin)).size());
             at = at->find(word.text);
@@ -356,7 +368,8 @@ bool fitsPattern(std::string_view pattern, std::string_view name) {
 }
 
 bool namesWorld(const Kind& kind, const Property& property) {
-    if (kind.role != Role::Log && kind.role != Role::Look) return false;
+    if (kind.role == Role::Settings) return property.name == "NoContact";
+    if (kind.role != Role::Log && kind.role != Role::Look && kind.role != Role::Region) return false;
     static const char* const names[] = {"Robot", "Robots", "Signal", "Signals", "Camera", "View"};
     return (property.type == PropertyType::Text || property.type == PropertyType::Reference) &&
            std::find(std::begin(names), std::end(names), property.name) != std::end(names);

@@ -46,7 +46,10 @@ LiveObject::LiveObject(const ExperimentSpec& experiment, const SignalLayout& lay
 
 void LiveObject::bind(const ExperimentSpec& experiment, const SignalLayout& layout, const Registry& registry,
                       std::string_view path) {
-    const RobotSpec* robot = named(experiment.robots, takeWord(path));
+    const std::string first(takeWord(path));
+    const RobotSpec* robot = named(experiment.robots, first);
+    if (!robot && path.empty()) // a joint, spring or region between robots
+        return addSignals(layout, first + "/", named(experiment.regions, first) ? registry.find("Region") : nullptr);
     if (!robot || !robot->config) return;
     if (path.empty()) return addRobot(*robot, layout, registry);
     // "left.wheel" is a body of a Part, "left.wheel.tyre" a geom of that.

@@ -77,7 +77,7 @@ void ActorBuilder::buildActor(const ActorDef& def, ActorHandles& handles, std::s
     handles.couplings = m_couplings.add(def, index);
     actor.couplings.end = static_cast<std::uint32_t>(m_objects.couplings.size());
     actor.jointed = actor.joints.end > actor.joints.begin || actor.couplings.end > actor.couplings.begin;
-    if (def.selfCollision) findSelfPairs(actor);
+    if (def.selfCollision) findSelfPairs(actor, def);
 
     setStiffness(actor);
     m_objects.actorBoxes.emplace_back();
@@ -209,8 +209,39 @@ Result<GeomHandle> ActorBuilder::addStatic(const GeomSpec& spec, const Pose& at)
     } catch (const OdeFault&) { return Error{Code::BadGeometry, spec.name + ": " + kRefused}; }
 }
 
-/// Finds all pairs of geoms whose bodies differ and are not directly joined.
-void ActorBuilder::findSelfPairs(OdeActor& actor) const {
+/// The two bodies do not touch each other, as those that a joint of one actor joins.
+Result<JointHandle> ActorBuilder::addJoint(const JointSpec& spec, std::uint32_t child, std::uint32_t parent) {
+    try {
+        prepareThread();
+        m_joints.addLink(spec, child, parent);
+    } catch (const OdeFault&) { return Error{Code::BadJoint, spec.name + ": it cannot be simulated"}; }
+    markLinked(child, parent);
+    if (parent != kNone) (void)m_objects.separateBodies(child, parent);
+    return JointHandle{static_cast<std::uint32_t>(m_objects.joints.size() - 1)};
+}
+
+Result<CouplingHandle> ActorBuilder::addSpring(const SpringSpec& spec, std::uint32_t child, std::uint32_t parent) {
+    try {
+        prepareThread();
+        const CouplingHandle added = m_couplings.addLink(spec, child, parent);
+        markLinked(child, parent);
+        return added;
+    } catch (const OdeFault&) { return Error{Code::BadJoint, spec.name + ": it cannot be simulated"}; }
+}
+
+void ActorBuilder::markLinked(std::uint32_t child, std::uint32_t parent) {
+    for (const std::uint32_t body : {child, parent})
+        if (body != kNone) m_objects.actors[m_objects.bodies[body].actor].jointed = true;
+}
+
+/// Finds all pairs of geoms whose bodies differ, are not directly joined, and are to touch each other.
+void ActorBuilder::findSelfPairs(OdeActor& actor, const ActorDef& def) const {
+    const auto isApart = [&](std::uint32_t x, std::uint32_t y) {
+        const auto first = static_cast<int>(x - actor.bodies.begin), second = static_cast<int>(y - actor.bodies.begin);
+        return def.noContact && std::ranges::any_of(*def.noContact, [&](const auto& pair) {
+                   return pair == std::pair(first, second) || pair == std::pair(second, first);
+               });
+    };
     for (std::uint32_t a = actor.geoms.begin; a < actor.geoms.end; ++a)
         for (std::uint32_t b = a + 1; b < actor.geoms.end; ++b) {
             const std::uint32_t x = m_objects.geoms[a].body, y = m_objects.geoms[b].body;
@@ -218,7 +249,7 @@ void ActorBuilder::findSelfPairs(OdeActor& actor) const {
             for (std::uint32_t j = actor.joints.begin; j < actor.joints.end && !joined; ++j)
                 joined = (m_objects.joints[j].child == x && m_objects.joints[j].parent == y) ||
                          (m_objects.joints[j].child == y && m_objects.joints[j].parent == x);
-            if (!joined) actor.selfPairs.emplace_back(a, b);
+            if (!joined && !isApart(x, y)) actor.selfPairs.emplace_back(a, b);
         }
 }
 

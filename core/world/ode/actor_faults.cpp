@@ -64,6 +64,7 @@ void ActorFaults::checkJoints() {
         const std::uint32_t actor = m_objects.bodies[joint.child].actor;
         const double open = gapOf(joint).norm(), limit = (m_solver.isQuick(joint.child) ? kQuickSlack : 1) * joint.gapLimit;
         if (!(open > limit) || m_objects.actors[actor].ended) continue;
+        if (joint.parent != kNone && m_objects.actors[m_objects.bodies[joint.parent].actor].ended) continue; // it holds no more
         note(actor, {{joint.child}, text("its joint is torn open by %.3g mm", 1e3 * open)}, open > kBeyondHelp * limit);
     }
     for (Torn& torn : m_torn) {
@@ -112,6 +113,34 @@ void ActorFaults::closeJoints(std::uint32_t index) {
             reached[moved - actor.bodies.begin] = more = true;
         }
     }
+    closeLinks(index);
+}
+
+/// Carries the whole actor to what it is joined to.
+void ActorFaults::closeLinks(std::uint32_t index) {
+    const OdeActor& actor = m_objects.actors[index];
+    for (const std::uint32_t link : m_objects.links) {
+        const OdeJoint& joint = m_objects.joints[link];
+        if (m_objects.bodies[joint.child].actor != index || joint.type == JointType::Slider || joint.type == JointType::Fixed)
+            continue;
+        const Vec3 gap = gapOf(joint);
+        for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) {
+            const Vec3 to = vec(m_objects.bodies[i].p) - gap;
+            dBodySetPosition(m_objects.bodies[i].id, to.x(), to.y(), to.z());
+        }
+    }
+}
+
+/// Joints to other actors hold no more.
+void ActorFaults::releaseLinks(std::uint32_t index) {
+    for (const std::uint32_t link : m_objects.links) {
+        OdeJoint& joint = m_objects.joints[link];
+        const bool isParent = joint.parent != kNone && m_objects.bodies[joint.parent].actor == index;
+        if (!isParent && m_objects.bodies[joint.child].actor != index) continue;
+        joint.rate = joint.lastRate = 0;
+        for (const dJointID id : {joint.id, joint.drive, joint.spring, joint.friction, joint.stop, joint.damper, joint.losses})
+            if (id) dJointDisable(id);
+    }
 }
 
 /// A body without a mass for the solver, which leaves out its joints too.
@@ -136,6 +165,7 @@ void ActorFaults::end(std::uint32_t index, const EngineFault& fault) {
     }
     for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i)
         m_objects.joints[i].rate = m_objects.joints[i].lastRate = 0;
+    releaseLinks(index);
 }
 
 /// Whatever else turns and moves bodies.

@@ -28,6 +28,8 @@ private:
     void checkJoints();
     void note(std::uint32_t actor, const EngineFault& fault, bool beyondHelp);
     void closeJoints(std::uint32_t actor);
+    void closeLinks(std::uint32_t actor);
+    void releaseLinks(std::uint32_t actor);
     void end(std::uint32_t actor, const EngineFault& fault);
     void hold() const;
 

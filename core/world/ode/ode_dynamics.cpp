@@ -20,7 +20,8 @@ void OdeDynamics::prepare() {
     m_pinned.start(m_objects.bodies, m_objects.joints, m_settings.gravity);
     m_rotation.start(m_objects.bodies, m_objects.inertias, m_objects.joints, m_pinned);
     m_drift.setUp(m_objects.bodies, m_objects.joints);
-    m_plan.setUp(m_objects.bodies, m_objects.joints, m_objects.couplings);
+    m_plan.setUp(m_objects.bodies, m_objects.joints, m_objects.couplings, m_objects.latches);
+    m_impacts.setUp(m_objects.joinedActors());
     m_prepared = m_objects.bodies.size();
 }
 

@@ -19,6 +19,8 @@ public:
 
     /// Once bodies and joints have been added, before anything moves.
     void prepare();
+    /// What holds together has changed: prepares anew.
+    void prepareAgain() { m_prepared = 0; }
     /// One tick of `h` seconds.
     void step(double h);
     /// Nothing that an actor carried is of use where it was put.

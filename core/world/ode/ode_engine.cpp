@@ -68,6 +68,10 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         prepareThread();
         m_dynamics.prepare();
         applyWrites();
+        if (m_links.latches().update()) {
+            m_dynamics.prepareAgain();
+            m_dynamics.prepare();
+        }
         m_search.findForStep(m_contacts.all);
         m_rows.update(h, m_contacts.all, m_objects.geoms, m_settings.errorReduction);
         m_wrenches.prepare();
@@ -75,8 +79,10 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         m_dynamics.step(h);
         const std::size_t ended = m_faults.ended().size();
         m_faults.check();
-        for (const EngineFault& fault : m_faults.ended().subspan(ended))
+        for (const EngineFault& fault : m_faults.ended().subspan(ended)) {
             m_dynamics.forget(m_objects.bodies[fault.body.index].actor);
+            m_links.latches().releaseActor(m_objects.bodies[fault.body.index].actor);
+        }
         m_sweep.run(h, m_contacts.all);
         publish(h);
     } catch (const OdeFault&) {
@@ -89,6 +95,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
 void OdeEngine::applyWrites() {
     for (const std::uint32_t moved : m_writes.apply(m_objects)) {
         m_dynamics.forget(moved);
+        m_links.latches().releaseActor(moved);
         m_search.markPlaced(moved);
     }
 }

@@ -16,13 +16,14 @@
 #include "world/ode/joints/joint_wrenches.h"
 #include "world/ode/motion/ode_sweep.h"
 #include "world/ode/ode_dynamics.h"
+#include "world/ode/ode_links.h"
 #include "world/ode/pending_writes.h"
 
 namespace trundle {
 
 class OdeEngine final : public Engine {
 public:
-    explicit OdeEngine(EngineSettings settings) : m_settings(std::move(settings)) {}
+    explicit OdeEngine(EngineSettings settings) : Engine(&m_links), m_settings(std::move(settings)) {}
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;
@@ -61,6 +62,7 @@ private:
     JointRows m_rows{m_objects.bodies, m_objects.joints};
     CouplingRows m_couplings{m_objects, m_rows.inertias()};
     ActorBuilder m_builder{m_settings, m_world, m_objects, m_rows, m_couplings};
+    OdeLinks m_links{m_world, m_objects, m_builder};
     JointWrenches m_wrenches{m_objects};
     PendingWrites m_writes;
     GeomCollider m_collider{m_objects};

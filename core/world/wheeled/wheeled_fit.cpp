@@ -22,6 +22,7 @@ public:
         if (!m_fits) return false;
         checkScenery();
         for (const RobotSpec& robot : m_experiment.robots) checkRobot(robot);
+        checkLinks();
         return m_fits;
     }
 
@@ -56,6 +57,11 @@ private:
             if (const auto why = whyNotScenery(g, s.pose * g.pose, *m_ground)) refuse(s.name + ": " + why->reason, why->range);
         });
     }
+    void checkLinks() {
+        for (const auto& link : m_experiment.joints) refuse(link.spec.name + ": it joins robots", link.spec.nameRange);
+        for (const auto& link : m_experiment.springs) refuse(link.spec.name + ": it joins robots", link.spec.nameRange);
+        if (!m_experiment.noContact.empty()) refuse("NoContact lets robots pass through each other", m_experiment.settings.engineRange);
+    }
     void checkRobot(const RobotSpec& spec) {
         const auto key = std::tuple(static_cast<const void*>(spec.config.get()), spec.pose.position.z(), spec.pose.rotation.x(),
                                     spec.pose.rotation.y());
@@ -64,6 +70,8 @@ private:
         for (const ComponentSpec& device : spec.config->devices)
             if (device.kind == "Belt" || device.kind == "Track")
                 refuse(spec.name + ": " + device.name + " is a " + device.kind + ", which moves a surface", device.nameRange);
+            else if (device.kind == "Latch")
+                refuse(spec.name + ": " + device.name + " is a Latch, which joins robots", device.nameRange);
         NotWheeled why;
         if (!ActorReader(m_experiment.surfaces, *m_ground).read(actorOf(spec), why))
             refuse(spec.name + ": " + why.reason, why.range.known() ? why.range : spec.nameRange);

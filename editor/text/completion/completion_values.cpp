@@ -69,8 +69,17 @@ private:
                 add(CompletionSort::Value, "world", "", "The ground that nothing moves.");
             } else if (m_place.config) {
                 local(*m_place.config, choice);
+            } else if (m_place.kind && m_place.kind->role == Role::Joint) {
+                bodiesOfRobots(choice);
             }
         }
+    }
+
+    /// Of a joint at the top level.
+    void bodiesOfRobots(const std::string& choice) {
+        for (const Part* part : m_loaded.outline->world.all())
+            if (const Part* config = isPlaced(*part) ? configOf(m_loaded, *part) : nullptr)
+                local(*config, choice, part->name + (part->is(Role::Layout) ? "_0." : "."));
     }
 
     [[nodiscard]] static bool fits(const Part& part, const std::string& choice) {

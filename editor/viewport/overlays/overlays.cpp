@@ -14,6 +14,7 @@
 #include "editor/viewport/overlays/frusta.h"
 #include "editor/viewport/overlays/motion_arrows.h"
 #include "editor/viewport/overlays/pinned_values.h"
+#include "editor/viewport/overlays/regions.h"
 #include "editor/viewport/overlays/springs.h"
 #include "editor/viewport/overlays/trails.h"
 #include "editor/viewport/radio/radio_legend.h"
@@ -78,10 +79,40 @@ void paintNames(QPainter& painter, const ToolView& view, bool all) {
     }
 }
 
+/// A joint, from the frame that its points are in to the world.
+void paintJoint(QPainter& painter, const ToolView& view, const JointSpec& joint, const Pose& toWorld, bool selected) {
+    const QColor colour = selected ? ToolView::outlineColour() : kJoint;
+    const Vec3 at = toWorld * joint.anchor;
+    const double reach = 26 * view.camera().free().metresPerPixel(view.widget().width(), at);
+    const auto from = view.shownPixelOf(at - reach * (toWorld.rotation * joint.axis)),
+               to = view.shownPixelOf(at + reach * (toWorld.rotation * joint.axis)), middle = view.shownPixelOf(at);
+    if (!from || !to || !middle) return;
+    if (joint.type != JointType::Ball && joint.type != JointType::Fixed)
+        arrow(painter, *from, *to, colour, selected ? 2.4 : 1.6);
+    painter.setPen(QPen(kShade, 1));
+    painter.setBrush(colour);
+    painter.drawEllipse(*middle, 3, 3);
+}
+
+/// Those between robots move with their child.
+void paintLinks(QPainter& painter, const ToolView& view, bool all) {
+    const ViewportScene& world = view.context().world;
+    const ExperimentSpec& experiment = world.objects()->experiment();
+    for (const auto& link : experiment.joints) {
+        const bool selected = view.context().selection.contains(link.spec.name);
+        const auto robot = std::uint32_t(link.childRobot), body = std::uint32_t(link.spec.child);
+        if ((!all && !selected) || !experiment.robots[robot].config || world.isHidden({ObjectKind::Robot, robot})) continue;
+        const Pose start = experiment.robots[robot].pose * experiment.robots[robot].config->bodies[body].pose;
+        const Pose now = world.objects()->poseOf({ObjectKind::Body, robot, body}, view.shownPoses());
+        paintJoint(painter, view, link.spec, now * start.inverse(), selected);
+    }
+}
+
 void paintJoints(QPainter& painter, const ToolView& view, bool all) {
     const ViewportScene& world = view.context().world;
     const Selection& selection = view.context().selection;
     if (!all && selection.empty()) return;
+    paintLinks(painter, view, all);
     const auto& robots = world.objects()->experiment().robots;
     for (std::uint32_t r = 0; r < robots.size() && r < kMaxRobots; ++r) {
         if (!robots[r].config || world.isHidden({ObjectKind::Robot, r})) continue;
@@ -92,20 +123,10 @@ void paintJoints(QPainter& painter, const ToolView& view, bool all) {
             const bool selected = selection.contains(robots[r].name + "." + joint.name) ||
                                   selection.contains("RobotConfig." + config.name + "." + joint.name);
             if (!all && !selected) continue;
-            const QColor colour = selected ? ToolView::outlineColour() : kJoint;
             const auto child = std::uint32_t(joint.child);
             const Pose toWorld =
                 world.objects()->poseOf({ObjectKind::Body, r, child}, view.shownPoses()) * config.bodies[child].pose.inverse();
-            const Vec3 at = toWorld * joint.anchor;
-            const double reach = 26 * view.camera().free().metresPerPixel(view.widget().width(), at);
-            const auto from = view.shownPixelOf(at - reach * (toWorld.rotation * joint.axis)),
-                       to = view.shownPixelOf(at + reach * (toWorld.rotation * joint.axis)), middle = view.shownPixelOf(at);
-            if (!from || !to || !middle) continue;
-            if (joint.type != JointType::Ball && joint.type != JointType::Fixed)
-                arrow(painter, *from, *to, colour, selected ? 2.4 : 1.6);
-            painter.setPen(QPen(kShade, 1));
-            painter.setBrush(colour);
-            painter.drawEllipse(*middle, 3, 3);
+            paintJoint(painter, view, joint, toWorld, selected);
         }
     }
 }
@@ -257,6 +278,7 @@ void paintOverlays(QPainter& painter, const ToolView& view) {
     paintFrusta(painter, view, settings.shows(kOverlayFrusta));
     paintBeams(painter, view, settings.shows(kOverlayBeams));
     paintMotionArrows(painter, view);
+    paintRegions(painter, view);
     paintSprings(painter, view);
     paintJoints(painter, view, settings.shows(kOverlayJoints));
     if (settings.shows(kOverlayMass)) paintMass(painter, view);

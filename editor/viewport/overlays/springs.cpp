@@ -36,6 +36,31 @@ QPolygonF coil(const ToolView& view, const Vec3& from, const Vec3& to, double ra
     return points;
 }
 
+void paintCoil(QPainter& painter, const ToolView& view, const SpringSpec& spring, const Vec3& from, const Vec3& to, bool selected) {
+    const QPolygonF points = coil(view, from, to, std::clamp(kSlim * spring.length, kThinnest, kThickest));
+    painter.setPen(QPen(kOutline, selected ? 4.4 : 3.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(points);
+    painter.setPen(
+        QPen(selected ? ToolView::outlineColour() : kSteel, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(points);
+}
+
+/// Those between robots.
+void paintLinkedSprings(QPainter& painter, const ToolView& view) {
+    const ViewportScene& world = view.context().world;
+    const ExperimentSpec& experiment = world.objects()->experiment();
+    for (const auto& link : experiment.springs) {
+        const auto shown = [&](int robot, int body, const Vec3& point) -> Vec3 {
+            if (robot == kWorldBody) return point;
+            const auto r = std::uint32_t(robot), b = std::uint32_t(body);
+            const Pose start = experiment.robots[r].pose * experiment.robots[r].config->bodies[b].pose;
+            return world.objects()->poseOf({ObjectKind::Body, r, b}, view.shownPoses()) * (start.inverse() * point);
+        };
+        paintCoil(painter, view, link.spec, shown(link.parentRobot, link.spec.parent, link.spec.anchor),
+                  shown(link.childRobot, link.spec.child, link.spec.anchor2), view.context().selection.contains(link.spec.name));
+    }
+}
+
 } // namespace
 
 void paintSprings(QPainter& painter, const ToolView& view) {
@@ -43,6 +68,7 @@ void paintSprings(QPainter& painter, const ToolView& view) {
     const Selection& selection = view.context().selection;
     const auto& robots = world.objects()->experiment().robots;
     painter.setBrush(Qt::NoBrush);
+    paintLinkedSprings(painter, view);
     for (std::uint32_t r = 0; r < robots.size() && r < kMostRobots; ++r) {
         if (!robots[r].config || robots[r].config->springs.empty() || world.isHidden({ObjectKind::Robot, r})) continue;
         const RobotConfigSpec& config = *robots[r].config;
@@ -55,13 +81,7 @@ void paintSprings(QPainter& painter, const ToolView& view) {
         for (const SpringSpec& spring : config.springs) {
             const bool selected = selection.contains(robots[r].name + "." + spring.name) ||
                                   selection.contains("RobotConfig." + config.name + "." + spring.name);
-            const double radius = std::clamp(kSlim * spring.length, kThinnest, kThickest);
-            const QPolygonF points = coil(view, shown(spring.parent, spring.anchor), shown(spring.child, spring.anchor2), radius);
-            painter.setPen(QPen(kOutline, selected ? 4.4 : 3.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-            painter.drawPolyline(points);
-            painter.setPen(QPen(selected ? ToolView::outlineColour() : kSteel, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::RoundCap,
-                                Qt::RoundJoin));
-            painter.drawPolyline(points);
+            paintCoil(painter, view, spring, shown(spring.parent, spring.anchor), shown(spring.child, spring.anchor2), selected);
         }
     }
 }

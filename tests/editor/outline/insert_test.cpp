@@ -115,7 +115,8 @@ void InsertTest::offersWhatFitsTheSelection() {
     };
     QVERIFY(offers("", "Robot"));
     QVERIFY(!offers("", "Box"));
-    QVERIFY(!offers("", "Hinge"));
+    QVERIFY(!offers("", "Gear"));
+    QVERIFY(offers("", "Hinge")); // between robots
     QVERIFY(offers("RobotConfig.Rover.chassis", "Box"));
     QVERIFY(!offers("RobotConfig.Rover.chassis", "Plane"));
     QVERIFY(offers("RobotConfig.Rover.chassis.hull", "Box")); // as a sibling

@@ -37,8 +37,8 @@ View other { }
 /// The path of a parent in which the kind is allowed.
 std::string parentOf(const Kind& kind) {
     const auto in = [&](const char* parent) { return std::count(kind.parents.begin(), kind.parents.end(), parent) > 0; };
-    if (in("")) return "";
     if (in("RobotConfig")) return "RobotConfig.Rover";
+    if (in("")) return "";
     if (in("Body")) return "RobotConfig.Rover.chassis";
     if (in("StaticConfig")) return "StaticConfig.Yard";
     return in("Robot") ? "robot0" : "";

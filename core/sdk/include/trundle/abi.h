@@ -148,6 +148,7 @@ typedef struct TrundleServices {
     const struct TrundleServicesLight* light; /* since 1.6; in abi_light.h */
     const TrundleServicesSupply* supply; /* since 1.7 */
     const struct TrundleServicesJoints* joints; /* since 1.8; in abi_joint.h */
+    const struct TrundleServicesLatch* latch; /* since 1.9; in abi_latch.h */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

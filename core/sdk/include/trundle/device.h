@@ -9,6 +9,7 @@
 #include <trundle/describe.h>
 #include <trundle/geometry.h>
 #include <trundle/joints.h>
+#include <trundle/latch.h>
 #include <trundle/light.h>
 #include <trundle/module.h>
 #include <trundle/mount.h>
@@ -56,7 +57,7 @@ public:
         return state;
     }
     /// Contacts of the geom in the last step; `out` is overwritten.
-    void contacts(GeomId geom, std::vector<TrundleContact>& out) const;
+    void contacts(GeomId geom, std::vector<TrundleContact>& out) const { detail::contacts(m_services, geom.index, out); }
     /// Nearest hit along a unit direction within `range` (m); geoms of the own robot are ignored unless `own`.
     bool ray(const Vec3& origin, const Vec3& direction, double range, TrundleHit& hit, bool own = false) const {
         return m_services.ray(m_services.context, origin.data(), direction.data(), range, own ? 1 : 0, &hit) != 0;
@@ -83,6 +84,9 @@ public:
     void beams(std::vector<TrundleBeam>& out) const { detail::beams(m_services, out); }
     /// The battery of the robot. Since 1.8.
     [[nodiscard]] Supply supply() const { return detail::supply(m_services); }
+    /// Whether the latch of the device holds something, and what acted on that in the last step: N, and N m about its centre of mass.
+    /// Since 1.11.
+    bool held(Wrench& out) const { return detail::latchHeld(m_services, out); }
     /// A function of (seed, device, tick, index): the same in every run.
     [[nodiscard]] std::uint64_t randomBits(std::uint64_t index) const { return m_services.random(m_services.context, index); }
     [[nodiscard]] double random(std::uint64_t index) const {
@@ -169,6 +173,10 @@ public:
     void emitLight(BodyId body, const Vec3& point, double light, const TrundleBeam& beam) {
         detail::emitBeam(m_services, body, point, light, beam);
     }
+    /// Holds the body of a geom, or the scenery that it is part of, rigidly to a body of the own robot, as they are, until it is released or
+    /// one of them is placed elsewhere. A device holds one thing. False: it cannot. Since 1.11.
+    bool hold(BodyId body, GeomId geom) { return detail::latchHold(m_services, body.index, geom.index); }
+    void release() { detail::latchRelease(m_services); }
     /// What touches the geom can take power from the device: in all at most `amperes`, at most at `volts`; 0 A: none. It is offered until it
     /// is changed. Since 1.10.
     void offerPower(GeomId geom, double volts, double amperes) {
@@ -186,15 +194,5 @@ public:
     virtual void sense(Sensing&) {}
 };
 
-inline void Services::contacts(GeomId geom, std::vector<TrundleContact>& out) const {
-    out.resize(out.capacity() < 8 ? 8 : out.capacity());
-    auto room = static_cast<std::uint32_t>(out.size());
-    std::uint32_t there = m_services.contacts(m_services.context, geom.index, out.data(), room);
-    if (there > room) {
-        out.resize(room = there);
-        there = m_services.contacts(m_services.context, geom.index, out.data(), room);
-    }
-    out.resize(there < room ? there : room);
-}
 } // namespace sdk1
 } // namespace trundle

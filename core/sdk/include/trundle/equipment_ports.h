@@ -79,5 +79,14 @@ public:
     [[nodiscard]] double energy() const { return m_signals.energy.get(); }          ///< J since the start
 };
 
+/// Since 1.11.
+class LatchPort : public Port<LatchSignals> {
+public:
+    void setEngage(bool engage) { m_signals.engage.set(engage); }
+    [[nodiscard]] bool engaged() const { return m_signals.engaged.get() != 0; } ///< it holds something
+    [[nodiscard]] bool inReach() const { return m_signals.inReach.get() != 0; } ///< something that it could hold is within Reach
+    [[nodiscard]] double force() const { return m_signals.force.get(); }        ///< N between it and what it holds
+};
+
 } // namespace sdk1
 } // namespace trundle

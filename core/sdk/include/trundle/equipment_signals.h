@@ -151,5 +151,22 @@ struct ChargerSignals {
     }
 };
 
+// Since 1.11.
+
+struct LatchSignals {
+    static constexpr const char* kKind = "Latch";
+    CommandSlot<bool> engage;
+    OutputSlot<bool> engaged, inReach;
+    OutputSlot<double> force;
+
+    template <class D> static void describe(D& d) {
+        using S = LatchSignals;
+        d.command("engage", &S::engage, "", "It is to hold what is within Reach; it releases that when this ends.");
+        d.output("engaged", &S::engaged, "", "It holds something.");
+        d.output("inReach", &S::inReach, "", "Something that it could hold is within Reach.");
+        d.output("force", &S::force, "N", "Between it and what it holds, in the last tick.");
+    }
+};
+
 } // namespace sdk1
 } // namespace trundle

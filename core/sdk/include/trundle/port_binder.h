@@ -86,6 +86,7 @@ public:
     [[nodiscard]] PenPort pen(PortName name) { return bindPort<PenPort, PenSignals>(name); }
     [[nodiscard]] LedPort led(PortName name) { return bindPort<LedPort, LedSignals>(name); }
     [[nodiscard]] ChargerPort charger(PortName name) { return bindPort<ChargerPort, ChargerSignals>(name); }
+    [[nodiscard]] LatchPort latch(PortName name) { return bindPort<LatchPort, LatchSignals>(name); }
 };
 
 } // namespace sdk1

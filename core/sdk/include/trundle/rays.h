@@ -106,6 +106,18 @@ inline bool castRays(const TrundleServices& services, std::span<const Ray> list,
     return true;
 }
 
+/// Contacts of a geom in the last step; `out` is overwritten.
+inline void contacts(const TrundleServices& services, std::uint32_t geom, std::vector<TrundleContact>& out) {
+    out.resize(out.capacity() < 8 ? 8 : out.capacity());
+    auto room = static_cast<std::uint32_t>(out.size());
+    std::uint32_t there = services.contacts(services.context, geom, out.data(), room);
+    if (there > room) {
+        out.resize(room = there);
+        there = services.contacts(services.context, geom, out.data(), room);
+    }
+    out.resize(there < room ? there : room);
+}
+
 inline bool geomInfo(const TrundleServices& services, GeomId geom, TrundleGeomInfo& info) {
     info = {};
     info.size = sizeof info;

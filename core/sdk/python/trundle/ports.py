@@ -407,6 +407,23 @@ class ChargerPort(Port):
         return self.get("energy")
 
 
+class LatchPort(Port):
+    def set_engage(self, engage):
+        self.set("engage", 1.0 if engage else 0.0)
+
+    def engaged(self):
+        """It holds something."""
+        return self.get("engaged") != 0
+
+    def in_reach(self):
+        """Something that it could hold is within Reach."""
+        return self.get("inReach") != 0
+
+    def force(self):
+        """N between it and what it holds."""
+        return self.get("force")
+
+
 class GroundTruthPort:
     """Exact state that a real robot cannot measure; to evaluate a controller, not for control."""
 
@@ -481,6 +498,7 @@ class RobotPorts:
     pen = _binder("pen", PenPort, "Pen")
     led = _binder("led", LedPort, "Led")
     charger = _binder("charger", ChargerPort, "Charger")
+    latch = _binder("latch", LatchPort, "Latch")
 
     def object_name(self, number):
         """Name of an object by its number in a ground truth signal, "box1/block"; "" if there is none."""

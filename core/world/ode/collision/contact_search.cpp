@@ -36,6 +36,10 @@ void ContactSearch::updateBoxes() {
     }
 }
 
+bool ContactSearch::areBodiesApart(std::uint32_t first, std::uint32_t second) const {
+    return OdeObjects::areApart(m_objects.apartBodies, m_objects.geoms[first].body, m_objects.geoms[second].body);
+}
+
 void ContactSearch::find(std::vector<OdeContact>& contacts) {
     updateBoxes();
     contacts.clear();
@@ -49,14 +53,18 @@ void ContactSearch::find(std::vector<OdeContact>& contacts) {
         }
         collideWithScenery(a, contacts);
         for (const auto& [first, second] : actor.selfPairs)
-            if (m_objects.boxes[first].touches(m_objects.boxes[second])) m_collider.meet(first, second, contacts);
+            if (m_objects.boxes[first].touches(m_objects.boxes[second]) && !(actor.isApart && areBodiesApart(first, second)))
+                m_collider.meet(first, second, contacts);
         for (; pair < m_pairs.size() && m_pairs[pair].first == a; ++pair) {
             const OdeActor& partner = m_objects.actors[m_pairs[pair].second];
             if (partner.ended) continue;
+            const bool someApart = actor.isApart && partner.isApart;
+            if (someApart && OdeObjects::areApart(m_objects.apartActors, a, m_pairs[pair].second)) continue;
             for (std::uint32_t i = actor.geoms.begin; i < actor.geoms.end; ++i) {
                 if (!m_objects.boxes[i].touches(m_objects.actorBoxes[m_pairs[pair].second])) continue;
                 for (std::uint32_t k = partner.geoms.begin; k < partner.geoms.end; ++k)
-                    if (m_objects.boxes[i].touches(m_objects.boxes[k])) m_collider.meet(i, k, contacts);
+                    if (m_objects.boxes[i].touches(m_objects.boxes[k]) && !(someApart && areBodiesApart(i, k)))
+                        m_collider.meet(i, k, contacts);
             }
         }
     }

@@ -28,6 +28,7 @@ public:
 
 private:
     void updateBoxes();
+    [[nodiscard]] bool areBodiesApart(std::uint32_t firstGeom, std::uint32_t secondGeom) const;
     void collideWithScenery(std::uint32_t actor, std::vector<OdeContact>& contacts);
 
     const EngineSettings& m_settings;

@@ -54,11 +54,13 @@ void Impacts::join(std::span<const OdeContact> contacts, std::span<const OdeGeom
     m_joined = true;
     m_parents.resize(actors);
     for (std::uint32_t i = 0; i < actors; ++i) m_parents[i] = i;
-    for (const OdeContact& c : contacts) {
-        if (c.partner == kNoActor) continue;
-        const std::uint32_t a = rootOf(c.actor), b = rootOf(c.partner);
+    const auto unite = [this](std::uint32_t first, std::uint32_t second) {
+        const std::uint32_t a = rootOf(first), b = rootOf(second);
         m_parents[std::max(a, b)] = std::min(a, b);
-    }
+    };
+    for (const OdeContact& c : contacts)
+        if (c.partner != kNoActor) unite(c.actor, c.partner);
+    for (const auto& [first, second] : m_linked) unite(first, second);
     m_clusters.assign(actors, {});
     for (const OdeContact& c : contacts) {
         Cluster& cluster = m_clusters[rootOf(c.actor)];

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "world/ode/objects/ode_records.h"
@@ -13,6 +14,8 @@ namespace trundle {
 
 class Impacts {
 public:
+    /// Actors that joints, springs or latches join.
+    void setUp(std::vector<IndexPair> joined) { m_linked = std::move(joined); }
     /// Marks the blows of a tick, before anything else prepares it.
     void find(std::span<OdeContact> contacts, std::span<const OdeBody> bodies, std::span<const OdeGeom> geoms,
               std::span<const SurfaceSpec> surfaces);
@@ -24,7 +27,7 @@ public:
                                   std::span<const RawState> before);
 
 private:
-    /// Of actors that touch each other.
+    /// Of actors that touch each other or are joined.
     struct Cluster {
         bool bounces = false, driven = false; ///< driven: by a surface velocity, which may add energy, or not solved exactly
         double work = 0, size = 0;            ///< W s of all contacts over the tick, and the sum of their amounts
@@ -39,6 +42,7 @@ private:
     bool m_bounces = false, m_joined = false;
     std::vector<bool> m_touching, m_struck; ///< by body; struck: takes a blow, empty where none does
     std::vector<std::uint32_t> m_parents;   ///< by actor
+    std::vector<IndexPair> m_linked;        ///< actors
     std::vector<Cluster> m_clusters;        ///< by their first actor
 };
 

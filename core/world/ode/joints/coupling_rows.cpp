@@ -45,12 +45,18 @@ JointLine lineOf(const OdeJoint& joint, const Vec3& anchor, const Vec3& axis) {
 
 std::vector<CouplingHandle> CouplingRows::add(const ActorDef& def, std::uint32_t actor) {
     std::vector<CouplingHandle> handles;
+    const std::uint32_t first = m_objects.actors[actor].bodies.begin;
+    const auto bodyOf = [&](int body) { return body == kWorldBody ? kNone : first + static_cast<std::uint32_t>(body); };
     if (def.springs)
         for (const SpringSpec& spec : *def.springs)
-            handles.push_back(keep(springOf(spec, def, m_objects.actors[actor].bodies.begin)));
+            handles.push_back(keep(springOf(spec, def.frame, bodyOf(spec.child), bodyOf(spec.parent))));
     if (def.gears)
         for (const GearSpec& spec : *def.gears) handles.push_back(keep(gearOf(spec, def, m_objects.actors[actor].joints.begin)));
     return handles;
+}
+
+CouplingHandle CouplingRows::addLink(const SpringSpec& spec, std::uint32_t child, std::uint32_t parent) {
+    return keep(springOf(spec, Pose{}, child, parent));
 }
 
 CouplingHandle CouplingRows::keep(OdeCoupling coupling) {
@@ -60,11 +66,11 @@ CouplingHandle CouplingRows::keep(OdeCoupling coupling) {
     return {static_cast<std::uint32_t>(m_objects.couplings.size() - 1)};
 }
 
-OdeCoupling CouplingRows::springOf(const SpringSpec& spec, const ActorDef& def, std::uint32_t firstBody) const {
+OdeCoupling CouplingRows::springOf(const SpringSpec& spec, const Pose& frame, std::uint32_t child, std::uint32_t parent) const {
     OdeCoupling spring;
-    spring.first = firstBody + static_cast<std::uint32_t>(spec.child);
-    if (spec.parent != kWorldBody) spring.second = firstBody + static_cast<std::uint32_t>(spec.parent);
-    const Vec3 first = def.frame * spec.anchor2, second = def.frame * spec.anchor;
+    spring.first = child;
+    spring.second = parent;
+    const Vec3 first = frame * spec.anchor2, second = frame * spec.anchor;
     const auto inBody = [&](std::uint32_t body, const Vec3& point) {
         return body == kNone ? point : turnBack(m_objects.bodies[body].r, point - vec(m_objects.bodies[body].p));
     };

@@ -18,13 +18,15 @@ public:
 
     /// Those of an actor whose bodies and joints are there. Returns the handles in the order of the specs, springs first.
     [[nodiscard]] std::vector<CouplingHandle> add(const ActorDef& def, std::uint32_t actor);
+    /// A spring between actors, or of one and the world (kNone); its points are in the world.
+    [[nodiscard]] CouplingHandle addLink(const SpringSpec& spec, std::uint32_t child, std::uint32_t parent);
     /// Prepares all rows for a step with these contacts. `errorReduction`: of gears.
     void update(double h, std::span<const OdeContact> contacts, double errorReduction);
     /// What they did, after a step.
     void measure();
 
 private:
-    [[nodiscard]] OdeCoupling springOf(const SpringSpec& spec, const ActorDef& def, std::uint32_t firstBody) const;
+    [[nodiscard]] OdeCoupling springOf(const SpringSpec& spec, const Pose& frame, std::uint32_t child, std::uint32_t parent) const;
     [[nodiscard]] OdeCoupling gearOf(const GearSpec& spec, const ActorDef& def, std::uint32_t firstJoint) const;
     CouplingHandle keep(OdeCoupling coupling);
     void updateInertia(OdeCoupling& spring, std::uint32_t index, std::span<const OdeContact> contacts);

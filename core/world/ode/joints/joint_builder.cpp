@@ -22,17 +22,29 @@ bool isCoaxial(GeomShape shape, const Vec3& centre, const Vec3& cylinderAxis, do
 void JointBuilder::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32_t actor) {
     const std::uint32_t first = m_objects.actors[actor].bodies.begin;
     OdeJoint joint;
-    joint.type = spec.type;
     joint.order = static_cast<std::uint32_t>(m_objects.joints.size()) - m_objects.actors[actor].joints.begin;
     joint.child = first + static_cast<std::uint32_t>(spec.child);
     joint.parent = spec.parent == kWorldBody ? kNone : first + static_cast<std::uint32_t>(spec.parent);
+    add(joint, spec, {def.frame * spec.anchor, def.frame.rotation * spec.axis, def.frame.rotation * spec.axis2});
+}
+
+void JointBuilder::addLink(const JointSpec& spec, std::uint32_t child, std::uint32_t parent) {
+    OdeJoint joint;
+    joint.order = static_cast<std::uint32_t>(m_objects.links.size());
+    joint.child = child;
+    joint.parent = parent;
+    m_objects.links.push_back(static_cast<std::uint32_t>(m_objects.joints.size()));
+    add(joint, spec, {spec.anchor, spec.axis, spec.axis2});
+}
+
+void JointBuilder::add(OdeJoint& joint, const JointSpec& spec, const JointFrame& frame) {
+    joint.type = spec.type;
     joint.stiffness = spec.stiffness;
     joint.damping = spec.damping;
     joint.travel = spec.travel;
     joint.rest = spec.rest;
     joint.stiffness2 = spec.stiffness2.value_or(spec.stiffness);
     joint.damping2 = spec.damping2.value_or(spec.damping);
-    const JointFrame frame{def.frame * spec.anchor, def.frame.rotation * spec.axis, def.frame.rotation * spec.axis2};
     const Vec3 main = spec.type == JointType::Suspension ? frame.axis2 : frame.axis;
     carryFrame(joint, frame, main);
     makeJoint(joint, spec, frame);

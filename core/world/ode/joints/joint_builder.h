@@ -16,8 +16,11 @@ public:
 
     /// A joint of the actor that is being built, whose bodies and geoms are there.
     void addJoint(const JointSpec& spec, const ActorDef& def, std::uint32_t actor);
+    /// A joint between actors, or of one and the world (kNone).
+    void addLink(const JointSpec& spec, std::uint32_t child, std::uint32_t parent);
 
 private:
+    void add(OdeJoint& joint, const JointSpec& spec, const JointFrame& frame);
     void carryFrame(OdeJoint& joint, const JointFrame& frame, const Vec3& main) const;
     void makeJoint(OdeJoint& joint, const JointSpec& spec, const JointFrame& frame);
     [[nodiscard]] dJointID attached(dJointID id, const OdeJoint& joint) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "world/ode/motion/free_rotation.h"
 #include "world/ode/objects/ode_math.h"
@@ -31,8 +32,10 @@ void move(const OdeBody& body, const Vec3& by) { Eigen::Map<Vec3>(const_cast<dRe
 } // namespace
 
 void JointDrift::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints) {
-    m_last.assign(bodies.size(), Vec3::Zero());
-    m_rates = m_aside = m_last;
+    if (m_last.size() != bodies.size()) m_last.assign(bodies.size(), Vec3::Zero());
+    m_rates = m_last;
+    m_aside.assign(bodies.size(), Vec3::Zero());
+    const bool hasLinks = joinActors(bodies, joints);
     m_edges.clear();
     m_jointed.clear();
     std::vector<bool> reached(bodies.size(), false), used(joints.size(), false);
@@ -59,12 +62,30 @@ void JointDrift::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint
         const OdeJoint& joint = joints[i];
         if (reached[joint.child]) continue;
         reach(joint.parent == kNone ? joint.child : joint.parent);
-        std::uint32_t end = i + 1; // of its actor: no joint connects two
+        std::uint32_t end = hasLinks ? count : i + 1; // of its actor
         while (end < count && bodies[joints[end].child].actor == bodies[joint.child].actor) ++end;
         grow(i, end);
     }
     m_whole.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) m_whole[i] = dBodyGetFiniteRotationMode(bodies[i].id) != 0;
+}
+
+/// False if no joint is between two actors. A group has the number of its lowest actor.
+bool JointDrift::joinActors(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints) {
+    m_groupOf.resize(bodies.empty() ? 0 : bodies.back().actor + 1);
+    std::iota(m_groupOf.begin(), m_groupOf.end(), 0u);
+    bool any = false;
+    for (bool more = true; more;) {
+        more = false;
+        for (const OdeJoint& joint : joints) {
+            if (joint.parent == kNone) continue;
+            std::uint32_t &child = m_groupOf[bodies[joint.child].actor], &parent = m_groupOf[bodies[joint.parent].actor];
+            any = any || bodies[joint.child].actor != bodies[joint.parent].actor;
+            more = more || child != parent;
+            child = parent = std::min(child, parent);
+        }
+    }
+    return any;
 }
 
 std::span<Vec3> JointDrift::expectRates(std::span<const OdeBody> bodies) {
@@ -80,8 +101,8 @@ void JointDrift::start(std::span<const OdeBody> bodies, std::span<const OdeConta
     if (m_edges.empty()) return;
     m_touches.assign(bodies.back().actor + 1, false);
     for (const OdeContact& c : contacts) {
-        m_touches[c.actor] = true;
-        if (c.partner != kNoActor) m_touches[c.partner] = true;
+        m_touches[m_groupOf[c.actor]] = true;
+        if (c.partner != kNoActor) m_touches[m_groupOf[c.partner]] = true;
     }
 }
 
@@ -99,7 +120,7 @@ void JointDrift::shift(std::span<const OdeBody> bodies, std::span<const OdeJoint
         if (!dBodyIsEnabled(bodies[edge.to].id)) continue;
         const OdeJoint& joint = joints[edge.joint];
         m_aside[edge.to] = edge.from == kNone ? Vec3::Zero() : m_aside[edge.from];
-        edge.closed = pins(joint.type) && !m_touches[bodies[edge.to].actor];
+        edge.closed = pins(joint.type) && !m_touches[m_groupOf[bodies[edge.to].actor]];
         if (!edge.closed) continue;
         edge.childArm = turn(bodies[joint.child].r, joint.childAnchor);
         if (joint.parent != kNone) edge.parentArm = turn(bodies[joint.parent].r, joint.parentAnchor);

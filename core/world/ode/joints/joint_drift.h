@@ -30,6 +30,7 @@ public:
     void expect(std::span<const OdeBody> bodies, std::span<const std::uint32_t> which);
 
 private:
+    [[nodiscard]] bool joinActors(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints);
     struct Edge {
         std::uint32_t joint, from, to; ///< bodies, from the root outwards; kNone: the world
         bool closed = false;           ///< in this tick
@@ -42,7 +43,8 @@ private:
     std::vector<std::uint32_t> m_jointed;       ///< bodies
     std::vector<Vec3> m_last, m_rates, m_aside; ///< by body
     std::vector<bool> m_whole;                  ///< by body: turns by the whole angle, not by its tangent
-    std::vector<bool> m_touches;                ///< by actor
+    std::vector<bool> m_touches;                ///< by group of actors
+    std::vector<std::uint32_t> m_groupOf;       ///< by actor: joints between actors join them
 };
 
 } // namespace trundle

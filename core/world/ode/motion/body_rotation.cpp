@@ -31,6 +31,8 @@ void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const Mat3> 
         hold(joint.child, joint.type);
         if (joint.parent != kNone) hold(joint.parent, joint.type);
     }
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
+        if (bodies[i].latched) hold(i, JointType::Fixed);
     m_held.clear();
     m_free.clear();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {

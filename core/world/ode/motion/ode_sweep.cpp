@@ -189,6 +189,8 @@ void OdeSweep::findPassages(std::uint32_t geom, double h) {
     for (std::uint32_t a = 0; a < m_objects.actors.size() && m_passages.size() < kMostPassages; ++a) {
         const OdeActor& other = m_objects.actors[a];
         if (a == g.actor || other.geoms.begin == other.geoms.end) continue;
+        const bool someApart = other.isApart && m_objects.actors[g.actor].isApart;
+        if (someApart && OdeObjects::areApart(m_objects.apartActors, a, g.actor)) continue;
         const OdeBody& first = m_objects.bodies[other.bodies.begin];
         const Vec3 way = own.to - own.from - h * vec(first.v);
         if (!around(m_objects.boxes[geom], -way).touches(m_objects.actorBoxes[a])) continue;
@@ -198,6 +200,7 @@ void OdeSweep::findPassages(std::uint32_t geom, double h) {
         });
         if (known) continue;
         for (std::uint32_t k = other.geoms.begin; k < other.geoms.end; ++k) {
+            if (someApart && OdeObjects::areApart(m_objects.apartBodies, g.body, m_objects.geoms[k].body)) continue;
             const Path path = pathOf(m_objects.geoms[k].body, h);
             const RawState mine = stateOf(m_objects.bodies[g.body]), its = stateOf(m_objects.bodies[m_objects.geoms[k].body]);
             const double steps = std::clamp(std::ceil(way.norm() / (kShare * g.half.minCoeff())), 1.0, double(kMostSamples));

@@ -1,4 +1,5 @@
 #include "world/ode/objects/ode_objects.h"
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -10,6 +11,14 @@ namespace {
 
 constexpr double kRolling = 0.7; // cosine between an axis and the floor's normal
 
+bool insertPair(std::vector<IndexPair>& pairs, std::uint32_t first, std::uint32_t second) {
+    const IndexPair pair = std::minmax(first, second);
+    const auto at = std::ranges::lower_bound(pairs, pair);
+    if (at != pairs.end() && *at == pair) return false;
+    pairs.insert(at, pair);
+    return true;
+}
+
 } // namespace
 
 OdeObjects::~OdeObjects() {
@@ -20,6 +29,37 @@ OdeObjects::~OdeObjects() {
         }
     } catch (const OdeFault&) { // after a fault some of it may not come apart: better lost than dead
     }
+}
+
+std::vector<IndexPair> OdeObjects::joinedActors() const {
+    std::vector<IndexPair> joined;
+    const auto add = [&](std::uint32_t first, std::uint32_t second) {
+        if (second == kNone || bodies[first].actor == bodies[second].actor) return;
+        (void)insertPair(joined, bodies[first].actor, bodies[second].actor);
+    };
+    for (const std::uint32_t link : links) add(joints[link].child, joints[link].parent);
+    for (const OdeCoupling& coupling : couplings) add(coupling.first, coupling.second);
+    for (const OdeLatch& latch : latches)
+        if (latch.holds) add(latch.body, latch.held);
+    return joined;
+}
+
+void OdeObjects::separateActors(std::uint32_t first, std::uint32_t second) {
+    (void)insertPair(apartActors, first, second);
+    actors[first].isApart = actors[second].isApart = true;
+}
+
+bool OdeObjects::separateBodies(std::uint32_t first, std::uint32_t second) {
+    actors[bodies[first].actor].isApart = actors[bodies[second].actor].isApart = true;
+    return insertPair(apartBodies, first, second);
+}
+
+void OdeObjects::reuniteBodies(std::uint32_t first, std::uint32_t second) {
+    std::erase(apartBodies, IndexPair(std::minmax(first, second)));
+}
+
+bool OdeObjects::areApart(const std::vector<IndexPair>& pairs, std::uint32_t first, std::uint32_t second) {
+    return std::ranges::binary_search(pairs, IndexPair(std::minmax(first, second)));
 }
 
 Vec3 OdeObjects::contactSpeed(const OdeContact& c) const {

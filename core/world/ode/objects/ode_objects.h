@@ -23,11 +23,23 @@ struct OdeObjects {
     std::vector<Mat3> inertias;    ///< of bodies about their centres of mass, without the rotors of motors
     std::vector<OdeJoint> joints;
     std::vector<OdeCoupling> couplings;
+    std::vector<OdeLatch> latches;
+    std::vector<std::uint32_t> links; ///< joints between actors, or of an actor and the world, that came after the actors
+    std::vector<IndexPair> apartActors, apartBodies; ///< that do not touch each other, each as (lower, higher), ascending
     std::vector<OdeGeom> geoms;
     std::vector<Vec3> centres;           ///< of geoms, world
     std::vector<Box3> boxes, actorBoxes; ///< of geoms, of actors
     std::vector<GroundPlane> planes;
     std::vector<std::uint32_t> statics; ///< static geoms other than planes
+
+    /// Pairs of actors that a joint, spring or latch joins.
+    [[nodiscard]] std::vector<IndexPair> joinedActors() const;
+    /// Has two actors, or two bodies, not touch each other.
+    void separateActors(std::uint32_t first, std::uint32_t second);
+    /// False if they did not before.
+    bool separateBodies(std::uint32_t first, std::uint32_t second);
+    void reuniteBodies(std::uint32_t first, std::uint32_t second);
+    [[nodiscard]] static bool areApart(const std::vector<IndexPair>& pairs, std::uint32_t first, std::uint32_t second);
 
     /// In the world.
     [[nodiscard]] Mat3 axesOf(const OdeGeom& geom) const {

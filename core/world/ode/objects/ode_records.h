@@ -36,7 +36,8 @@ struct OdeBody {
     const dReal *p = nullptr, *r = nullptr, *q = nullptr, *v = nullptr, *w = nullptr; ///< ODE's own memory, fixed for its life
     Vec3 centre = Vec3::Zero();                                                       ///< of mass, in the body's frame
     std::uint32_t actor = 0;
-    bool coupled = false; ///< by a spring or gear
+    bool coupled = false; ///< by a spring, gear or latch
+    bool latched = false; ///< by a latch
     Run geoms;
     double thin = 1e300, reach = 0; ///< of its geoms: least half extent; farthest point from the centre of mass
     SourceRange range;
@@ -76,6 +77,7 @@ struct OdeActor {
     double mass = 0, stiffness = kContactStiffness, damping = kContactDamping; ///< of its contacts
     bool jointed = false;
     bool ended = false;               ///< stays where it is and touches nothing (ActorFaults)
+    bool isApart = false;             ///< it, or a body of it, does not touch another actor, or a body of one
     std::vector<IndexPair> selfPairs; ///< geoms that may touch each other
 };
 
@@ -128,6 +130,16 @@ struct OdeCoupling {
     std::uint32_t joint = 0, other = 0, common = kNone; ///< common: the body of both joints
     Vec3 point = Vec3::Zero(), line = Vec3::UnitZ();    ///< of the row, in the axes of the common body, from its centre of mass
     double ratio = 1, lever = 1;                        ///< lever: the rate along the row per rate of the joint
+};
+
+/// Holds a body rigidly to another one, of any actor, from a command to the next.
+struct OdeLatch {
+    std::uint32_t number = 0; ///< by which its owner calls it
+    std::uint32_t body = kNone, held = kNone, wanted = kNone; ///< held: kNone is the world; wanted: from the next step on
+    bool holds = false, wants = false;
+    bool isApart = false; ///< the two bodies do not touch each other because of it
+    dJointID id = nullptr;
+    std::unique_ptr<dJointFeedback> feedback;
 };
 
 /// In the world, at the start.

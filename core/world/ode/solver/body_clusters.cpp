@@ -18,13 +18,15 @@ void BodyClusters::join(std::uint32_t first, std::uint32_t second) {
 }
 
 void BodyClusters::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints,
-                         std::span<const OdeCoupling> couplings) {
+                         std::span<const OdeCoupling> couplings, std::span<const OdeLatch> latches) {
     m_cluster.resize(bodies.size());
     std::iota(m_cluster.begin(), m_cluster.end(), 0u);
     for (const OdeJoint& joint : joints)
         if (joint.parent != kNone) join(joint.child, joint.parent);
     for (const OdeCoupling& coupling : couplings)
         if (coupling.second != kNone) join(coupling.first, coupling.second);
+    for (const OdeLatch& latch : latches)
+        if (latch.holds && latch.held != kNone) join(latch.body, latch.held);
     m_groups.clear();
     m_jointed.assign(bodies.size(), false);
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {

@@ -13,7 +13,8 @@ namespace trundle {
 class BodyClusters {
 public:
     /// Once all bodies and joints are there.
-    void setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, std::span<const OdeCoupling> couplings);
+    void setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, std::span<const OdeCoupling> couplings,
+               std::span<const OdeLatch> latches);
     /// Joins the bodies of all contacts that are not `outside`.
     void find(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms);
 

@@ -13,7 +13,8 @@ namespace trundle {
 
 class SolverPlan {
 public:
-    void setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, std::span<const OdeCoupling> couplings);
+    void setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, std::span<const OdeCoupling> couplings,
+               std::span<const OdeLatch> latches);
     /// Marks the contacts: `outside`, `iterated`.
     void make(SolverChoice choice, const Vec3& up, std::span<OdeContact> contacts, std::span<const OdeGeom> geoms);
     /// Once the contacts between bodies are known to matter: a solver failed.

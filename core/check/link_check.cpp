@@ -1,0 +1,50 @@
+// Checks of joints at the top level: their point is in the world, and stays there when a robot is moved.
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/checks.h"
+#include "check/extent.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kFar = 0.5;       // of the size of the body: a drawbar may be as long without being drawn
+constexpr double kLeastFar = 0.05; // m
+
+/// From a point to the box around a body's shapes, in metres; 0 for a body without any. `size`: the box's diagonal.
+double distanceTo(const BodySpec& body, const Vec3& point, double& size) {
+    if (body.geoms.empty()) return 0;
+    Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
+    for (const GeomSpec& geom : body.geoms)
+        for (int k = 0; k < 3; ++k) {
+            const Extent extent = extentAlong(geom, geom.pose, Vec3::Unit(k));
+            low[k] = std::min(low[k], extent.low);
+            high[k] = std::max(high[k], extent.high);
+        }
+    size = (high - low).norm();
+    return (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
+}
+
+} // namespace
+
+void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
+    for (const Link<JointSpec>& link : experiment.joints) {
+        if (link.spec.type == JointType::Fixed || link.spec.type == JointType::Slider) continue; // they have no point
+        for (const auto& [robotIndex, bodyIndex] :
+             {std::pair(link.parentRobot, link.spec.parent), {link.childRobot, link.spec.child}}) {
+            if (robotIndex == kWorldBody) continue;
+            const RobotSpec& robot = experiment.robots[static_cast<std::size_t>(robotIndex)];
+            const BodySpec& body = robot.config->bodies[static_cast<std::size_t>(bodyIndex)];
+            double size = 0;
+            const double far = distanceTo(body, (robot.pose * body.pose).inverse() * link.spec.anchor, size);
+            if (far <= std::max(kLeastFar, kFar * size)) continue;
+            diagnostics.warning(Code::BadJoint, link.spec.nameRange,
+                                "the Anchor of " + link.spec.name + " is " + lengthText(far) + " away from " + robot.name + "." +
+                                    body.name + "; it is a point in the world at the start, where both bodies should meet");
+        }
+    }
+}
+
+} // namespace trundle

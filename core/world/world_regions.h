@@ -1,0 +1,32 @@
+#pragma once
+// Which robots are in the regions of a world.
+
+#include <cstdint>
+#include <vector>
+
+#include "world/device_texts.h"
+#include "world/world_objects.h"
+
+namespace trundle {
+
+class WorldRegions {
+public:
+    /// Both outlive this.
+    WorldRegions(const ExperimentSpec& experiment, DeviceTexts& texts) : m_experiment(experiment), m_texts(texts) {}
+
+    /// After each step, and at the start with `ticks` 0: finds who is inside, and prints who has entered and left since.
+    void update(const WorldObjects& objects, const Engine& engine, std::uint64_t ticks);
+    /// In the order of planBetweenRobots().
+    void write(double* to) const;
+
+private:
+    struct Region {
+        double count = 0, entered = 0, left = 0;
+        std::vector<std::uint8_t> inside; ///< by its robots
+    };
+    const ExperimentSpec& m_experiment;
+    DeviceTexts& m_texts;
+    std::vector<Region> m_regions;
+};
+
+} // namespace trundle

@@ -1,0 +1,58 @@
+#include "editor/viewport/overlays/regions.h"
+
+#include <array>
+#include <optional>
+
+#include <QPainter>
+
+#include "editor/document/selection.h"
+#include "editor/viewport/context/tool_view.h"
+#include "editor/viewport/context/viewport_scene.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostRegions = 300;
+const QColor kOpen(64, 190, 170);
+
+/// Corner k is at the sides of the box that its bits say: x, y, z.
+constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+
+/// Nothing if a corner is behind the camera.
+std::optional<std::array<QPointF, 8>> cornersOf(const ToolView& view, const RegionSpec& region) {
+    std::array<QPointF, 8> corners;
+    for (int k = 0; k < 8; ++k) {
+        const Vec3 side(k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5);
+        const auto at = view.shownPixelOf(region.pose * Vec3(side.cwiseProduct(region.size)));
+        if (!at) return std::nullopt;
+        corners[std::size_t(k)] = *at;
+    }
+    return corners;
+}
+
+} // namespace
+
+void paintRegions(QPainter& painter, const ToolView& view) {
+    const auto& regions = view.context().world.objects()->experiment().regions;
+    for (std::size_t i = 0; i < regions.size() && i < kMostRegions; ++i) {
+        const auto corners = cornersOf(view, regions[i]);
+        if (!corners) continue;
+        QColor colour = view.context().selection.contains(regions[i].name) ? ToolView::outlineColour() : kOpen;
+        painter.setPen(QPen(colour, 1.4, Qt::DashLine));
+        QColor fill = colour;
+        fill.setAlpha(22);
+        painter.setBrush(fill);
+        QPointF top = corners->front();
+        for (const auto& face : kFaces) {
+            QPolygonF polygon;
+            for (const int corner : face) polygon << (*corners)[std::size_t(corner)];
+            painter.drawPolygon(polygon);
+        }
+        for (const QPointF& corner : *corners)
+            if (corner.y() < top.y()) top = corner;
+        painter.setPen(colour);
+        painter.drawText(top + QPointF(4, -4), QString::fromStdString(regions[i].name));
+    }
+}
+
+} // namespace trundle
