@@ -145,10 +145,10 @@ struct ServiceCalls {
 
 } // namespace
 
-void fillServices(TrundleServices& services, ServiceContext& context, double tick) {
+void fillServices(TrundleServices& services, double tick) {
     services = {sizeof(TrundleServices),
                 0,
-                &context,
+                nullptr,
                 tick,
                 0,
                 ServiceCalls::motorRow,

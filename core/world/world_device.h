@@ -28,13 +28,14 @@ struct Device;
 struct DevicePhase {
     std::uint64_t ticks = 0;
     enum class Calls { None, Act, Sense } calls = Calls::None;
+    bool noted = false; ///< some device has a failure
 };
 
 /// The context of a device's TrundleServices: who calls, and when.
 struct ServiceContext {
     const DeviceHost* host = nullptr;
     Device* device = nullptr;
-    const DevicePhase* phase = nullptr;
+    DevicePhase* phase = nullptr;
 
     [[nodiscard]] bool acts() const { return phase->calls == DevicePhase::Calls::Act; }
     [[nodiscard]] bool isCalled() const { return phase->calls != DevicePhase::Calls::None; }
@@ -56,7 +57,6 @@ struct Device {
     std::vector<std::uint32_t> peers; ///< indices of the devices whose signals it bound, each once
     TrundleMount mount{};
     ServiceContext context;
-    TrundleServices services{};
     std::string failure; ///< the first failure reported
     std::string scratch; ///< owns a text returned to the device
 

@@ -108,10 +108,10 @@ void WorldDevices::layOut(std::uint32_t robot, SignalLayout& layout) {
 
 void WorldDevices::setup(const DeviceHost& host, Diagnostics& diagnostics) {
     m_tick = host.experiment.settings.tick;
+    fillServices(m_services, m_tick);
     for (auto& device : m_devices.all) {
         device->host = &host;
         device->context = {&host, device.get(), &m_phase};
-        fillServices(device->services, device->context, m_tick);
         fillMount(*device, m_tick);
         if (!device->kind->setupDevice) continue;
         const MonitoredCall call(m_calls, device->target, "setup");
@@ -131,9 +131,9 @@ void WorldDevices::order(Diagnostics& diagnostics) {
     addSupplies(users);
     const std::vector<std::uint32_t> acting = actingOrder(peers), sensing = actingOrder(users);
     for (const std::uint32_t i : acting)
-        if (Device& d = *m_devices.all[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &d});
+        if (Device& d = *m_devices.all[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &d, d.target});
     for (const std::uint32_t i : sensing)
-        if (Device& d = *m_devices.all[i]; d.kind->sense) m_sensing.push_back({d.kind->sense, d.instance, &d});
+        if (Device& d = *m_devices.all[i]; d.kind->sense) m_sensing.push_back({d.kind->sense, d.instance, &d, d.target});
     if (acting.size() != m_devices.all.size()) reportCircle(acting, diagnostics);
     else if (sensing.size() != m_devices.all.size()) reportCircle(sensing, diagnostics);
 }
@@ -165,13 +165,15 @@ void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagno
 }
 
 const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
-    m_phase = {ticks, acting ? DevicePhase::Calls::Act : DevicePhase::Calls::Sense};
+    m_phase.ticks = ticks;
+    m_phase.calls = acting ? DevicePhase::Calls::Act : DevicePhase::Calls::Sense;
+    m_services.time = static_cast<double>(ticks) * m_tick;
     const Device* failed = nullptr;
     for (const Call& call : acting ? m_acting : m_sensing) {
-        call.device->services.time = static_cast<double>(ticks) * m_tick;
-        const MonitoredCall monitored(m_calls, call.device->target, acting ? "act" : "sense");
-        const std::int32_t answer = call.run(call.instance, &call.device->services);
-        if (answer == 0 && call.device->failure.empty()) continue;
+        m_services.context = &call.device->context;
+        const MonitoredCall monitored(m_calls, call.target, acting ? "act" : "sense");
+        const std::int32_t answer = call.run(call.instance, &m_services);
+        if (answer == 0 && (!m_phase.noted || call.device->failure.empty())) continue;
         if (call.device->failure.empty()) call.device->note(call.device->lastError());
         failed = call.device;
         break;

@@ -41,6 +41,7 @@ private:
         std::int32_t (*run)(void*, const TrundleServices*) = nullptr;
         void* instance = nullptr;
         Device* device = nullptr;
+        const CallTarget* target = nullptr;
     };
     [[nodiscard]] std::unique_ptr<Device> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
                                                const DeviceCode& code, Diagnostics& diagnostics);
@@ -54,6 +55,7 @@ private:
     DevicePhase m_phase; ///< outlives the devices
     DeviceList m_devices;
     std::vector<Call> m_acting, m_sensing; ///< in calling order; without devices that lack the function
+    TrundleServices m_services{};          ///< one table for all, which stays in the cache
     double m_tick = 0;                     ///< s
     std::uint64_t m_numbers = 0;           ///< in the signals of all devices
 };

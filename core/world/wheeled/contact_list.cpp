@@ -64,8 +64,19 @@ void ContactList::addGround(std::uint32_t index) const {
 }
 
 std::span<const std::uint32_t> ContactList::of(std::uint32_t geom) const {
+    if (!m_filed && touchesNothing(geom)) return {};
     if (!m_filed) file();
     return {m_byGeom.data() + m_begin[geom], m_begin[geom + 1] - m_begin[geom]};
+}
+
+/// Whether that is known without making the list. A vehicle's geoms touch the ground where they are its supports.
+bool ContactList::touchesNothing(std::uint32_t geom) const {
+    const std::uint32_t body = m_objects.geoms[geom].body;
+    if (body == kNoGeom) return false;
+    const std::uint32_t index = m_objects.unitOf[body];
+    const WheeledUnit& unit = m_objects.units[index];
+    if (!unit.isVehicle() || m_contacts.touches(index)) return false;
+    return std::ranges::none_of(unit.shape->supports, [&](const Support& s) { return unit.geoms + s.geom == geom; });
 }
 
 void ContactList::file() const {

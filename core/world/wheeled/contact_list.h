@@ -23,6 +23,7 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t geom) const;
 
 private:
+    [[nodiscard]] bool touchesNothing(std::uint32_t geom) const;
     void make() const;
     void file() const;
     void addUnit(const UnitContact& contact) const;

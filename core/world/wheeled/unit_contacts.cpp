@@ -50,6 +50,11 @@ void UnitContacts::find() {
         }
     std::ranges::sort(m_now, {}, [](const UnitContact& c) { return c.key(); });
     takeOver();
+    m_touches.assign(m_objects.units.size(), 0);
+    for (const UnitContact& c : m_now) {
+        m_touches[c.a] = 1;
+        if (c.b != kNoActor) m_touches[c.b] = 1;
+    }
 }
 
 void UnitContacts::forget(std::uint32_t unit) {

@@ -42,6 +42,8 @@ public:
     void find();
     /// Contacts of the units start from nothing in the next tick.
     void forget(std::uint32_t unit);
+    /// Whether the unit has a contact, scenery included.
+    [[nodiscard]] bool touches(std::uint32_t unit) const { return unit < m_touches.size() && m_touches[unit] != 0; }
     [[nodiscard]] std::vector<UnitContact>& all() { return m_now; }
     [[nodiscard]] const std::vector<UnitContact>& all() const { return m_now; }
 
@@ -63,6 +65,7 @@ private:
 
     const WheeledObjects& m_objects;
     std::vector<UnitContact> m_now, m_last;
+    std::vector<std::uint8_t> m_touches; ///< by unit
     std::vector<Box3> m_boxes;
     std::vector<IndexPair> m_pairs;
     std::vector<std::uint32_t> m_near;

@@ -10,6 +10,7 @@
 #include "world/engine.h"
 #include "world/rays/ray_scene.h"
 #include "world/wheeled/actor_shape.h"
+#include "world/wheeled/vehicle_block.h"
 
 namespace trundle {
 
@@ -39,6 +40,7 @@ struct WheeledUnit {
     Vec3 grip = Vec3::Zero(); ///< of something loose: impulse of its ground, x, y, and turning over spinRadius
     std::uint32_t bodies = 0, geoms = 0, joints = 0; ///< the first of each
     std::uint32_t supports = 0, wheels = 0;          ///< the first of each
+    std::uint32_t model = 0;                         ///< of a vehicle
     PlanarPose plane;                                ///< of the axes of the shape
     bool ended = false;
 
@@ -66,6 +68,7 @@ struct WheeledObjects {
     std::optional<LevelGround> ground;
     double weight = 0; ///< of 1 kg on the ground, N
     std::vector<WheeledUnit> units;
+    std::vector<VehicleModel> models; ///< one for each shape
     std::vector<WheeledScenery> scenery;
     std::vector<SupportState> supports;
     std::vector<WheelState> wheels;
