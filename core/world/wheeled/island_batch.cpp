@@ -22,16 +22,17 @@ template <class L> auto& speedOf(L& loose, std::size_t component) { return loose
 } // namespace
 
 double IslandBatch::ContactRow::speed(const VehiclePush& a, const VehiclePush& b) const {
-    double speed = 0;
-    for (std::size_t i = 0; i < 5; ++i) speed += b.row[i] * vb[i * kVehicleLanes] - a.row[i] * va[i * kVehicleLanes];
-    return speed;
+    double mine = 0, theirs = 0;
+    for (std::size_t i = 0; i < 5; ++i) mine += a.row[i] * va[i * kVehicleLanes];
+    if (!vb) return -mine;
+    for (std::size_t i = 0; i < 5; ++i) theirs += b.row[i] * vb[i * kVehicleLanes];
+    return theirs - mine;
 }
 
 void IslandBatch::ContactRow::push(const VehiclePush& a, const VehiclePush& b, double impulse) const {
-    for (std::size_t i = 0; i < 5; ++i) {
-        va[i * kVehicleLanes] -= impulse * a.change[i];
-        vb[i * kVehicleLanes] += impulse * b.change[i];
-    }
+    for (std::size_t i = 0; i < 5; ++i) va[i * kVehicleLanes] -= impulse * a.change[i];
+    if (!vb) return;
+    for (std::size_t i = 0; i < 5; ++i) vb[i * kVehicleLanes] += impulse * b.change[i];
 }
 
 void IslandBatch::begin(const Vec3& gravity, double h) {
@@ -157,7 +158,7 @@ void IslandBatch::writeBack(const Loose& loose) {
 }
 
 double* IslandBatch::velocitiesOf(std::uint32_t unit) {
-    if (unit == kNoActor || !m_objects.units[unit].isMovable()) return m_still.data();
+    if (unit == kNoActor || !m_objects.units[unit].isMovable()) return nullptr;
     const Place& at = m_place[unit];
     return m_objects.units[unit].isVehicle() ? &m_blocks[at.block].lanes->v[0][at.lane] : m_loose[at.lane].v.data();
 }
@@ -182,6 +183,7 @@ void IslandBatch::addRows(UnitContact& c) {
         ContactRow row;
         row.va = velocitiesOf(c.a);
         row.vb = velocitiesOf(c.b);
+        if (!row.va) row.va = m_still.data();
         row.normalA = pushOf(c.a, point.at, normal);
         row.normalB = pushOf(c.b, point.at, normal);
         row.tangentA = pushOf(c.a, point.at, tangent);
@@ -190,6 +192,8 @@ void IslandBatch::addRows(UnitContact& c) {
             row.normalMass += row.normalA.row[i] * row.normalA.change[i] + row.normalB.row[i] * row.normalB.change[i];
             row.tangentMass += row.tangentA.row[i] * row.tangentA.change[i] + row.tangentB.row[i] * row.tangentB.change[i];
         }
+        row.normalMass = 1 / row.normalMass;
+        row.tangentMass = 1 / row.tangentMass;
         const double depth = -point.gap, closing = -row.speed(row.normalA, row.normalB);
         row.bias = depth > 0 ? std::min(kPushShare * std::max(depth - kSlop, 0.) / m_tick.h, kFastestPush) : depth / m_tick.h;
         if (c.restitution > 0 && closing > kLeastBounce && closing * m_tick.h > -depth)
@@ -203,12 +207,12 @@ void IslandBatch::addRows(UnitContact& c) {
 
 double IslandBatch::solveContact(ContactRow& row) {
     const double before = row.normal,
-                 normal = std::max(before + (row.bias - row.speed(row.normalA, row.normalB)) / row.normalMass, 0.);
+                 normal = std::max(before + (row.bias - row.speed(row.normalA, row.normalB)) * row.normalMass, 0.);
     if (normal != row.normal) row.push(row.normalA, row.normalB, normal - row.normal);
     row.normal = normal;
     double change = std::abs(normal - before);
     const double limit = row.friction * normal;
-    const double tangent = std::clamp(row.tangent - row.speed(row.tangentA, row.tangentB) / row.tangentMass, -limit, limit);
+    const double tangent = std::clamp(row.tangent - row.speed(row.tangentA, row.tangentB) * row.tangentMass, -limit, limit);
     if (tangent != row.tangent) row.push(row.tangentA, row.tangentB, tangent - row.tangent);
     change = std::max(change, std::abs(tangent - row.tangent));
     row.tangent = tangent;

@@ -37,9 +37,10 @@ private:
         std::array<double, 5 * kVehicleLanes> v{}; ///< vx, vy, wx, wy, wz, as far apart as in a block
     };
     struct ContactRow {
-        double *va = nullptr, *vb = nullptr;
+        double *va = nullptr, *vb = nullptr; ///< velocities; vb: nullptr where it does not move
         VehiclePush normalA, normalB, tangentA, tangentB;
-        double normalMass = 0, tangentMass = 0, bias = 0, friction = 0, normal = 0, tangent = 0;
+        double normalMass = 0, tangentMass = 0; ///< kg
+        double bias = 0, friction = 0, normal = 0, tangent = 0;
         [[nodiscard]] double speed(const VehiclePush& a, const VehiclePush& b) const;
         void push(const VehiclePush& a, const VehiclePush& b, double impulse) const;
     };
@@ -86,7 +87,7 @@ private:
     std::size_t m_blockCount = 0;
     std::vector<Loose> m_loose;
     std::vector<ContactRow> m_rows;
-    std::array<double, 5 * kVehicleLanes> m_still{}; ///< of what does not move
+    std::array<double, 5 * kVehicleLanes> m_still{}; ///< of a fixed unit
 };
 
 } // namespace trundle

@@ -50,8 +50,10 @@ struct VehicleSupportRow {
 struct VehicleWheelRow {
     VehicleField spin, angle, torque, inertia;                 ///< of its state
     VehicleField rate, softness, limit, damping, dry, viscous; ///< of its motor
-    VehicleField rest, dryImpulse, momentum, keptMomentum;     ///< as MotorLaw says
-    VehicleField impulse, friction;                            ///< results, N m s
+    VehicleField rest, dryImpulse, momentum,
+        keptMomentum;                  ///< rest: 1 / (inertia and damping over a tick); momentum: without the motor
+    VehicleField impulse, friction;    ///< results, N m s
+    VehicleField halfCosine, halfSine; ///< results: of half the angle
     VehicleMotorPiece line, most[2], least[2], still;
 };
 

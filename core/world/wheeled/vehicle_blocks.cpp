@@ -101,6 +101,8 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
         wheel.angle = row.angle[lane];
         wheel.impulse = row.impulse[lane];
         wheel.friction = row.friction[lane];
+        wheel.halfCosine = row.halfCosine[lane];
+        wheel.halfSine = row.halfSine[lane];
     }
 }
 

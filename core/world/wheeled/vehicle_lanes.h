@@ -391,6 +391,20 @@ inline void settleLanes(VehicleBlock& b, int o, const VehicleModel& m, double se
 
 // ---- results ----
 
+/// Sine and cosine by their series: the same on every machine.
+inline void turnWheel(VehicleWheelRow& wheel, int o) {
+    constexpr double kPi = 3.141592653589793238, kTurns = 4 * kPi; // of the half angle: one turn
+    const Lanes angle = load(wheel.angle + o), half = (angle - kTurns * whole(angle * (1 / kTurns))) * 0.25, square = half * half;
+    Lanes sine = all(1), cosine = all(1);
+    for (int k = 19; k > 1; k -= 2) {
+        sine = 1 - square * (1.0 / (k * (k - 1))) * sine;
+        cosine = 1 - square * (1.0 / ((k - 1) * (k - 2))) * cosine;
+    }
+    sine *= half;
+    store(wheel.halfSine + o, 2 * sine * cosine); // doubled
+    store(wheel.halfCosine + o, cosine * cosine - sine * sine);
+}
+
 inline void finishWheel(VehicleWheelRow& wheel, int o, double h) {
     const Lanes momentum = load(wheel.keptMomentum + o), dry = load(wheel.dryImpulse + o), rest = load(wheel.rest + o);
     const Lanes spin = pieceAt(wheel, o, momentum).spin(momentum), both = spin / rest - momentum;
@@ -404,6 +418,7 @@ inline void finishWheel(VehicleWheelRow& wheel, int o, double h) {
     store(wheel.impulse + o, motor);
     store(wheel.friction + o, both - motor - h * load(wheel.viscous + o) * spin);
     store(wheel.angle + o, load(wheel.angle + o) + h * spin);
+    turnWheel(wheel, o);
 }
 
 /// The turn is exact to the fifth order of its angle.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/wheeled/wheeled.h"
 #include "world/wheeled/vehicle_blocks.h"
+#include "world/wheeled/wheeled.h"
 #include "world/wheeled/wheeled_motion.h"
 
 namespace trundle {
@@ -148,9 +148,7 @@ Status WheeledEngine::addAxialInertia(JointHandle joint, double inertia) {
     return {};
 }
 
-Status WheeledEngine::measureWrench(JointHandle) {
-    return Error{Code::NotInEngine, "it has no forces in joints"};
-}
+Status WheeledEngine::measureWrench(JointHandle) { return Error{Code::NotInEngine, "it has no forces in joints"}; }
 
 void WheeledEngine::findContacts() {
     m_contacts.find();
@@ -186,8 +184,7 @@ void WheeledEngine::applyMotions() {
         unit.linear = unit.angular = unit.grip = Vec3::Zero();
         unit.setPlane();
         for (std::size_t i = 0; i < unit.shape->supports.size(); ++i) m_objects.supports[unit.supports + i] = {};
-        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
-            m_objects.wheels[unit.wheels + i].stop();
+        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].stop();
         m_contacts.forget(m.unit);
         if (unit.shape->kind == ActorKind::Fixed) publishStates(m_objects, m.unit);
     }
@@ -225,8 +222,7 @@ void WheeledEngine::endFaulty() {
         m_ended.push_back({{unit.bodies}, std::move(fault)});
         for (std::size_t i = 0; i < unit.shape->bodies.size(); ++i)
             m_objects.states[unit.bodies + i].linear = m_objects.states[unit.bodies + i].angular = Vec3::Zero();
-        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
-            m_objects.wheels[unit.wheels + i].stop();
+        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].stop();
     }
 }
 

@@ -20,11 +20,12 @@ struct SupportState {
 };
 
 struct WheelState {
-    double spin = 0, angle = 0; ///< rad/s, rad, relative to the vehicle
-    double impulse = 0;         ///< of the motor in the last tick, N m s
+    double spin = 0, angle = 0;          ///< rad/s, rad, relative to the vehicle
+    double halfCosine = 1, halfSine = 0; ///< of half the angle
+    double impulse = 0;                  ///< of the motor in the last tick, N m s
     MotorConstraint motor;
-    double torque = 0;  ///< of devices for one tick, N m
-    double inertia = 0; ///< kg m^2
+    double torque = 0;   ///< of devices for one tick, N m
+    double inertia = 0;  ///< kg m^2
     double friction = 0; ///< of the motor's drive in the last tick, N m s
 
     void stop() { spin = impulse = friction = 0; }
