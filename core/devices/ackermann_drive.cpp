@@ -75,7 +75,8 @@ void AckermannDrive::sense(Sensing& world) {
     AckermannDriveSignals& signals = *this;
     steering.set(std::atan(curvature(world) * m_wheelBaseM));
     publishState(signals, odometer(world));
-    publishPose(signals, truePose(world));
+    placeWheels(world);
+    publishPose(signals, truePose());
 }
 
 } // namespace trundle

@@ -19,11 +19,11 @@ template <class Wheels> double slipOf(const Services& world, Wheels side, double
     return sum / static_cast<double>(side.size());
 }
 
-template <class Wheels> std::optional<Vec3> middleOf(const Services& world, Wheels side) {
-    Vec3 sum = Vec3::Zero(), anchor, axis;
+template <class Wheels> std::optional<Vec3> middleOf(Wheels side) {
+    Vec3 sum = Vec3::Zero();
     for (const auto& wheel : side) {
-        if (!world.jointAnchor(wheel.joint, anchor, axis)) return std::nullopt;
-        sum += anchor;
+        if (!wheel.isPlaced) return std::nullopt;
+        sum += wheel.anchor;
     }
     return Vec3(sum / static_cast<double>(side.size()));
 }
@@ -50,10 +50,14 @@ const PlanePose& SidedDrive::odometer(const Services& world) {
     return m_odometryPose;
 }
 
-std::optional<PlanePose> SidedDrive::truePose(const Services& world) {
-    const std::optional<Vec3> a = middleOf(world, left()), b = middleOf(world, right());
+std::optional<PlanePose> SidedDrive::truePose() {
+    const std::optional<Vec3> a = middleOf(left()), b = middleOf(right());
     if (!a || !b) return std::nullopt;
     return PlanePose{(a->x() + b->x()) / 2, (a->y() + b->y()) / 2, std::atan2(b->x() - a->x(), a->y() - b->y())};
+}
+
+void SidedDrive::placeWheels(const Services& world) {
+    for (Wheel& wheel : wheels()) wheel.place(world);
 }
 
 WheelMotion SidedDrive::wheelSlip(const Services& world) {
@@ -68,8 +72,8 @@ void ChassisDrive::act(Actuation& world) {
 
 void ChassisDrive::sense(Sensing& world) {
     publishState(*this, odometer(world));
-    publishPose(*this, truePose(world));
     const WheelMotion slips = wheelSlip(world);
+    publishPose(*this, truePose());
     slip.set(0, slips.left);
     slip.set(1, slips.right);
 }

@@ -138,7 +138,8 @@ void RotaryMotor::actByVoltage(Actuation& world, const Supply& supply, double wa
 
 void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
     const double turning = world.jointRate(m_joint);
-    setLosses(m_motor.withEfficiency(1).torquePerAmpere() * current.get(), turning);
+    if (m_losses.any()) setLosses(m_motor.withEfficiency(1).torquePerAmpere() * current.get(), turning);
+    else setLosses(0, 0);
     MotorConstants now = m_now;
     now.maxVoltage = supply.highest(m_motor.maxVoltage);
     const double wanted = targetRate.read(world), possible = now.noLoadRate();

@@ -126,7 +126,7 @@ struct ServiceCalls {
     static std::int32_t ray(void* context, const double origin[3], const double direction[3], double range, std::int32_t own,
                             TrundleHit* hit) {
         const DeviceHost& w = world(context);
-        const std::uint32_t without = own ? kNoActor : w.objects.robots()[caller(context).device->robot].handles.actor.index;
+        const std::uint32_t without = own ? kNoActor : w.objects.robots()[caller(context).robot].handles.actor.index;
         const auto found = w.engine.rays().ray({Vec3(origin), Vec3(direction), range}, without);
         if (!found) return 0;
         if (hit) *hit = {found->distance, {found->normal.x(), found->normal.y(), found->normal.z()}, found->geom, 0};
@@ -146,10 +146,10 @@ struct ServiceCalls {
 
 } // namespace
 
-void fillServices(TrundleServices& services, ServiceContext& context, double tick) {
+void fillServices(TrundleServices& services, double tick) {
     services = {sizeof(TrundleServices),
                 0,
-                &context,
+                nullptr,
                 tick,
                 0,
                 ServiceCalls::motorRow,

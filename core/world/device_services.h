@@ -3,7 +3,7 @@
 
 namespace trundle {
 
-/// Fills the table that devices call during a tick. The context outlives the table.
-void fillServices(TrundleServices& services, ServiceContext& context, double tick);
+/// Fills the table that devices call during a tick; before each call it gets the context of the device, and before each phase the time.
+void fillServices(TrundleServices& services, double tick);
 
 } // namespace trundle

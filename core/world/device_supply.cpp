@@ -15,24 +15,24 @@ struct SupplyCalls {
     static bool senses(void* context) { return caller(context).phase->calls == DevicePhase::Calls::Sense; }
 
     static std::int32_t voltage(void* context, double* now, double* nominal) {
-        const RobotSupply* supply = caller(context).host->supply.find(caller(context).device->robot);
+        const RobotSupply* supply = caller(context).host->supply.find(caller(context).robot);
         if (!supply) return -1;
         if (now) *now = supply->voltage;
         if (nominal) *nominal = supply->nominal;
         return 0;
     }
     static void draw(void* context, double watts, double conductance) {
-        if (senses(context)) caller(context).host->supply.draw(caller(context).device->robot, watts, conductance);
+        if (senses(context)) caller(context).host->supply.draw(caller(context).robot, watts, conductance);
     }
     static void load(void* context, TrundleLoad* load) {
-        const RobotSupply* supply = caller(context).host->supply.find(caller(context).device->robot);
+        const RobotSupply* supply = caller(context).host->supply.find(caller(context).robot);
         if (load) *load = supply ? supply->load : TrundleLoad{};
     }
     static void setVoltage(void* context, double voltage) {
         const ServiceContext& call = caller(context);
         if (!senses(context) || !call.device->isSupply) return;
-        call.host->supply.setVoltage(call.device->robot, voltage);
-        if (voltage <= 0) call.host->radio.switchOff(call.device->robot);
+        call.host->supply.setVoltage(call.robot, voltage);
+        if (voltage <= 0) call.host->radio.switchOff(call.robot);
     }
 
     static void offer(void* context, std::uint32_t geom, double volts, double amperes) {

@@ -179,7 +179,7 @@ public:
     [[nodiscard]] virtual CouplingState coupling(CouplingHandle coupling) const = 0;
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
     [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
-    /// Indices of the contacts of one geom, ascending. Valid until the next step.
+    /// Indices of the contacts of one geom, ascending. Valid until the next call and the next step.
     [[nodiscard]] virtual std::span<const std::uint32_t> contactsOf(GeomHandle geom) const = 0;
     /// Casts rays against all geoms.
     [[nodiscard]] virtual const RayTargets& rays() const = 0;

@@ -14,6 +14,7 @@ Device::~Device() {
 
 void Device::note(const std::string& why) {
     if (failure.empty()) failure = why;
+    if (phase) phase->noted = true;
 }
 
 std::string Device::lastError() const {

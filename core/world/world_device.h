@@ -28,13 +28,15 @@ struct Device;
 struct DevicePhase {
     std::uint64_t ticks = 0;
     enum class Calls { None, Act, Sense } calls = Calls::None;
+    bool noted = false; ///< some device has a failure
 };
 
-/// The context of a device's TrundleServices: who calls, and when.
+/// The context of a device's TrundleServices: who calls, and when. Those of all devices lie side by side.
 struct ServiceContext {
     const DeviceHost* host = nullptr;
     Device* device = nullptr;
     const DevicePhase* phase = nullptr;
+    std::uint32_t robot = 0;
 
     [[nodiscard]] bool acts() const { return phase->calls == DevicePhase::Calls::Act; }
     [[nodiscard]] bool isCalled() const { return phase->calls != DevicePhase::Calls::None; }
@@ -55,10 +57,9 @@ struct Device {
     bool isSupply = false;            ///< of its robot
     std::vector<std::uint32_t> peers; ///< indices of the devices whose signals it bound, each once
     TrundleMount mount{};
-    ServiceContext context;
-    TrundleServices services{};
-    std::string failure; ///< the first failure reported
-    std::string scratch; ///< owns a text returned to the device
+    DevicePhase* phase = nullptr; ///< from its setup on
+    std::string failure;          ///< the first failure reported
+    std::string scratch;          ///< owns a text returned to the device
 
     Device() = default;
     Device(const Device&) = delete;

@@ -14,7 +14,14 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMaxNames = 200;            // bytes of the devices that a message names
+constexpr std::size_t kAhead = 3;                 // calls: by that the memory of a device is asked for before it is called
 constexpr std::uint64_t kMaxNumbers = 20'000'000; // in the signals of all devices: 160 MB
+
+/// The devices of a large world do not fit the caches.
+void prefetch(const void* instance) {
+    constexpr std::size_t kLine = 64, kBytes = 640;
+    for (std::size_t at = 0; at < kBytes; at += kLine) __builtin_prefetch(static_cast<const char*>(instance) + at);
+}
 
 } // namespace
 
@@ -26,6 +33,9 @@ void WorldDevices::create(std::span<const BuiltRobot> robots, const DeviceCode& 
             if (auto device = made(robot, spec, index, code, diagnostics)) m_devices.all.push_back(std::move(device));
     }
     m_devices.firstOf.push_back(static_cast<std::uint32_t>(m_devices.all.size()));
+    for (const auto& device : m_devices.all) instantiate(*device, diagnostics);
+    for (const auto& device : m_devices.all)
+        if (device->instance && giveFields(*device, diagnostics)) (void)hasRoom(*device, diagnostics);
 }
 
 std::unique_ptr<Device> WorldDevices::made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
@@ -44,13 +54,14 @@ std::unique_ptr<Device> WorldDevices::made(const BuiltRobot& robot, const Compon
                           "no code is loaded for the kind " + spec.kind + " of " + device->path);
         return nullptr;
     }
-    const MonitoredCall call(m_calls, device->target, "constructor");
-    device->instance = device->kind->create();
-    if (!device->instance) {
-        diagnostics.error(Code::DeviceSetup, spec.nameRange, device->path + ": " + device->lastError());
-        return nullptr;
-    }
-    return giveFields(*device, diagnostics) && hasRoom(*device, diagnostics) ? std::move(device) : nullptr;
+    return device;
+}
+
+/// All one after another, so that their memory is, too: a tick goes through it from front to back.
+void WorldDevices::instantiate(Device& device, Diagnostics& diagnostics) {
+    const MonitoredCall call(m_calls, device.target, "constructor");
+    device.instance = device.kind->create();
+    if (!device.instance) diagnostics.error(Code::DeviceSetup, device.spec->nameRange, device.path + ": " + device.lastError());
 }
 
 /// A signal whose count depends on fields could need any amount of memory.
@@ -108,10 +119,12 @@ void WorldDevices::layOut(std::uint32_t robot, SignalLayout& layout) {
 
 void WorldDevices::setup(const DeviceHost& host, Diagnostics& diagnostics) {
     m_tick = host.experiment.settings.tick;
+    fillServices(m_services, m_tick);
+    m_contexts.reserve(m_devices.all.size());
     for (auto& device : m_devices.all) {
         device->host = &host;
-        device->context = {&host, device.get(), &m_phase};
-        fillServices(device->services, device->context, m_tick);
+        device->phase = &m_phase;
+        m_contexts.push_back({&host, device.get(), &m_phase, device->robot});
         fillMount(*device, m_tick);
         if (!device->kind->setupDevice) continue;
         const MonitoredCall call(m_calls, device->target, "setup");
@@ -131,9 +144,10 @@ void WorldDevices::order(Diagnostics& diagnostics) {
     addSupplies(users);
     const std::vector<std::uint32_t> acting = actingOrder(peers), sensing = actingOrder(users);
     for (const std::uint32_t i : acting)
-        if (Device& d = *m_devices.all[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &d});
+        if (Device& d = *m_devices.all[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &m_contexts[i], d.target});
     for (const std::uint32_t i : sensing)
-        if (Device& d = *m_devices.all[i]; d.kind->sense) m_sensing.push_back({d.kind->sense, d.instance, &d});
+        if (Device& d = *m_devices.all[i]; d.kind->sense)
+            m_sensing.push_back({d.kind->sense, d.instance, &m_contexts[i], d.target});
     if (acting.size() != m_devices.all.size()) reportCircle(acting, diagnostics);
     else if (sensing.size() != m_devices.all.size()) reportCircle(sensing, diagnostics);
 }
@@ -165,15 +179,22 @@ void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagno
 }
 
 const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
-    m_phase = {ticks, acting ? DevicePhase::Calls::Act : DevicePhase::Calls::Sense};
+    m_phase.ticks = ticks;
+    m_phase.calls = acting ? DevicePhase::Calls::Act : DevicePhase::Calls::Sense;
+    m_services.time = static_cast<double>(ticks) * m_tick;
     const Device* failed = nullptr;
-    for (const Call& call : acting ? m_acting : m_sensing) {
-        call.device->services.time = static_cast<double>(ticks) * m_tick;
-        const MonitoredCall monitored(m_calls, call.device->target, acting ? "act" : "sense");
-        const std::int32_t answer = call.run(call.instance, &call.device->services);
-        if (answer == 0 && call.device->failure.empty()) continue;
-        if (call.device->failure.empty()) call.device->note(call.device->lastError());
-        failed = call.device;
+    const std::span<const Call> calls = acting ? m_acting : m_sensing;
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+        const Call& call = calls[i];
+        if (i + kAhead < calls.size()) prefetch(calls[i + kAhead].instance);
+        m_services.context = call.context;
+        const MonitoredCall monitored(m_calls, call.target, acting ? "act" : "sense");
+        const std::int32_t answer = call.run(call.instance, &m_services);
+        if (answer == 0 && !m_phase.noted) continue;
+        Device& device = *call.context->device;
+        if (answer == 0 && device.failure.empty()) continue;
+        if (device.failure.empty()) device.note(device.lastError());
+        failed = &device;
         break;
     }
     m_phase.calls = DevicePhase::Calls::None;
@@ -181,7 +202,7 @@ const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
 }
 
 void WorldDevices::end(std::uint32_t robot) {
-    const auto isOfRobot = [robot](const Call& call) { return call.device->robot == robot; };
+    const auto isOfRobot = [robot](const Call& call) { return call.context->robot == robot; };
     std::erase_if(m_acting, isOfRobot);
     std::erase_if(m_sensing, isOfRobot);
 }

@@ -40,10 +40,12 @@ private:
     struct Call {
         std::int32_t (*run)(void*, const TrundleServices*) = nullptr;
         void* instance = nullptr;
-        Device* device = nullptr;
+        ServiceContext* context = nullptr;
+        const CallTarget* target = nullptr;
     };
     [[nodiscard]] std::unique_ptr<Device> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
                                                const DeviceCode& code, Diagnostics& diagnostics);
+    void instantiate(Device& device, Diagnostics& diagnostics);
     [[nodiscard]] static bool giveFields(Device& device, Diagnostics& diagnostics);
     [[nodiscard]] bool hasRoom(const Device& device, Diagnostics& diagnostics);
     void addSupplies(std::vector<std::vector<std::uint32_t>>& next) const;
@@ -53,9 +55,11 @@ private:
     CallMonitor& m_calls;
     DevicePhase m_phase; ///< outlives the devices
     DeviceList m_devices;
-    std::vector<Call> m_acting, m_sensing; ///< in calling order; without devices that lack the function
-    double m_tick = 0;                     ///< s
-    std::uint64_t m_numbers = 0;           ///< in the signals of all devices
+    std::vector<ServiceContext> m_contexts; ///< by device
+    std::vector<Call> m_acting, m_sensing;  ///< in calling order; without devices that lack the function
+    TrundleServices m_services{};           ///< one table for all, which stays in the cache
+    double m_tick = 0;                      ///< s
+    std::uint64_t m_numbers = 0;            ///< in the signals of all devices
 };
 
 } // namespace trundle

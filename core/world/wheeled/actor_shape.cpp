@@ -244,6 +244,7 @@ void ActorReader::addMasses() {
     ActorShape& s = *m_shape;
     for (std::uint32_t i = 0; i < m_roles.size(); ++i) {
         s.bodies.push_back(inActor(i));
+        s.isTurned.push_back(s.bodies.back().rotation.coeffs() != Quat::Identity().coeffs());
         s.bodyCentres.push_back(body(i).mass.centre);
         s.mass += body(i).mass.mass;
         s.centre += body(i).mass.mass * (s.bodies[i] * body(i).mass.centre);

@@ -58,6 +58,7 @@ struct ActorShape {
     double mass = 0;                       ///< kg
     Mat3 inertia = Mat3::Identity();       ///< of all, wheels included, kg m^2
     std::vector<Pose> bodies;              ///< at the start
+    std::vector<std::uint8_t> isTurned;    ///< whether a body's rotation is not the identity
     std::vector<Vec3> bodyCentres;         ///< of mass, in the bodies' frames
     std::vector<std::uint32_t> geomCounts; ///< of bodies: geoms that collide
     std::vector<PlanarShape> footprints;   ///< in the order of the geoms that collide

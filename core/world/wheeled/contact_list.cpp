@@ -16,9 +16,9 @@ void ContactList::make() const {
     m_all.clear();
     auto next = m_contacts.all().begin();
     for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
-        for (; next != m_contacts.all().end() && next->a == i && next->b != kNoActor; ++next) addUnit(*next);
+        for (; next != m_contacts.all().end() && next->a == i && next->b != kNoActor; ++next) addUnit(*next, m_all);
         const std::size_t first = m_all.size();
-        for (; next != m_contacts.all().end() && next->a == i; ++next) addUnit(*next);
+        for (; next != m_contacts.all().end() && next->a == i; ++next) addUnit(*next, m_all);
         if (!m_objects.units[i].isMovable()) continue;
         if (m_objects.units[i].isVehicle()) addSupports(i);
         else addGround(i);
@@ -29,11 +29,11 @@ void ContactList::make() const {
     }
 }
 
-void ContactList::addUnit(const UnitContact& c) const {
+void ContactList::addUnit(const UnitContact& c, std::vector<EngineContact>& to) const {
     const Vec3 normal(c.normal.x(), c.normal.y(), 0), tangent(-normal.y(), normal.x(), 0);
     for (const UnitContactPoint& p : c.points())
         if (p.gap <= 0 || p.normal > 0)
-            m_all.push_back(
+            to.push_back(
                 {c.a, c.b, c.geomA, c.geomB, p.at, -normal, std::max(-p.gap, 0.), p.normal / m_h, -p.tangent / m_h * tangent});
 }
 
@@ -64,8 +64,44 @@ void ContactList::addGround(std::uint32_t index) const {
 }
 
 std::span<const std::uint32_t> ContactList::of(std::uint32_t geom) const {
+    if (!m_filed && isOffGround(geom)) return amongUnits(geom);
     if (!m_filed) file();
     return {m_byGeom.data() + m_begin[geom], m_begin[geom + 1] - m_begin[geom]};
+}
+
+/// A geom of a vehicle that is not one of its supports.
+bool ContactList::isOffGround(std::uint32_t geom) const {
+    const std::uint32_t body = m_objects.geoms[geom].body;
+    if (body == kNoGeom) return false;
+    const WheeledUnit& unit = m_objects.units[m_objects.unitOf[body]];
+    return unit.isVehicle() &&
+           std::ranges::none_of(unit.shape->supports, [&](const Support& s) { return unit.geoms + s.geom == geom; });
+}
+
+std::span<const std::uint32_t> ContactList::amongUnits(std::uint32_t geom) const {
+    const std::uint32_t unit = m_objects.unitOf[m_objects.geoms[geom].body];
+    if (!m_contacts.touches(unit)) return {};
+    if (!m_amongReady) makeAmong();
+    m_found.clear();
+    for (auto at = std::ranges::lower_bound(m_amongOf, IndexPair{unit, 0}); at != m_amongOf.end() && at->first == unit; ++at)
+        if (const EngineContact& c = m_among[at->second]; c.first == geom || c.second == geom)
+            m_found.push_back(kAmongUnits + at->second);
+    return m_found;
+}
+
+void ContactList::makeAmong() const {
+    m_amongReady = true;
+    m_among.clear();
+    m_amongOf.clear();
+    for (const UnitContact& c : m_contacts.all()) {
+        const auto first = static_cast<std::uint32_t>(m_among.size());
+        addUnit(c, m_among);
+        for (std::uint32_t i = first; i < m_among.size(); ++i) {
+            m_amongOf.emplace_back(c.a, i);
+            if (c.b != kNoActor) m_amongOf.emplace_back(c.b, i);
+        }
+    }
+    std::ranges::sort(m_amongOf);
 }
 
 void ContactList::file() const {

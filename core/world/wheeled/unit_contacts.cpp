@@ -50,6 +50,11 @@ void UnitContacts::find() {
         }
     std::ranges::sort(m_now, {}, [](const UnitContact& c) { return c.key(); });
     takeOver();
+    m_touches.assign(m_objects.units.size(), 0);
+    for (const UnitContact& c : m_now) {
+        m_touches[c.a] = 1;
+        if (c.b != kNoActor) m_touches[c.b] = 1;
+    }
 }
 
 void UnitContacts::forget(std::uint32_t unit) {
@@ -57,35 +62,56 @@ void UnitContacts::forget(std::uint32_t unit) {
 }
 
 UnitContacts::Side UnitContacts::sideOf(const WheeledUnit& unit, std::size_t footprint) const {
-    if (!unit.isVehicle()) return {unit.shape->footprints[footprint], unit.plane, unit.position.z()};
+    const PlanarShape& shape = unit.shape->footprints[footprint];
+    Side side{&shape, unit.plane, unit.position.z(), Vec2::Zero(), unit.plane.at + unit.plane.turn(shape.centre)};
+    if (!unit.isVehicle()) return side;
     const Quat& q = unit.rotation;
-    const Vec2 lean(2 * (q.x() * q.z() + q.w() * q.y()), 2 * (q.y() * q.z() - q.w() * q.x()));
-    return {unit.shape->footprints[footprint], unit.plane, unit.position.z(), lean};
+    side.lean = {2 * (q.x() * q.z() + q.w() * q.y()), 2 * (q.y() * q.z() - q.w() * q.x())};
+    return side;
 }
 
 void UnitContacts::meet(std::uint32_t a, std::uint32_t b) {
     const WheeledUnit &ua = m_objects.units[a], &ub = m_objects.units[b];
     if (ua.ended || ub.ended || (!ua.isMovable() && !ub.isMovable())) return;
-    for (std::uint32_t i = 0; i < ua.shape->footprints.size(); ++i)
-        for (std::uint32_t k = 0; k < ub.shape->footprints.size(); ++k)
-            add({a, b, ua.geoms + i, ub.geoms + k}, sideOf(ua, i), sideOf(ub, k));
+    const double reach = ua.shape->bound + ub.shape->bound + kLookAhead;
+    if ((ua.plane.at - ub.plane.at).squaredNorm() > reach * reach) return;
+    m_sides.clear();
+    for (std::uint32_t k = 0; k < ub.shape->footprints.size(); ++k) m_sides.push_back(sideOf(ub, k));
+    for (std::uint32_t i = 0; i < ua.shape->footprints.size(); ++i) {
+        const Side side = sideOf(ua, i);
+        for (std::uint32_t k = 0; k < m_sides.size(); ++k)
+            if (areNear(side, m_sides[k])) add({a, b, ua.geoms + i, ub.geoms + k}, side, m_sides[k]);
+    }
 }
 
 void UnitContacts::meetScenery(std::uint32_t a, const WheeledScenery& scenery) {
     const WheeledUnit& unit = m_objects.units[a];
+    const Side other{&scenery.footprint, {}, 0, Vec2::Zero(), scenery.footprint.centre};
     for (std::uint32_t i = 0; i < unit.shape->footprints.size(); ++i)
-        add({a, kNoActor, unit.geoms + i, scenery.geom}, sideOf(unit, i), {scenery.footprint, {}});
+        if (const Side side = sideOf(unit, i); areNear(side, other))
+            add({a, kNoActor, unit.geoms + i, scenery.geom}, side, other);
 }
 
-void UnitContacts::add(UnitContact contact, const Side& a, const Side& b) {
-    const double low = std::max(a.low(), b.low()), high = std::min(a.high(), b.high());
-    if (high - low < kLeastOverlap) return;
-    const PlanarTouch touch = touchOf(a.footprint, a.pose, b.footprint, b.pose, kLookAhead);
+/// Their circles and heights: most pairs need no more.
+bool UnitContacts::areNear(const Side& a, const Side& b) {
+    const double reach = a.footprint->bound + b.footprint->bound + kLookAhead;
+    return std::min(a.high(), b.high()) - std::max(a.low(), b.low()) >= kLeastOverlap &&
+           (a.centre - b.centre).squaredNorm() <= reach * reach;
+}
+
+void UnitContacts::add(const UnitContact& pair, const Side& a, const Side& b) {
+    const PlanarTouch touch = touchOf(*a.footprint, a.pose, *b.footprint, b.pose, kLookAhead);
     if (touch.count == 0) return;
+    UnitContact& contact = m_now.emplace_back(pair);
     contact.normal = touch.normal;
-    const SurfaceSpec &sa = m_objects.surfaces[a.footprint.surface], &sb = m_objects.surfaces[b.footprint.surface];
+    const SurfaceSpec &sa = m_objects.surfaces[a.footprint->surface], &sb = m_objects.surfaces[b.footprint->surface];
     contact.friction = std::min(sa.friction, sb.friction);
     contact.restitution = std::max(sa.restitution, sb.restitution);
+    addPoints(contact, a, b, touch);
+}
+
+void UnitContacts::addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch) {
+    const double low = std::max(a.low(), b.low()), high = std::min(a.high(), b.high());
     const auto addAt = [&](double height) {
         const double lean = contact.normal.dot((height - b.height) * b.lean - (height - a.height) * a.lean);
         for (int i = 0; i < touch.count; ++i) {
@@ -93,15 +119,14 @@ void UnitContacts::add(UnitContact contact, const Side& a, const Side& b) {
             contact.list[contact.count++] = {{p.x(), p.y(), height}, a.pose.turnBack(p - a.pose.at), touch.gaps[i] + lean};
         }
     };
-    if (a.footprint.upright && b.footprint.upright && high - low > kTall) {
+    if (a.footprint->upright && b.footprint->upright && high - low > kTall) {
         addAt(low);
         addAt(high);
-    } else if (a.footprint.upright == b.footprint.upright) addAt((low + high) / 2);
+    } else if (a.footprint->upright == b.footprint->upright) addAt((low + high) / 2);
     else { // a ball or what leans touches with its middle
-        const Side& round = a.footprint.upright ? b : a;
+        const Side& round = a.footprint->upright ? b : a;
         addAt(std::clamp((round.low() + round.high()) / 2, low, high));
     }
-    m_now.push_back(contact);
 }
 
 /// From the nearest point of the last tick, each used once.

@@ -42,27 +42,34 @@ public:
     void find();
     /// Contacts of the units start from nothing in the next tick.
     void forget(std::uint32_t unit);
+    /// Whether the unit has a contact, scenery included.
+    [[nodiscard]] bool touches(std::uint32_t unit) const { return unit < m_touches.size() && m_touches[unit] != 0; }
     [[nodiscard]] std::vector<UnitContact>& all() { return m_now; }
     [[nodiscard]] const std::vector<UnitContact>& all() const { return m_now; }
 
 private:
     /// A footprint where it is now.
     struct Side {
-        const PlanarShape& footprint;
+        const PlanarShape* footprint = nullptr;
         PlanarPose pose;
-        double height = 0;        ///< of the origin of its heights
-        Vec2 lean = Vec2::Zero(); ///< m that it is displaced per metre above that
-        [[nodiscard]] double low() const { return height + footprint.low; }
-        [[nodiscard]] double high() const { return height + footprint.high; }
+        double height = 0;          ///< of the origin of its heights
+        Vec2 lean = Vec2::Zero();   ///< m that it is displaced per metre above that
+        Vec2 centre = Vec2::Zero(); ///< of the footprint, in the world
+        [[nodiscard]] double low() const { return height + footprint->low; }
+        [[nodiscard]] double high() const { return height + footprint->high; }
     };
     void meet(std::uint32_t a, std::uint32_t b);
     void meetScenery(std::uint32_t a, const WheeledScenery& scenery);
     [[nodiscard]] Side sideOf(const WheeledUnit& unit, std::size_t footprint) const;
-    void add(UnitContact contact, const Side& a, const Side& b);
+    [[nodiscard]] static bool areNear(const Side& a, const Side& b);
+    void add(const UnitContact& pair, const Side& a, const Side& b);
+    void addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch);
     void takeOver();
 
     const WheeledObjects& m_objects;
     std::vector<UnitContact> m_now, m_last;
+    std::vector<std::uint8_t> m_touches; ///< by unit
+    std::vector<Side> m_sides;           ///< of the second of two units
     std::vector<Box3> m_boxes;
     std::vector<IndexPair> m_pairs;
     std::vector<std::uint32_t> m_near;

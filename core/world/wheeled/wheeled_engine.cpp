@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/wheeled/vehicle_blocks.h"
 #include "world/wheeled/wheeled.h"
 #include "world/wheeled/wheeled_motion.h"
 
@@ -42,7 +43,9 @@ std::shared_ptr<const ActorShape> WheeledEngine::shapeOf(const ActorDef& actor, 
     for (const KnownShape& known : m_shapes)
         if (known.bodies == bodies && known.joints == actor.joints && known.height == height) return known.shape;
     auto shape = ActorReader(m_objects.surfaces, *m_objects.ground).read(actor, why);
-    if (shape) m_shapes.push_back({bodies, actor.joints, height, shape});
+    if (!shape) return shape;
+    m_shapes.push_back({bodies, actor.joints, height, shape});
+    m_objects.models.push_back(vehicleModel(*shape, m_objects));
     return shape;
 }
 
@@ -73,6 +76,7 @@ ActorHandles WheeledEngine::addUnit(const ActorDef& actor, std::shared_ptr<const
     unit.supports = static_cast<std::uint32_t>(m_objects.supports.size());
     unit.wheels = static_cast<std::uint32_t>(m_objects.wheels.size());
     m_objects.supports.resize(unit.supports + shape->supports.size());
+    unit.model = static_cast<std::uint32_t>(std::ranges::find(m_shapes, shape, &KnownShape::shape) - m_shapes.begin());
     unit.shape = std::move(shape);
     unit.setPlane();
     m_objects.units.push_back(std::move(unit));
@@ -132,7 +136,9 @@ void WheeledEngine::setSurfaceVelocity(GeomHandle, const Vec3& velocity) {
 }
 
 void WheeledEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
-    if (surface < m_objects.surfaces.size()) m_objects.surfaces[surface] = values;
+    if (surface >= m_objects.surfaces.size()) return;
+    m_objects.surfaces[surface] = values;
+    for (std::size_t i = 0; i < m_shapes.size(); ++i) m_objects.models[i] = vehicleModel(*m_shapes[i].shape, m_objects);
 }
 
 Status WheeledEngine::addAxialInertia(JointHandle joint, double inertia) {
@@ -142,9 +148,7 @@ Status WheeledEngine::addAxialInertia(JointHandle joint, double inertia) {
     return {};
 }
 
-Status WheeledEngine::measureWrench(JointHandle) {
-    return Error{Code::NotInEngine, "it has no forces in joints"};
-}
+Status WheeledEngine::measureWrench(JointHandle) { return Error{Code::NotInEngine, "it has no forces in joints"}; }
 
 void WheeledEngine::findContacts() {
     m_contacts.find();
@@ -159,8 +163,8 @@ std::optional<EngineFault> WheeledEngine::step(double h) {
     m_solver.step(m_settings.gravity, h);
     clearForces();
     for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
-        if (!m_objects.units[i].isMovable()) continue;
-        moveOn(m_objects.units[i], h);
+        const WheeledUnit& unit = m_objects.units[i];
+        if (unit.isMovable() && !unit.isVehicle()) moveOn(m_objects.units[i], h);
     }
     endFaulty();
     for (std::uint32_t i = 0; i < m_objects.units.size(); ++i)
@@ -180,8 +184,7 @@ void WheeledEngine::applyMotions() {
         unit.linear = unit.angular = unit.grip = Vec3::Zero();
         unit.setPlane();
         for (std::size_t i = 0; i < unit.shape->supports.size(); ++i) m_objects.supports[unit.supports + i] = {};
-        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
-            m_objects.wheels[unit.wheels + i].stop();
+        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].stop();
         m_contacts.forget(m.unit);
         if (unit.shape->kind == ActorKind::Fixed) publishStates(m_objects, m.unit);
     }
@@ -219,8 +222,7 @@ void WheeledEngine::endFaulty() {
         m_ended.push_back({{unit.bodies}, std::move(fault)});
         for (std::size_t i = 0; i < unit.shape->bodies.size(); ++i)
             m_objects.states[unit.bodies + i].linear = m_objects.states[unit.bodies + i].angular = Vec3::Zero();
-        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i)
-            m_objects.wheels[unit.wheels + i].stop();
+        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].stop();
     }
 }
 

@@ -35,10 +35,10 @@ public:
     [[nodiscard]] double jointPosition(JointHandle joint) const override;
     [[nodiscard]] double jointRate(JointHandle joint) const override;
     [[nodiscard]] JointEffort jointEffort(JointHandle joint) const override;
-    [[nodiscard]] JointWrench jointWrench(JointHandle) const override { return {}; } // it measures none
+    [[nodiscard]] JointWrench jointWrench(JointHandle) const override { return {}; }   // it measures none
     [[nodiscard]] CouplingState coupling(CouplingHandle) const override { return {}; } // it has none
     [[nodiscard]] std::size_t contactCount() const override { return m_list.all().size(); }
-    [[nodiscard]] EngineContact contact(std::size_t index) const override { return m_list.all()[index]; }
+    [[nodiscard]] EngineContact contact(std::size_t index) const override { return m_list.at(static_cast<std::uint32_t>(index)); }
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override { return m_list.of(geom.index); }
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
     [[nodiscard]] EngineSolves solves() const override { return {}; }

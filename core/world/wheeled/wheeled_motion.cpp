@@ -1,22 +1,8 @@
 #include "world/wheeled/wheeled_motion.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace trundle {
-
-Quat turnAbout(const Vec3& axis, double angle) {
-    constexpr double kTurn = 4 * std::numbers::pi;                                                 // of the half angle: one turn
-    const double half = (angle - kTurn * std::nearbyint(angle / kTurn)) / 4, square = half * half; // within a quarter turn
-    double sine = 1, cosine = 1;
-    for (int k = 19; k > 1; k -= 2) {
-        sine = 1 - square / (k * (k - 1)) * sine;
-        cosine = 1 - square / ((k - 1) * (k - 2)) * cosine;
-    }
-    sine *= half;
-    const double s = 2 * sine * cosine, c = cosine * cosine - sine * sine; // doubled
-    return {c, s * axis.x(), s * axis.y(), s * axis.z()};
-}
 
 void moveOn(WheeledUnit& unit, double h) {
     unit.position += h * unit.linear;
@@ -42,7 +28,8 @@ void publishStates(WheeledObjects& objects, std::uint32_t index) {
         BodyState& state = objects.states[unit.bodies + i];
         const Vec3 arm = axes * shape.bodies[i].position;
         state.position = unit.position + arm;
-        state.rotation = unit.rotation * shape.bodies[i].rotation;
+        state.rotation = unit.rotation;
+        if (shape.isTurned[i]) state.rotation = unit.rotation * shape.bodies[i].rotation;
         state.linear = unit.linear + unit.angular.cross(arm);
         state.angular = unit.angular;
     }
@@ -50,9 +37,11 @@ void publishStates(WheeledObjects& objects, std::uint32_t index) {
         const WheelShape& wheel = shape.wheels[k];
         const WheelState& now = objects.wheels[unit.wheels + k];
         BodyState& state = objects.states[unit.bodies + wheel.body];
-        const Quat turn = turnAbout(wheel.axis, now.angle);
-        state.rotation = unit.rotation * turn * shape.bodies[wheel.body].rotation;
-        state.angular += now.spin * (axes * wheel.axis);
+        const Vec3 axis = axes * wheel.axis, along = now.halfSine * wheel.axis;
+        const Quat turn(now.halfCosine, along.x(), along.y(), along.z());
+        state.rotation = unit.rotation * turn;
+        if (shape.isTurned[wheel.body]) state.rotation = state.rotation * shape.bodies[wheel.body].rotation;
+        state.angular += now.spin * axis;
         if (wheel.offset.isZero(0)) continue;
         const Vec3 offset = turn * wheel.offset, arm = axes * (shape.bodies[wheel.body].position - wheel.offset + offset);
         state.position = unit.position + arm;

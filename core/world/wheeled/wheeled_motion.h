@@ -11,7 +11,4 @@ void moveOn(WheeledUnit& unit, double h);
 /// Of a body's frame, as BodyState says.
 void publishStates(WheeledObjects& objects, std::uint32_t unit);
 
-/// Rotation about a unit axis, the same on every machine: sine and cosine by their series.
-[[nodiscard]] Quat turnAbout(const Vec3& axis, double angle);
-
 } // namespace trundle

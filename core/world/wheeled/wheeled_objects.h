@@ -10,6 +10,7 @@
 #include "world/engine.h"
 #include "world/rays/ray_scene.h"
 #include "world/wheeled/actor_shape.h"
+#include "world/wheeled/vehicle_block.h"
 
 namespace trundle {
 
@@ -19,11 +20,12 @@ struct SupportState {
 };
 
 struct WheelState {
-    double spin = 0, angle = 0; ///< rad/s, rad, relative to the vehicle
-    double impulse = 0;         ///< of the motor in the last tick, N m s
+    double spin = 0, angle = 0;          ///< rad/s, rad, relative to the vehicle
+    double halfCosine = 1, halfSine = 0; ///< of half the angle
+    double impulse = 0;                  ///< of the motor in the last tick, N m s
     MotorConstraint motor;
-    double torque = 0;  ///< of devices for one tick, N m
-    double inertia = 0; ///< kg m^2
+    double torque = 0;   ///< of devices for one tick, N m
+    double inertia = 0;  ///< kg m^2
     double friction = 0; ///< of the motor's drive in the last tick, N m s
 
     void stop() { spin = impulse = friction = 0; }
@@ -39,6 +41,7 @@ struct WheeledUnit {
     Vec3 grip = Vec3::Zero(); ///< of something loose: impulse of its ground, x, y, and turning over spinRadius
     std::uint32_t bodies = 0, geoms = 0, joints = 0; ///< the first of each
     std::uint32_t supports = 0, wheels = 0;          ///< the first of each
+    std::uint32_t model = 0;                         ///< of a vehicle
     PlanarPose plane;                                ///< of the axes of the shape
     bool ended = false;
 
@@ -66,6 +69,7 @@ struct WheeledObjects {
     std::optional<LevelGround> ground;
     double weight = 0; ///< of 1 kg on the ground, N
     std::vector<WheeledUnit> units;
+    std::vector<VehicleModel> models; ///< one for each shape
     std::vector<WheeledScenery> scenery;
     std::vector<SupportState> supports;
     std::vector<WheelState> wheels;

@@ -1,0 +1,307 @@
+#include "world/wheeled/island_batch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trundle {
+
+namespace {
+
+enum { VX, VY, WX, WY, WZ };
+
+constexpr int kMostTogether = 20;         // sweeps
+constexpr std::size_t kMostBlocks = 6;    // what fits the first level of the cache
+constexpr double kSettledTogether = 1e-3; // of the weight's impulse in a tick
+constexpr double kSlop = 1e-4;            // m
+constexpr double kPushShare = 0.2;        // of the depth, per tick
+constexpr double kFastestPush = 0.1;      // m/s
+constexpr double kLeastBounce = 0.05;     // m/s
+
+template <class L> auto& speedOf(L& loose, std::size_t component) { return loose.v[component * kVehicleLanes]; }
+
+} // namespace
+
+double IslandBatch::ContactRow::speed(const VehiclePush& a, const VehiclePush& b) const {
+    double mine = 0, theirs = 0;
+    for (std::size_t i = 0; i < 5; ++i) mine += a.row[i] * va[i * kVehicleLanes];
+    if (!vb) return -mine;
+    for (std::size_t i = 0; i < 5; ++i) theirs += b.row[i] * vb[i * kVehicleLanes];
+    return theirs - mine;
+}
+
+void IslandBatch::ContactRow::push(const VehiclePush& a, const VehiclePush& b, double impulse) const {
+    for (std::size_t i = 0; i < 5; ++i) va[i * kVehicleLanes] -= impulse * a.change[i];
+    if (!vb) return;
+    for (std::size_t i = 0; i < 5; ++i) vb[i * kVehicleLanes] += impulse * b.change[i];
+}
+
+void IslandBatch::begin(const Vec3& gravity, double h) {
+    m_tick = {{gravity.x(), gravity.y(), gravity.z()}, h};
+    m_place.resize(m_objects.units.size());
+}
+
+bool IslandBatch::isFull() const { return m_blockCount >= kMostBlocks; }
+
+void IslandBatch::add(std::span<const std::uint32_t> units, std::span<const std::uint32_t> contacts) {
+    Island island;
+    island.units = {m_units.size(), m_units.size() + units.size()};
+    island.contacts = {m_contactList.size(), m_contactList.size() + contacts.size()};
+    m_units.insert(m_units.end(), units.begin(), units.end());
+    m_contactList.insert(m_contactList.end(), contacts.begin(), contacts.end());
+    island.loose.first = m_loose.size();
+    double lightest = 1e300;
+    for (const std::uint32_t unit : units) {
+        lightest = std::min(lightest, m_objects.units[unit].shape->mass);
+        if (m_objects.units[unit].isVehicle()) place(unit);
+        else addLoose(unit);
+    }
+    island.loose.last = m_loose.size();
+    island.settled = kSettledTogether * m_objects.weight * m_tick.h * lightest;
+    m_islands.push_back(island);
+}
+
+/// Into a block of its model with room.
+void IslandBatch::place(std::uint32_t unit) {
+    const std::uint32_t model = m_objects.units[unit].model;
+    std::size_t b = 0;
+    while (b < m_blockCount && (m_blocks[b].model != model || m_blocks[b].units.size() == kVehicleLanes)) ++b;
+    if (b == m_blockCount) {
+        if (m_blocks.size() == m_blockCount) m_blocks.emplace_back();
+        m_blocks[b].model = model;
+        m_blocks[b].units.clear();
+        ++m_blockCount;
+    }
+    Block& block = m_blocks[b];
+    m_place[unit] = {static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(block.units.size())};
+    block.units.push_back(unit);
+}
+
+/// Speeds before the ground and others hold it. A ball rolls: its turning moves with it.
+IslandBatch::Loose IslandBatch::looseOf(std::uint32_t unit) const {
+    const WheeledUnit& u = m_objects.units[unit];
+    const ActorShape& s = *u.shape;
+    const SurfaceSpec &own = m_objects.surfaces[s.surface], &floor = m_objects.surfaces[m_objects.ground->surface()];
+    Loose out;
+    out.unit = unit;
+    const bool ball = s.kind == ActorKind::Ball;
+    const double load = -m_tick.gravity[2] * s.mass * m_tick.h;
+    out.mass = ball ? s.mass + s.inertia(2, 2) / (s.spinRadius * s.spinRadius) : s.mass;
+    out.inertia = ball ? 0 : s.inertia(2, 2);
+    out.reach = ball ? 0 : s.spinRadius;
+    out.limit = load * (ball ? std::max(own.rollingFriction, floor.rollingFriction) / s.spinRadius
+                             : std::min(own.friction, floor.friction));
+    const Vec3 v = u.linear + m_tick.h * (u.force / out.mass + s.mass / out.mass * Vec3(m_tick.gravity));
+    speedOf(out, VX) = v.x();
+    speedOf(out, VY) = v.y();
+    speedOf(out, WZ) = ball ? 0 : u.angular.z() + m_tick.h * u.moment.z() / out.inertia;
+    return out;
+}
+
+void IslandBatch::addLoose(std::uint32_t unit) {
+    m_place[unit].lane = static_cast<std::uint32_t>(m_loose.size());
+    Loose loose = looseOf(unit);
+    const Vec3& grip = m_objects.units[unit].grip;
+    speedOf(loose, VX) += grip.x() / loose.mass;
+    speedOf(loose, VY) += grip.y() / loose.mass;
+    if (loose.reach > 0) speedOf(loose, WZ) += grip.z() * loose.reach / loose.inertia;
+    m_loose.push_back(loose);
+}
+
+void IslandBatch::solveLoose(std::uint32_t unit) {
+    WheeledUnit& u = m_objects.units[unit];
+    const bool rests = u.linear.isZero(0) && u.angular.isZero(0) && u.force.isZero(0) && u.moment.isZero(0);
+    u.grip.setZero();
+    if (rests && m_tick.gravity[0] == 0 && m_tick.gravity[1] == 0) return;
+    Loose loose = looseOf(unit);
+    for (int i = 0; i < 2; ++i) (void)hold(loose, u.grip);
+    writeBack(loose);
+}
+
+/// Friction of the ground: translation and turning share one ellipsoid (S. Goyal et al., Planar sliding with dry friction, Wear 143, 1991);
+/// the turning is scaled by `reach`.
+double IslandBatch::hold(Loose& loose, Vec3& grip) {
+    const bool turns = loose.reach > 0;
+    const double k = 1 / loose.mass, kw = turns ? loose.reach * loose.reach / loose.inertia : 1;
+    double x = grip.x() - speedOf(loose, VX) / k, y = grip.y() - speedOf(loose, VY) / k,
+           w = turns ? grip.z() - speedOf(loose, WZ) * loose.reach / kw : 0;
+    double square = x * x + y * y + w * w;
+    if (square > loose.limit * loose.limit) {
+        const double bx = x * k, by = y * k, bw = w * kw;
+        double add = 0;
+        for (int i = 0; i < 3 && loose.limit > 0; ++i) {
+            const double slope = (x * x + y * y) / (k + add) + w * w / (kw + add), length = std::sqrt(square);
+            add = std::max(add + (length / loose.limit - 1) * square / slope, 0.);
+            x = bx / (k + add);
+            y = by / (k + add);
+            w = bw / (kw + add);
+            square = x * x + y * y + w * w;
+        }
+        const double scale = loose.limit / std::sqrt(square);
+        x *= scale;
+        y *= scale;
+        w *= scale;
+    }
+    speedOf(loose, VX) += (x - grip.x()) * k;
+    speedOf(loose, VY) += (y - grip.y()) * k;
+    if (turns) speedOf(loose, WZ) += (w - grip.z()) * kw / loose.reach;
+    const double change = (Vec3(x, y, w) - grip).cwiseAbs().maxCoeff();
+    grip = {x, y, w};
+    return change;
+}
+
+void IslandBatch::writeBack(const Loose& loose) {
+    WheeledUnit& u = m_objects.units[loose.unit];
+    u.linear = {speedOf(loose, VX), speedOf(loose, VY), 0};
+    u.angular = {0, 0, speedOf(loose, WZ)};
+    if (u.shape->kind == ActorKind::Ball)
+        u.angular = {-speedOf(loose, VY) / u.shape->spinRadius, speedOf(loose, VX) / u.shape->spinRadius, 0};
+}
+
+double* IslandBatch::velocitiesOf(std::uint32_t unit) {
+    if (unit == kNoActor || !m_objects.units[unit].isMovable()) return nullptr;
+    const Place& at = m_place[unit];
+    return m_objects.units[unit].isVehicle() ? &m_blocks[at.block].lanes->v[0][at.lane] : m_loose[at.lane].v.data();
+}
+
+VehiclePush IslandBatch::pushOf(std::uint32_t unit, const Vec3& point, const Vec2& way) const {
+    if (unit == kNoActor || !m_objects.units[unit].isMovable()) return {};
+    const WheeledUnit& u = m_objects.units[unit];
+    const Vec3 arm = point - u.position;
+    const Place& at = m_place[unit];
+    if (u.isVehicle()) return pushAt(*m_blocks[at.block].lanes, at.lane, u.shape->mass, arm, way);
+    const Loose& loose = m_loose[at.lane];
+    const double turn = loose.reach > 0 ? arm.x() * way.y() - arm.y() * way.x() : 0;
+    VehiclePush push;
+    push.row = {way.x(), way.y(), 0, 0, turn};
+    push.change = {way.x() / loose.mass, way.y() / loose.mass, 0, 0, turn == 0 ? 0 : turn / loose.inertia};
+    return push;
+}
+
+void IslandBatch::addRows(UnitContact& c) {
+    const Vec2 normal = c.normal, tangent(-normal.y(), normal.x());
+    for (const UnitContactPoint& point : c.points()) {
+        ContactRow row;
+        row.va = velocitiesOf(c.a);
+        row.vb = velocitiesOf(c.b);
+        if (!row.va) row.va = m_still.data();
+        row.normalA = pushOf(c.a, point.at, normal);
+        row.normalB = pushOf(c.b, point.at, normal);
+        row.tangentA = pushOf(c.a, point.at, tangent);
+        row.tangentB = pushOf(c.b, point.at, tangent);
+        for (std::size_t i = 0; i < 5; ++i) {
+            row.normalMass += row.normalA.row[i] * row.normalA.change[i] + row.normalB.row[i] * row.normalB.change[i];
+            row.tangentMass += row.tangentA.row[i] * row.tangentA.change[i] + row.tangentB.row[i] * row.tangentB.change[i];
+        }
+        row.normalMass = 1 / row.normalMass;
+        row.tangentMass = 1 / row.tangentMass;
+        const double depth = -point.gap, closing = -row.speed(row.normalA, row.normalB);
+        row.bias = depth > 0 ? std::min(kPushShare * std::max(depth - kSlop, 0.) / m_tick.h, kFastestPush) : depth / m_tick.h;
+        if (c.restitution > 0 && closing > kLeastBounce && closing * m_tick.h > -depth)
+            row.bias = std::max(row.bias, c.restitution * closing);
+        row.friction = c.friction;
+        row.normal = point.normal;
+        row.tangent = point.tangent;
+        m_rows.push_back(row);
+    }
+}
+
+double IslandBatch::solveContact(ContactRow& row) {
+    const double before = row.normal,
+                 normal = std::max(before + (row.bias - row.speed(row.normalA, row.normalB)) * row.normalMass, 0.);
+    if (normal != row.normal) row.push(row.normalA, row.normalB, normal - row.normal);
+    row.normal = normal;
+    double change = std::abs(normal - before);
+    const double limit = row.friction * normal;
+    const double tangent = std::clamp(row.tangent - row.speed(row.tangentA, row.tangentB) * row.tangentMass, -limit, limit);
+    if (tangent != row.tangent) row.push(row.tangentA, row.tangentB, tangent - row.tangent);
+    change = std::max(change, std::abs(tangent - row.tangent));
+    row.tangent = tangent;
+    return change;
+}
+
+/// Vehicles with the impulses of the last tick, then the rows of contacts; all closing speeds are known before these push.
+void IslandBatch::prepare() {
+    for (std::size_t b = 0; b < m_blockCount; ++b) {
+        Block& block = m_blocks[b];
+        block.open = block.units.size();
+        loadVehicles(*block.lanes, m_objects, block.units);
+        m_kernel.prepare(*block.lanes, m_objects.models[block.model], m_tick);
+    }
+    for (Island& island : m_islands) {
+        island.rows.first = m_rows.size();
+        for (std::size_t k = island.contacts.first; k < island.contacts.last; ++k) addRows(m_contacts.all()[m_contactList[k]]);
+        island.rows.last = m_rows.size();
+    }
+    for (const ContactRow& row : m_rows) {
+        row.push(row.normalA, row.normalB, row.normal);
+        row.push(row.tangentA, row.tangentB, row.tangent);
+    }
+}
+
+void IslandBatch::solve() {
+    prepare();
+    std::size_t open = m_islands.size();
+    for (int i = 0; i < kMostTogether && open > 0; ++i) {
+        for (std::size_t b = 0; b < m_blockCount; ++b)
+            if (m_blocks[b].open > 0) m_kernel.sweep(*m_blocks[b].lanes, m_objects.models[m_blocks[b].model], i % 2 != 0);
+        for (Island& island : m_islands) {
+            if (!island.isOpen || (sweep(island, i % 2 != 0) >= island.settled && i + 1 < kMostTogether) || i == 0) continue;
+            settle(island);
+            --open;
+        }
+    }
+    finish();
+}
+
+/// Of all but its vehicles. The largest change of an impulse of the island, N s.
+double IslandBatch::sweep(const Island& island, bool backwards) {
+    double change = 0;
+    for (std::size_t k = island.units.first; k < island.units.last; ++k) {
+        if (!m_objects.units[m_units[k]].isVehicle()) continue;
+        const Place& at = m_place[m_units[k]];
+        change = std::max(change, m_blocks[at.block].lanes->change[at.lane]);
+    }
+    for (std::size_t k = island.loose.first; k < island.loose.last; ++k)
+        change = std::max(change, hold(m_loose[k], m_objects.units[m_loose[k].unit].grip));
+    const auto [first, last] = island.rows;
+    for (std::size_t k = first; k < last; ++k)
+        change = std::max(change, solveContact(m_rows[backwards ? first + last - 1 - k : k]));
+    return change;
+}
+
+void IslandBatch::settle(Island& island) {
+    island.isOpen = false;
+    for (std::size_t k = island.units.first; k < island.units.last; ++k) {
+        if (!m_objects.units[m_units[k]].isVehicle()) continue;
+        const Place& at = m_place[m_units[k]];
+        Block& block = m_blocks[at.block];
+        bool chosen[kVehicleLanes] = {};
+        chosen[at.lane] = true;
+        m_kernel.keep(*block.lanes, m_objects.models[block.model], chosen);
+        --block.open;
+    }
+}
+
+void IslandBatch::finish() {
+    for (std::size_t b = 0; b < m_blockCount; ++b) {
+        Block& block = m_blocks[b];
+        m_kernel.finish(*block.lanes, m_objects.models[block.model], m_tick);
+        for (std::size_t lane = 0; lane < block.units.size(); ++lane)
+            storeVehicle(*block.lanes, lane, m_objects, block.units[lane]);
+    }
+    for (const Loose& loose : m_loose) writeBack(loose);
+    auto row = m_rows.begin();
+    for (const std::uint32_t c : m_contactList)
+        for (UnitContactPoint& point : m_contacts.all()[c].points()) {
+            point.normal = row->normal;
+            point.tangent = row++->tangent;
+        }
+    m_islands.clear();
+    m_units.clear();
+    m_contactList.clear();
+    m_loose.clear();
+    m_rows.clear();
+    m_blockCount = 0;
+}
+
+} // namespace trundle

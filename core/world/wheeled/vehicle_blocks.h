@@ -1,0 +1,27 @@
+#pragma once
+// Vehicles of the world into the lanes of blocks and back, and what contacts do to them there.
+
+#include <array>
+#include <span>
+
+#include "world/wheeled/vehicle_block.h"
+#include "world/wheeled/wheeled_objects.h"
+
+namespace trundle {
+
+/// Friction is that with the ground; it changes with the surfaces.
+[[nodiscard]] VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects);
+
+/// Vehicles of one model, at most kVehicleLanes. Lanes left over repeat the last of them.
+void loadVehicles(VehicleBlock& block, const WheeledObjects& objects, std::span<const std::uint32_t> units);
+/// The state of one lane after the tick.
+void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& objects, std::uint32_t unit);
+
+/// Speed of a point of the vehicle along a level direction, and what an impulse there does.
+struct VehiclePush {
+    std::array<double, 5> row{}, change{}; ///< vx, vy, wx, wy, wz
+};
+/// Vectors from the centre of mass, world axes.
+[[nodiscard]] VehiclePush pushAt(const VehicleBlock& block, std::size_t lane, double mass, const Vec3& arm, const Vec2& way);
+
+} // namespace trundle
