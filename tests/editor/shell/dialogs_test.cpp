@@ -61,6 +61,10 @@ constexpr Question kQuestions[] = {
     {"shell/dialogs/new_module_dialog.h", "newModule", "Create"},
     {"shell/dialogs/new_arena_dialog.h", "newArena", "Create"},
     {"shell/dialogs/new_robot_dialog.h", "newRobot", "Create"},
+    {"shell/dialogs/room_dialog.h", "roomDialog", "Insert"},
+    {"shell/dialogs/maze_dialog.h", "mazeDialog", "Insert"},
+    {"shell/dialogs/mesh_dialog.h", "meshDialog", "Insert"},
+    {"shell/dialogs/heights_dialog.h", "heightsDialog", "Insert"},
     {"shell/dialogs/repeat_dialog.h", "repeatDialog", "Repeat"},
     {"shell/dialogs/sensor_ring_dialog.h", "sensorRingDialog", "Insert"},
     {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
@@ -346,6 +350,10 @@ private:
         m_openers[QStringLiteral("newModule")] = [this] { trigger("controllers.new", {"robot0"}); };
         m_openers[QStringLiteral("newArena")] = [this] { trigger("file.newFromPlan"); };
         m_openers[QStringLiteral("newRobot")] = [this] { trigger("file.newFromDimensions"); };
+        m_openers[QStringLiteral("roomDialog")] = [this] { trigger("arena.room"); };
+        m_openers[QStringLiteral("mazeDialog")] = [this] { trigger("arena.maze"); };
+        m_openers[QStringLiteral("heightsDialog")] = [this] { trigger("arena.heights"); };
+        m_openers[QStringLiteral("meshDialog")] = [this] { trigger("mesh.import"); };
         m_openers[QStringLiteral("about")] = [this] { trigger("help.about"); };
         m_openers[QStringLiteral("preferences")] = [this] { trigger("edit.preferences"); };
         m_openers[QStringLiteral("arrayDialog")] = [this] { trigger("tool.array", {"robot0"}); };
