@@ -1,7 +1,9 @@
 #pragma once
-// `trundle-cli new arena`: a floor plan or an obstacle field as options, and what is printed.
+// `trundle-cli new arena`: a floor plan, an obstacle field, a room, a maze or a height map as options, and what is printed.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -13,8 +15,15 @@ namespace trundle {
 struct ArenaArguments {
     std::string picture; ///< empty: obstacles
     FloorPlanOptions plan;
-    double wallHeight = 0.5; ///< m
+    std::optional<double> wallHeight, wallThickness; ///< m
     ObstacleField field;
+    std::vector<double> roomSize; ///< m; empty: no room
+    std::string doorSide = "none";
+    RoomOptions room;
+    std::vector<int> mazeSize; ///< rows, columns; empty: no maze
+    MazeOptions maze;
+    std::string heights; ///< a grey picture; empty: none
+    std::vector<double> heightsSize{10, 10, 1};
 };
 
 void addArenaOptions(CLI::App& command, ArenaArguments& arguments);

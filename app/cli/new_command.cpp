@@ -55,6 +55,9 @@ constexpr const char* kNewExamples = R"(Examples:
   trundle-cli new robot Rover --base mecanum --mass 5 --top-speed 0.8
   trundle-cli new arena Office --plan office.png --plan-width 24
   trundle-cli new arena Yard --obstacles 25 --room-length 8 --field-seed 3
+  trundle-cli new arena Kitchen --room 5 4 --door south
+  trundle-cli new arena Labyrinth --maze 8 10 --cell 0.5 --maze-seed 7
+  trundle-cli new arena Hills --heights hills.png --heights-size 20 20 1.5
 
 The new folder holds one C++ file and a CMakeLists.txt, or one Python file. What is printed builds it and uses it.
 The folder of a robot holds its description, with motors that reach the top speed and climb 10 degrees, an experiment, and a controller in

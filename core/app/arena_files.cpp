@@ -16,8 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr double kRobot = 0.25; // m, around a robot that is to drive
 
+/// `picture`: copied beside them; empty: none.
 Result<NewArena> writeArena(const std::string& name, const std::string& parent, const std::string& text,
-                            const std::string& experiment) {
+                            const std::string& experiment, const std::string& picture = {}) {
     const std::string file = moduleNameFor(name);
     const fs::path folder = fs::path(parent) / file;
     std::error_code ec;
@@ -32,6 +33,14 @@ Result<NewArena> writeArena(const std::string& name, const std::string& parent, 
         }
         made.files.push_back(path);
     }
+    if (picture.empty()) return made;
+    const fs::path copy = fs::path(picture).filename();
+    if (!fs::copy_file(picture, folder / copy, ec)) {
+        Error failed{Code::FileUnwritable, cleanLine(picture) + " cannot be copied: " + cleanLine(ec.message())};
+        fs::remove_all(folder, ec);
+        return failed;
+    }
+    made.files.push_back(copy.string());
     return made;
 }
 
@@ -70,6 +79,26 @@ Result<NewArena> makeObstacleArena(const std::string& name, const ObstacleField&
     if (!text) return text.error();
     return writeArena(name, parent, text.value(),
                       arenaExperimentText(name, moduleNameFor(name), {0, 0}, std::max(field.length, field.width)));
+}
+
+Result<NewArena> makeRoomArena(const std::string& name, const RoomPlan& plan, const std::string& comment,
+                               const std::string& parent) {
+    if (auto fault = nameFault(name)) return *fault;
+    return writeArena(
+        name, parent, roomText(name, plan, comment),
+        arenaExperimentText(name, moduleNameFor(name), {plan.startX, plan.startY}, std::max(plan.length, plan.width)));
+}
+
+Result<NewArena> makeHeightsArena(const std::string& name, const std::string& picture, const std::array<double, 3>& size,
+                                  const std::string& parent, const Locations& locations) {
+    if (auto fault = nameFault(name)) return *fault;
+    const auto read = readPlanPicture(picture, locations);
+    if (!read) return read.error();
+    const Result<std::string> ground = heightsText(fs::path(picture).filename().string(), size);
+    if (!ground) return ground.error();
+    const double start = heightAt(*read.value(), size, {0, 0}, kRobot);
+    return writeArena(name, parent, heightsArenaText(name, ground.value()),
+                      arenaExperimentText(name, moduleNameFor(name), {0, 0}, std::max(size[0], size[1]), start), picture);
 }
 
 } // namespace trundle

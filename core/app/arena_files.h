@@ -1,6 +1,7 @@
 #pragma once
 // A new arena with an experiment to drive through it, as files.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "app/locations.h"
 #include "base/result.h"
 #include "project/wizard/arena_text.h"
+#include "project/wizard/heights_text.h"
 
 namespace trundle {
 
@@ -31,5 +33,12 @@ struct NewArena {
                                              const std::string& picture, const std::string& parent);
 /// The same with obstacles in a room.
 [[nodiscard]] Result<NewArena> makeObstacleArena(const std::string& name, const ObstacleField& field, const std::string& parent);
+/// The same with the walls of a room or a maze. `comment`: what it is, for the text.
+[[nodiscard]] Result<NewArena> makeRoomArena(const std::string& name, const RoomPlan& plan, const std::string& comment,
+                                             const std::string& parent);
+/// The same with a ground of a grey picture, which is copied into the folder. `size`: along x, along y, height of white, m.
+[[nodiscard]] Result<NewArena> makeHeightsArena(const std::string& name, const std::string& picture,
+                                                const std::array<double, 3>& size, const std::string& parent,
+                                                const Locations& locations);
 
 } // namespace trundle

@@ -15,12 +15,24 @@ namespace {
 
 constexpr double kMaxExponent = 1e6; // of a beam
 
+/// Of the top of a mark.
+std::int32_t reflectanceOfMark(const DeviceHost& host, const FloorMarks::Mark& mark, const Vec3& point, double* share) {
+    if (mark.geom->material >= host.experiment.materials.size()) return -1;
+    const auto [low, size] = pictureBox(*mark.geom);
+    *share = reflectanceAt(host.experiment.materials[mark.geom->material], mark.geom->shape, mark.X_WG.inverse() * point,
+                           Vec3::UnitZ(), low, size);
+    return 0;
+}
+
 struct LightCalls {
     static std::int32_t reflectance(void* context, std::uint32_t index, const double point[3], const double normal[3],
                                     double* share) {
         const DeviceHost& host = *static_cast<const ServiceContext*>(context)->host;
         if (!point || !normal || !share || !host.objects.isGeom(index) || !host.objects.geom(index).spec) return -1;
         const BuiltGeom& geom = host.objects.geom(index);
+        if (geom.body == BuiltGeom::kNoBody)
+            if (const FloorMarks::Mark* mark = host.objects.marks().at(Vec3(point)))
+                return reflectanceOfMark(host, *mark, Vec3(point), share);
         if (geom.spec->material >= host.experiment.materials.size()) return -1;
         const MaterialSpec& material = host.experiment.materials[geom.spec->material];
         if (!material.picture) {

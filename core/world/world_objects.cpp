@@ -82,6 +82,7 @@ void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine
         for (const GeomSpec& g : *s.geoms) {
             if (!g.collide) {
                 if (moving) moving->scenery.emplace_back();
+                else m_marks.add(g, s.pose * g.pose);
                 continue;
             }
             const auto id = engine.addStatic(g, s.pose * g.pose);

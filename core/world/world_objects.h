@@ -10,6 +10,7 @@
 
 #include "base/diagnostic.h"
 #include "world/engine.h"
+#include "world/floor_marks.h"
 
 namespace trundle {
 
@@ -80,6 +81,7 @@ public:
     [[nodiscard]] double reflectance(std::uint32_t material) const {
         return material < m_reflectances.size() ? m_reflectances[material] : 0;
     }
+    [[nodiscard]] const FloorMarks& marks() const { return m_marks; }
     [[nodiscard]] const std::vector<TrundleLight>& lights() const { return m_lights; }
     [[nodiscard]] const std::vector<std::string>& bodyPaths() const { return m_bodyPaths; }
     [[nodiscard]] SourceRange bodyRange(std::uint32_t body) const { return m_bodyRanges[body]; }
@@ -108,6 +110,7 @@ private:
     std::vector<BuiltGeom> m_geoms;
     std::vector<std::string> m_bodyPaths;
     std::vector<double> m_reflectances; ///< by material
+    FloorMarks m_marks;
     std::vector<TrundleLight> m_lights;
     std::vector<std::uint8_t> m_hasPicture; ///< by material
     std::vector<SourceRange> m_bodyRanges;

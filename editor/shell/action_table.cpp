@@ -97,6 +97,12 @@ static constexpr ActionRow kTable[] = {
     {"view.layoutReset", "View/Layout", "Re&set This Layout",    "",            "",               "Put the docks back where they were at first."},
 
     {"sensors.ring",   "Insert",      "Ring of &Sensors…",       "kind-rangesensor", "",          "Put distance sensors all around the selected body."},
+    {"tool.drawWalls", "Insert",      "Draw &Walls",             "kind-wall",   "",               "Draw walls on the floor, corner by corner; a typed number is the length.", true},
+    {"tool.drawLine",  "Insert",      "Draw &Line on the Floor", "kind-groundsensor",    "",               "Draw a black line for ground sensors on the floor, corner by corner; a typed number is the length.", true},
+    {"arena.room",     "Insert",      "R&oom…",                  "kind-wall",   "",               "Put the walls of a room around the origin, with a door if you like."},
+    {"arena.maze",     "Insert",      "Ma&ze…",                  "kind-grid",   "",               "Put a maze around the origin: one way leads from each cell to each other."},
+    {"arena.heights",  "Insert",      "&Height Map…",            "kind-heightfield", "",          "Make hills of a grey picture: black is low, white is high."},
+    {"mesh.import",    "Insert",      "Mesh from &File…",        "kind-mesh",   "",               "Take a mesh of a modelling program, with a simple shape that collides, into a robot or as scenery."},
     {"model.new",      "Insert",      "New Robot &Model",        "kind-robotconfig", "",          "Make a robot of your own: a chassis to build on, shown alone in the model editor."},
 
     {"tool.select",    "Tools",       "&Select",                 "select",      "Q",              "Click and box select.", true},

@@ -26,11 +26,13 @@
 #include "editor/running/panels/transport_bar.h"
 #include "editor/sensors/sensors_panel.h"
 #include "editor/shell/action_table.h"
+#include "editor/shell/commands/arena_commands.h"
 #include "editor/shell/commands/camera_commands.h"
 #include "editor/shell/commands/design_commands.h"
 #include "editor/shell/commands/edit_commands.h"
 #include "editor/shell/commands/file_commands.h"
 #include "editor/shell/commands/help_commands.h"
+#include "editor/shell/commands/mesh_commands.h"
 #include "editor/shell/commands/model_commands.h"
 #include "editor/shell/commands/module_commands.h"
 #include "editor/shell/commands/part_commands.h"
@@ -267,6 +269,8 @@ void MainWindow::makeCommands(Application& application, RenderService* render, c
     m_modules = new ModuleCommands(*this, *m_actions,
                                    {application, *m_document, *m_selection, *m_session, *m_files, *m_controllers, *m_problems,
                                     *m_text, *m_work, *m_layouts, *m_status});
+    new ArenaCommands(*this, *m_actions, *m_document, m_viewport->world(), places);
+    new MeshCommands(*this, *m_actions, *m_document, *m_selection, m_viewport->world(), places);
     new DesignCommands(*this, *m_actions, *m_document, *m_files, *m_controllers, places);
     new CameraCommands(*this, *m_actions, {application, *m_document, *m_session, *m_viewport, *m_status, render});
     new HelpCommands(*this, *m_actions, {*m_document, *m_selection, *m_text, *m_help, *m_layouts});

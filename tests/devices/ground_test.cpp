@@ -259,6 +259,36 @@ private Q_SLOTS:
         QCOMPARE(roundedWithin(0.37, 0, 1, 0), 0.37);
     }
 
+    /// Marks are paint: visible, flat, and nothing touches them.
+    void marksOnTheFloorAreSeen_data() {
+        QTest::addColumn<QString>("mark");
+        QTest::addColumn<double>("expected");
+        QTest::newRow("line") << "Box mark { Pos=0,0,0.0005 Size=1,0.02,0.001 Collide=false Material=black }" << 0.;
+        QTest::newRow("disc") << "Cylinder mark { Pos=0,0,0.001 Radius=0.01 Length=0.002 Collide=false Material=black }" << 0.;
+        QTest::newRow("on top") << "Box low { Pos=0,0,0.0005 Size=1,1,0.001 Collide=false Material=black }\n"
+                                   "Box high { Pos=0,0,0.0006 Size=1,0.02,0.001 Collide=false Material=grey }"
+                                << 0.25;
+        QTest::newRow("turned") << "Box mark { Pos=0,0,0.0005 HPR=45,0,0 Size=1,0.02,0.001 Collide=false Material=black }" << 0.;
+        QTest::newRow("beside") << "Box mark { Pos=0,0.02,0.0005 Size=1,0.02,0.001 Collide=false Material=black }" << 1.;
+        QTest::newRow("beside, turned")
+            << "Box mark { Pos=0.1,-0.1,0.0005 HPR=45,0,0 Size=1,0.02,0.001 Collide=false Material=black }" << 1.;
+        QTest::newRow("too thick") << "Box mark { Pos=0,0,0.0015 Size=1,0.02,0.003 Collide=false Material=black }" << 1.;
+        QTest::newRow("hidden") << "Box mark { Pos=0,0,0.0005 Size=1,0.02,0.001 Collide=false Visible=false Material=black }"
+                                << 1.;
+        QTest::newRow("in the air") << "Box mark { Pos=0,0,0.003 Size=1,0.02,0.001 Collide=false Material=black }" << 1.;
+    }
+    void marksOnTheFloorAreSeen() {
+        QFETCH(QString, mark);
+        QFETCH(double, expected);
+        SensorWorld w(
+            above("Material w { ColorRGB=1,1,1 }\nMaterial black { ColorRGB=0,0,0 }\nMaterial grey { ColorRGB=0.5,0.5,0.5 "
+                  "}\nStaticConfig Things { Plane floor { Material=w }\n" +
+                  mark.toStdString() + " }"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run());
+        QVERIFY2(std::abs(w.value("r/eye/reflectance") - expected) < 1e-12, QByteArray::number(w.value("r/eye/reflectance")));
+    }
+
     void readingsComeLaterByTheLatency() {
         const std::string white = "Material w { ColorRGB=1,1,1 }\nStaticConfig Things { Plane floor { Material=w } }";
         SensorWorld w(above(white, "GroundSensor eye { Body=base Pos=0,0,-0.06 UpdatePeriod=0.05 Latency=0.02 }"));

@@ -11,7 +11,8 @@
 namespace trundle {
 namespace {
 
-constexpr int kTries = 2000;               // of places for one obstacle
+constexpr int kTries = 2000; // of places for one obstacle
+constexpr const char* kFloorLine = "Plane floor { Material=concrete Surface=ground }\n";
 constexpr double kWall = 0.1, kHigh = 0.4; // m
 
 __attribute__((format(printf, 1, 2))) std::string arenaLine(const char* format, ...) {
@@ -28,8 +29,7 @@ double tidy(double metres) { return std::round(metres * 1e4) / 1e4 + 0.0; }
 
 std::string arenaHead(const std::string& comment, const std::string& name, double height) {
     return "// " + comment + "\n#import common/materials.sim\n#import common/surfaces.sim\n\nStaticConfig " + name + " {\n" +
-           arenaLine("  Param height = %.6g   // m, of the walls\n\n", tidy(height)) +
-           "  Plane floor { Material=concrete Surface=ground }\n";
+           arenaLine("  Param height = %.6g   // m, of the walls\n\n", tidy(height)) + "  " + kFloorLine;
 }
 
 /// A wall by its middle and its sides along x and y.
@@ -105,12 +105,36 @@ Result<std::string> obstacleText(const std::string& name, const ObstacleField& f
     return text + "}\n";
 }
 
+std::string roomText(const std::string& name, const RoomPlan& plan, const std::string& comment) {
+    std::string text = arenaHead(comment, name, plan.height);
+    for (const RoomWall& w : plan.walls) text += wallLine(w.name, w.x, w.y, w.along, w.across);
+    return text + "}\n";
+}
+
+std::string roomBlocksText(const std::string& name, const RoomPlan& plan, bool hasFloor) {
+    std::string text =
+        "StaticConfig " + name + " {\n" + arenaLine("  Param height = %.6g   // m, of the walls\n\n", tidy(plan.height));
+    if (hasFloor) text += std::string("  ") + kFloorLine;
+    for (const RoomWall& w : plan.walls) text += wallLine(w.name, w.x, w.y, w.along, w.across);
+    std::string object = name;
+    object[0] = static_cast<char>(object[0] - 'A' + 'a');
+    return text + "}\nStatic " + object + " { Config=" + name + " }\n";
+}
+
+std::string roomBoxesText(const RoomPlan& plan, bool hasFloor) {
+    std::string text = hasFloor ? kFloorLine : "";
+    for (const RoomWall& w : plan.walls)
+        text += arenaLine("Box %s { Pos=%.6g,%.6g,%.6g Size=%.6g,%.6g,%.6g Material=wood Surface=wall }\n", w.name.c_str(),
+                          tidy(w.x), tidy(w.y), tidy(plan.height / 2), tidy(w.along), tidy(w.across), tidy(plan.height));
+    return text;
+}
+
 std::string arenaExperimentText(const std::string& name, const std::string& file, const std::array<double, 2>& place,
-                                double across) {
+                                double across, double floor) {
     const double far = std::max(1.5, across);
     return "// " + name + ", with a robot to drive through it: Run, then Drive with the Keyboard.\nTick = 0.01\n#import " + file +
            ".sim\n#import robots/simple_robot.sim\n\nStatic arena { Config=" + name + " }\n" +
-           arenaLine("Robot robot0 { Config=SimpleRobot Pos=%.4g,%.4g,0 }\n", tidy(place[0]), tidy(place[1])) +
+           arenaLine("Robot robot0 { Config=SimpleRobot Pos=%.4g,%.4g,%.4g }\n", tidy(place[0]), tidy(place[1]), tidy(floor)) +
            arenaLine("View overview { Eye=%.3g,%.3g,%.3g Target=0,0,0 }\n", -0.1 * far, -0.7 * far, 0.9 * far);
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "project/wizard/floor_plan.h"
+#include "project/wizard/room_plan.h"
 
 namespace trundle {
 
@@ -24,8 +25,15 @@ struct ObstacleField {
 /// A room with boxes and cylinders in it; its middle is free. Fails if a number is out of range or that many have no room.
 [[nodiscard]] Result<std::string> obstacleText(const std::string& name, const ObstacleField& field);
 
-/// The arena of `file`.sim with a robot at `place` (m), to look at and to drive; `across`: m, of the whole arena.
+/// A StaticConfig `name` with a floor and the walls of a room or a maze. `comment`: what it is.
+[[nodiscard]] std::string roomText(const std::string& name, const RoomPlan& plan, const std::string& comment);
+/// The same for an experiment, with a Static of it; the floor if it is asked for.
+[[nodiscard]] std::string roomBlocksText(const std::string& name, const RoomPlan& plan, bool hasFloor);
+/// The walls alone, for a StaticConfig.
+[[nodiscard]] std::string roomBoxesText(const RoomPlan& plan, bool hasFloor);
+
+/// The arena of `file`.sim with a robot at `place` (m), to look at and to drive; `across`: m, of the whole arena; `floor`: m, z below it.
 [[nodiscard]] std::string arenaExperimentText(const std::string& name, const std::string& file,
-                                              const std::array<double, 2>& place, double across);
+                                              const std::array<double, 2>& place, double across, double floor = 0);
 
 } // namespace trundle

@@ -3,6 +3,7 @@
 namespace trundle {
 
 class Document;
+class FloorDrawing;
 class Measurement;
 class PinnedValues;
 class RadioOverlays;
@@ -21,6 +22,7 @@ struct ViewContext {
     ViewportScene& world;
     ViewSettings& settings;
     Measurement& measurement;
+    FloorDrawing& drawing;
     RenderService* render = nullptr;
     Trails* trails = nullptr;
     RadioOverlays* radios = nullptr;

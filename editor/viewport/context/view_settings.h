@@ -6,7 +6,7 @@
 
 namespace trundle {
 
-enum class Tool { Select, Move, Rotate, Scale, Measure };
+enum class Tool { Select, Move, Rotate, Scale, Measure, DrawWalls, DrawLine };
 /// Axes that the gizmo is aligned to.
 enum class AxesOf { World, Parent, Local };
 

@@ -31,7 +31,9 @@ public:
     virtual void leave() {}
     /// While the tool is active: whether keys go to the tool instead of the window's shortcuts.
     [[nodiscard]] virtual bool canHandleKeys() const { return true; }
-    /// While the tool is active. True: the key was handled.
+    /// While no tool is active: whether this key goes to the tool instead of the window's shortcuts and the focus chain.
+    [[nodiscard]] virtual bool needsKey(const QKeyEvent&) const { return false; }
+    /// True: the key was handled.
     virtual bool key(QKeyEvent&) { return false; }
     /// Paints over the image, in logical pixels.
     virtual void paint(QPainter&) {}

@@ -140,8 +140,15 @@ bool View::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = static_cast<QKeyEvent&>(*event);
         const bool arrows = key.key() >= Qt::Key_Left && key.key() <= Qt::Key_Down;
-        if (m_tools.canHandleKeys() || arrows || key.key() == Qt::Key_Escape) {
+        if (m_tools.needsKey(key) || arrows || key.key() == Qt::Key_Escape) {
             event->accept();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::KeyPress) { // Tab would go to the next widget
+        auto& key = static_cast<QKeyEvent&>(*event);
+        if (key.key() == Qt::Key_Tab && m_tools.needsKey(key)) {
+            keyPressEvent(&key);
             return true;
         }
     }

@@ -15,6 +15,20 @@
 namespace trundle {
 namespace {
 
+bool awaitsFile(const GeomSpec& geom) {
+    const bool isMesh = geom.shape == GeomShape::Mesh || geom.shape == GeomShape::Convex;
+    return (isMesh && !geom.mesh) || (geom.shape == GeomShape::Heightfield && !geom.heightMap);
+}
+
+bool awaitsFiles(const ExperimentSpec& experiment) {
+    const auto inScenery = [](const StaticSpec& s) { return s.geoms && std::ranges::any_of(*s.geoms, awaitsFile); };
+    const auto inRobot = [](const RobotSpec& r) {
+        return r.config && std::ranges::any_of(r.config->bodies,
+                                               [](const BodySpec& body) { return std::ranges::any_of(body.geoms, awaitsFile); });
+    };
+    return std::ranges::any_of(experiment.statics, inScenery) || std::ranges::any_of(experiment.robots, inRobot);
+}
+
 constexpr ViewKind kKinds[] = {ViewKind::Perspective, ViewKind::Top, ViewKind::Front, ViewKind::Side};
 constexpr double kLeastFramed = 0.1; // m
 
@@ -35,11 +49,14 @@ void ViewGrid::connectFraming() {
     connect(&m_context.document.editedModel(), &EditedModel::changed, this, &ViewGrid::showModel);
     connect(&m_context.document, &Document::opened, this, [this] {
         m_toBeFramed = true;
+        m_awaitsFiles = false;
         leaveFollowedRobot();
     });
     connect(&m_context.document, &Document::changed, this, [this] { // emitted after opened(), before which the scene is outdated
         if (!m_toBeFramed || m_context.world.objects()->instances().empty()) return;
-        m_toBeFramed = false;
+        // Meshes and height maps of a text are read after it; then it is framed once more.
+        m_toBeFramed = !std::exchange(m_awaitsFiles, false) && awaitsFiles(m_context.world.objects()->experiment());
+        m_awaitsFiles = m_toBeFramed;
         m_frameWhenShown = !isVisible();
         frameAll();
     });

@@ -61,6 +61,7 @@ private:
     std::vector<View*> m_views;
     View* m_current = nullptr;
     int m_shown = 1;
+    bool m_awaitsFiles = false; // framed before its meshes were read
     bool m_toBeFramed = true, m_frameWhenShown = false;
     std::vector<ViewState> m_experimentViews; // while the edited model is shown: the views of the experiment
 };

@@ -1,5 +1,6 @@
 #include "editor/viewport/view/view_tools.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QKeyEvent>
@@ -9,6 +10,7 @@
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/gizmo/gizmo_tool.h"
 #include "editor/viewport/radio/radio_overlays.h"
+#include "editor/viewport/tools/draw_tool.h"
 #include "editor/viewport/tools/measure_tool.h"
 #include "editor/viewport/tools/navigation.h"
 #include "editor/viewport/tools/pin_tool.h"
@@ -30,6 +32,7 @@ ViewTools::ViewTools(ToolView& view) : m_view(view) {
     m_navigation = navigation.get();
     m_tools.push_back(std::move(navigation));
     m_tools.push_back(std::make_unique<MeasureTool>(view));
+    m_tools.push_back(std::make_unique<DrawTool>(view));
     auto gizmo = std::make_unique<GizmoTool>(view);
     m_gizmo = gizmo.get();
     m_tools.push_back(std::move(gizmo));
@@ -39,7 +42,10 @@ ViewTools::ViewTools(ToolView& view) : m_view(view) {
 
 ViewTools::~ViewTools() = default;
 
-bool ViewTools::canHandleKeys() const { return m_active && m_active->canHandleKeys(); }
+bool ViewTools::needsKey(const QKeyEvent& event) const {
+    if (m_active) return m_active->canHandleKeys();
+    return std::ranges::any_of(m_tools, [&](const auto& tool) { return tool->needsKey(event); });
+}
 
 void ViewTools::press(const QMouseEvent& event) {
     if (m_active) return; // further buttons are ignored during a drag

@@ -25,7 +25,7 @@ public:
 
     [[nodiscard]] GizmoTool& gizmo() { return *m_gizmo; }
     [[nodiscard]] bool isActive() const { return m_active != nullptr; }
-    [[nodiscard]] bool canHandleKeys() const; ///< instead of the window's shortcuts
+    [[nodiscard]] bool needsKey(const QKeyEvent& event) const; ///< instead of the window's shortcuts
 
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);

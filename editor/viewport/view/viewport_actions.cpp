@@ -26,11 +26,10 @@ struct ToolRow {
     const char* id;
     Tool tool;
 };
-constexpr ToolRow kToolRows[] = {{"tool.select", Tool::Select},
-                                 {"tool.move", Tool::Move},
-                                 {"tool.rotate", Tool::Rotate},
-                                 {"tool.scale", Tool::Scale},
-                                 {"tool.measure", Tool::Measure}};
+constexpr ToolRow kToolRows[] = {{"tool.select", Tool::Select},    {"tool.move", Tool::Move},
+                                 {"tool.rotate", Tool::Rotate},    {"tool.scale", Tool::Scale},
+                                 {"tool.measure", Tool::Measure},  {"tool.drawWalls", Tool::DrawWalls},
+                                 {"tool.drawLine", Tool::DrawLine}};
 
 struct KindRow {
     const char* id;

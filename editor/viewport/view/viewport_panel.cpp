@@ -8,6 +8,7 @@
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/radio/radio_overlays.h"
+#include "editor/viewport/tools/floor_drawing.h"
 #include "editor/viewport/tools/measure_tool.h"
 #include "editor/viewport/view/model_bar.h"
 #include "editor/viewport/view/view_banner.h"
@@ -22,10 +23,11 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     : QWidget(parent), m_measurement(std::make_unique<Measurement>()),
       m_world(std::make_unique<ViewportScene>(document, session, render)), m_trails(std::make_unique<Trails>(*m_world)),
       m_radios(std::make_unique<RadioOverlays>(*m_world, selection, m_settings)),
-      m_pinned(std::make_unique<PinnedValues>(document)) {
+      m_pinned(std::make_unique<PinnedValues>(document)),
+      m_drawing(std::make_unique<FloorDrawing>(document, *m_world, m_settings)) {
     setObjectName(QStringLiteral("viewportPanel"));
-    m_context.reset(new ViewContext{document, selection, session, *m_world, m_settings, *m_measurement, render, m_trails.get(),
-                                    m_radios.get(), m_pinned.get()});
+    m_context.reset(new ViewContext{document, selection, session, *m_world, m_settings, *m_measurement, *m_drawing, render,
+                                    m_trails.get(), m_radios.get(), m_pinned.get()});
     auto* bar = new ViewBar(m_settings, actions);
     m_views = new ViewGrid(*m_context);
     auto* column = new QVBoxLayout(this);

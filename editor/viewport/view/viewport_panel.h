@@ -12,6 +12,7 @@
 namespace trundle {
 
 class Actions;
+class FloorDrawing;
 class PinnedValues;
 class RadioOverlays;
 class ViewBanner;
@@ -45,6 +46,7 @@ private:
     std::unique_ptr<Trails> m_trails;
     std::unique_ptr<RadioOverlays> m_radios;
     std::unique_ptr<PinnedValues> m_pinned;
+    std::unique_ptr<FloorDrawing> m_drawing;
     std::unique_ptr<ViewContext> m_context;
     ViewGrid* m_views = nullptr;
     ViewBanner* m_banner = nullptr;

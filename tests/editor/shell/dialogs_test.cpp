@@ -62,6 +62,10 @@ constexpr Question kQuestions[] = {
     {"shell/dialogs/new_arena_dialog.h", "newArena", "Create"},
     {"shell/dialogs/new_robot_dialog.h", "newRobot", "Create"},
     {"shell/dialogs/remote_dialog.h", "remoteDialog", ""},
+    {"shell/dialogs/room_dialog.h", "roomDialog", "Insert"},
+    {"shell/dialogs/maze_dialog.h", "mazeDialog", "Insert"},
+    {"shell/dialogs/mesh_dialog.h", "meshDialog", "Insert"},
+    {"shell/dialogs/heights_dialog.h", "heightsDialog", "Insert"},
     {"shell/dialogs/repeat_dialog.h", "repeatDialog", "Repeat"},
     {"shell/dialogs/sensor_ring_dialog.h", "sensorRingDialog", "Insert"},
     {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
@@ -348,6 +352,10 @@ private:
         m_openers[QStringLiteral("newArena")] = [this] { trigger("file.newFromPlan"); };
         m_openers[QStringLiteral("newRobot")] = [this] { trigger("file.newFromDimensions"); };
         m_openers[QStringLiteral("remoteDialog")] = [this] { trigger("sim.remote"); };
+        m_openers[QStringLiteral("roomDialog")] = [this] { trigger("arena.room"); };
+        m_openers[QStringLiteral("mazeDialog")] = [this] { trigger("arena.maze"); };
+        m_openers[QStringLiteral("heightsDialog")] = [this] { trigger("arena.heights"); };
+        m_openers[QStringLiteral("meshDialog")] = [this] { trigger("mesh.import"); };
         m_openers[QStringLiteral("about")] = [this] { trigger("help.about"); };
         m_openers[QStringLiteral("preferences")] = [this] { trigger("edit.preferences"); };
         m_openers[QStringLiteral("arrayDialog")] = [this] { trigger("tool.array", {"robot0"}); };

@@ -1,0 +1,19 @@
+#pragma once
+// The files of a mesh: itself, its materials, buffers and textures.
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace trundle {
+
+/// Names, relative to the folder of the mesh, of the files that it refers to and that are in that folder or below. OBJ with MTL, COLLADA
+/// and glTF; STL and GLB refer to none.
+[[nodiscard]] std::vector<std::string> filesOfMesh(const std::string& mesh);
+
+/// Copies a mesh and its files into meshes/NAME below `folder`, with a number after the name if that exists, and returns the path of the copy
+/// relative to `folder`. A mesh that is in `folder` or below is not copied.
+[[nodiscard]] Result<std::string> bringMesh(const std::string& mesh, const std::string& folder);
+
+} // namespace trundle

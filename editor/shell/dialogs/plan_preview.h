@@ -1,0 +1,35 @@
+#pragma once
+// What the dialogs of arenas share: lengths, and a picture of what will be inserted.
+
+#include <QLabel>
+
+#include "base/triangle_mesh.h"
+#include "project/wizard/room_plan.h"
+
+namespace trundle {
+
+class AmountField;
+
+/// A length in m. `title` begins the sentence that says what is wrong with it.
+[[nodiscard]] AmountField* makeLengthField(const char* name, const QString& title, double least, double most, double value);
+
+/// A square picture from above.
+class PlanPreview final : public QLabel {
+    Q_OBJECT
+public:
+    explicit PlanPreview(const char* name);
+
+    void showWalls(const RoomPlan& plan);
+    void showHeights(const HeightMap& map);
+};
+
+/// What will be written, or in the colour of errors why nothing can be.
+class ResultLabel final : public QLabel {
+    Q_OBJECT
+public:
+    explicit ResultLabel(const char* name);
+
+    void show(const QString& text, bool isFault);
+};
+
+} // namespace trundle

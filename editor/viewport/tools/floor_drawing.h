@@ -1,0 +1,60 @@
+#pragma once
+// The path of walls or of a line that is being drawn on the floor, shared by all views of a panel.
+
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "editor/viewport/tools/floor_snap.h"
+#include "editor/viewport/tools/scenery_target.h"
+
+namespace trundle {
+
+class Document;
+class ViewSettings;
+class ViewportScene;
+
+class FloorDrawing final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object. A path ends without a result when another tool is chosen or another file is opened.
+    FloorDrawing(Document& document, const ViewportScene& world, const ViewSettings& settings);
+
+    [[nodiscard]] bool isOn() const; ///< the tool is chosen
+    [[nodiscard]] FloorPathStyle style() const;
+    [[nodiscard]] const std::vector<FloorPoint>& corners() const { return m_corners; } ///< in W
+    [[nodiscard]] double floor() const { return m_target.X_WP.position.z(); }          ///< m, z in W
+    [[nodiscard]] const std::vector<FloorPoint>& ends() const { return m_ends; }       ///< to snap to
+    /// Finds where the path is written to. False, and the reason reported, if it can be nowhere.
+    [[nodiscard]] bool begin();
+
+    /// A corner; two at the same place are one.
+    void add(const FloorPoint& corner);
+    void removeLast();
+    void clear();
+    /// Writes what was drawn as one entry of the history and starts anew.
+    void finish();
+
+    /// Numbers typed for the piece under way; Tab changes between the two. Each has a unit or is in m and degrees.
+    [[nodiscard]] bool type(int key, const QString& text);
+    [[nodiscard]] bool isTyped() const { return !m_typed[0].empty() || !m_typed[1].empty(); }
+    [[nodiscard]] bool typesAngle() const { return m_typesAngle; }
+    [[nodiscard]] const std::string& typedText(bool angle) const { return m_typed[angle ? 1 : 0]; }
+    [[nodiscard]] std::optional<double> typedLength() const;
+    [[nodiscard]] std::optional<double> typedAngle() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    Document& m_document;
+    const ViewportScene& m_world;
+    const ViewSettings& m_settings;
+    std::vector<FloorPoint> m_corners, m_ends;
+    SceneryTarget m_target;
+    std::string m_typed[2];
+    bool m_typesAngle = false;
+};
+
+} // namespace trundle
