@@ -75,8 +75,10 @@ void AckermannDrive::sense(Sensing& world) {
     AckermannDriveSignals& signals = *this;
     steering.set(std::atan(curvature(world) * m_wheelBaseM));
     publishState(signals, odometer(world));
-    placeWheels(world);
+    const WheelMotion slips = wheelSlip(world);
     publishPose(signals, truePose());
+    slip.set(0, slips.left);
+    slip.set(1, slips.right);
 }
 
 } // namespace trundle

@@ -56,10 +56,6 @@ std::optional<PlanePose> SidedDrive::truePose() {
     return PlanePose{(a->x() + b->x()) / 2, (a->y() + b->y()) / 2, std::atan2(b->x() - a->x(), a->y() - b->y())};
 }
 
-void SidedDrive::placeWheels(const Services& world) {
-    for (Wheel& wheel : wheels()) wheel.place(world);
-}
-
 WheelMotion SidedDrive::wheelSlip(const Services& world) {
     return {slipOf(world, left(), radius()), slipOf(world, right(), radius())};
 }

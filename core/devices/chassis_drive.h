@@ -22,11 +22,9 @@ protected:
     void driveSides(Actuation& world, const ChassisMotion& velocity);
     /// The pose from the wheels' angles, counted from the start. To be called once per tick, in sense.
     const PlanePose& odometer(const Services& world);
-    /// Of the middle between the anchors of both sides, in the world, as of the last placeWheels() or wheelSlip(); those of the left side give the direction of +y.
+    /// Of the middle between the anchors of both sides, in the world, as of the last wheelSlip(); those of the left side give the direction of +y.
     [[nodiscard]] std::optional<PlanePose> truePose();
 
-    /// Where no slip is asked for.
-    void placeWheels(const Services& world);
     /// m/s by which the wheels of each side roll faster than their axles move, on average. To be called once per tick, in sense.
     [[nodiscard]] WheelMotion wheelSlip(const Services& world);
 

@@ -24,5 +24,8 @@ struct PlanePose {
 [[nodiscard]] WheelMotion wheelsFromChassis(const ChassisMotion& chassis, double r, double d);
 /// The pose after driving `linear` m along an arc that turns it by `angular` rad. Exact for any angle.
 [[nodiscard]] PlanePose alongArc(const PlanePose& from, const ChassisMotion& travel);
+/// The way from one pose to the next on an arc, in the frame of the base on its middle: m and rad. The inverse of alongArc for less than a
+/// half turn.
+[[nodiscard]] ChassisMotion motionBetween(const PlanePose& from, const PlanePose& to);
 
 } // namespace trundle

@@ -42,10 +42,21 @@ void HolonomicDrive::act(Actuation& world) {
 
 void HolonomicDrive::sense(Sensing& world) {
     for (std::size_t i = 0; i < m_turned.size(); ++i) m_turned[i] = wheels()[i].turnedSince(world);
-    m_odometryPose = alongArc(m_odometryPose, m_kinematics.chassisFromWheels(m_turned));
+    const ChassisMotion rolled = m_kinematics.chassisFromWheels(m_turned);
+    m_odometryPose = alongArc(m_odometryPose, rolled);
     OmniDriveSignals& signals = *this;
     publishState(signals, m_odometryPose);
-    publishPose(signals, truePose(world));
+    const std::optional<PlanePose> now = truePose(world);
+    publishPose(signals, now);
+    if (now && m_lastPose) publishSlip(rolled, motionBetween(*m_lastPose, *now), world.tick());
+    m_lastPose = now;
+}
+
+/// Of a tick, m and rad.
+void HolonomicDrive::publishSlip(const ChassisMotion& rolled, const ChassisMotion& moved, double tick) {
+    slip.set(0, (rolled.linear - moved.linear) / tick);
+    slip.set(1, (rolled.lateral - moved.lateral) / tick);
+    slip.set(2, (rolled.angular - moved.angular) / tick);
 }
 
 std::optional<PlanePose> HolonomicDrive::truePose(const Services& world) {

@@ -25,11 +25,13 @@ protected:
 
 private:
     [[nodiscard]] std::optional<PlanePose> truePose(const Services& world);
+    void publishSlip(const ChassisMotion& rolled, const ChassisMotion& moved, double tick);
 
     OmniKinematics m_kinematics;
     std::vector<double> m_rates, m_turned;        ///< of the wheels, rad/s and rad
     std::vector<std::array<double, 2>> m_middles; ///< of the wheels in the world, m
     PlanePose m_odometryPose;
+    std::optional<PlanePose> m_lastPose;
 };
 
 /// Three or more omni wheels around a middle.

@@ -36,11 +36,6 @@ double WheeledDrive::Wheel::turnedSince(const Services& world) {
     return turned;
 }
 
-void WheeledDrive::Wheel::place(const Services& world) {
-    Vec3 axis;
-    isPlaced = world.jointAnchor(joint, anchor, axis);
-}
-
 double WheeledDrive::Wheel::slip(const Services& world, double radius) {
     Vec3 now, axis;
     if (!world.jointAnchor(joint, now, axis)) return 0;

@@ -68,7 +68,6 @@ protected:
         bool isPlaced = false;      ///< whether that is known
 
         double turnedSince(const Services& world); ///< rad, since the last call
-        void place(const Services& world);         ///< sets the anchor
         /// m/s by which it rolls faster over level ground than its axle moves, in this tick; to be called once in each.
         double slip(const Services& world, double radius);
     };

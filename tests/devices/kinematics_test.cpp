@@ -52,6 +52,16 @@ private Q_SLOTS:
         const PlanePose pose = alongArc({}, {linear, angular});
         QVERIFY(std::abs(pose.x - x) < 1e-6 && std::abs(pose.y - y) < 1e-6 && pose.heading == angular);
     }
+
+    void theWayBetweenTwoPosesIsTheArc() {
+        for (const double heading : {0.0, 2.5, -3.0})
+            for (const ChassisMotion& way : {ChassisMotion{0.3, 0, -0.2}, {0.3, 0.7, 0.4}, {-0.2, 3.0, 0.1}, {0.1, -2.9, 0}}) {
+                const PlanePose from{1, -2, heading};
+                const ChassisMotion found = motionBetween(from, alongArc(from, way));
+                QVERIFY(std::abs(found.linear - way.linear) < 1e-12 && std::abs(found.lateral - way.lateral) < 1e-12);
+                QVERIFY(std::abs(found.angular - way.angular) < 1e-12);
+            }
+    }
 };
 
 QTEST_APPLESS_MAIN(KinematicsTest)

@@ -200,6 +200,36 @@ private Q_SLOTS:
         compare("turned off", way, {0.3 * ramp / 2, -0.3 * (1 - ramp / 2), 0}, 0.01, 0.01);
     }
 
+    void slipIsTheMotionThatTheWheelsDoNotGive_data() {
+        QTest::addColumn<bool>("ice");
+        QTest::newRow("on rubber") << false;
+        QTest::newRow("on ice") << true;
+    }
+    /// A base that grips has hardly any; where nothing grips all that the wheels do is slip.
+    void slipIsTheMotionThatTheWheelsDoNotGive() {
+        QFETCH(bool, ice);
+        const auto on = [&](std::string text) {
+            const std::string floor = "Plane floor { Surface=rubber }";
+            if (ice) text.replace(text.find(floor), floor.size(), "Plane floor { Surface=slick }");
+            return text;
+        };
+        SensorWorld omniWorld(on(omni(4))), carWorld(on(car()));
+        QVERIFY2(omniWorld.ok() && carWorld.ok(), (omniWorld.failure() + carWorld.failure()).c_str());
+        command(omniWorld, "linearVelocity", 0.2);
+        command(omniWorld, "lateralVelocity", -0.3);
+        command(omniWorld, "angularVelocity", 0.5);
+        command(carWorld, "linearVelocity", 0.4);
+        QVERIFY(omniWorld.run(400) && carWorld.run(400));
+        const auto isSlip = [&](SensorWorld& w, std::size_t element, double whole) {
+            const double slip = w.value("r/base/slip", element), expected = ice ? whole : 0;
+            if (std::abs(slip - expected) < 0.03 * std::abs(whole)) return true;
+            qWarning("%zu: %.4f, not %.4f", element, slip, expected);
+            return false;
+        };
+        QVERIFY(isSlip(omniWorld, 0, 0.2) && isSlip(omniWorld, 1, -0.3) && isSlip(omniWorld, 2, 0.5));
+        QVERIFY(isSlip(carWorld, 0, 0.4) && isSlip(carWorld, 1, 0.4));
+    }
+
     void carDrivesStraightAndArcs_data() {
         QTest::addColumn<double>("steering");
         QTest::addColumn<double>("way");

@@ -19,6 +19,7 @@ struct OmniDriveSignals {
     OutputSlot<std::array<double, 3>> odometry;
     OutputSlot<bool> done, busy;
     OutputSlot<std::int64_t> finished;
+    TruthSlot<std::array<double, 3>> slip;
 
     template <class D> static void describe(D& d) {
         using S = OmniDriveSignals;
@@ -33,6 +34,7 @@ struct OmniDriveSignals {
         d.output("done", &S::done, "", "No amount is under way.");
         d.output("busy", &S::busy, "", "An amount is under way.");
         d.output("finished", &S::finished, "", "Sequence number of the amount last ended or refused.");
+        d.truth("slip", &S::slip, "", "By which the wheels would move it faster than it moves: forwards, to the left [m/s], to the left turning [rad/s].");
     }
 };
 
@@ -51,6 +53,7 @@ struct AckermannDriveSignals {
     OutputSlot<std::array<double, 3>> odometry;
     OutputSlot<bool> done, busy;
     OutputSlot<std::int64_t> finished;
+    TruthSlot<std::array<double, 2>> slip;
 
     template <class D> static void describe(D& d) {
         using S = AckermannDriveSignals;
@@ -64,6 +67,7 @@ struct AckermannDriveSignals {
         d.output("done", &S::done, "", "No amount is under way.");
         d.output("busy", &S::busy, "", "An amount is under way.");
         d.output("finished", &S::finished, "", "Sequence number of the amount last ended or refused.");
+        d.truth("slip", &S::slip, "m/s", "By which the driven wheels on the left and on the right roll faster than their axle moves.");
     }
 };
 
