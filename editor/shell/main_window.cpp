@@ -186,7 +186,7 @@ void MainWindow::makeToolBars() {
     for (const char* id : {"tool.snap", "tool.drop", "view.frame"}) tools->addAction(&m_actions->at(id));
     tools->addSeparator();
     for (const char* id : {"view.text", "sim.drive"}) tools->addAction(&m_actions->at(id));
-    m_status = new StatusLine(*statusBar(), *m_document);
+    m_status = new StatusLine(*statusBar(), *m_document, *m_session);
     connect(new RunStatus(*m_session, this), &RunStatus::changed, m_status, &StatusLine::setRunText);
 }
 

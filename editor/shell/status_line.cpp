@@ -23,9 +23,9 @@ QString painted(const QString& text, Ink which) {
 
 } // namespace
 
-StatusLine::StatusLine(QStatusBar& bar, Document& document)
-    : QObject(&bar), m_bar(bar), m_document(document), m_file(new QLabel), m_saved(new QLabel), m_problems(new QLabel),
-      m_logs(new QLabel), m_remote(new QLabel), m_run(new QLabel) {
+StatusLine::StatusLine(QStatusBar& bar, Document& document, RunSession& session)
+    : QObject(&bar), m_bar(bar), m_document(document), m_session(session), m_file(new QLabel), m_saved(new QLabel),
+      m_problems(new QLabel), m_logs(new QLabel), m_remote(new QLabel), m_engine(new QLabel), m_run(new QLabel) {
     m_bar.setSizeGripEnabled(false);
     m_bar.installEventFilter(this);
     m_file->setObjectName(QStringLiteral("status.file"));
@@ -33,16 +33,20 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
     m_problems->setObjectName(QStringLiteral("status.problems"));
     m_logs->setObjectName(QStringLiteral("status.logs"));
     m_remote->setObjectName(QStringLiteral("status.remote"));
+    m_engine->setObjectName(QStringLiteral("status.engine"));
     m_run->setObjectName(QStringLiteral("status.run"));
-    for (QLabel* label : {m_saved, m_problems, m_logs, m_remote}) label->setTextFormat(Qt::RichText);
+    for (QLabel* label : {m_saved, m_problems, m_logs, m_remote, m_engine}) label->setTextFormat(Qt::RichText);
     for (QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote}) {
         label->setContentsMargins(8, 2, 8, 2);
         m_bar.addWidget(label);
     }
     m_run->setContentsMargins(8, 2, 10, 2);
     m_run->setTextFormat(Qt::PlainText); // it may contain text of a module
+    m_engine->setContentsMargins(8, 2, 8, 2);
+    m_bar.addPermanentWidget(m_engine);
     m_bar.addPermanentWidget(m_run);
-    for (QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote, m_run}) label->setMinimumWidth(1); // fit() chooses their texts
+    for (QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote, m_engine, m_run})
+        label->setMinimumWidth(1); // fit() chooses their texts
     for (QLabel* label : {m_problems, m_logs, m_remote}) {
         label->setCursor(Qt::PointingHandCursor);
         label->installEventFilter(this);
@@ -53,6 +57,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
         refresh();
     });
     connect(&document.texts(), &DocumentTexts::modifiedChanged, this, &StatusLine::refresh);
+    connect(&session, &RunSession::stateChanged, this, &StatusLine::refresh);
     refresh();
 }
 
@@ -83,24 +88,41 @@ void StatusLine::refresh() {
     fit();
 }
 
-/// In a narrow window the folder of the logs is left out, then the names of unsaved files, then a part of the name of the file; the
+/// In a narrow window the folder of the logs is left out, then the engine, the names of unsaved files, then a part of the name of the file; the
 /// tool tips have them whole.
 void StatusLine::fit() {
     m_remote->setText(m_remoteText.isEmpty() ? QString() : painted(m_remoteText, Ink::Accent));
     showFile(kUnlimited);
     showSaved(true);
     showLogs(true);
+    showEngine(true);
     const auto missing = [this] {
         int needed = 0;
-        for (const QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote, m_run}) needed += label->sizeHint().width() + kSpacing;
+        for (const QLabel* label : {m_file, m_saved, m_problems, m_logs, m_remote, m_engine, m_run})
+            needed += label->sizeHint().width() + kSpacing;
         return needed - m_bar.width();
     };
     if (missing() > 0) showLogs(false);
+    if (missing() > 0) showEngine(false);
     if (missing() > 0) showSaved(false);
     if (const int more = missing(); more > 0) {
         const QMargins margins = m_file->contentsMargins();
         showFile(m_file->sizeHint().width() - margins.left() - margins.right() - more);
     }
+}
+
+/// That of the run, else the one in the text, where auto is not decided before a run.
+void StatusLine::showEngine(bool shown) {
+    std::optional<EngineChoice> engine;
+    if (const auto& snapshot = m_session.results().snapshot) engine = snapshot->engine;
+    else if (const auto& valid = m_document.lastValid(); valid && valid->experiment) engine = valid->experiment->settings.engine;
+    QString text;
+    if (engine && shown)
+        text = *engine == EngineChoice::Wheeled ? tr("wheeled engine")
+               : *engine == EngineChoice::Auto  ? tr("engine: auto")
+                                                : tr("general engine");
+    m_engine->setText(text.isEmpty() ? text : painted(text, Ink::Faint));
+    m_engine->setToolTip(tr("Engine, of the experiment: what computes the motion"));
 }
 
 void StatusLine::showFile(int width) {

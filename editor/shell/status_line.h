@@ -3,14 +3,15 @@
 #include <QStatusBar>
 
 #include "editor/document/document.h"
+#include "editor/running/session.h"
 
 namespace trundle {
 
-/// file • saved • problems • run status. A hint or the reason of a refused action is shown temporarily on the left.
+/// file • saved • problems • engine • run status. A hint or the reason of a refused action is shown temporarily on the left.
 class StatusLine final : public QObject {
     Q_OBJECT
 public:
-    StatusLine(QStatusBar& bar, Document& document);
+    StatusLine(QStatusBar& bar, Document& document, RunSession& session);
 
     void setRunText(const QString& text, const QString& tip);
     /// Shown for some seconds or until the document changes, since the action may be possible then.
@@ -36,11 +37,13 @@ private:
     void showSaved(bool names);
     void showLogs(bool whole);
     void showProblems();
+    void showEngine(bool shown);
     void fit();
 
     QStatusBar& m_bar;
     Document& m_document;
-    QLabel *m_file, *m_saved, *m_problems, *m_logs, *m_remote, *m_run;
+    RunSession& m_session;
+    QLabel *m_file, *m_saved, *m_problems, *m_logs, *m_remote, *m_engine, *m_run;
     QString m_refused, m_logFolder, m_remoteText;
     QStringList m_unsaved;
     int m_errors = 0, m_warnings = 0;

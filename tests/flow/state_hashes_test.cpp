@@ -70,6 +70,12 @@ const World kWorlds[] = {
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
      "3", "8850068cf647f313"},
     {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n", "8", "cf91192eb18b0214"},
+    {"robots that crowd, a crate and a ball, on wheels", nullptr,
+     "Engine=wheeled\nRobotConfig Crate { Body b { Box g { Size=0.12,0.1,0.08 Mass=0.3 Surface=plastic Material=red } } }\n"
+     "RobotConfig Ball { Body b { Sphere g { Radius=0.05 Mass=0.2 Surface=rubber Material=red } } }\n"
+     "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n"
+     "Robot crate { Config=Crate Pos=0.25,0.25,0.04 }\nRobot ball { Config=Ball Pos=-0.25,0.25,0.05 }\n",
+     "8", "a8ff8753c967415f"},
     {"quick solver, long ticks", nullptr,
      "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
      "6", "dd17cd70565e61c4"},

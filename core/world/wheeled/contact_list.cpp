@@ -64,22 +64,12 @@ void ContactList::addGround(std::uint32_t index) const {
 }
 
 std::span<const std::uint32_t> ContactList::of(std::uint32_t geom) const {
-    if (!m_filed && isOffGround(geom)) return amongUnits(geom);
+    if (const std::uint32_t unit = m_objects.aloft[geom]; unit != kNoActor) return amongUnits(unit, geom);
     if (!m_filed) file();
     return {m_byGeom.data() + m_begin[geom], m_begin[geom + 1] - m_begin[geom]};
 }
 
-/// A geom of a vehicle that is not one of its supports.
-bool ContactList::isOffGround(std::uint32_t geom) const {
-    const std::uint32_t body = m_objects.geoms[geom].body;
-    if (body == kNoGeom) return false;
-    const WheeledUnit& unit = m_objects.units[m_objects.unitOf[body]];
-    return unit.isVehicle() &&
-           std::ranges::none_of(unit.shape->supports, [&](const Support& s) { return unit.geoms + s.geom == geom; });
-}
-
-std::span<const std::uint32_t> ContactList::amongUnits(std::uint32_t geom) const {
-    const std::uint32_t unit = m_objects.unitOf[m_objects.geoms[geom].body];
+std::span<const std::uint32_t> ContactList::amongUnits(std::uint32_t unit, std::uint32_t geom) const {
     if (!m_contacts.touches(unit)) return {};
     if (!m_amongReady) makeAmong();
     m_found.clear();

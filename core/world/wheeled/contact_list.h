@@ -29,8 +29,7 @@ public:
 private:
     static constexpr std::uint32_t kAmongUnits = 0x80000000u; ///< added to the indices of m_among
 
-    [[nodiscard]] bool isOffGround(std::uint32_t geom) const;
-    [[nodiscard]] std::span<const std::uint32_t> amongUnits(std::uint32_t geom) const;
+    [[nodiscard]] std::span<const std::uint32_t> amongUnits(std::uint32_t unit, std::uint32_t geom) const;
     void make() const;
     void makeAmong() const;
     void file() const;

@@ -10,7 +10,7 @@ namespace {
 enum { VX, VY, WX, WY, WZ };
 
 constexpr int kMostTogether = 20;         // sweeps
-constexpr std::size_t kMostBlocks = 6;    // what fits the first level of the cache
+constexpr std::size_t kMostBlocks = 3;    // with their contacts they fit the first level of the cache
 constexpr double kSettledTogether = 1e-3; // of the weight's impulse in a tick
 constexpr double kSlop = 1e-4;            // m
 constexpr double kPushShare = 0.2;        // of the depth, per tick

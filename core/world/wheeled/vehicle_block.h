@@ -1,5 +1,5 @@
 #pragma once
-// Several equal vehicles in one tick, one in each lane: what the kernel of an instruction set reads and writes (vehicle_lanes.h). The bits of a
+// Several equal vehicles in one tick, one in each lane: what the kernel of an instruction set reads and writes (vehicle_rows.h). The bits of a
 // vehicle depend neither on the lanes beside it nor on the instruction set.
 //
 // Only plain numbers cross this header: a file that is compiled for newer instructions must share no inline function with others,

@@ -3,7 +3,7 @@
 
 #ifdef __AVX2__
 #define TRUNDLE_LANES 4
-#include "world/wheeled/vehicle_lanes.h"
+#include "world/wheeled/vehicle_motion.h"
 
 namespace trundle {
 

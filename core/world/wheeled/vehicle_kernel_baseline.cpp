@@ -1,6 +1,6 @@
 // For every processor that the program runs on.
 #define TRUNDLE_LANES 2
-#include "world/wheeled/vehicle_lanes.h"
+#include "world/wheeled/vehicle_motion.h"
 
 namespace trundle {
 

@@ -31,6 +31,7 @@ Result<GeomHandle> WheeledEngine::addStatic(const GeomSpec& geom, const Pose& po
     const auto index = static_cast<std::uint32_t>(m_objects.geoms.size());
     m_grounds.add(index, geom, pose);
     m_objects.geoms.push_back({kNoGeom, rayGeomOf(geom, pose, kNoGeom)});
+    m_objects.aloft.push_back(kNoActor);
     if (geom.shape != GeomShape::Plane)
         if (auto footprint = planarShapeOf(geom, pose)) m_objects.scenery.push_back({std::move(footprint).value(), index});
     m_rays.markMoved();
@@ -81,6 +82,7 @@ ActorHandles WheeledEngine::addUnit(const ActorDef& actor, std::shared_ptr<const
     unit.setPlane();
     m_objects.units.push_back(std::move(unit));
     addGeoms(actor, handles);
+    markAloft(m_objects.units.back());
     addWheels(actor, handles);
     publishStates(m_objects, index);
     return handles;
@@ -98,6 +100,12 @@ void WheeledEngine::addGeoms(const ActorDef& actor, ActorHandles& handles) {
             if (geom.collide) m_objects.geoms.push_back({index, rayGeomOf(geom, geom.pose, handles.actor.index)});
         }
     }
+}
+
+void WheeledEngine::markAloft(const WheeledUnit& unit) {
+    const auto index = static_cast<std::uint32_t>(m_objects.units.size() - 1);
+    m_objects.aloft.resize(m_objects.geoms.size(), unit.isVehicle() ? index : kNoActor);
+    for (const Support& s : unit.shape->supports) m_objects.aloft[unit.geoms + s.geom] = kNoActor;
 }
 
 void WheeledEngine::addWheels(const ActorDef& actor, ActorHandles& handles) {

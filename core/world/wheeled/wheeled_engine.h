@@ -6,8 +6,8 @@
 // Neglected: forces upwards between bodies, tipping of what is loose, gyroscopic moments, restitution of the ground.
 // Same bits on any processor: no library function but sqrt is called in a step, and work is ordered by units.
 //
-//   ActorReader ──► WheeledObjects ──► UnitContacts ──► IslandSolver ──► wheeled_motion ──► states, ContactList, WheeledRays
-//   (specs)         flat arrays        what touches     velocities       positions
+//   ActorReader ──► WheeledObjects ──► UnitContacts ──► IslandSolver ──► publishStates ──► states, ContactList, WheeledRays
+//   (specs)         flat arrays        what touches     motion           of bodies
 
 #include "world/wheeled/contact_list.h"
 #include "world/wheeled/island_solver.h"
@@ -53,6 +53,7 @@ private:
     [[nodiscard]] std::shared_ptr<const ActorShape> shapeOf(const ActorDef& actor, NotWheeled& why);
     [[nodiscard]] ActorHandles addUnit(const ActorDef& actor, std::shared_ptr<const ActorShape> shape);
     void addGeoms(const ActorDef& actor, ActorHandles& handles);
+    void markAloft(const WheeledUnit& unit);
     void addWheels(const ActorDef& actor, ActorHandles& handles);
     void applyMotions();
     void clearForces();

@@ -74,7 +74,9 @@ struct WheeledObjects {
     std::vector<SupportState> supports;
     std::vector<WheelState> wheels;
     std::vector<WheeledGeom> geoms;
-    std::vector<std::uint32_t> unitOf;  ///< by body
+    std::vector<std::uint32_t> unitOf; ///< by body
+    std::vector<std::uint32_t>
+        aloft; ///< by geom: the vehicle whose geom it is and that does not touch the ground with it; else kNoActor
     std::vector<std::uint32_t> wheelOf; ///< by joint: index of its state, kNoGeom for one that is rigid
     std::vector<BodyState> states;      ///< of bodies, as published last
 

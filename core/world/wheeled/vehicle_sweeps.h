@@ -1,0 +1,122 @@
+#pragma once
+// Sweeps of a Gauss-Seidel solver over the rows. Every second sweep runs backwards, so that left and right are treated alike.
+// Included only by the files of the kernels; everything has internal linkage.
+
+#include "world/wheeled/vehicle_rows.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kLeast = 1e-12;
+constexpr int kConeSteps = 3, kPieceSteps = 3;
+
+inline Lanes solveNormal(VehicleSupportRow& row, int o, double soft, double inverseMass, Lanes* v) {
+    const Lanes impulse = load(row.normal + o);
+    const Lanes rises = v[VZ] + (load(row.ay + o) * v[WX] - load(row.ax + o) * v[WY]);
+    const Lanes change = most((load(row.bias + o) - soft * impulse - rises) * load(row.inverse + o), -impulse);
+    store(row.normal + o, impulse + change);
+    v[VZ] += change * inverseMass;
+    for (int k = 0; k < 3; ++k) v[WX + k] += change * load(row.change[k] + o);
+    return size(change);
+}
+
+/// The impulse inside the circle of radius `limit` that opposes the slip left over: (k + a) l = b, |l| = limit. Newton on 1/|l|.
+inline void ontoCone(Lanes& along, Lanes& across, Lanes k1, Lanes k2, Lanes b1, Lanes b2, Lanes limit) {
+    const Lanes radius = most(limit, all(kLeast)), tiny = all(kLeast * kLeast);
+    Lanes add = all(0), x = b1 / k1, y = b2 / k2, square = x * x + y * y;
+    for (int i = 0; i < kConeSteps; ++i) {
+        const Lanes length = root(most(square, tiny)), slope = x * x / (k1 + add) + y * y / (k2 + add);
+        add = most(add + (length / radius - 1) * square / most(slope, tiny), all(0));
+        x = b1 / (k1 + add);
+        y = b2 / (k2 + add);
+        square = x * x + y * y;
+    }
+    const Lanes scale = least(radius / root(most(square, tiny)), all(1));
+    along = x * scale;
+    across = y * scale;
+}
+
+/// The change of the impulse along after which the tread does not slip, with the motor's answer; `inverse`: of the mass of both.
+inline Lanes solveAlong(const VehicleSupportRow& row, const VehicleWheelRow* wheel, int o, double lever, Lanes slip,
+                        Lanes& inverse) {
+    inverse = load(row.way.inverse + o);
+    if (!wheel) return -slip * inverse;
+    const Lanes momentum = load(wheel->momentum + o);
+    Piece piece = pieceAt(*wheel, o, momentum);
+    Lanes change = all(0);
+    for (int again = 0; again < kPieceSteps; ++again) {
+        inverse = piece.inverse;
+        change = (lever * piece.spin(momentum) - slip) * inverse;
+        const Piece next = pieceAt(*wheel, o, momentum - lever * change);
+        if (!any((next.offset != piece.offset) | (next.mobility != piece.mobility))) break; // the same again for all
+        piece = next;
+    }
+    return change;
+}
+
+inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o, const VehicleModel::Support& s, Lanes* v) {
+    const Lanes limit = s.friction * load(row.normal + o), before = load(row.alongImpulse + o);
+    Lanes inverse, along = solveAlong(row, wheel, o, s.lever, speed(row.way, o, v), inverse), across = all(0);
+    if (s.round) {
+        const Lanes slip = speed(row.across, o, v), beforeAcross = load(row.acrossImpulse + o), mass = load(row.across.mass + o);
+        across = (-slip - load(row.coupling + o) * along) * load(row.across.inverse + o);
+        const Lanes x = before + along, y = beforeAcross + across;
+        if (const Mask slips = x * x + y * y > limit * limit; any(slips)) {
+            Lanes to, toAcross;
+            const Lanes both = 1 / inverse;
+            ontoCone(to, toAcross, both, mass, both * x, mass * beforeAcross - slip, limit);
+            along = select(slips, to - before, along);
+            across = select(slips, toAcross - beforeAcross, across);
+        }
+        store(row.acrossImpulse + o, beforeAcross + across);
+        apply(row.across, o, across, v);
+    } else along = most(least(before + along, limit), -limit) - before;
+    store(row.alongImpulse + o, before + along);
+    apply(row.way, o, along, v);
+    if (wheel) store(wheel->momentum + o, load(wheel->momentum + o) - s.lever * along);
+    return most(size(along), size(across));
+}
+
+inline void sweepLanes(VehicleBlock& b, int o, const VehicleModel& m, bool backwards) {
+    Lanes v[6], change = all(0);
+    for (int k = 0; k < 6; ++k) v[k] = load(b.v[k] + o);
+    const double inverseMass = 1 / m.mass, soft = b.soft;
+    const int count = m.supportCount;
+    for (int q = 0; q < count; ++q)
+        change = most(change, solveNormal(b.supports[backwards ? count - 1 - q : q], o, soft, inverseMass, v));
+    for (int q = 0; q < count; ++q) {
+        const int i = backwards ? count - 1 - q : q;
+        const VehicleModel::Support& s = m.supports[i];
+        if (s.friction > 0)
+            change = most(change, solveFriction(b.supports[i], s.lever != 0 ? &b.wheels[s.wheel] : nullptr, o, s, v));
+    }
+    for (int k = 0; k < 6; ++k) store(b.v[k] + o, v[k]);
+    store(b.change + o, change);
+}
+
+inline void keepLanes(VehicleBlock& b, int o, const VehicleModel& m, Mask chosen) {
+    const auto keep = [&](double* kept, const double* now) { store(kept + o, select(chosen, load(now + o), load(kept + o))); };
+    for (int k = 0; k < 6; ++k) keep(b.keptV[k], b.v[k]);
+    for (int i = 0; i < m.supportCount; ++i) {
+        VehicleSupportRow& row = b.supports[i];
+        keep(row.keptNormal, row.normal);
+        keep(row.keptAlong, row.alongImpulse);
+        keep(row.keptAcross, row.acrossImpulse);
+    }
+    for (int i = 0; i < m.wheelCount; ++i) keep(b.wheels[i].keptMomentum, b.wheels[i].momentum);
+}
+
+inline void settleLanes(VehicleBlock& b, int o, const VehicleModel& m, double settled, int sweeps) {
+    Mask open = all(0) == all(0);
+    for (int i = 0; i < sweeps && any(open); ++i) {
+        sweepLanes(b, o, m, i % 2 != 0);
+        if (i == 0) continue;
+        const Mask now = open & (load(b.change + o) < settled);
+        if (any(now)) keepLanes(b, o, m, now);
+        open = open & ~now;
+    }
+    if (any(open)) keepLanes(b, o, m, open);
+}
+
+} // namespace
+} // namespace trundle
