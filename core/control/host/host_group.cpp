@@ -268,9 +268,8 @@ Status HostGroup::set(std::size_t number, const std::string& property, const Pro
 
 Result<std::string> HostGroup::saveState(std::size_t number) {
     if (!m_members[number].started) return std::string();
-    const WireWriter which = WireWriter().number(static_cast<std::uint32_t>(number));
-    if (const Status saved = call(number, HostRequest::SaveState, which.view()); !saved) return saved.error();
-    return std::exchange(m_more, {});
+    const Status saved = call(number, HostRequest::SaveState, WireWriter().number(static_cast<std::uint32_t>(number)).view());
+    return saved ? Result<std::string>(std::exchange(m_more, {})) : saved.error();
 }
 
 Status HostGroup::loadState(std::size_t number, std::string_view state) {

@@ -28,7 +28,6 @@ RemoteDialog::RemoteDialog(RemoteAccess& access, QWidget* parent)
     m_port->setObjectName(QStringLiteral("remotePort"));
     m_port->setRange(0, 65535);
     m_port->setSpecialValueText(tr("any free one"));
-    m_port->setGroupSeparatorShown(false);
     m_code->setObjectName(QStringLiteral("remoteCode"));
     m_code->setReadOnly(true);
     m_code->setFont(figuresFont(12));
