@@ -1,6 +1,7 @@
 #include "editor/running/remote_access.h"
 
 #include "remote/run_guest.h"
+#include "run/logs/log_location.h"
 
 namespace trundle {
 namespace {
@@ -36,13 +37,13 @@ void RemoteAccess::stop() {
     Q_EMIT switched();
 }
 
-GuestMaker RemoteAccess::guestFor(const std::string& experiment) const {
+GuestMaker RemoteAccess::guestFor(const std::string& file) const {
     if (!isOn()) return {};
     Result<Socket> listener = m_listener.duplicate();
     if (!listener) return {};
     ServerOptions options;
     options.token = m_token;
-    options.experiment = experiment;
+    options.experiment = experimentName(file);
     return [socket = std::make_shared<Socket>(std::move(listener).value()), options, clients = m_clients] {
         return std::make_unique<RunGuest>(std::move(*socket), options, clients);
     };

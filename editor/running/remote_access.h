@@ -27,8 +27,8 @@ public:
     [[nodiscard]] QString token() const { return QString::fromStdString(m_token); }
     [[nodiscard]] std::size_t clientCount() const { return m_clients->load(); }
 
-    /// What serves the next run, for LiveRun; an empty maker while this is off. `experiment`: its name.
-    [[nodiscard]] GuestMaker guestFor(const std::string& experiment) const;
+    /// What serves the next run, for LiveRun; an empty maker while this is off. `file`: of the experiment.
+    [[nodiscard]] GuestMaker guestFor(const std::string& file) const;
 
 Q_SIGNALS:
     void switched(); ///< on or off
