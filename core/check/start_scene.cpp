@@ -61,7 +61,8 @@ bool StartScene::addLinks() {
         const auto bodyOf = [&](int robot, int body) {
             return robot == kWorldBody ? BodyHandle{} : m_bodies[static_cast<std::size_t>(robot)][static_cast<std::size_t>(body)];
         };
-        if (!m_engine->links->addJoint(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)))
+        if (!m_engine->links->addJoint(link.spec, bodyOf(link.childRobot, link.spec.child),
+                                       bodyOf(link.parentRobot, link.spec.parent)))
             return false;
     }
     for (const auto& [first, second] : m_experiment->noContact) m_engine->links->separate(m_actors[first], m_actors[second]);

@@ -34,7 +34,8 @@ std::string lowerFirst(std::string word) {
 void PartBuilder::findFragment(const BlockView& top) {
     const auto isInner = [&](const SourceBlock& block) {
         const Kind* kind = m_registry.find(block.block->type.text);
-        return block.file != 0 || (kind && kind->role != Role::Settings && (!allows(nullptr, *kind) || kind->role == Role::Joint));
+        return block.file != 0 ||
+               (kind && kind->role != Role::Settings && (!allows(nullptr, *kind) || kind->role == Role::Joint));
     };
     const auto isOwn = [](const auto& what) { return what.file == 0; };
     m_isFragment = std::ranges::any_of(top.blocks, isOwn) && std::ranges::all_of(top.blocks, isInner) &&

@@ -190,8 +190,8 @@ private:
     template <class Spec> bool ends(const Link<Spec>& link) {
         const auto known = [&](int robot, int body) {
             const auto& robots = m_experiment.robots;
-            return robot >= 0 && static_cast<std::size_t>(robot) < robots.size() && robots[static_cast<std::size_t>(robot)].config &&
-                   body >= 0 &&
+            return robot >= 0 && static_cast<std::size_t>(robot) < robots.size() &&
+                   robots[static_cast<std::size_t>(robot)].config && body >= 0 &&
                    static_cast<std::size_t>(body) < robots[static_cast<std::size_t>(robot)].config->bodies.size();
         };
         const bool parent = link.parentRobot == kWorldBody || known(link.parentRobot, link.spec.parent);

@@ -102,7 +102,13 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
         const RobotSpec& spec = experiment.robots[i];
         BuiltRobot& robot = m_robots[i];
         robot.spec = &spec;
-        ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs, &spec.config->gears, &spec.config->noContact};
+        ActorDef def{spec.pose,
+                     {},
+                     &spec.config->joints,
+                     spec.config->selfCollision,
+                     &spec.config->springs,
+                     &spec.config->gears,
+                     &spec.config->noContact};
         for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
         auto made = engine.addActor(def);
         if (!made) {
@@ -136,10 +142,12 @@ void WorldObjects::buildLinks(const ExperimentSpec& experiment, Engine& engine, 
     };
     for (const auto& link : experiment.joints)
         add(link, m_joints,
-            engine.links->addJoint(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
+            engine.links->addJoint(link.spec, bodyOf(link.childRobot, link.spec.child),
+                                   bodyOf(link.parentRobot, link.spec.parent)));
     for (const auto& link : experiment.springs)
         add(link, m_springs,
-            engine.links->addSpring(link.spec, bodyOf(link.childRobot, link.spec.child), bodyOf(link.parentRobot, link.spec.parent)));
+            engine.links->addSpring(link.spec, bodyOf(link.childRobot, link.spec.child),
+                                    bodyOf(link.parentRobot, link.spec.parent)));
     for (const auto& [first, second] : experiment.noContact)
         engine.links->separate(m_robots[first].handles.actor, m_robots[second].handles.actor);
 }
@@ -181,8 +189,7 @@ void WorldObjects::nameBodies(const BuiltRobot& robot, std::uint32_t firstObject
 
 void WorldObjects::locateJoints(const BuiltRobot& robot) {
     const auto& joints = robot.spec->config->joints;
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        locate(robot.handles.joints[j], joints[j].type, placeOf(joints[j], robot));
+    for (std::size_t j = 0; j < joints.size(); ++j) locate(robot.handles.joints[j], joints[j].type, placeOf(joints[j], robot));
 }
 
 void WorldObjects::locate(JointHandle joint, JointType type, const JointLocation& location) {

@@ -42,9 +42,9 @@ QString roleTitle(Role role) {
 }
 
 /// In the order in which a robot is usually built.
-constexpr Role kRoles[] = {Role::Body,     Role::Geom,   Role::Joint,   Role::Device, Role::Controller,
-                           Role::Instance, Role::Repeat, Role::Layout,  Role::Config, Role::Material,
-                           Role::Surface,  Role::Look,   Role::Pattern, Role::Medium, Role::Region, Role::Log};
+constexpr Role kRoles[] = {Role::Body,    Role::Geom,   Role::Joint,  Role::Device,   Role::Controller, Role::Instance,
+                           Role::Repeat,  Role::Layout, Role::Config, Role::Material, Role::Surface,    Role::Look,
+                           Role::Pattern, Role::Medium, Role::Region, Role::Log};
 
 } // namespace
 

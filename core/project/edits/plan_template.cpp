@@ -311,9 +311,11 @@ private:
     std::string endsBetweenRobots(int depth) {
         std::vector<std::string> bodies;
         for (const Part* part : m_loaded.outline->world.all()) {
-            const Part* config = isPlaced(*part) && part->usable && part->kind->name != "Static" ? configOf(m_loaded, *part) : nullptr;
-            const auto first = config ? std::ranges::find_if(config->parts, [](const Part& p) { return p.usable && p.is(Role::Body); })
-                                      : std::vector<Part>::const_iterator();
+            const Part* config =
+                isPlaced(*part) && part->usable && part->kind->name != "Static" ? configOf(m_loaded, *part) : nullptr;
+            const auto first =
+                config ? std::ranges::find_if(config->parts, [](const Part& p) { return p.usable && p.is(Role::Body); })
+                       : std::vector<Part>::const_iterator();
             if (config && first != config->parts.end())
                 bodies.push_back(part->name + (part->is(Role::Layout) ? "_0." : ".") + first->name);
         }

@@ -255,7 +255,8 @@ private:
         add(instance ? *instance : *layout, layout ? first.piece(0, layout->name.size()).range : first.range, {}, place, key);
         const Part* config = configOf(m_loaded, instance ? *instance : *layout);
         const std::size_t rest = first.text.size() + 1;
-        if (config && rest < said.text.size()) path(*config, said.piece(rest, said.text.size() - rest), place, key, false, first.range);
+        if (config && rest < said.text.size())
+            path(*config, said.piece(rest, said.text.size() - rest), place, key, false, first.range);
     }
 
     /// Of "roller_3", a member of a Repeat, the name of the Repeat.
@@ -264,8 +265,8 @@ private:
     }
 
     /// Every word of "left.wheel.tyre" names something.
-    void path(const Part& config, const ValueWord& said, const ValueContext& place, const std::string& key,
-              bool pattern = false, SourceRange before = {}) {
+    void path(const Part& config, const ValueWord& said, const ValueContext& place, const std::string& key, bool pattern = false,
+              SourceRange before = {}) {
         const Part* at = &config;
         for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && at == &config && &config == place.config; ++it)
             if ((*it)->find(firstWord(said.text))) at = *it;

@@ -60,7 +60,8 @@ private:
     void checkLinks() {
         for (const auto& link : m_experiment.joints) refuse(link.spec.name + ": it joins robots", link.spec.nameRange);
         for (const auto& link : m_experiment.springs) refuse(link.spec.name + ": it joins robots", link.spec.nameRange);
-        if (!m_experiment.noContact.empty()) refuse("NoContact lets robots pass through each other", m_experiment.settings.engineRange);
+        if (!m_experiment.noContact.empty())
+            refuse("NoContact lets robots pass through each other", m_experiment.settings.engineRange);
     }
     void checkRobot(const RobotSpec& spec) {
         const auto key = std::tuple(static_cast<const void*>(spec.config.get()), spec.pose.position.z(), spec.pose.rotation.x(),

@@ -87,8 +87,7 @@ void paintJoint(QPainter& painter, const ToolView& view, const JointSpec& joint,
     const auto from = view.shownPixelOf(at - reach * (toWorld.rotation * joint.axis)),
                to = view.shownPixelOf(at + reach * (toWorld.rotation * joint.axis)), middle = view.shownPixelOf(at);
     if (!from || !to || !middle) return;
-    if (joint.type != JointType::Ball && joint.type != JointType::Fixed)
-        arrow(painter, *from, *to, colour, selected ? 2.4 : 1.6);
+    if (joint.type != JointType::Ball && joint.type != JointType::Fixed) arrow(painter, *from, *to, colour, selected ? 2.4 : 1.6);
     painter.setPen(QPen(kShade, 1));
     painter.setBrush(colour);
     painter.drawEllipse(*middle, 3, 3);

@@ -36,7 +36,8 @@ QPolygonF coil(const ToolView& view, const Vec3& from, const Vec3& to, double ra
     return points;
 }
 
-void paintCoil(QPainter& painter, const ToolView& view, const SpringSpec& spring, const Vec3& from, const Vec3& to, bool selected) {
+void paintCoil(QPainter& painter, const ToolView& view, const SpringSpec& spring, const Vec3& from, const Vec3& to,
+               bool selected) {
     const QPolygonF points = coil(view, from, to, std::clamp(kSlim * spring.length, kThinnest, kThickest));
     painter.setPen(QPen(kOutline, selected ? 4.4 : 3.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(points);

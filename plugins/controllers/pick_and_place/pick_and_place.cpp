@@ -26,8 +26,9 @@ struct PickAndPlace : trundle::Controller {
 
     static void describe(trundle::Describe<PickAndPlace>& d) {
         using C = PickAndPlace;
-        d.help("Takes crates from one pile to another with an arm of four servos, yaw, shoulder, elbow and wrist, and a latch, and "
-               "ends the run when all are there.");
+        d.help(
+            "Takes crates from one pile to another with an arm of four servos, yaw, shoulder, elbow and wrist, and a latch, and "
+            "ends the run when all are there.");
         d.field("Count", &C::count, trundle::number().within(1, 20), "Crates of the pile.");
         d.field("From", &C::from, trundle::metres().within(-10, 10), "x, y of the pile, from the yaw axis.");
         d.field("To", &C::to, trundle::metres().within(-10, 10), "x, y of the new pile.");
@@ -96,7 +97,9 @@ private:
     [[nodiscard]] Place above(const std::array<double, 2>& pile, int crates, double height) const {
         return {std::hypot(pile[0], pile[1]), std::atan2(pile[1], pile[0]), crates * crate + height + tool};
     }
-    [[nodiscard]] Place hover(const std::array<double, 2>& pile, int crates) const { return above(pile, crates + 1, kHover - crate); }
+    [[nodiscard]] Place hover(const std::array<double, 2>& pile, int crates) const {
+        return above(pile, crates + 1, kHover - crate);
+    }
 
     /// Law of cosines for the elbow, which stays above the line from shoulder to wrist; the wrist keeps the tool upright. Angles about the
     /// joints' y axes, positive downwards.

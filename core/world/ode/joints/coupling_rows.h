@@ -26,7 +26,8 @@ public:
     void measure();
 
 private:
-    [[nodiscard]] OdeCoupling springOf(const SpringSpec& spec, const Pose& frame, std::uint32_t child, std::uint32_t parent) const;
+    [[nodiscard]] OdeCoupling springOf(const SpringSpec& spec, const Pose& frame, std::uint32_t child,
+                                       std::uint32_t parent) const;
     [[nodiscard]] OdeCoupling gearOf(const GearSpec& spec, const ActorDef& def, std::uint32_t firstJoint) const;
     CouplingHandle keep(OdeCoupling coupling);
     void updateInertia(OdeCoupling& spring, std::uint32_t index, std::span<const OdeContact> contacts);

@@ -35,8 +35,8 @@ void SolverPlan::make(SolverChoice choice, const Vec3& up, std::span<OdeContact>
     findLargest(contacts, geoms);
 }
 
-void SolverPlan::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints,
-                       std::span<const OdeCoupling> couplings, std::span<const OdeLatch> latches) {
+void SolverPlan::setUp(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, std::span<const OdeCoupling> couplings,
+                       std::span<const OdeLatch> latches) {
     m_clusters.setUp(bodies, joints, couplings, latches);
     m_parents.assign(bodies.size(), kNone);
     for (const OdeJoint& joint : joints) m_parents[joint.child] = joint.parent;
