@@ -24,7 +24,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kShapeCharacters = 34;
+constexpr int kShapeCharacters = 16;
 constexpr double kExact = 1e-7;    // m
 constexpr double kHullLead = 0.02; // of the radius of the mesh, by which a hull must be nearer to be proposed
 
@@ -77,6 +77,7 @@ MeshDialog::MeshDialog(Locations locations, const QString& folder, bool isOfBody
     m_shape->setObjectName(QStringLiteral("meshShape"));
     m_shape->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_shape->setMinimumContentsLength(kShapeCharacters);
+    m_mass->setParent(this);
     m_mass->setVisible(isOfBody);
     makeLayout();
     connect(m_file, &QLineEdit::textChanged, this, &MeshDialog::read);
@@ -175,8 +176,7 @@ void MeshDialog::listShapes() {
     for (const auto& p : m_placed.points) bounds.add(Vec3(p.data()));
     int nearest = 0;
     for (const MeshFit& fit : m_fits) {
-        m_shape->addItem(
-            tr("%1: %2 at most, %3 on average").arg(shapeName(fit.geom.shape), length(fit.largest), length(fit.mean)));
+        m_shape->addItem(tr("%1: %2, mean %3").arg(shapeName(fit.geom.shape), length(fit.largest), length(fit.mean)));
         const double lead = fit.geom.shape == GeomShape::Convex ? kHullLead * bounds.radius() : 0;
         if (fit.mean + lead < m_fits[std::size_t(nearest)].mean) nearest = m_shape->count() - 1;
     }
@@ -205,6 +205,9 @@ QString MeshDialog::sentence() const {
     const Vec3 size = bounds.size();
     QString text = tr("%1 triangles, %2 × %3 × %4.")
                        .arg(QString::number(m_placed.triangles.size()), length(size.x()), length(size.y()), length(size.z()));
+    if (const MeshFit* chosen = fit())
+        text += QLatin1Char(' ') + tr("Its surface is at most %1 away from the shape that collides, on average %2.")
+                                       .arg(length(chosen->largest), length(chosen->mean));
     if (!file().startsWith(m_projectFolder + QLatin1Char('/')))
         text += QLatin1Char(' ') + tr("It is copied to %1, with its textures.").arg(m_projectFolder + QStringLiteral("/meshes"));
     return text;

@@ -12,7 +12,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kMeshSide = 260, kMeshMargin = 12; // pixels
+constexpr int kMeshSide = 220, kMeshMargin = 12; // pixels
 constexpr std::size_t kMostDrawn = 40000;        // triangles; of larger meshes every second, third ...
 constexpr double kShadeDark = 0.35;              // of a face that is seen from its side
 
