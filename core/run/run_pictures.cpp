@@ -1,6 +1,7 @@
 #include "run/run_pictures.h"
 
 #include "model/object_numbers.h"
+#include "run/schedule.h"
 
 namespace trundle {
 namespace {

@@ -85,7 +85,6 @@ struct Painter final : ImageSource {
     Result<std::string> encode(const CameraImage& frame, const std::string& camera, const std::string& fileName) override {
         return fileName + " of " + camera + " at tick " + std::to_string(frame.tick);
     }
-    std::string objectName(std::uint32_t object) const override { return "object " + std::to_string(object); }
     std::string& story;
 };
 
@@ -148,7 +147,6 @@ private Q_SLOTS:
         QCOMPARE(m_cameraCapture->file("robot0/still", "b.png").value(), std::string("b.png of robot0/still at tick 4"));
         QCOMPARE(m_cameraCapture->viewFile("front", 4, 3, "c.png").value(), std::string("c.png of  at tick 0"));
         QVERIFY(m_story.ends_with("view front "));
-        QCOMPARE(m_cameraCapture->objectName(2), std::string("object 2"));
     }
     void triesOpenGlOnce() {
         QCOMPARE(m_cameraCapture->capture("robot0/blind").error().message, std::string("no OpenGL"));
