@@ -5,6 +5,7 @@
 #include "lang/tree_edit.h"
 #include "project/edits/edit_builder.h"
 #include "project/objects/object_location.h"
+#include "project/objects/reference_space.h"
 
 namespace trundle {
 
@@ -73,7 +74,7 @@ const PastedBlocks::Entry* PastedBlocks::named(const LoadedProject& loaded, cons
     bool local = property.choices.empty();
     for (const std::string& choice : property.choices) {
         const Kind* kind = loaded.registry->find(choice);
-        const NameSpace* space = kind ? outline.spaceOf(*kind) : nullptr;
+        const NameSpace* space = kind ? referenceSpace(outline, *kind) : nullptr;
         local = local || !space;
         if (const Entry* entry = space ? find(space, nullptr) : nullptr) return entry;
     }

@@ -6,6 +6,7 @@
 #include "project/edits/pasted_blocks.h"
 #include "project/objects/name_references.h"
 #include "project/objects/object_location.h"
+#include "project/objects/reference_space.h"
 
 namespace trundle {
 
@@ -50,7 +51,7 @@ bool PastedBlocks::leadsSomewhere(const LoadedProject& loaded, const Entry& entr
     bool local = property.choices.empty();
     for (const std::string& choice : property.choices) {
         const Kind* named = loaded.registry->find(choice);
-        const NameSpace* space = named ? loaded.outline->spaceOf(*named) : nullptr;
+        const NameSpace* space = named ? referenceSpace(*loaded.outline, *named) : nullptr;
         if (choice == word || (space && space->find(word))) return true; // such as `world`
         if (space && word == "default") return true;
         local = local || !space;

@@ -12,6 +12,7 @@
 #include "project/edits/template_wheels.h"
 #include "project/objects/object_names.h"
 #include "project/objects/part_values.h"
+#include "project/objects/reference_space.h"
 
 namespace trundle {
 
@@ -181,7 +182,7 @@ private:
     std::vector<std::string> candidates(const std::string& choice) const {
         std::vector<std::string> names;
         const Kind* kind = m_loaded.registry->find(choice);
-        if (const NameSpace* space = kind ? m_loaded.outline->spaceOf(*kind) : nullptr) {
+        if (const NameSpace* space = kind ? referenceSpace(*m_loaded.outline, *kind) : nullptr) {
             for (const Part* part : space->all())
                 if (part->kind == kind && part->usable && sound(*part)) names.push_back(part->name);
         } else if (m_config) {

@@ -10,6 +10,7 @@
 #include "model/dotted_path.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/object_location.h"
+#include "project/objects/reference_space.h"
 
 namespace trundle {
 
@@ -236,7 +237,7 @@ private:
         bool local = property.choices.empty();
         for (const std::string& choice : property.choices) {
             const Kind* kind = m_outline.registry().find(choice);
-            const NameSpace* space = kind ? m_outline.spaceOf(*kind) : nullptr;
+            const NameSpace* space = kind ? referenceSpace(m_outline, *kind) : nullptr;
             local = local || !space;
             const Part* part = space ? space->find(said.text) : nullptr;
             if (part) return add(*part, said.range, {}, place, key);

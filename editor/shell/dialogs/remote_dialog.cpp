@@ -31,7 +31,7 @@ RemoteDialog::RemoteDialog(RemoteAccess& access, QWidget* parent)
     m_code->setObjectName(QStringLiteral("remoteCode"));
     m_code->setReadOnly(true);
     m_code->setFont(figuresFont(12));
-    m_code->setMinimumWidth(m_code->fontMetrics().averageCharWidth() * 64);
+    m_code->setMinimumWidth(m_code->fontMetrics().averageCharWidth() * 52);
     m_code->setPlaceholderText(tr("Python code that connects"));
     m_copy->setObjectName(QStringLiteral("remoteCopy"));
     m_copy->setText(tr("&Copy"));

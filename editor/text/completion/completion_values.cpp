@@ -6,6 +6,7 @@
 #include "model/config_blocks.h"
 #include "project/objects/name_references.h"
 #include "project/objects/object_location.h"
+#include "project/objects/reference_space.h"
 
 namespace trundle {
 namespace {
@@ -60,7 +61,7 @@ private:
     void references() {
         for (const std::string& choice : m_property.choices) {
             const Kind* kind = m_loaded.registry->find(choice);
-            if (const NameSpace* space = kind ? m_loaded.outline->spaceOf(*kind) : nullptr) {
+            if (const NameSpace* space = kind ? referenceSpace(*m_loaded.outline, *kind) : nullptr) {
                 for (const Part* part : space->all())
                     if (part->kind == kind) named(*part);
                 if (kind->role == Role::Material || kind->role == Role::Surface)

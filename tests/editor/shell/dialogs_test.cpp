@@ -61,7 +61,7 @@ constexpr Question kQuestions[] = {
     {"shell/dialogs/new_module_dialog.h", "newModule", "Create"},
     {"shell/dialogs/new_arena_dialog.h", "newArena", "Create"},
     {"shell/dialogs/new_robot_dialog.h", "newRobot", "Create"},
-    {"shell/dialogs/remote_dialog.h", "remoteDialog", ""},
+    {"shell/dialogs/remote_dialog.h", "remoteDialog", "Close"},
     {"shell/dialogs/room_dialog.h", "roomDialog", "Insert"},
     {"shell/dialogs/maze_dialog.h", "mazeDialog", "Insert"},
     {"shell/dialogs/mesh_dialog.h", "meshDialog", "Insert"},
