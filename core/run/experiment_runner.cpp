@@ -34,6 +34,11 @@ int openControllerLog(LogFolder& folder, std::vector<LogFile*>& logs, const std:
     return static_cast<int>(logs.size() - 1);
 }
 
+RunOptions withMonitor(RunOptions options) {
+    if (!options.calls) options.calls = std::make_shared<CallMonitor>();
+    return options;
+}
+
 std::vector<std::string> writtenFiles(const LogFolder& folder) {
     std::vector<std::string> paths;
     for (const auto& file : folder.files())
@@ -48,7 +53,7 @@ std::string droppedText(std::size_t lines) {
 } // namespace
 
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
-    : m_options(std::move(options)), m_world(std::move(world)), m_cameras(*m_world, m_options.pictures),
+    : m_options(withMonitor(std::move(options))), m_world(std::move(world)), m_cameras(*m_world, m_options.pictures),
       m_folder(m_options.logFolder),
       m_controllers({*m_world, *m_options.calls, m_warnings, [this](const RobotSpec& robot) { return outputsFor(robot); },
                      [this](const std::string& who, int severity, const std::string& text) { say(who, severity, text); },

@@ -18,7 +18,6 @@ namespace trundle {
 
 class ExperimentRunner final : public Runner {
 public:
-    /// The options have a monitor of calls.
     ExperimentRunner(std::unique_ptr<World> world, RunOptions options);
     ~ExperimentRunner() override { (void)finish(); }
 

@@ -65,9 +65,9 @@ private Q_SLOTS:
         QCOMPARE(w.value("crane/magnet/engaged"), 0.0);
     }
 
-    /// More than it can carry tears it off, until engage begins anew.
+    /// More than it can carry tears it off, until engage begins again.
     void isTornOff() {
-        SensorWorld w(scene(" Latch magnet { Body=hook Pos=0,0,-0.05 HPR=0,90,0 Reach=0.03 MaxForce=15 }\n"));
+        SensorWorld w(scene(" Latch magnet { Body=hook Pos=0,0,-0.05 HPR=0,90,0 Reach=0.03 MaxForce=22 }\n"));
         QVERIFY2(w.ok(), w.failure().c_str());
         set(w, "crane/magnet/engage", 1);
         QVERIFY(w.run(10));

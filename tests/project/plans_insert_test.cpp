@@ -297,7 +297,7 @@ private Q_SLOTS:
         const bool controller = described->role == Role::Controller;
         if (described->role == Role::Device || described->role == Role::Joint || described->role == Role::Body ||
             described->role == Role::Repeat || kind == "Part")
-            parent = robot;
+            parent = fixture == "empty" ? std::string() : robot; // a joint at the top level
         if (controller) parent = robot;
         if (described->role == Role::Geom)
             parent = allowedPlaces("Body") ? robot + (fixture == "sample" ? ".chassis" : ".b")

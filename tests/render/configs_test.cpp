@@ -31,11 +31,14 @@ std::vector<Wheel> wheelsOf(const ExperimentSpec& experiment) {
         const bool isNew = seen.insert(robot.config.get()).second;
         for (const JointSpec& joint : robot.config->joints) {
             if (!isNew || joint.type != JointType::Hinge) continue;
+            const int index = static_cast<int>(&joint - robot.config->joints.data());
+            if (std::ranges::count(robot.config->gears, index, &GearSpec::other) > 0) continue; // a gear wheel, inside the robot
             const BodySpec& body = bodies[std::size_t(joint.child)];
             const auto isPictured = [&](const GeomSpec& geom) { return !experiment.materials[geom.material].texture.empty(); };
             if (std::any_of(body.geoms.begin(), body.geoms.end(), isPictured)) continue; // textures are not loaded here
             double radius = 0;
             for (const GeomSpec& geom : body.geoms) radius = std::max(radius, geom.radius);
+            if (radius == 0) continue; // nothing round: it is seen to turn
             wheels.push_back({first + std::size_t(joint.child), body.pose.rotation.conjugate() * joint.axis,
                               robot.name + "/" + body.name, radius});
         }

@@ -332,7 +332,7 @@ void LibraryTest::showsFirstSteps() {
     QCOMPARE(s.refusals.size(), 1);
     QVERIFY(s.open(kRovers));
     QVERIFY(s.filled());
-    s.library.insert(*s.item("Hinge")); // nothing is selected
+    s.library.insert(*s.item("Compass")); // nothing is selected
     QCOMPARE(s.refusals.size(), 2);
     QVERIFY2(s.refusals[1].contains(QStringLiteral("RobotConfig")), qPrintable(s.refusals[1]));
     QCOMPARE(s.text(), kRovers);

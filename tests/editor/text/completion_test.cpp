@@ -113,7 +113,7 @@ void CompletionTest::lists_data() {
         QTest::newRow(name) << QString::fromUtf8(text) << QString::fromLatin1(has).split(QLatin1Char(' '), Qt::SkipEmptyParts)
                             << QString::fromLatin1(hasNot).split(QLatin1Char(' '), Qt::SkipEmptyParts);
     };
-    row("empty file", "|", "Tick Duration Robot Material Param #import #loadModule", "Box Hinge Radius");
+    row("empty file", "|", "Tick Duration Robot Material Param Hinge #import #loadModule", "Box Body Radius");
     row("settings that are there are left out", "Tick = 0.01\n|", "Duration Seed", "Tick");
     row("typed letters", "Rob|", "Robot RobotConfig", "Static Tick");
     row("kinds of a config", "RobotConfig A {\n  |\n}", "Body Hinge RotaryMotor Encoder SelfCollision Param",
