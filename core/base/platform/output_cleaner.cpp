@@ -36,7 +36,8 @@ constexpr int kLongestEndMs = 50;   // a process that a module has left behind m
 
 struct Progress {
     std::atomic<std::uint64_t> taken{0}, passed{0}; ///< bytes
-    std::atomic<bool> busy{false};
+    enum Step { Idle, Reading, Writing }; ///< Reading: what it has read is not counted yet
+    std::atomic<int> step{Idle};
 };
 
 Progress* s_progress = nullptr;
@@ -75,17 +76,18 @@ void passOn(int from) {
         pollfd wait{from, POLLIN, 0};
         if (::poll(&wait, 1, text.empty() ? -1 : kHoldMs) < 0) continue;
         const bool isComplete = wait.revents == 0;
-        s_progress->busy = true; // before the read, since waitForOutputCleaner() looks at the pipe first
+        s_progress->step = Progress::Reading; // before the read, since waitForOutputCleaner() looks at the pipe first
         const ssize_t got = isComplete ? 0 : ::read(from, bytes, sizeof bytes);
         if (got < 0 && errno == EINTR) continue;
         if (got > 0) text.append(bytes, static_cast<std::size_t>(got));
         s_progress->taken += got > 0 ? static_cast<std::uint64_t>(got) : 0;
+        s_progress->step = Progress::Writing;
         const std::size_t held = got > 0 ? unfinished(text) : 0;
         const std::size_t ready = text.size() - held;
         writeAll(cleanText(std::string_view(text).substr(0, ready)));
         text.erase(0, ready);
         s_progress->passed += ready;
-        s_progress->busy = held > 0;
+        s_progress->step = held > 0 ? Progress::Writing : Progress::Idle;
         if (got <= 0 && !isComplete) return;
     }
 }
@@ -168,14 +170,18 @@ void waitForOutputCleaner() noexcept {
     const int before = errno;
     const int file = s_pipe < 0 ? -1 : openEnd();
     std::uint64_t target = 0, passed = 0;
-    for (int quietMs = 0, first = 1; file >= 0 && quietMs < kLongestWaitMs; first = 0) {
+    for (int quietMs = 0, first = 1; file >= 0 && quietMs < kLongestWaitMs;) {
         int waiting = 0;
         pollfd end{file, POLLOUT, 0};
         if (::ioctl(file, FIONREAD, &waiting) != 0 || (::poll(&end, 1, 0) > 0 && end.revents & (POLLERR | POLLNVAL))) break;
-        if (waiting == 0 && !s_progress->busy) break;
-        if (first) target = s_progress->taken + static_cast<std::uint64_t>(waiting); // later text is not waited for
+        const int step = s_progress->step;
+        if (waiting == 0 && step == Progress::Idle) break;
+        if (first && step != Progress::Reading) {
+            target = s_progress->taken + static_cast<std::uint64_t>(waiting); // later text is not waited for
+            first = 0;
+        }
         const std::uint64_t now = s_progress->passed;
-        if (now >= target) break;
+        if (!first && now >= target) break;
         quietMs = now == passed ? quietMs + 1 : 0;
         passed = now;
         pauseMs();
