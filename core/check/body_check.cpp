@@ -102,13 +102,7 @@ private:
 
     /// Compares the mass properties with those that shapes of this extent can have.
     void checkMass(const BodySpec& body) {
-        Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
-        for (const GeomSpec& geom : body.geoms)
-            for (int k = 0; k < 3; ++k) {
-                const Extent extent = extentAlong(geom, geom.pose, Vec3::Unit(k));
-                low[k] = std::min(low[k], extent.low);
-                high[k] = std::max(high[k], extent.high);
-            }
+        const auto [low, high] = boxAround(body);
         const Vec3 size = high - low;
         if (body.geoms.empty() || !(size.minCoeff() > 0)) return;
         const Vec3& centre = body.mass.centre;

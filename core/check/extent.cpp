@@ -44,6 +44,17 @@ Extent extentAlong(const GeomSpec& geom, const Pose& X_WG, const Vec3& direction
     return {centre - half, centre + half};
 }
 
+BodyBox boxAround(const BodySpec& body) {
+    BodyBox box{Vec3::Constant(HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
+    for (const GeomSpec& geom : body.geoms)
+        for (int k = 0; k < 3; ++k) {
+            const Extent extent = extentAlong(geom, geom.pose, Vec3::Unit(k));
+            box.low[k] = std::min(box.low[k], extent.low);
+            box.high[k] = std::max(box.high[k], extent.high);
+        }
+    return box;
+}
+
 double smallestWidth(const GeomSpec& geom) {
     switch (geom.shape) {
     case GeomShape::Box: return geom.size.minCoeff();

@@ -10,6 +10,11 @@ struct Extent {
     double low = 0, high = 0;
 };
 [[nodiscard]] Extent extentAlong(const GeomSpec& geom, const Pose& X_WG, const Vec3& direction);
+/// The box around a body's shapes, in the axes and with the origin of the body's frame; of a body without any, low is above high.
+struct BodyBox {
+    Vec3 low, high;
+};
+[[nodiscard]] BodyBox boxAround(const BodySpec& body);
 /// A geom's smallest width, m.
 [[nodiscard]] double smallestWidth(const GeomSpec& geom);
 

@@ -16,13 +16,7 @@ constexpr double kLeastFar = 0.05; // m
 /// From a point to the box around a body's shapes, in metres; 0 for a body without any. `size`: the box's diagonal.
 double distanceTo(const BodySpec& body, const Vec3& point, double& size) {
     if (body.geoms.empty()) return 0;
-    Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
-    for (const GeomSpec& geom : body.geoms)
-        for (int k = 0; k < 3; ++k) {
-            const Extent extent = extentAlong(geom, geom.pose, Vec3::Unit(k));
-            low[k] = std::min(low[k], extent.low);
-            high[k] = std::max(high[k], extent.high);
-        }
+    const auto [low, high] = boxAround(body);
     size = (high - low).norm();
     return (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
 }

@@ -90,7 +90,7 @@ void addWalls(RoomPlan& plan, MazeGrid& grid, const MazeOptions& o) {
         for (int from = 0, to = 0; from < o.rows; from = to + 1) {
             for (to = from; to < o.rows && grid.uprightAt(to, column);) ++to;
             if (to == from) continue;
-            // Up to the wall across, or to the end of the post where there is none.
+            // Up to the wall across, or to the end of the post without one.
             const double low = from * o.cell + (grid.hasAlong(from, column) ? 1 : -1) * o.thickness / 2;
             const double high = to * o.cell + (grid.hasAlong(to, column) ? -1 : 1) * o.thickness / 2;
             add(left + column * o.cell, bottom + (low + high) / 2, o.thickness, high - low);
