@@ -108,7 +108,7 @@ public:
     // since 1.8
     [[nodiscard]] SkidDrivePort skidDrive(PortName name);
     // since 1.11
-    /// Name of an object by its number in a ground truth signal, "box1/block"; empty: there is none.
+    /// Name of an object by its number in a ground truth signal, "box1/block"; empty if no object has it.
     [[nodiscard]] std::string objectName(std::uint32_t object) const;
     [[nodiscard]] ForcePort forceSensor(PortName name);
     /// A device of a module by the table of its signals (since 1.5): robot.port<SonarSignals>("front").
