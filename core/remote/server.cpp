@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kReadAtOnce = 64u << 10;                  ///< of one client in a round
 constexpr int kRequestsAtOnce = 32;                             ///< the same
 constexpr std::chrono::microseconds kExchangeEvery{500};        ///< while ticks follow each other
+constexpr std::chrono::milliseconds kWaitForSeat{100};          ///< of who connects while there are too many: some may have gone unseen
 constexpr const char* kLineSeverities[] = {"info", "warning", "error"};
 
 /// Takes the same time wherever they differ.
@@ -131,15 +132,20 @@ void RemoteServer::exchange(std::chrono::nanoseconds atMost) {
 }
 
 void RemoteServer::accept() {
-    while (std::optional<Socket> socket = m_listener.accept()) {
+    const auto isFull = [&] { return m_connections.size() >= m_options.mostClients; };
+    if (!isFull()) m_full.reset();
+    while (!isFull() || m_exchanged - m_full.value_or(m_exchanged) > kWaitForSeat) {
+        std::optional<Socket> socket = m_listener.accept();
+        if (!socket) return;
         RemoteClient client(false);
-        if (m_connections.size() >= m_options.mostClients) {
+        if (isFull()) {
             client.send({{"id", nullptr}, {"ok", false}, {"error", "full"}, {"message", "the server has too many clients"}});
             (void)socket->write(client.unsent());
             continue;
         }
         m_connections.push_back(std::make_unique<Connection>(Connection{std::move(*socket), std::move(client), Clock::now(), false, false}));
     }
+    if (!m_full) m_full = m_exchanged;
 }
 
 void RemoteServer::receive(Connection& connection) {

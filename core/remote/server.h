@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,6 +89,7 @@ private:
     LivePace m_pace;
     bool m_paced = false; ///< running; m_pace is valid
     Clock::time_point m_exchanged;
+    std::optional<Clock::time_point> m_full; ///< since when others wait for a seat
     ServedState m_announced = ServedState::Paused;
     std::size_t m_next = 0; ///< whose step comes first, so that all get their turn
     bool m_over = false;

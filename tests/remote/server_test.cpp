@@ -218,6 +218,20 @@ private Q_SLOTS:
         QCOMPARE(call(peer, {{"id", 9}, {"op", "step"}})["tick"], Json(1));
     }
 
+    void whoHasGoneTakesNoSeat() {
+        Socket listener = Socket::listen("127.0.0.1", 0).value();
+        const std::uint16_t port = listener.port();
+        m_server->listen(std::move(listener));
+        const auto connected = [port] { return Socket::connect("127.0.0.1", port).value(); };
+        {
+            std::vector<Socket> going;
+            for (int i = 0; i < 14; ++i) going.push_back(connected());
+            serve(1); // these have seats, of the next ten two get one
+            for (int i = 0; i < 10; ++i) going.push_back(connected());
+        }
+        Peer last{connected(), FrameReader({1u << 26, 1u << 26}), {}};
+        QCOMPARE(call(last, {{"id", 1}, {"op", "hello"}, {"token", "0123456789abcdef"}})["ok"], Json(true));
+    }
     void afterAFrameThatIsTooLargeTheConnectionIsClosed() {
         Peer peer = connect();
         peer.write(std::string(100, 'x'));
