@@ -124,7 +124,7 @@ const RobotSpec* DriveCommand::chooseRobot() {
     const RobotSpec* found = nullptr;
     std::size_t count = 0;
     for (const RobotSpec& robot : m_loaded.experiment->robots) {
-        if (!robot.controller || (!m_arguments.robot.empty() && robot.name != m_arguments.robot)) continue;
+        if (robot.controllers.empty() || (!m_arguments.robot.empty() && robot.name != m_arguments.robot)) continue;
         found = &robot;
         if (++count <= 10) names += (names.empty() ? "" : ", ") + robot.name;
     }

@@ -220,7 +220,7 @@ void RunCommand::showBacktrace(const SourceRange& block) {
     const std::vector<RobotSpec>& robots = m_loaded->experiment->robots;
     const auto& stopped = m_runner->stoppedControllers();
     const auto found = std::find_if(stopped.rbegin(), stopped.rend(), [&](const StoppedController& controller) {
-        return robots[controller.robot].controller->nameRange == block;
+        return controller.place == block;
     });
     if (found == stopped.rend()) return;
     for (const std::string& line : found->fault.backtrace)

@@ -77,9 +77,9 @@ Json endsJson(const World& world) {
 /// Controllers that a fault stopped while the run continued.
 Json stoppedJson(const Runner& runner, const ExperimentSpec& experiment) {
     Json list = Json::array();
-    for (const auto& [robot, time, fault, byCommand] : runner.stoppedControllers())
+    for (const auto& [robot, controller, place, time, fault, byCommand] : runner.stoppedControllers())
         list.push_back({{"robot", experiment.robots[robot].name},
-                        {"controller", experiment.robots[robot].controller->name},
+                        {"controller", controller},
                         {"reason", fault.reason},
                         {"backtrace", fault.backtrace},
                         {"own", fault.isOwn || byCommand},

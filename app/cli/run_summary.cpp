@@ -114,7 +114,7 @@ std::string stoppedRows(const Runner& runner, const ExperimentSpec& experiment) 
     const auto& stopped = runner.stoppedControllers();
     for (std::size_t i = 0; i < stopped.size() && i < kMaxListed; ++i) {
         const RobotSpec& robot = experiment.robots[stopped[i].robot];
-        text += row(i == 0 ? "stopped" : "", robot.name + "/" + robot.controller->name + " at t = " +
+        text += row(i == 0 ? "stopped" : "", robot.name + "/" + stopped[i].controller + " at t = " +
                                                  shortText(stopped[i].time, 9) + " s: " + cleanLine(stopped[i].fault.reason));
     }
     if (stopped.size() > kMaxListed) text += row("", "and " + std::to_string(stopped.size() - kMaxListed) + " more");

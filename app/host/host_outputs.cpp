@@ -77,6 +77,10 @@ ControllerOutputs makeHostOutputs(RecordSender& sender, std::uint32_t controller
     outputs.print = [&sender, controller](int severity, const std::string& text) {
         sender.record(HostRecord::Print, controller, WireWriter().number<std::int32_t>(severity).bytes(text).view());
     };
+    outputs.claim = [&sender, controller](const std::string& command) {
+        const std::string reply = sender.ask(HostRecord::Claim, controller, WireWriter().bytes(command).view());
+        return WireReader(reply).status();
+    };
     outputs.finish = [&sender, controller](const std::string& reason) {
         sender.record(HostRecord::Finish, controller, WireWriter().bytes(reason).view());
     };

@@ -135,16 +135,19 @@ void HostWorker::start(WireReader& in) {
     Controller& controller = m_controllers[number];
     controller.instance.reset();
     controller.record = readControllerRecord(in);
-    const std::string& kind = controller.record.robot.controller->kind;
+    const std::string& kind = controller.record.robot.controllers[controller.record.controller].kind;
     const TrundleKind* code = m_store->find(kind, TRUNDLE_CONTROLLER);
     if (!code) return done(Error{Code::KindNotLoaded, "the controller " + kind + " is not in the module"});
     controller.target = m_calls->add({"the controller " + kind, controller.record.robot.name, kind, {}, 0});
     controller.radios = std::make_shared<HostRadios>(*this, number);
-    controller.instance = std::make_unique<ControllerInstance>(controller.record.robot, controller.record.settings, *code);
+    controller.instance = std::make_unique<ControllerInstance>(controller.record.robot, controller.record.controller,
+                                                               controller.record.settings, *code);
     const MonitoredCall call(*m_calls, controller.target, "setup");
     const SlotImages images{static_cast<double*>(m_sensors.data()) + controller.record.offset,
                             static_cast<double*>(m_commands.data()) + controller.record.offset};
-    done(controller.instance->start(controller.record.layout, images, makeHostOutputs(*this, number, controller.radios)));
+    ControllerOutputs outputs = makeHostOutputs(*this, number, controller.radios);
+    if (controller.record.robot.controllers.size() == 1) outputs.claim = nullptr;
+    done(controller.instance->start(controller.record.layout, images, std::move(outputs)));
 }
 
 void HostWorker::update(WireReader& in) {

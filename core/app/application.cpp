@@ -92,6 +92,12 @@ struct RunCode {
                 console(calls->time(), {}, TRUNDLE_WARNING, text);
             });
     }
+    Result<std::unique_ptr<ControllerBackend>> makeBackend(const ControllerRequest& request) {
+        if (!request.library.empty() && !hosts.addLater(request.robot, request.controller, request.library))
+            if (const auto loaded = store.load(request.library); !loaded) return loaded.error();
+        if (hosts.has(*request.robot, request.controller)) return hosts.makeBackend(*request.robot, request.controller);
+        return makeInProcessBackend(*request.robot, request.controller, request.settings, store);
+    }
     /// Code of a module runs in this process only if a device or a controller needs it here.
     Result<std::vector<Kind>> load(const std::string& library, const Registry& registry) {
         return hosts.hasOnly(library) && !hasDeviceOf(library, registry) ? hosts.load(library) : store.loadKinds(library);
@@ -203,11 +209,7 @@ std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& load
         const TrundleKind* builtIn = findBuiltInDevice(kind);
         return builtIn ? builtIn : store.find(kind, TRUNDLE_DEVICE);
     };
-    const BackendFactory backends = [&code = *code](const RobotSpec& robot,
-                                                    const SettingsSpec& settings) -> Result<std::unique_ptr<ControllerBackend>> {
-        if (code.hosts.has(robot)) return code.hosts.makeBackend(robot);
-        return makeInProcessBackend(robot, settings, code.store);
-    };
+    const BackendFactory backends = [&code = *code](const ControllerRequest& request) { return code.makeBackend(request); };
     const auto world = std::make_shared<const World*>(nullptr); // set once the world exists
     if (!options.pictures) {
         const auto warn = [world, console = options.console](const std::string& line) {

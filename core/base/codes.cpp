@@ -53,7 +53,7 @@ constexpr CodeEntry kCodes[] = {
     {Code::DefaultUsed, "built-in default used"},
     {Code::PlacementFailed, "no free position for a member of a Scatter"},
     {Code::MeshUnreadable, "unreadable mesh or picture"},
-    {Code::MultipleControllers, "more than one controller"},
+    {Code::MultipleControllers, "two controllers for one command"},
     {Code::LooseGeom, "geom outside a body"},
     {Code::ThesisSpelling, "obsolete spelling"},
     {Code::FileUnreadable, "unreadable file"},

@@ -9,7 +9,7 @@
 
 #include "base/platform/module_text.h"
 #include "base/rng.h"
-#include "control/port_names.h"
+#include "model/signal_count.h"
 #include "schema/live_value.h"
 
 namespace trundle {
@@ -25,15 +25,21 @@ bool savesState(const TrundleKind& code) {
     return code.size >= offsetof(TrundleKind, loadState) + sizeof code.loadState && code.saveState && code.loadState;
 }
 
+/// Each controller of a robot draws other random numbers; those of the first do not depend on the others.
+std::string randomName(const RobotSpec& robot, std::size_t controller) {
+    return controller == 0 ? robot.name : robot.name + "/" + robot.controllers[controller].name;
+}
+
 Status noPictures() { return Error{Code::NoGraphics, "this run takes no pictures"}; }
 
 ControllerInstance& self(void* context) { return *static_cast<ControllerInstance*>(context); }
 
 } // namespace
 
-ControllerInstance::ControllerInstance(const RobotSpec& robot, const SettingsSpec& settings, const TrundleKind& code)
-    : m_robot(robot), m_code(code), m_noNumber(std::numeric_limits<double>::quiet_NaN()), m_seed(settings.seed),
-      m_pathHash(fnv1a64(robot.name)), m_tick(kSetupTick) {
+ControllerInstance::ControllerInstance(const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings,
+                                       const TrundleKind& code)
+    : m_robot(robot), m_index(controller), m_code(code), m_noNumber(std::numeric_limits<double>::quiet_NaN()), m_seed(settings.seed),
+      m_pathHash(fnv1a64(randomName(robot, controller))), m_tick(kSetupTick) {
     m_table.size = sizeof m_table;
     m_table.context = this;
     m_table.name = m_robot.name.c_str();
@@ -112,12 +118,12 @@ void ControllerInstance::stop() {
 
 Error ControllerInstance::failed(const std::string& how, const char* why) const {
     const std::string reason = moduleMessage(why);
-    return {Code::ControllerFailed, "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how +
-                                        (reason.empty() ? "" : ": ") + reason};
+    const std::string title = spec() ? controllerTitle(m_robot, *spec()) : "the controller " + std::string(m_code.name) + " of " + m_robot.name;
+    return {Code::ControllerFailed, title + " " + how + (reason.empty() ? "" : ": ") + reason};
 }
 
 Status ControllerInstance::setField(std::uint32_t index) {
-    const ResolvedValue* given = m_robot.controller ? m_robot.controller->find(m_code.fields[index].name) : nullptr;
+    const ResolvedValue* given = spec() ? spec()->find(m_code.fields[index].name) : nullptr;
     if (!given) return {};
     const PropertyValue& value = given->value;
     std::vector<const char*> texts;
@@ -136,10 +142,12 @@ Status ControllerInstance::setField(std::uint32_t index) {
 double* ControllerInstance::bind(void* context, const char* kind, const char* device, const char* signal) {
     auto& me = self(context);
     const std::string ofKind = moduleName(kind), named = moduleName(device), asked = moduleName(signal);
-    const auto entry = PortNames(me.m_robot, *me.m_layout).bind(ofKind, named, asked);
+    const auto entry = me.names().bind(ofKind, named, asked);
     if (entry && asked == "frame" && me.isAlwaysNew(ofKind, named)) return &me.m_noNumber;
-    if (entry) return me.slot(*entry.value(), entry.value()->direction == SignalDirection::Command);
-    if (!me.m_failure) me.m_failure = entry.error();
+    const bool isCommand = entry && entry.value()->direction == SignalDirection::Command;
+    const Status claimed = isCommand && me.m_outputs.claim ? me.m_outputs.claim(entry.value()->path) : Status();
+    if (entry && claimed) return me.slot(*entry.value(), isCommand);
+    if (!me.m_failure) me.m_failure = entry ? claimed.error() : entry.error();
     return nullptr;
 }
 
@@ -157,9 +165,17 @@ bool ControllerInstance::isAlwaysNew(const std::string& kind, const std::string&
 
 double* ControllerInstance::publish(void* context, const char* signal, std::uint32_t* count) {
     auto& me = self(context);
-    const auto entry = PortNames(me.m_robot, *me.m_layout).published(moduleName(signal));
+    const auto entry = me.names().published(moduleName(signal));
     if (entry && count) *count = entry.value()->count;
     if (entry) return me.slot(*entry.value(), true);
+    // A controller that came during the run publishes what this run has no signals for.
+    for (const SignalDescription& described : me.spec() ? me.spec()->published : std::vector<SignalDescription>())
+        if (described.name == moduleName(signal) && described.direction == TRUNDLE_OUTPUT) {
+            std::vector<double>& values = me.m_unlisted[described.name];
+            values.resize(signalCount(described, *me.spec()));
+            if (count) *count = static_cast<std::uint32_t>(values.size());
+            return values.data();
+        }
     if (!me.m_failure) me.m_failure = entry.error();
     return nullptr;
 }
@@ -171,7 +187,7 @@ void ControllerInstance::finish(void* context, const char* reason) {
 std::int32_t ControllerInstance::signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
                                std::uint32_t* direction) {
     auto& me = self(context);
-    const SignalEntry* entry = PortNames(me.m_robot, *me.m_layout).look(moduleName(device), moduleName(signal));
+    const SignalEntry* entry = me.names().look(moduleName(device), moduleName(signal));
     if (!entry) return 1;
     if (count) *count = entry->count;
     if (direction) *direction = static_cast<std::uint32_t>(entry->direction);
@@ -241,7 +257,7 @@ const char* ControllerInstance::cameraError(void* context) { return self(context
 
 std::int32_t ControllerInstance::findRadio(void* context, const char* component, std::uint32_t* radio) {
     auto& me = self(context);
-    const auto entry = PortNames(me.m_robot, *me.m_layout).bind("Transceiver", moduleName(component), "rssi");
+    const auto entry = me.names().bind("Transceiver", moduleName(component), "rssi");
     const auto found =
         me.m_outputs.radios ? me.m_outputs.radios->find(me.m_robot.name + "/" + moduleName(component)) : std::nullopt;
     if (found) {

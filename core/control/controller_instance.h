@@ -2,13 +2,16 @@
 // One controller of a module with the function table of its robot: the same code in this process and in a host process.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <trundle/abi.h>
 
 #include "control/backend.h"
+#include "control/port_names.h"
 
 namespace trundle {
 
@@ -20,8 +23,9 @@ struct SlotImages {
 
 class ControllerInstance {
 public:
-    /// `code` must outlive the object, as the module that it is from.
-    ControllerInstance(const RobotSpec& robot, const SettingsSpec& settings, const TrundleKind& code);
+    /// `controller`: its index in the robot; beyond the last: one of no text. `code` must outlive the object, as the module that
+    /// it is from.
+    ControllerInstance(const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings, const TrundleKind& code);
     ControllerInstance(const ControllerInstance&) = delete;
     ControllerInstance& operator=(const ControllerInstance&) = delete;
     ~ControllerInstance() { stop(); }
@@ -41,6 +45,8 @@ public:
 private:
     [[nodiscard]] Error failed(const std::string& how, const char* why) const;
     [[nodiscard]] Status setField(std::uint32_t index);
+    [[nodiscard]] const ControllerSpec* spec() const { return m_index < m_robot.controllers.size() ? &m_robot.controllers[m_index] : nullptr; }
+    [[nodiscard]] PortNames names() const { return {m_robot, spec(), *m_layout}; }
     [[nodiscard]] double* slot(const SignalEntry& entry, bool writable) const;
     [[nodiscard]] bool isAlwaysNew(const std::string& kind, const std::string& device) const;
     std::int32_t reportStatus(const Status& status);
@@ -70,10 +76,12 @@ private:
     static const TrundleRobotRadio kRadio;
 
     const RobotSpec m_robot; // a copy, because pointers to its name and values are passed to the controller
+    const std::size_t m_index;
     const TrundleKind& m_code;
     TrundleRobot m_table{};
     TrundleCameras m_cameras{};
     std::string m_cameraError, m_objectName;
+    std::map<std::string, std::vector<double>> m_unlisted; ///< published, but without a signal in this run
     double m_noNumber;
     void* m_instance = nullptr;
     const SignalLayout* m_layout = nullptr;

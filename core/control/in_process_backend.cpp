@@ -9,8 +9,9 @@ namespace {
 
 class InProcessBackend final : public ControllerBackend {
 public:
-    InProcessBackend(const RobotSpec& robot, const SettingsSpec& settings, const TrundleKind& code, std::string library)
-        : m_controller(robot, settings, code), m_library(std::move(library)) {}
+    InProcessBackend(const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings, const TrundleKind& code,
+                     std::string library)
+        : m_controller(robot, controller, settings, code), m_library(std::move(library)) {}
 
     Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) override {
         return m_controller.start(layout, {block.slots().data(), block.slots().data()}, std::move(outputs));
@@ -30,18 +31,18 @@ private:
 
 } // namespace
 
-std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings,
+std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings,
                                                         const TrundleKind& code, std::string library) {
-    return std::make_unique<InProcessBackend>(robot, settings, code, std::move(library));
+    return std::make_unique<InProcessBackend>(robot, controller, settings, code, std::move(library));
 }
 
-Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings,
+Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings,
                                                                 const ModuleStore& store) {
-    if (!robot.controller) return Error{Code::Internal, robot.name + " has no controller"};
-    const std::string& kind = robot.controller->kind;
+    if (controller >= robot.controllers.size()) return Error{Code::Internal, robot.name + " has no such controller"};
+    const std::string& kind = robot.controllers[controller].kind;
     const LoadedModule* module = store.owner(kind, TRUNDLE_CONTROLLER);
     if (!module) return Error{Code::KindNotLoaded, "the controller " + kind + " of " + robot.name + " is in no loaded module"};
-    return makeInProcessBackend(robot, settings, *store.find(kind, TRUNDLE_CONTROLLER), module->library);
+    return makeInProcessBackend(robot, controller, settings, *store.find(kind, TRUNDLE_CONTROLLER), module->library);
 }
 
 } // namespace trundle

@@ -9,13 +9,13 @@
 
 namespace trundle {
 
-/// The backend of a robot's controller, called in this process. Used as the runner's BackendFactory. `store` must outlive it and
+/// The backend of a robot's controller, by its index, called in this process. Used as the runner's BackendFactory. `store` must outlive it and
 /// have loaded its module; otherwise fails with E413.
-[[nodiscard]] Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot,
+[[nodiscard]] Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot, std::size_t controller,
                                                                               const SettingsSpec& settings,
                                                                               const ModuleStore& store);
 /// The same for a function table without a module (tests, built-in controllers).
-[[nodiscard]] std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings,
+[[nodiscard]] std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings,
                                                                       const TrundleKind& code, std::string library);
 
 } // namespace trundle

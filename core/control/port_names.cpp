@@ -94,14 +94,14 @@ Result<const SignalEntry*> PortNames::bind(const std::string& kind, const std::s
 }
 
 Result<const SignalEntry*> PortNames::published(const std::string& signal) const {
-    if (!m_robot.controller) return unknown(m_robot, "has no controller in its text that could publish '" + signal + "'");
-    const std::string prefix = m_robot.name + "/" + m_robot.controller->name + "/";
+    if (!m_controller) return unknown(m_robot, "has no controller in its text that could publish '" + signal + "'");
+    const std::string prefix = m_robot.name + "/" + m_controller->name + "/";
     const SignalEntry* entry = m_layout.find(prefix + signal);
     if (entry) return entry;
     std::vector<std::string> names;
-    for (const SignalDescription& s : m_robot.published) names.push_back(s.name);
+    for (const SignalDescription& s : m_controller->published) names.push_back(s.name);
     return unknown(m_robot, "cannot publish '" + signal + "'" + meant(signal, names) + " (describe() of " +
-                                m_robot.controller->kind + " names as outputs: " + signalsBelow(prefix, false) + ")");
+                                m_controller->kind + " names as outputs: " + signalsBelow(prefix, false) + ")");
 }
 
 const SignalEntry* PortNames::look(const std::string& device, const std::string& signal) const {

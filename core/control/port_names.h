@@ -8,10 +8,11 @@
 
 namespace trundle {
 
-/// Resolves the names of a controller's ports among its robot's signals.
+/// Resolves the names of the ports of a robot's controller among its robot's signals.
 class PortNames {
 public:
-    PortNames(const RobotSpec& robot, const SignalLayout& layout) : m_robot(robot), m_layout(layout) {}
+    PortNames(const RobotSpec& robot, const ControllerSpec* controller, const SignalLayout& layout)
+        : m_robot(robot), m_controller(controller), m_layout(layout) {}
 
     /// The entry of a signal of a device of this kind ("": any). Ground truth is available only through kind GroundTruth with the
     /// name groundTruth. Fails with E411 and lists the available names.
@@ -27,6 +28,7 @@ private:
     [[nodiscard]] std::string devices(const std::string& kind) const;
     [[nodiscard]] std::string signalsBelow(const std::string& prefix, bool truth) const;
     const RobotSpec& m_robot;
+    const ControllerSpec* m_controller; ///< whose names are meant; null: that of no text
     const SignalLayout& m_layout;
 };
 

@@ -58,17 +58,26 @@ struct RobotConfigSpec {
     std::vector<std::pair<int, int>> noContact; ///< pairs of its bodies that do not touch each other
 };
 
+/// A controller of a robot: a component that includes UpdatePeriod, Isolation and Budget.
+struct ControllerSpec : ComponentSpec {
+    std::vector<SignalDescription> published; ///< signals published by it, from its kind
+};
+
 struct RobotSpec {
     std::string name;
     Pose pose; ///< of the config frame in the world frame at t = 0
     std::shared_ptr<const RobotConfigSpec> config;
-    std::optional<ComponentSpec> controller;  ///< includes UpdatePeriod, Isolation and Budget
-    SourceRange range;                        ///< the whole block
-    SourceRange nameRange;                    ///< for diagnostics about the robot; for a member, the name of its Grid or Scatter
-    std::vector<SignalDescription> published; ///< signals published by the controller, from its kind
+    std::vector<ControllerSpec> controllers; ///< in text order; no two command the same signal
+    SourceRange range;                       ///< the whole block
+    SourceRange nameRange;                   ///< for diagnostics about the robot; for a member, the name of its Grid or Scatter
     /// Of what moves, senses or acts in a Static: its fixed geoms, which StaticSpec has too, and the first body is fixed. Null: a robot.
     std::shared_ptr<const std::vector<GeomSpec>> scenery;
 };
+
+/// "the controller Walker of robot0"; with its name if the robot has several.
+[[nodiscard]] inline std::string controllerTitle(const RobotSpec& robot, const ControllerSpec& controller) {
+    return "the controller " + controller.kind + (robot.controllers.size() > 1 ? " " + controller.name : "") + " of " + robot.name;
+}
 
 /// Name of the fixed body of a Static with bodies or devices: that of the world in the text.
 inline constexpr const char* kFixedBody = "world";

@@ -74,7 +74,6 @@ void PartBuilder::fill(Part& part, FileId file) {
     }
     if (part.is(Role::Config)) checkParams(part);
     if (part.block->type.text == "RobotConfig") looseGeoms(part);
-    if (part.is(Role::Instance) || part.is(Role::Layout)) countControllers(part);
     nameParts(part);
 }
 
@@ -205,21 +204,6 @@ void PartBuilder::looseGeoms(const Part& config) {
             {"Body " + name + " { ... }",
              {{{first.file, {from.begin, from.begin}}, "Body " + name + " { "}, {{first.file, {to.end, to.end}}, " }"}}});
         i = last;
-    }
-}
-
-void PartBuilder::countControllers(Part& robot) {
-    const Part* first = nullptr;
-    for (Part& part : robot.parts) {
-        if (!part.is(Role::Controller)) continue;
-        if (!first) {
-            first = &part;
-            continue;
-        }
-        Diagnostic& d = m_diagnostics.error(Code::MultipleControllers, part.nameRange(),
-                                            robot.title() + " has a controller already: " + first->title());
-        d.notes.push_back({"the first one", first->nameRange()});
-        part.usable = false;
     }
 }
 

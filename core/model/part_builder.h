@@ -29,7 +29,6 @@ private:
     void unknownKind(const Part& part, const Part* parent);
     void misplaced(const Part& part, const Part* parent);
     void looseGeoms(const Part& config);
-    void countControllers(Part& robot);
 
     const TextSet& m_texts;
     const Registry& m_registry;

@@ -15,7 +15,7 @@ bool isBody(const Part& part) {
 } // namespace
 
 bool isPassive(const RobotSpec& robot) {
-    if (!robot.config || robot.controller || robot.scenery) return false;
+    if (!robot.config || !robot.controllers.empty() || robot.scenery) return false;
     return robot.config->joints.empty() && robot.config->springs.empty() && robot.config->devices.empty();
 }
 

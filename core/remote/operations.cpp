@@ -57,7 +57,9 @@ Json statusOf(ServedRun& run) {
     status["layout"] = hashDigits(run.world().layout().hash());
     Json stopped = Json::array();
     for (const StoppedController& each : run.runner().stoppedControllers())
-        stopped.push_back({{"robot", run.world().experiment().robots[each.robot].name}, {"time", each.time}, {"reason", each.fault.reason}});
+        stopped.push_back({{"robot", run.world().experiment().robots[each.robot].name},
+                           {"controller", each.controller},
+                           {"time", each.time}, {"reason", each.fault.reason}});
     status["stopped"] = std::move(stopped);
     return status;
 }

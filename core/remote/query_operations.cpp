@@ -21,6 +21,16 @@ Reply QueryOperations::status() {
     return {statusOf(m_run), {}, {}, {}, false};
 }
 
+namespace {
+
+Json controllersOf(const RobotSpec& robot) {
+    Json all = Json::array();
+    for (const ControllerSpec& each : robot.controllers) all.push_back({{"kind", each.kind}, {"name", each.name}});
+    return all;
+}
+
+} // namespace
+
 Reply QueryOperations::list() {
     if (auto wrong = m_request.mistake()) return *wrong;
     Reply reply;
@@ -30,7 +40,8 @@ Reply QueryOperations::list() {
         for (const ComponentSpec& device : robot.config->devices)
             devices.push_back({{"device", robot.name + "/" + device.name}, {"kind", device.kind}, {"interface", interfaceOf(device.kind)}});
         robots.push_back({{"robot", robot.name},
-                          {"controller", robot.controller ? Json(robot.controller->kind) : Json()},
+                          {"controller", robot.controllers.empty() ? Json() : Json(robot.controllers.front().kind)},
+                          {"controllers", controllersOf(robot)},
                           {"held", m_run.isHeld(robot.name)},
                           {"devices", std::move(devices)}});
     }
@@ -81,7 +92,8 @@ Reply QueryOperations::describe() {
         if (entry.path.starts_with(robot->name + "/")) signals.push_back(describedSignal(entry));
     reply.members["robot"] = robot->name;
     reply.members["controller"] =
-        robot->controller ? Json{{"kind", robot->controller->kind}, {"name", robot->controller->name}} : Json();
+        robot->controllers.empty() ? Json() : controllersOf(*robot).front();
+    reply.members["controllers"] = controllersOf(*robot);
     reply.members["held"] = m_run.isHeld(robot->name);
     reply.members["slots"] = m_run.world().layout().slotCount();
     reply.members["devices"] = std::move(devices);

@@ -32,7 +32,9 @@ void RemoteWorld::join() {
 
 bool RemoteWorld::isPublished(const std::string& path) const {
     const RobotSpec& robot = experiment().robots[0];
-    return robot.controller && path.starts_with(robot.name + "/" + robot.controller->name + "/");
+    return std::ranges::any_of(robot.controllers, [&](const ControllerSpec& controller) {
+        return path.starts_with(robot.name + "/" + controller.name + "/");
+    });
 }
 
 void RemoteWorld::takeValues() {

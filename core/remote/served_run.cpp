@@ -102,8 +102,8 @@ Status ServedRun::checkSignal(const std::string& path) const {
 
 Status ServedRun::checkOwner(const std::string& path) const {
     const RobotSpec* owner = robot(robotOf(path));
-    if (owner && owner->controller && !isHeld(owner->name))
-        return Error{Code::Conflict, "the controller " + owner->controller->name + " of " + owner->name + " owns " + path + "; hold " +
+    if (owner && !owner->controllers.empty() && !isHeld(owner->name))
+        return Error{Code::Conflict, "the controller " + owner->controllers.front().name + " of " + owner->name + " owns " + path + "; hold " +
                                          owner->name + " first"};
     return {};
 }
@@ -123,7 +123,7 @@ Status ServedRun::hold(const std::string& name, bool held) {
         return {};
     }
     m_held.erase(name);
-    if (robot(name)->controller) // its signals that wait for the coming tick are its controller's again
+    if (!robot(name)->controllers.empty()) // its signals that wait for the coming tick are its controller's again
         std::erase_if(m_commands, [&](const auto& command) { return command.first.starts_with("signal " + name + "/"); });
     return {};
 }
@@ -149,7 +149,7 @@ Status ServedRun::push(const std::string& body, const Vec3& force, const Vec3& p
 Status ServedRun::restart(const std::string& name) {
     if (!exists()) return noRun();
     const RobotSpec* owner = robot(name);
-    if (!owner || !owner->controller)
+    if (!owner || owner->controllers.empty())
         return Error{Code::NoSuchPath, "there is no robot " + shortenedMessage(name) + " with a controller"};
     m_commands["restart " + name] = RestartCommand{name};
     return {};

@@ -1,6 +1,7 @@
 #pragma once
 // Commands from outside a run, such as pushes, poses and values. Each is stamped with its tick and recorded.
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,7 +25,7 @@ struct SignalCommand {
     std::string path;
     double value = 0;
 };
-/// While a robot is held, its controller is not called: commands come from elsewhere.
+/// While a robot is held, its controllers are not called: commands come from elsewhere.
 struct HoldCommand {
     std::string robot;
     bool held = true;
@@ -38,9 +39,9 @@ struct PropertyCommand {
     std::string object, property;
     PropertyValue value;
 };
-/// Starts the controller of a robot again, from its setup; if its process has ended, those of all robots that shared it.
+/// Starts controllers of a robot again, from their setup; if their process has ended, all that shared it.
 struct RestartCommand {
-    std::string robot;
+    std::string robot, controller; ///< the name of one; empty: all
 };
 /// Loads the module with this path again, as a new file, and starts its controllers from their setup. Poses and time stay. A module
 /// that cannot be used is refused, and the old code continues. Only for controllers in host processes.
@@ -48,16 +49,24 @@ struct ReloadCommand {
     std::string module; ///< empty: all modules
 };
 
-/// The controller of a robot is not called any more, and the robot's commands become 0, until a RestartCommand or new code.
+/// Controllers of a robot are not called any more, and their commands become 0, until a RestartCommand or new code.
 struct StopCommand {
-    std::string robot;
+    std::string robot, controller; ///< the name of one; empty: all
+};
+
+/// Another controller takes the place of one of a robot, or of none, and begins with its setup; poses and time stay. What it publishes has
+/// signals only where the one that the run began with has published the same; the rest has none until the next run.
+struct SwapCommand {
+    std::string robot, controller;    ///< the name of the old one; empty: the robot has none
+    std::optional<ControllerSpec> to; ///< none: the old one leaves
+    std::string library;              ///< path of the module with its kind
 };
 
 /// Applied before the controllers are called in tick `tick + 1`: `tick` is the number of completed ticks.
 struct Command {
     std::uint64_t tick = 0;
     std::variant<PushCommand, PlaceCommand, SignalCommand, HoldCommand, SurfaceCommand, PropertyCommand, RestartCommand,
-                 ReloadCommand, StopCommand>
+                 ReloadCommand, StopCommand, SwapCommand>
         what;
 };
 

@@ -14,17 +14,16 @@ namespace {
 
 constexpr std::size_t kMaxControllerErrors = 20; // equal errors of several robots count once
 
-CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
-    const std::string& kind = robot.controller->kind;
-    return {"the controller " + kind + " of " + robot.name, robot.name, kind, {}, static_cast<std::uint32_t>(index)};
+CallTarget targetOf(const RobotSpec& robot, const ControllerSpec& controller, std::size_t index) {
+    return {controllerTitle(robot, controller), robot.name, controller.kind, {}, static_cast<std::uint32_t>(index)};
 }
 
 Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, SourceRange range) {
     return {severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, range, {}, {}, {}};
 }
 
-std::string slowText(const RobotSpec& robot, double seconds, double budget) {
-    return "an update of the controller " + robot.controller->name + " took " + numberText(std::round(1e4 * seconds) / 10) +
+std::string slowText(const ControllerSpec& controller, double seconds, double budget) {
+    return "an update of the controller " + controller.name + " took " + numberText(std::round(1e4 * seconds) / 10) +
            " ms; its Budget is " + numberText(1e3 * budget) + " ms";
 }
 
@@ -35,86 +34,180 @@ void ControllerSet::start(const BackendFactory& backends, Diagnostics& diagnosti
     const auto report = [&](const Error& error, const ComponentSpec& spec) {
         if (said.insert(spec.kind + "\n" + error.message).second) diagnostics.error(error.code, spec.nameRange, error.message);
     };
+    m_backends = backends;
     const std::vector<RobotSpec>& robots = experiment().robots;
-    for (std::size_t i = 0; i < robots.size() && said.size() < kMaxControllerErrors; ++i) {
-        if (!robots[i].controller) continue;
-        const ComponentSpec& spec = *robots[i].controller;
-        Result<std::unique_ptr<ControllerBackend>> backend = backends(robots[i], experiment().settings);
-        if (!backend) {
-            report(backend.error(), spec);
-            continue;
+    for (std::size_t i = 0; i < robots.size(); ++i)
+        for (std::size_t k = 0; k < robots[i].controllers.size() && said.size() < kMaxControllerErrors; ++k) {
+            // The experiment outlives the run.
+            const std::shared_ptr<const RobotSpec> view(std::shared_ptr<void>(), &robots[i]);
+            Status started = add(i, view, k, {});
+            if (started) {
+                const MonitoredCall call(m_context.calls, m_controllers.back().target, "setup");
+                started = m_controllers.back().backend->start(m_context.world.layout(), m_context.world.block(),
+                                                              outputsOf(m_controllers.size() - 1));
+            }
+            if (!started) report(started.error(), robots[i].controllers[k]);
         }
-        m_controllers.push_back({i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick),
-                                 m_context.calls.add(targetOf(robots[i], i)), spec.number("Budget")});
-        const MonitoredCall call(m_context.calls, m_controllers.back().target, "setup");
-        const Status started = m_controllers.back().backend->start(m_context.world.layout(), m_context.world.block(),
-                                                                   m_context.outputsFor(robots[i]));
-        if (!started) report(started.error(), spec);
-    }
 }
 
-RunningController* ControllerSet::controllerOf(const std::string& robot) {
-    const auto it = std::ranges::find_if(m_controllers,
-                                         [&](const RunningController& c) { return experiment().robots[c.robot].name == robot; });
-    return it == m_controllers.end() ? nullptr : &*it;
+Status ControllerSet::add(std::size_t robot, std::shared_ptr<const RobotSpec> view, std::size_t controller,
+                          const std::string& library, RunningController* old) {
+    Result<std::unique_ptr<ControllerBackend>> backend = m_backends({view, controller, experiment().settings, library});
+    if (!backend) return backend.error();
+    const ControllerSpec& spec = view->controllers[controller];
+    if (!library.empty()) m_context.calls.setModule(spec.kind, library);
+    const CallTarget* target = m_context.calls.add(targetOf(*view, spec, robot));
+    if (old) remove(*old);
+    RunningController made{robot, std::move(view), controller, std::move(backend).value(),
+                           Schedule(spec.number("UpdatePeriod"), experiment().settings.tick), target, spec.number("Budget")};
+    if (old) *old = std::move(made);
+    else m_controllers.push_back(std::move(made));
+    return {};
+}
+
+/// Its place stays, since others refer to theirs by index.
+void ControllerSet::remove(RunningController& controller) {
+    {
+        const MonitoredCall call(m_context.calls, controller.target, "destructor");
+        controller.backend->stop();
+    }
+    setItsCommandsToZero(controller);
+    forgetStop(controller);
+    controller.backend.reset(); // before the robot that its outputs refer to
+    controller.claimed.clear();
+    controller.removed = true;
+}
+
+Status ControllerSet::apply(const SwapCommand& swap) {
+    const auto robot = std::ranges::find(experiment().robots, swap.robot, &RobotSpec::name);
+    if (robot == experiment().robots.end()) return Error{Code::NoSuchPath, "there is no robot " + swap.robot};
+    const std::vector<RunningController*> all = controllersOf(swap.robot), old = controllersOf(swap.robot, swap.controller);
+    if (swap.controller.empty() ? !all.empty() : old.empty())
+        return Error{Code::NoSuchPath, swap.robot + (all.empty() ? " has no controller " + swap.controller : " has a controller already")};
+    if (!swap.to) {
+        m_context.say(swap.robot, TRUNDLE_INFO, "the controller " + swap.controller + " was removed");
+        remove(*old.front());
+        return {};
+    }
+    auto view = std::make_shared<RobotSpec>(old.empty() ? *robot : *old.front()->view);
+    const std::size_t index = old.empty() ? 0 : old.front()->controller;
+    if (old.empty()) view->controllers = {*swap.to};
+    else view->controllers[index] = *swap.to;
+    const bool held = !old.empty() && old.front()->held;
+    const std::size_t place = old.empty() ? m_controllers.size() : static_cast<std::size_t>(old.front() - m_controllers.data());
+    if (Status made = add(static_cast<std::size_t>(robot - experiment().robots.begin()), std::move(view), index, swap.library,
+                          old.empty() ? nullptr : old.front());
+        !made)
+        return made;
+    m_controllers[place].held = held;
+    if (startAgain(m_controllers[place])) {
+        m_controllers[place].cost.restarts = 0;
+        m_context.say(swap.robot, TRUNDLE_INFO, "the controller " + swap.to->name + " is " + swap.to->kind + " now");
+    }
+    stopFaulty();
+    return {};
+}
+
+ControllerOutputs ControllerSet::outputsOf(std::size_t controller) {
+    m_controllers[controller].claimed.clear();
+    const RobotSpec& robot = *m_controllers[controller].view;
+    ControllerOutputs outputs = m_context.outputsFor(robot, m_controllers[controller].spec());
+    if (robot.controllers.size() > 1)
+        outputs.claim = [this, controller](const std::string& command) { return claim(controller, command); };
+    return outputs;
+}
+
+Status ControllerSet::claim(std::size_t controller, const std::string& command) {
+    RunningController& own = m_controllers[controller];
+    const SignalEntry* entry = m_context.world.layout().find(command);
+    for (const RunningController& other : m_controllers)
+        if (&other != &own && other.robot == own.robot && std::ranges::find(other.claimed, entry) != other.claimed.end())
+            return Error{Code::MultipleControllers, own.spec().name + " and " + other.spec().name + " both command " + command +
+                                                        ": each controller of a robot needs commands of its own"};
+    if (std::ranges::find(own.claimed, entry) == own.claimed.end()) own.claimed.push_back(entry);
+    return {};
+}
+
+void ControllerSet::setItsCommandsToZero(const RunningController& controller) {
+    if (controller.view->controllers.size() == 1) return setCommandsToZero(m_context.world, *controller.view);
+    for (const SignalEntry* entry : controller.claimed)
+        std::fill_n(m_context.world.block().slots().begin() + entry->offset, entry->count, 0.0);
+}
+
+std::vector<RunningController*> ControllerSet::controllersOf(const std::string& robot, const std::string& name) {
+    std::vector<RunningController*> found;
+    for (RunningController& each : m_controllers)
+        if (!each.removed && each.view->name == robot && (name.empty() || each.spec().name == name)) found.push_back(&each);
+    return found;
 }
 
 /// Ignored for a robot without a controller.
 Status ControllerSet::apply(const HoldCommand& hold) {
-    if (RunningController* controller = controllerOf(hold.robot)) controller->held = hold.held;
+    for (RunningController* controller : controllersOf(hold.robot)) controller->held = hold.held;
     return {};
 }
 
 /// Nothing if the object is not a controller.
 std::optional<Status> ControllerSet::set(const PropertyCommand& command) {
     const std::size_t slash = command.object.find('/');
-    RunningController* controller = controllerOf(command.object.substr(0, slash));
-    const bool meant = controller && slash != std::string::npos &&
-                       experiment().robots[controller->robot].controller->name == command.object.substr(slash + 1);
-    if (!meant) return std::nullopt;
-    const MonitoredCall call(m_context.calls, controller->target, "set");
-    return controller->backend->set(command.property, command.value);
+    if (slash == std::string::npos) return std::nullopt;
+    const auto meant = controllersOf(command.object.substr(0, slash), command.object.substr(slash + 1));
+    if (meant.empty()) return std::nullopt;
+    const MonitoredCall call(m_context.calls, meant.front()->target, "set");
+    return meant.front()->backend->set(command.property, command.value);
 }
 
 Status ControllerSet::apply(const RestartCommand& restart) {
-    RunningController* chosen = controllerOf(restart.robot);
-    if (!chosen) return Error{Code::NoSuchPath, restart.robot + " has no controller"};
-    const ControllerFault* fault = chosen->backend->fault();
-    const std::string process = fault ? fault->process : std::string();
-    for (RunningController& controller : m_controllers) {
-        const ControllerFault* other = controller.backend->fault();
-        if (&controller != chosen && (process.empty() || !other || other->process != process)) continue;
-        const RobotSpec& robot = experiment().robots[controller.robot];
-        if (startAgain(controller))
-            m_context.say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was started again");
-    }
+    const std::vector<RunningController*> chosen = controllersOf(restart.robot, restart.controller);
+    if (chosen.empty()) return Error{Code::NoSuchPath, restart.robot + " has no controller " + restart.controller};
+    const auto processOf = [](const RunningController& controller) {
+        const ControllerFault* fault = controller.backend->fault();
+        return fault ? fault->process : std::string();
+    };
+    std::set<std::string> processes;
+    for (const RunningController* controller : chosen) processes.insert(processOf(*controller));
+    processes.erase(std::string());
+    const auto isMeant = [&](RunningController& c) {
+        return std::ranges::find(chosen, &c) != chosen.end() || (!c.removed && processes.contains(processOf(c)));
+    };
+    std::vector<RunningController*> meant;
+    for (RunningController& controller : m_controllers)
+        if (isMeant(controller)) meant.push_back(&controller);
+    for (RunningController* controller : meant)
+        if (startAgain(*controller))
+            m_context.say(controller->view->name, TRUNDLE_INFO, "the controller " + controller->spec().name + " was started again");
     stopFaulty(); // a crash in setup ends the process of other robots too
     return {};
 }
 
 Status ControllerSet::apply(const StopCommand& stop) {
-    const RunningController* controller = controllerOf(stop.robot);
-    if (!controller || isStopped(*controller)) return {};
-    const RobotSpec& robot = experiment().robots[controller->robot];
-    m_stopped.push_back({controller->robot, m_context.world.time(), {}, true});
-    m_context.say(robot.name, TRUNDLE_INFO, "the controller " + robot.controller->name + " was stopped");
-    setCommandsToZero(m_context.world, robot);
+    for (const RunningController* controller : controllersOf(stop.robot, stop.controller)) {
+        if (isStopped(*controller)) continue;
+        m_stopped.push_back({controller->robot, controller->spec().name, controller->spec().nameRange, m_context.world.time(), {}, true});
+        m_context.say(stop.robot, TRUNDLE_INFO, "the controller " + controller->spec().name + " was stopped");
+        setItsCommandsToZero(*controller);
+    }
     return {};
+}
+
+void ControllerSet::forgetStop(const RunningController& controller) {
+    std::erase_if(m_stopped, [&](const StoppedController& stopped) {
+        return stopped.robot == controller.robot && stopped.controller == controller.spec().name;
+    });
 }
 
 /// From its setup, in a new process if the old one has ended.
 bool ControllerSet::startAgain(RunningController& controller) {
-    std::erase_if(m_stopped, [&](const StoppedController& stopped) { return stopped.robot == controller.robot; });
+    forgetStop(controller);
     controller.called = controller.slow = false;
     ++controller.cost.restarts;
-    const RobotSpec& robot = experiment().robots[controller.robot];
     const MonitoredCall call(m_context.calls, controller.target, "setup");
-    const Status started =
-        controller.backend->start(m_context.world.layout(), m_context.world.block(), m_context.outputsFor(robot));
+    const Status started = controller.backend->start(m_context.world.layout(), m_context.world.block(),
+                                                     outputsOf(static_cast<std::size_t>(&controller - m_controllers.data())));
     if (started || controller.backend->fault()) return started.ok(); // the fault is reported by stopFaulty()
-    m_stopped.push_back({controller.robot, m_context.world.time(), {started.error().message, {}, {}, true}});
-    m_context.say(robot.name, TRUNDLE_ERROR, started.error().message);
-    setCommandsToZero(m_context.world, robot);
+    m_stopped.push_back({controller.robot, controller.spec().name, controller.spec().nameRange, m_context.world.time(), {started.error().message, {}, {}, true}});
+    m_context.say(controller.view->name, TRUNDLE_ERROR, started.error().message);
+    setItsCommandsToZero(controller);
     return false;
 }
 
@@ -124,7 +217,7 @@ std::string ControllerSet::stateOf(RunningController& controller) {
     const MonitoredCall call(m_context.calls, controller.target, "saveState");
     Result<std::string> state = controller.backend->saveState();
     if (state) return std::move(state).value();
-    m_context.say(experiment().robots[controller.robot].name, TRUNDLE_WARNING,
+    m_context.say(controller.view->name, TRUNDLE_WARNING,
                   "no state is handed over: " + state.error().message);
     return {};
 }
@@ -139,7 +232,7 @@ bool ControllerSet::startFrom(RunningController& controller, const std::string& 
         loaded = controller.backend->loadState(state);
     }
     if (loaded) return true;
-    m_context.say(experiment().robots[controller.robot].name, TRUNDLE_WARNING,
+    m_context.say(controller.view->name, TRUNDLE_WARNING,
                   "the state of the old code is not used: " + loaded.error().message);
     return startAgain(controller);
 }
@@ -149,38 +242,42 @@ Status ControllerSet::apply(const ReloadCommand& reload) {
     std::set<std::string> said;
     std::vector<std::string> states;
     const auto isMeant = [&](const RunningController& c) {
-        return reload.module.empty() || c.backend->module() == reload.module;
+        return !c.removed && (reload.module.empty() || c.backend->module() == reload.module);
     };
     for (RunningController& controller : m_controllers)
         states.push_back(isMeant(controller) ? stateOf(controller) : std::string());
+    std::vector<RunningController*> renewed;
     for (RunningController& controller : m_controllers) {
-        const std::string library = controller.backend->module();
-        const std::string& state = states[static_cast<std::size_t>(&controller - m_controllers.data())];
         if (!isMeant(controller)) continue;
-        const RobotSpec& robot = experiment().robots[controller.robot];
         const MonitoredCall call(m_context.calls, controller.target, "load");
-        if (const Status renewed = controller.backend->renew(m_requests); !renewed) {
-            if (said.insert(robot.controller->kind + renewed.error().message).second)
-                m_context.say(robot.name, TRUNDLE_ERROR,
-                              "the controller " + robot.controller->kind +
-                                  " continues with its old code: " + renewed.error().message);
-        } else if (startFrom(controller, state)) {
-            m_context.say(robot.name, TRUNDLE_INFO,
-                          "the controller " + robot.controller->name + " has the new code of " + library);
+        if (const Status done = controller.backend->renew(m_requests); done) {
+            controller.claimed.clear(); // another one's new code may have its commands
+            renewed.push_back(&controller);
+        } else if (said.insert(controller.spec().kind + done.error().message).second) {
+            m_context.say(controller.view->name, TRUNDLE_ERROR,
+                          "the controller " + controller.spec().kind + " continues with its old code: " + done.error().message);
         }
+    }
+    for (RunningController* controller : renewed) {
+        const std::string library = controller->backend->module();
+        if (startFrom(*controller, states[static_cast<std::size_t>(controller - m_controllers.data())]))
+            m_context.say(controller->view->name, TRUNDLE_INFO,
+                          "the controller " + controller->spec().name + " has the new code of " + library);
     }
     stopFaulty();
     return {};
 }
 
 bool ControllerSet::isStopped(const RunningController& controller) const {
-    return std::ranges::find(m_stopped, controller.robot, &StoppedController::robot) != m_stopped.end();
+    return std::ranges::any_of(m_stopped, [&](const StoppedController& stopped) {
+        return stopped.robot == controller.robot && stopped.controller == controller.spec().name;
+    });
 }
 
 /// Announces all updates of this tick before the first, so that a host process gets them together.
 void ControllerSet::prepareUpdates(std::uint64_t tick, double time) {
     for (RunningController& controller : m_controllers) {
-        controller.due = controller.schedule.due(tick) && !controller.held && !hasEnded(m_context.world, controller.robot) &&
+        controller.due = !controller.removed && controller.schedule.due(tick) && !controller.held && !hasEnded(m_context.world, controller.robot) &&
                          !isStopped(controller);
         if (controller.due) controller.prepare(tick, time);
     }
@@ -189,18 +286,17 @@ void ControllerSet::prepareUpdates(std::uint64_t tick, double time) {
 Status ControllerSet::update(RunningController& controller, std::uint64_t tick, double time) {
     const Status done = controller.update(tick, time, m_context.calls, m_context.measures);
     // Once for each controller. The time depends on the machine, so it goes to the console and affects nothing.
-    const RobotSpec& robot = experiment().robots[controller.robot];
     if (const auto slow = controller.takeSlow())
-        m_context.say(robot.name, TRUNDLE_WARNING, slowText(robot, *slow, controller.budget));
+        m_context.say(controller.view->name, TRUNDLE_WARNING, slowText(controller.spec(), *slow, controller.budget));
     return done;
 }
 
-/// After a fault of one controller: its robot gets commands of 0. Those whose controllers shared its process continue in a new one.
+/// After a fault of one controller: its commands become 0. Those whose controllers shared its process continue in a new one.
 /// That may have a fault too, but each stops one controller more, so this ends.
 void ControllerSet::stopFaulty() {
     for (bool again = true; std::exchange(again, false);)
         for (RunningController& controller : m_controllers) {
-            const ControllerFault* fault = controller.backend->fault();
+            const ControllerFault* fault = controller.removed ? nullptr : controller.backend->fault();
             if (!fault || isStopped(controller)) continue;
             again = true;
             if (!fault->isOwn && !m_ending) {
@@ -208,7 +304,7 @@ void ControllerSet::stopFaulty() {
                 continue;
             }
             reportFault(controller);
-            setCommandsToZero(m_context.world, experiment().robots[controller.robot]);
+            setItsCommandsToZero(controller);
         }
 }
 
@@ -217,14 +313,14 @@ void ControllerSet::goOnInNewProcess(RunningController& controller) {
     if (!startAgain(controller)) return;
     m_context.warnings.push_back(faultDiagnostic(Severity::Warning, m_context.world.time(),
                                                  reason + "; it was started again in a new process, without what it had stored",
-                                                 experiment().robots[controller.robot].controller->nameRange));
+                                                 controller.spec().nameRange));
 }
 
 void ControllerSet::reportFault(const RunningController& controller) {
     const ControllerFault& fault = *controller.backend->fault();
     const double time = tickTime(m_context.world.ticks(), experiment().settings.tick);
-    m_stopped.push_back({controller.robot, time, fault});
-    const SourceRange range = experiment().robots[controller.robot].controller->nameRange;
+    m_stopped.push_back({controller.robot, controller.spec().name, controller.spec().nameRange, time, fault});
+    const SourceRange range = controller.spec().nameRange;
     m_context.warnings.push_back(
         faultDiagnostic(Severity::Error, time, fault.reason + (m_ending ? "" : "; the run continues without it"), range));
 }
@@ -233,6 +329,7 @@ void ControllerSet::reportFault(const RunningController& controller) {
 void ControllerSet::stop() {
     m_ending = true;
     for (RunningController& controller : m_controllers) {
+        if (controller.removed) continue;
         const MonitoredCall call(m_context.calls, controller.target, "destructor");
         controller.backend->stop();
         const ControllerFault* fault = controller.backend->fault();
@@ -249,7 +346,7 @@ std::optional<std::pair<Error, SourceRange>> ControllerSet::think() {
             const Status done = update(controller, tick, time);
             if (done) break;
             if (!controller.backend->fault())
-                return std::pair(done.error(), experiment().robots[controller.robot].controller->nameRange);
+                return std::pair(done.error(), controller.spec().nameRange);
             stopFaulty();
         }
     return std::nullopt;
@@ -257,7 +354,8 @@ std::optional<std::pair<Error, SourceRange>> ControllerSet::think() {
 
 std::vector<ControllerCost> ControllerSet::costs() const {
     std::vector<ControllerCost> all;
-    for (const RunningController& controller : m_controllers) all.push_back(controller.costNow());
+    for (const RunningController& controller : m_controllers)
+        if (!controller.removed) all.push_back(controller.costNow());
     return all;
 }
 

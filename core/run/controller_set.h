@@ -19,7 +19,7 @@ public:
         World& world;
         CallMonitor& calls;
         std::vector<Diagnostic>& warnings;
-        std::function<ControllerOutputs(const RobotSpec& robot)> outputsFor;
+        std::function<ControllerOutputs(const RobotSpec& robot, const ControllerSpec& controller)> outputsFor;
         std::function<void(const std::string& robot, int severity, const std::string& text)> say; ///< a message of the run itself
         bool measures = false; ///< all calls, not only those that have a budget to keep
     };
@@ -36,6 +36,7 @@ public:
     Status apply(const RestartCommand& command);
     Status apply(const ReloadCommand& command);
     Status apply(const StopCommand& command);
+    Status apply(const SwapCommand& command);
     [[nodiscard]] std::optional<Status> set(const PropertyCommand& command);
 
     [[nodiscard]] const std::vector<StoppedController>& stopped() const { return m_stopped; }
@@ -43,7 +44,16 @@ public:
 
 private:
     [[nodiscard]] const ExperimentSpec& experiment() const { return m_context.world.experiment(); }
-    [[nodiscard]] RunningController* controllerOf(const std::string& robot);
+    /// Makes a controller's backend in the place of `old`; null: a place of its own. Without starting it.
+    Status add(std::size_t robot, std::shared_ptr<const RobotSpec> view, std::size_t controller, const std::string& library,
+               RunningController* old = nullptr);
+    void remove(RunningController& controller);
+    void forgetStop(const RunningController& controller);
+    /// Those of a robot; with a name, that one.
+    [[nodiscard]] std::vector<RunningController*> controllersOf(const std::string& robot, const std::string& name = {});
+    [[nodiscard]] ControllerOutputs outputsOf(std::size_t controller);
+    Status claim(std::size_t controller, const std::string& command);
+    void setItsCommandsToZero(const RunningController& controller);
     [[nodiscard]] bool isStopped(const RunningController& controller) const;
     void prepareUpdates(std::uint64_t tick, double time);
     Status update(RunningController& controller, std::uint64_t tick, double time);
@@ -57,6 +67,7 @@ private:
     Context m_context;
     std::vector<RunningController> m_controllers;
     std::vector<StoppedController> m_stopped;
+    BackendFactory m_backends;
     std::uint64_t m_requests = 0; ///< to load new code
     bool m_ending = false;
 };

@@ -55,7 +55,7 @@ std::string droppedText(std::size_t lines) {
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
     : m_options(withMonitor(std::move(options))), m_world(std::move(world)), m_cameras(*m_world, m_options.pictures),
       m_folder(m_options.logFolder),
-      m_controllers({*m_world, *m_options.calls, m_warnings, [this](const RobotSpec& robot) { return outputsFor(robot); },
+      m_controllers({*m_world, *m_options.calls, m_warnings, [this](const RobotSpec& robot, const ControllerSpec& controller) { return outputsFor(robot, controller); },
                      [this](const std::string& who, int severity, const std::string& text) { say(who, severity, text); },
                      m_options.measuresControllers}),
       m_reportsDropped(1, m_world->experiment().settings.tick) {
@@ -82,10 +82,10 @@ Status ExperimentRunner::fail(const Error& error, SourceRange range) {
 
 // ---- start ----
 
-ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot) {
+ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot, const ControllerSpec& controller) {
     ControllerOutputs outputs;
-    outputs.finish = [this, &robot](const std::string& reason) {
-        if (!m_finishAsked) m_finishAsked = RunFinish{robot.name, robot.controller->name, reason.substr(0, kLongestReason), 0};
+    outputs.finish = [this, &robot, &controller](const std::string& reason) {
+        if (!m_finishAsked) m_finishAsked = RunFinish{robot.name, controller.name, reason.substr(0, kLongestReason), 0};
     };
     outputs.print = [this, name = robot.name](int severity, const std::string& text) { addMessage(name, severity, text); };
     outputs.openLog = [this, name = robot.name](const std::string& fileName) {
@@ -138,6 +138,7 @@ Status ExperimentRunner::apply(const Command& command) {
     if (const auto* restart = std::get_if<RestartCommand>(&command.what)) return m_controllers.apply(*restart);
     if (const auto* reload = std::get_if<ReloadCommand>(&command.what)) return m_controllers.apply(*reload);
     if (const auto* stop = std::get_if<StopCommand>(&command.what)) return m_controllers.apply(*stop);
+    if (const auto* swap = std::get_if<SwapCommand>(&command.what)) return m_controllers.apply(*swap);
     if (const auto* surface = std::get_if<SurfaceCommand>(&command.what)) return m_world->setSurface(surface->surface);
     const auto& value = std::get<PropertyCommand>(command.what);
     const std::optional<Status> ofController = m_controllers.set(value);

@@ -50,7 +50,7 @@ private:
     };
 
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
-    ControllerOutputs outputsFor(const RobotSpec& robot);
+    ControllerOutputs outputsFor(const RobotSpec& robot, const ControllerSpec& controller);
     void addMessage(const std::string& who, int severity, const std::string& text);
     /// A message of the run itself, which does not count as a line of the robot.
     void say(const std::string& who, int severity, const std::string& text) {

@@ -18,9 +18,15 @@
 
 namespace trundle {
 
-/// Creates the backend of a robot's controller. Fails with a module diagnostic.
-using BackendFactory =
-    std::function<Result<std::unique_ptr<ControllerBackend>>(const RobotSpec& robot, const SettingsSpec& settings)>;
+/// Which controller a backend is made for.
+struct ControllerRequest {
+    std::shared_ptr<const RobotSpec> robot;
+    std::size_t controller = 0; ///< its index there
+    const SettingsSpec& settings;
+    std::string library; ///< path of its module, for one that comes during the run; empty: it is one of the experiment
+};
+/// Fails with a module diagnostic.
+using BackendFactory = std::function<Result<std::unique_ptr<ControllerBackend>>(const ControllerRequest& request)>;
 
 struct RunOptions {
     LogLocation logFolder; ///< earlier log files in it are replaced; nothing is written outside it. Empty: no logs
@@ -39,11 +45,13 @@ struct RunFinish {
     double time = 0; ///< s, simulated, at the end of the tick of the call
 };
 
-/// A controller that a fault of its own, or a StopCommand, stopped while the run continues: it is not called any more, and the commands of its robot
-/// are 0. A RestartCommand removes it.
+/// A controller that a fault of its own, or a StopCommand, stopped while the run continues: it is not called any more, and its
+/// commands are 0. A RestartCommand removes it.
 struct StoppedController {
-    std::size_t robot = 0; ///< index in the experiment
-    double time = 0;       ///< s, simulated
+    std::size_t robot = 0;  ///< index in the experiment
+    std::string controller; ///< its name
+    SourceRange place;      ///< of that
+    double time = 0;        ///< s, simulated
     ControllerFault fault;
     bool byCommand = false; ///< a StopCommand; there was no fault
 };
@@ -51,6 +59,7 @@ struct StoppedController {
 /// What a controller cost since the start of the run. The wall times depend on the machine and affect nothing.
 struct ControllerCost {
     std::size_t robot = 0;          ///< index in the experiment
+    std::string controller;         ///< its name
     std::uint64_t calls = 0;        ///< completed updates that were measured
     double totalS = 0, worstS = 0;  ///< wall time of these, s
     double lastCall = 0;            ///< s, simulated; valid if calls > 0

@@ -26,6 +26,7 @@ Status RunningController::update(std::uint64_t tick, double time, CallMonitor& c
 ControllerCost RunningController::costNow() const {
     ControllerCost now = cost;
     now.robot = robot;
+    now.controller = spec().name;
     now.process = backend->processId();
     return now;
 }

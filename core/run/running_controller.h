@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "control/backend.h"
 #include "run/runner.h"
@@ -11,15 +12,18 @@ namespace trundle {
 
 /// A controller of a run: when it is called, and what that cost.
 struct RunningController {
-    std::size_t robot; ///< index in the experiment
+    std::size_t robot;                     ///< index in the experiment
+    std::shared_ptr<const RobotSpec> view; ///< the robot with this controller, which may not be the experiment's any more
+    std::size_t controller;                ///< index there
     std::unique_ptr<ControllerBackend> backend;
     Schedule schedule;
     const CallTarget* target; ///< for monitoring its calls
     double budget;            ///< s, for an update; 0: any
     double lastTime = 0;
-    bool called = false, held = false;
+    bool called = false, held = false, removed = false;
     bool due = false, slow = false; ///< in this tick; an update took longer than the budget
     ControllerCost cost;
+    std::vector<const SignalEntry*> claimed; ///< its commands, if its robot has other controllers; else they all are
 
     /// Announces an update.
     void prepare(std::uint64_t tick, double time) { backend->prepare(tick, time, sinceLast(time)); }
@@ -27,6 +31,7 @@ struct RunningController {
     [[nodiscard]] Status update(std::uint64_t tick, double time, CallMonitor& calls, bool measures);
     /// The time of the first update that took longer than the budget, s, once; else none.
     [[nodiscard]] std::optional<double> takeSlow() { return std::exchange(newlySlow, std::nullopt); }
+    [[nodiscard]] const ControllerSpec& spec() const { return view->controllers[controller]; }
     [[nodiscard]] ControllerCost costNow() const;
     [[nodiscard]] double sinceLast(double time) const { return called ? time - lastTime : 0; }
 

@@ -67,7 +67,7 @@ SignalLayout RobotSignals::layOut(const ExperimentSpec& experiment, const WorldO
         const auto index = static_cast<std::uint32_t>(m_images.size());
         m_images.push_back(planRobot(layout, *robot.spec));
         devices.layOut(index, layout);
-        planController(layout, *robot.spec);
+        planControllers(layout, *robot.spec);
     }
     m_between = planBetweenRobots(layout, experiment);
     return layout;

@@ -39,12 +39,6 @@ std::uint64_t times(std::uint64_t count, double value) {
 
 } // namespace
 
-std::uint32_t signalCount(const SignalDescription& signal, const ComponentSpec& device) {
-    std::uint64_t count = std::max(signal.count, 1u);
-    for (const std::string& field : signal.countFields) count = times(count, device.number(field, 1));
-    return count > kMaxSignalNumbers ? 1 : static_cast<std::uint32_t>(count);
-}
-
 std::uint64_t signalCount(const TrundleKind& kind, const TrundleSignal& signal, const ComponentSpec& device) {
     std::uint64_t count = std::max(signal.count, 1u);
     for (std::uint32_t bits = signal.countFields; bits != 0; bits >>= 16) {
@@ -94,12 +88,12 @@ std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
     return first;
 }
 
-void planController(SignalLayout& layout, const RobotSpec& robot) {
-    if (!robot.controller) return;
-    for (const SignalDescription& s : robot.published)
-        if (s.direction == TRUNDLE_OUTPUT)
-            layout.add(robot.name + "/" + robot.controller->name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
-                       SignalDirection::Output, signalCount(s, *robot.controller));
+void planControllers(SignalLayout& layout, const RobotSpec& robot) {
+    for (const ControllerSpec& controller : robot.controllers)
+        for (const SignalDescription& s : controller.published)
+            if (s.direction == TRUNDLE_OUTPUT)
+                layout.add(robot.name + "/" + controller.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
+                           SignalDirection::Output, signalCount(s, controller));
 }
 
 SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry) {
@@ -113,7 +107,7 @@ SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& reg
                 layout.add(robot.name + "/" + device.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
                            static_cast<SignalDirection>(s.direction), signalCount(s, device));
         }
-        planController(layout, robot);
+        planControllers(layout, robot);
     }
     (void)planBetweenRobots(layout, experiment);
     return layout;

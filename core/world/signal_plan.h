@@ -2,6 +2,7 @@
 // The signals of a robot, determined without building a world.
 
 #include "model/experiment_spec.h"
+#include "model/signal_count.h"
 #include "schema/registry.h"
 #include "signals/layout.h"
 
@@ -10,13 +11,7 @@ namespace trundle {
 /// True for joints with a single angle or displacement.
 [[nodiscard]] constexpr bool hasPosition(JointType type) { return type != JointType::Ball && type != JointType::Fixed; }
 
-/// A device has signals of at most so many numbers.
-inline constexpr std::uint64_t kMaxSignalNumbers = 100000;
-
-/// Numbers in a signal of a device: its count times the values of the fields that its kind names. At least 1; more than
-/// kMaxSignalNumbers is reported by the world and counts as 1 here.
-[[nodiscard]] std::uint32_t signalCount(const SignalDescription& signal, const ComponentSpec& device);
-/// The same by the table of the device's code; where the text gives no value, with the code's default. Not limited.
+/// Numbers in a signal by the table of the device's code; where the text gives no value, with the code's default. Not limited.
 [[nodiscard]] std::uint64_t signalCount(const TrundleKind& kind, const TrundleSignal& signal, const ComponentSpec& device);
 
 /// Starts the robot's range of slots and adds the signals every robot has: its pose and velocity, those of its bodies, its
@@ -24,7 +19,7 @@ inline constexpr std::uint64_t kMaxSignalNumbers = 100000;
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot);
 
 /// Adds the signals that the robot's controller publishes: "robot0/brain/hops". Called last for the robot.
-void planController(SignalLayout& layout, const RobotSpec& robot);
+void planControllers(SignalLayout& layout, const RobotSpec& robot);
 
 /// Adds what joints and springs at the top level, and regions, report. Called last. Returns the first slot.
 std::uint32_t planBetweenRobots(SignalLayout& layout, const ExperimentSpec& experiment);

@@ -133,12 +133,6 @@ QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind, const std::string& p
     action->setObjectName(QStringLiteral("insert.") + QString::fromStdString(kind.name));
     action->setToolTip(QString::fromStdString(kind.help));
     action->setStatusTip(QString::fromStdString(kind.help));
-    const auto at = placeOf(*m_document.loaded(), place);
-    if (const Part* there = kind.role == Role::Controller && at && at->part ? controllerOf(*at->part) : nullptr) {
-        action->setEnabled(false);
-        action->setToolTip(
-            tr("%1 has a controller already: %2").arg(QString::fromStdString(place), QString::fromStdString(there->title())));
-    }
     const auto& world = m_document.loaded()->outline->world.all();
     const bool medium = kind.role == Role::Medium;
     if (medium && std::any_of(world.begin(), world.end(), [](const Part* part) { return part->is(Role::Medium); })) {

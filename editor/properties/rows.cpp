@@ -45,7 +45,7 @@ public:
             for (FieldValue& v : m_object.configProperties())
                 add("config." + v.property->name, config, std::move(v), m_object.config()->kind);
             addParams(QObject::tr("Params of %1").arg(config));
-            addController();
+            addControllers();
             addOverrides(QObject::tr("Overrides in %1").arg(config));
         } else addParams(QObject::tr("Params"));
         return std::move(m_listed);
@@ -77,12 +77,13 @@ private:
         }
     }
 
-    void addController() {
+    void addControllers() {
+        bool isFirst = true;
         for (const Part& part : m_object.part()->parts) {
             if (!part.is(Role::Controller) || !part.usable) continue;
             ObjectValues controller(m_loaded, m_object.path() + "." + part.name);
-            return addProperties(controller, "controller." + part.kind->name + ".",
-                                 QObject::tr("Controller %1").arg(toQString(part.title())));
+            const std::string id = "controller." + part.kind->name + "." + (std::exchange(isFirst, false) ? "" : part.name + ".");
+            addProperties(controller, id, QObject::tr("Controller %1").arg(toQString(part.title())));
         }
     }
 

@@ -110,8 +110,9 @@ class LiveComparison {
 public:
     /// `changed`: paths of the blocks to look at; none: all.
     LiveComparison(const ExperimentSpec& running, const LoadedProject& now, const std::optional<std::set<std::string>>& changed,
-                   LiveEdits& out)
-        : m_running(running), m_now(*now.experiment), m_registry(*now.registry), m_out(out), m_isWhole(!changed) {
+                   const std::set<std::string>& swapped, LiveEdits& out)
+        : m_running(running), m_now(*now.experiment), m_registry(*now.registry), m_out(out), m_swapped(swapped),
+          m_isWhole(!changed) {
         if (changed)
             for (const std::string& path : *changed) addTop(path);
     }
@@ -221,10 +222,59 @@ private:
         const auto found = m_robots.find(running.name);
         if (found == m_robots.end()) return;
         const RobotSpec& now = *found->second;
-        if (running.controller && now.controller && running.controller->name == now.controller->name)
-            if (const auto values = differences(*running.controller, *now.controller); !values.empty())
-                addConsoleLine(running.name + "/" + running.controller->name, *changed().robots[index].controller, values);
+        if (!swapControllers(index, now))
+            for (std::size_t i = 0; i < running.controllers.size(); ++i) {
+                const ControllerSpec& controller = running.controllers[i];
+                const auto same = std::ranges::find(now.controllers, controller.name, &ControllerSpec::name);
+                if (same == now.controllers.end()) continue;
+                if (const auto values = differences(controller, *same); !values.empty())
+                    addConsoleLine(running.name + "/" + controller.name, changed().robots[index].controllers[i], values);
+            }
         if (running.config && now.config && running.config != now.config) devices(index, now);
+    }
+
+    /// A robot's controllers may be replaced one by one; the first may come, and each may go. Other changes of their number wait for a
+    /// reset: which commands are a lone controller's own is known of several only.
+    bool swapControllers(std::size_t index, const RobotSpec& now) {
+        const std::vector<ControllerSpec>& was = m_running.robots[index].controllers;
+        const bool isOneForOne = was.size() == now.controllers.size();
+        const bool isFirst = was.empty() && now.controllers.size() == 1;
+        if (!isOneForOne && !isFirst && !now.controllers.empty()) return false;
+        bool any = false;
+        for (std::size_t i = 0; i < std::max(was.size(), now.controllers.size()); ++i) {
+            const ControllerSpec* from = i < was.size() ? &was[i] : nullptr;
+            const ControllerSpec* to = i < now.controllers.size() ? &now.controllers[i] : nullptr;
+            if (from && to && !isReplaced(m_running.robots[index].name, *from, *to)) continue;
+            swap(m_running.robots[index], from, to);
+            any = true;
+        }
+        if (any) changed().robots[index].controllers = now.controllers;
+        return any;
+    }
+
+    /// Of one that came during the run every value is followed: its next edit replaces it again.
+    [[nodiscard]] bool isReplaced(const std::string& robot, const ControllerSpec& from, const ControllerSpec& to) const {
+        if (from.kind != to.kind || from.name != to.name) return true;
+        const Kind* kind = m_swapped.contains(robot + "." + to.name) ? m_registry.find(to.kind) : nullptr;
+        return kind && std::ranges::any_of(kind->properties, [&](const Property& property) {
+                   const ResolvedValue *was = from.find(property.name), *is = to.find(property.name);
+                   return !property.live && (was ? !is || was->value != is->value : is != nullptr);
+               });
+    }
+
+    /// The new one's place in messages is the robot's, since the run shows places in the text that it was built from.
+    void swap(const RobotSpec& robot, const ControllerSpec* from, const ControllerSpec* to) {
+        SwapCommand command{robot.name, from ? from->name : std::string(), {}, {}};
+        if (to) {
+            command.to = *to;
+            command.to->range = robot.range;
+            command.to->nameRange = robot.nameRange;
+            if (const Kind* kind = m_registry.find(to->kind)) command.library = kind->module;
+        }
+        m_out.commands.emplace_back(std::move(command));
+        for (const std::string& owner : {robot.name, robot.name.substr(0, robot.name.rfind('_'))}) // a Grid's or Scatter's too
+            for (const ControllerSpec* each : {from, to})
+                if (each) m_out.swapped.insert(owner + "." + each->name);
     }
 
     void devices(std::size_t index, const RobotSpec& now) {
@@ -267,6 +317,7 @@ private:
     const ExperimentSpec& m_now;
     const Registry& m_registry;
     LiveEdits& m_out;
+    const std::set<std::string>& m_swapped;
     const bool m_isWhole;
     std::set<std::string> m_tops;
     std::size_t m_compared = 0;
@@ -280,6 +331,7 @@ private:
 void RunComparison::begin(std::shared_ptr<const LoadedProject> built) {
     m_built = m_now = std::move(built);
     m_differing.clear();
+    m_swapped.clear();
     m_unsent.emplace();
 }
 
@@ -293,8 +345,9 @@ LiveEdits RunComparison::follow(const ChangeSet& changes, const ExperimentSpec& 
         m_now = changes.after();
     }
     if (!m_now->diagnostics.hasErrors()) {
-        LiveComparison comparison(running, *m_now, m_unsent, edits);
+        LiveComparison comparison(running, *m_now, m_unsent, m_swapped, edits);
         comparison.go();
+        m_swapped.insert(edits.swapped.begin(), edits.swapped.end());
         m_compared += comparison.compared();
         m_unsent.emplace();
     }
@@ -336,8 +389,11 @@ void RunComparison::findDifferences(const ChangeSet& changes) {
 
 std::vector<std::string> RunComparison::waiting() const {
     std::vector<std::string> paths;
+    const auto isSwapped = [this](const std::string& path) {
+        return std::ranges::any_of(m_swapped, [&](const std::string& controller) { return startsWithPath(path, controller); });
+    };
     for (const std::string& path : m_differing)
-        if (!isBelowLast(paths, path) && !isLive(*m_now->outline, path) && !isLive(*m_built->outline, path))
+        if (!isBelowLast(paths, path) && !isSwapped(path) && !isLive(*m_now->outline, path) && !isLive(*m_built->outline, path))
             paths.push_back(path);
     return paths;
 }

@@ -16,6 +16,7 @@ struct LiveEdits {
     std::vector<decltype(Command::what)> commands;
     std::shared_ptr<const ExperimentSpec> experiment; ///< the running one with the live changes; null: none
     std::vector<std::string> waiting;                 ///< dotted paths of all other differences from `built`
+    std::set<std::string> swapped;                    ///< paths of controllers that came, went or were replaced
 };
 
 /// Follows the edits made during a run. Looks only at what an edit changed, and at everything where that is not known.
@@ -33,6 +34,7 @@ private:
     [[nodiscard]] std::vector<std::string> waiting() const;
 
     std::shared_ptr<const LoadedProject> m_built, m_now;
+    std::set<std::string> m_swapped;               ///< paths of controllers that came, went or were replaced during the run
     std::set<std::string> m_differing;             ///< paths of values and blocks whose text differs from m_built
     std::optional<std::set<std::string>> m_unsent; ///< paths of changed blocks that no command was sent for; none: any block
     std::size_t m_compared = 0;

@@ -28,7 +28,7 @@ QString ResponseWatch::unresponsiveController() const {
     if (!turn || !m_run.built || *turn >= m_run.built->experiment->robots.size()) return {};
     const RobotSpec& robot = m_run.built->experiment->robots[*turn];
     return tr("%1's %2").arg(QString::fromStdString(robot.name),
-                             QString::fromStdString(robot.controller ? robot.controller->kind : std::string()));
+                             QString::fromStdString(robot.controllers.empty() ? std::string() : robot.controllers.front().kind));
 }
 
 QString ResponseWatch::text() const {

@@ -126,26 +126,27 @@ void RobotCommands::stopDriving() {
     m_driven.clear();
 }
 
-/// Gives one command for each of the robots that has a controller. Returns how many.
-template <class Order> std::size_t RobotCommands::order(const std::vector<std::string>& robots) {
+/// Gives one command for each of the controllers. Returns how many.
+template <class Order> std::size_t RobotCommands::order(const std::vector<std::string>& controllers) {
     std::size_t ordered = 0;
-    for (const std::string& name : robots) {
-        const RobotSpec* robot = m_run.robot(name);
-        if (!robot || !robot->controller) continue;
-        m_run.live->command(Order{name});
+    for (const std::string& path : controllers) {
+        const std::size_t slash = std::min(path.find('/'), path.size());
+        const RobotSpec* robot = m_run.robot(path.substr(0, slash));
+        if (!robot || robot->controllers.empty()) continue;
+        m_run.live->command(Order{robot->name, slash < path.size() ? path.substr(slash + 1) : std::string()});
         ++ordered;
     }
     return ordered;
 }
 
-bool RobotCommands::restartControllers(const std::vector<std::string>& robots) {
+bool RobotCommands::restartControllers(const std::vector<std::string>& controllers) {
     if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A controller can be restarted while the experiment runs."));
-    return order<RestartCommand>(robots) > 0 || m_messages.refuse(tr("Select a robot with a controller."));
+    return order<RestartCommand>(controllers) > 0 || m_messages.refuse(tr("Select a robot with a controller."));
 }
 
-bool RobotCommands::stopControllers(const std::vector<std::string>& robots) {
+bool RobotCommands::stopControllers(const std::vector<std::string>& controllers) {
     if (!m_run.acceptsCommands()) return m_messages.refuse(tr("A controller can be stopped while the experiment runs."));
-    return order<StopCommand>(robots) > 0 || m_messages.refuse(tr("Select a robot with a controller."));
+    return order<StopCommand>(controllers) > 0 || m_messages.refuse(tr("Select a robot with a controller."));
 }
 
 bool RobotCommands::reloadModules(const std::string& library) {

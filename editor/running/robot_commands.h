@@ -40,9 +40,9 @@ public:
     bool reloadModules(const std::string& library);
     /// Starts the controllers of these robots again, from their setup, where they are. A controller that was stopped with others
     /// of its process is started with them.
-    bool restartControllers(const std::vector<std::string>& robots);
+    bool restartControllers(const std::vector<std::string>& controllers);
     /// The controllers of these robots are not called any more until they are restarted; the robots' commands become 0.
-    bool stopControllers(const std::vector<std::string>& robots);
+    bool stopControllers(const std::vector<std::string>& controllers);
     [[nodiscard]] std::string driven() const { return m_driven; } ///< robot, or empty
     /// Why a robot cannot be driven; empty if it can.
     [[nodiscard]] QString driveRefusal(const std::string& robot) const;

@@ -29,7 +29,7 @@ LiveLines faultLines(const std::vector<Diagnostic>& warnings, const LiveSnapshot
                 line.who = experiment.robots[end.robot].name;
             }
         for (const StoppedController& stopped : snapshot ? snapshot->stopped : std::vector<StoppedController>())
-            if (experiment.robots[stopped.robot].controller->nameRange == warning.range) {
+            if (stopped.place == warning.range) {
                 line.time = stopped.time;
                 line.who = experiment.robots[stopped.robot].name;
                 backtrace = warning.severity == Severity::Error ? &stopped.fault.backtrace : nullptr;

@@ -145,7 +145,9 @@ std::optional<SensorDevice> sensorDeviceAt(const RunResults& run, const std::str
     const RobotSpec* robot = run.robot(std::string(firstWord(path)));
     if (!robot || !robot->config || !run.layout) return std::nullopt;
     const std::string_view name = withoutFirstWord(path);
-    const ComponentSpec* spec = robot->controller && robot->controller->name == name ? &*robot->controller : nullptr;
+    const ComponentSpec* spec = nullptr;
+    for (const ControllerSpec& controller : robot->controllers)
+        if (controller.name == name) spec = &controller;
     for (const ComponentSpec& device : robot->config->devices)
         if (device.name == name) spec = &device;
     if (!spec) return std::nullopt;

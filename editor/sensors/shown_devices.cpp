@@ -26,8 +26,9 @@ bool refersTo(const ComponentSpec& device, std::string_view part) {
 
 std::vector<std::string> devicesOf(const RobotSpec& robot, std::string_view part) {
     std::vector<std::string> all, referring;
-    if (robot.controller && (robot.controller->name == part || (part.empty() && !robot.published.empty())))
-        all.push_back(robot.name + "." + robot.controller->name);
+    for (const ControllerSpec& controller : robot.controllers)
+        if (controller.name == part || (part.empty() && !controller.published.empty()))
+            all.push_back(robot.name + "." + controller.name);
     if (!part.empty() && !all.empty()) return all;
     for (const ComponentSpec& device : robot.config->devices) {
         const std::string path = robot.name + "." + device.name;

@@ -61,7 +61,7 @@ struct Stage {
         config->devices.push_back({"Camera", "eye", {}, {}, {}});
         robot.name = name;
         robot.config = config;
-        robot.controller = ComponentSpec{"Script", "brain", {}, {}, {}};
+        robot.controllers = {{{"Script", "brain", {}, {}, {}}, {}}};
         settings.tick = 0.025;
         settings.seed = 7;
         layout.beginRobot(name);
@@ -73,7 +73,7 @@ struct Stage {
     }
     ~Stage() { backend.reset(); }
     Status start() {
-        backend = makeInProcessBackend(robot, settings, kind, library);
+        backend = makeInProcessBackend(robot, 0, settings, kind, library);
         return backend->start(layout, *block, outputs);
     }
     Status tick(std::uint64_t number = 0, double time = 0, double since = 0) { return backend->tick(number, time, since); }
@@ -179,7 +179,7 @@ private Q_SLOTS:
 
     void fieldValues() {
         Stage stage;
-        stage.robot.controller->values["Pair"] = numbers({3, 4});
+        stage.robot.controllers[0].values["Pair"] = numbers({3, 4});
         QVERIFY(stage.start().ok());
         QCOMPARE(stage.script.pair, (std::vector<double>{3, 4}));
         QVERIFY(stage.backend->set("Pair", {PropertyType::Number, {1, 2}, {}}).ok());
@@ -189,7 +189,7 @@ private Q_SLOTS:
         stage.script.acceptsValues = false;
         stage.script.why = "too much";
         QCOMPARE(messageOf(stage.start()), std::string("the controller Script of robot0 refuses the value of Pair: too much"));
-        stage.robot.controller.reset(); // no text: no values
+        stage.robot.controllers.clear(); // no text: no values
         QVERIFY(stage.start().ok());
     }
 
@@ -240,7 +240,7 @@ private Q_SLOTS:
     void publishWithoutAControllerInTheText() {
         Stage stage;
         stage.script.setup = [](const TrundleRobot& robot) { return robot.publish(robot.context, "sum", nullptr) ? 1 : 0; };
-        stage.robot.controller.reset();
+        stage.robot.controllers.clear();
         QCOMPARE(messageOf(stage.start()), std::string("robot0 has no controller in its text that could publish 'sum'"));
     }
 

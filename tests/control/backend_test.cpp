@@ -25,7 +25,7 @@ struct Stage {
         config->devices.back().values["UpdatePeriod"] = number(0.1);
         robot.name = name;
         robot.config = config;
-        robot.controller = ComponentSpec{kind, "brain", std::move(values), {}, {}};
+        robot.controllers = {{{kind, "brain", std::move(values), {}, {}}, {}}};
         layout.beginRobot(name);
         const auto add = [&](const char* path, SignalDirection direction, std::uint32_t count = 1) {
             layout.add(name + "/" + path, "", SignalType::Real, direction, count);
@@ -46,9 +46,9 @@ struct Stage {
         auto loaded = store.load(kModules + library);
         if (!loaded) return loaded.error();
         for (const Kind& kind : loaded.value()->kinds)
-            if (kind.name == robot.controller->kind) addPublished(kind, robot, layout);
+            if (kind.name == robot.controllers[0].kind) addPublished(kind, robot, layout);
         block = std::make_unique<SignalBlock>(layout);
-        auto made = makeInProcessBackend(robot, settings, store);
+        auto made = makeInProcessBackend(robot, 0, settings, store);
         if (!made) return made.error();
         backend = std::move(made).value();
         ControllerOutputs outputs;
@@ -134,10 +134,9 @@ private Q_SLOTS:
     void aModuleOfAnOlderSdkRuns_data() {
         QTest::addColumn<QByteArray>("version");
         QTest::addColumn<int>("minor");
-        QTest::newRow("1.2") << QByteArray("1.2") << 2;
-        QTest::newRow("1.3") << QByteArray("1.3") << 3;
-        QTest::newRow("1.4") << QByteArray("1.4") << 4;
-        QTest::newRow("1.5") << QByteArray("1.5") << 4;
+        const std::pair<const char*, int> versions[] = {{"1.2", 2}, {"1.3", 3}, {"1.4", 4}, {"1.5", 4},  {"1.6", 5},
+                                                        {"1.7", 6}, {"1.8", 7}, {"1.9", 7}, {"1.10", 8}, {"1.11", 9}};
+        for (const auto& [version, interface] : versions) QTest::newRow(version) << QByteArray(version) << interface;
     }
     void aModuleOfAnOlderSdkRuns() {
         QFETCH(const QByteArray, version);

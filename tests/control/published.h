@@ -8,9 +8,9 @@ namespace trundle {
 
 /// Adds a controller of this kind to a robot and its published signals to the layout, as the world does.
 inline void addPublished(const Kind& kind, RobotSpec& robot, SignalLayout& layout) {
-    robot.published = kind.signals;
+    robot.controllers.at(0).published = kind.signals;
     for (const SignalDescription& s : kind.signals)
-        layout.add(robot.name + "/" + robot.controller->name + "/" + s.name, s.unit, SignalType::Real, SignalDirection::Output,
+        layout.add(robot.name + "/" + robot.controllers[0].name + "/" + s.name, s.unit, SignalType::Real, SignalDirection::Output,
                    s.count);
 }
 

@@ -96,6 +96,57 @@ private Q_SLOTS:
         QCOMPARE(runner->world().stateHash(), hash);
     }
 
+    void anotherControllerTakesThePlace_data() {
+        QTest::addColumn<QByteArray>("isolation");
+        for (const char* isolation : {"none", "module", "robot"}) QTest::newRow(isolation) << QByteArray(isolation);
+    }
+    /// A library, then a file in Python, then the library again, then nobody: the robot stays where it is.
+    void anotherControllerTakesThePlace() {
+        QFETCH(QByteArray, isolation);
+        QVERIFY(QDir(m_folder.path()).mkpath("mine"));
+        QVERIFY(writeFile(m_folder.filePath("mine/turner.py"), "import trundle\n\n\nclass Turner(trundle.Controller):\n"
+                                                               "    \"\"\"Turns.\"\"\"\n"
+                                                               "    turns = trundle.output(\"turns\", \"\", \"So far.\", type=int)\n\n"
+                                                               "    def setup(self, robot):\n"
+                                                               "        self.drive = robot.differential_drive(\"base\")\n"
+                                                               "        self.calls = 0\n\n"
+                                                               "    def update(self, since_last):\n"
+                                                               "        self.calls += 1\n        self.turns = self.calls\n"
+                                                               "        self.drive.move(0, 1)\n"));
+        const QByteArray world = "Isolation = " + isolation +
+                                 "\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                 "#loadModule controllers/linear_motion\n#loadModule turner.py\nStatic floor { Config=OpenFloor }\n";
+        QVERIFY(runnerOf(world + "Robot a { Config=SimpleRobot Turner other { } }\n"));
+        const ControllerSpec turner = m_loaded->experiment->robots.at(0).controllers.at(0);
+        const std::string file = m_loaded->registry->find("Turner")->module;
+        const std::unique_ptr<Runner> runner = runnerOf(world + "Robot a { Config=SimpleRobot LinearMotion brain { Distance=5 } }\n");
+        QVERIFY(runner && tick(*runner, 100));
+        const ControllerSpec ahead = m_loaded->experiment->robots.at(0).controllers.at(0);
+        const std::string library = m_loaded->registry->find("LinearMotion")->module;
+        const auto heading = [&] { return hprFromRotation(runner->world().robotPose(0).rotation).x(); };
+        const auto way = [&] { return runner->world().robotPose(0).position.norm(); };
+        const double first = way();
+        QVERIFY(first > 0.05 && std::abs(heading()) < 1e-3);
+
+        runner->command(SwapCommand{"a", "brain", turner, file});
+        QVERIFY2(tick(*runner, 100), qPrintable(m_console.join('\n')));
+        QVERIFY2(reported("a: the controller other is Turner now") == 1, qPrintable(m_console.join('\n')));
+        QVERIFY2(heading() > 0.5, qPrintable(QString::number(heading())));
+        const double turned = heading();
+        runner->command(SwapCommand{"a", "other", ahead, library});
+        QVERIFY(tick(*runner, 100));
+        QVERIFY(way() > first + 0.05);
+        QVERIFY(heading() < turned + 0.2); // it drives where it looks
+        QCOMPARE(runner->controllerCosts().size(), std::size_t(1));
+        runner->command(SwapCommand{"a", "brain", {}, {}});
+        QVERIFY(tick(*runner, 100));
+        const double end = way();
+        QVERIFY(tick(*runner, 50));
+        QVERIFY(std::abs(way() - end) < 1e-3);
+        QVERIFY(runner->stoppedControllers().empty());
+        QVERIFY(runner->controllerCosts().empty());
+    }
+
     void newCodeContinuesFromTheStateOfTheOld_data() {
         QTest::addColumn<QByteArray>("state"); // of robot a; b saves its own
         QTest::addColumn<QString>("message");

@@ -42,7 +42,7 @@ public:
         Diagnostics problems;
         built.runner = Runner::create(
             m_loaded->experiment, [](const std::string& kind) { return findBuiltInDevice(kind); },
-            [](const RobotSpec&, const SettingsSpec&) -> Result<std::unique_ptr<ControllerBackend>> {
+            [](const ControllerRequest&) -> Result<std::unique_ptr<ControllerBackend>> {
                 return Error{Code::Internal, "there are no controllers here"};
             },
             {}, problems);

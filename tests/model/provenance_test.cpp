@@ -108,7 +108,7 @@ private Q_SLOTS:
         };
         for (const RobotSpec& robot : r.experiment->robots) {
             for (const ComponentSpec& device : robot.config->devices) compare(robot.name + "." + device.name, device);
-            if (robot.controller) compare(robot.name + "." + robot.controller->name, *robot.controller);
+            for (const ControllerSpec& controller : robot.controllers) compare(robot.name + "." + controller.name, controller);
         }
         for (const ComponentSpec& log : r.experiment->logs) compare(log.name, log);
         QVERIFY(compared > 60);
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QCOMPARE(r.config(0).devices.at(1).number("Resistance"), 4.0);
         QCOMPARE(r.config(1).devices.at(0).number("Resistance"), 1.5);
         QCOMPARE(r.config(1).devices.at(1).number("Resistance"), 2.5);
-        QCOMPARE(r.experiment->robots.at(1).controller->number("Speed"), 1.5);
+        QCOMPARE(r.experiment->robots.at(1).controllers.at(0).number("Speed"), 1.5);
     }
 
     void invalidSets_data() {

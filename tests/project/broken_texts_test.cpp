@@ -57,7 +57,7 @@ private Q_SLOTS:
         const std::set<Code> elsewhere{Code::TooLarge,      Code::ImportDepth,    Code::TooManyFiles, Code::FileUnreadable,
                                        Code::ImportOutside, Code::ThesisSpelling, Code::TurnRate,     Code::TooManyMistakes,
                                        Code::StartOverlap,  Code::BelowFloor,     Code::Unsupported,  Code::MassRatio,
-                                       Code::WheelGeometry, Code::SpringTooFast};
+                                       Code::WheelGeometry, Code::SpringTooFast, Code::MultipleControllers};
         const auto isOfCheck = [](Code code) { return code >= Code::WheelOffGround && code <= Code::UnusedDefinition; }; // check_model
         std::set<Code> seen;
         for (const std::string& name : brokenFiles()) {

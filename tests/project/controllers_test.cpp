@@ -35,6 +35,23 @@ private Q_SLOTS:
                  (std::vector<std::string>{"a", "g"}));
     }
 
+    /// Each of several has a row, and is what its path names: for a new one in its place, or without it.
+    void listsEachOfSeveral() {
+        const auto loaded = m_fixture.open(kModules + kScene + "Robot a { Config=Cart\n  Walker legs { Speed=1 }\n  LinearMotion arm { }\n}\n");
+        const std::vector<ControlledRobot> robots = controlledRobots(*loaded);
+        QCOMPARE(robots.size(), std::size_t(2));
+        QCOMPARE(robots[0].target() + " " + robots[0].kind, std::string("a.legs Walker"));
+        QCOMPARE(robots[1].target() + " " + robots[1].kind, std::string("a.arm LinearMotion"));
+        QCOMPARE(robotsAmong(*loaded, {"a.arm", "a.chassis", "a.legs"}), (std::vector<std::string>{"a.arm", "a", "a.legs"}));
+        const auto after = [&](const Result<EditPlan>& plan) { return QString::fromStdString(m_fixture.text(loaded, plan)); };
+        const QString assigned = after(planAssign(*loaded, {"a.arm"}, kindOf(*loaded, "Walker")));
+        QVERIFY2(assigned.contains("Walker legs { Speed=1 }\n  Walker arm {"), qPrintable(assigned));
+        const QString first = after(planAssign(*loaded, {"a"}, kindOf(*loaded, "LinearMotion")));
+        QVERIFY2(first.contains("LinearMotion legs {") && first.contains("LinearMotion arm { }"), qPrintable(first));
+        const QString left = after(planUnassign(*loaded, {"a.arm"}));
+        QVERIFY2(left.contains("Walker legs") && !left.contains("arm"), qPrintable(left));
+    }
+
     void choicesAreTheLoadedOnesThenThoseOfModules() {
         const auto loaded = m_fixture.open("#loadModule walker\n" + kScene);
         Kind shipped = kindOf(*loaded, "Walker");

@@ -149,12 +149,6 @@ private Q_SLOTS:
         QTest::newRow("geom in a robot") << "r"
                                          << "Box b { Size=1,1,1 }"
                                          << "a Box is allowed in a Body, a StaticConfig or a PartConfig, not in Robot r";
-        QTest::newRow("second controller") << "r"
-                                           << "Walker w { }"
-                                           << "Robot r has a controller already: Walker brain";
-        QTest::newRow("two controllers") << "s"
-                                         << "Walker w { } Walker v { }"
-                                         << "Robot s can have one controller";
         QTest::newRow("member") << "g_1"
                                 << "Walker w { }"
                                 << "a member of a Grid or Scatter has no text of its own; replace that by single robots first";
@@ -313,7 +307,7 @@ private Q_SLOTS:
         const auto place = placeOf(*again, plan.value().selects.back());
         QVERIFY2(place && place->part && place->part->kind->name == kind.toStdString(), block.c_str());
         // A second one beside the first.
-        if (controller || described->role == Role::Medium) {
+        if (described->role == Role::Medium) {
             QVERIFY(!planInsert(*again, parent, templateOf(*again, *described, parent)).ok());
             return;
         }

@@ -249,10 +249,6 @@ private Q_SLOTS:
                                  << "blob"
                                  << ""
                                  << "there is no blob";
-        QTest::newRow("second controller") << "r.brain"
-                                           << "s"
-                                           << ""
-                                           << "Robot s has a controller already: Walker brain";
     }
     void refused() {
         QFETCH(QString, path);

@@ -48,9 +48,9 @@ private Q_SLOTS:
         QCOMPARE(config.devices[0].number("Resistance"), 2.0);
         QCOMPARE(config.devices[2].text("Control"), "servo");
         QCOMPARE(config.devices[3].texts("Geom").front(), "chassis.hull");
-        QVERIFY(robot.controller);
-        QCOMPARE(robot.controller->number("Speed"), 0.2);
-        QCOMPARE(robot.controller->number("UpdatePeriod"), 0.0);
+        QCOMPARE(robot.controllers.size(), 1u);
+        QCOMPARE(robot.controllers[0].number("Speed"), 0.2);
+        QCOMPARE(robot.controllers[0].number("UpdatePeriod"), 0.0);
         QCOMPARE(e.modules.at(0).library, "/modules/libwalker.so");
     }
 

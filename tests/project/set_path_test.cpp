@@ -48,7 +48,7 @@ private Q_SLOTS:
         QCOMPARE(e.robots[1].config->devices[0].number("Resistance"), 2.0);
         QCOMPARE(e.robots[1].config->bodies[0].mass.mass, 5.0);
         QCOMPARE(e.robots[1].config->bodies[1].geoms[0].radius, 0.06);
-        QCOMPARE(e.robots[0].controller->number("Speed"), 1.0);
+        QCOMPARE(e.robots[0].controllers.at(0).number("Speed"), 1.0);
         QCOMPARE(e.robots[0].pose.position.z(), 1.0);
     }
 
@@ -152,7 +152,7 @@ private Q_SLOTS:
             QCOMPARE(a.name, b.name);
             QVERIFY((a.pose.position - b.pose.position).norm() < 1e-5);
             QVERIFY(a.pose.rotation.angularDistance(b.pose.rotation) < 1e-6);
-            QCOMPARE(b.controller->number("Speed"), 1.0);
+            QCOMPARE(b.controllers.at(0).number("Speed"), 1.0);
         }
         QCOMPARE(again->experiment->robots[1].config->devices[0].number("Resistance"), 3.0);
         QCOMPARE(again->experiment->robots[2].config->devices[0].number("Resistance"), 2.0);

@@ -85,14 +85,14 @@ class LiveRunTest : public QObject {
         return [this](RunOptions options, Diagnostics& problems) -> std::unique_ptr<Runner> {
             const std::shared_ptr<ExperimentSpec> experiment = experimentOf({"robot0", "robot1"});
             experiment->settings.duration = m_duration;
-            experiment->robots[0].controller = ComponentSpec{"Talker", "brain", {{"UpdatePeriod", numberValue(0)}}, {}, {}};
+            experiment->robots[0].controllers = {{{"Talker", "brain", {{"UpdatePeriod", numberValue(0)}}, {}, {}}, {}}};
             experiment->logs.push_back(logSpec("PoseLog", "path", {{"Robot", textValue({"robot0"})}}));
             auto world = std::make_unique<FakeWorld>(experiment);
             world->faultAt = m_faultAt;
             world->touching = {{"robot0/chassis/bumper", "arena/north", {1, 0, 0}, {-1, 0, 0}, 0.001, 5}};
             auto runner = std::make_unique<ExperimentRunner>(std::move(world), std::move(options));
             runner->startControllers(
-                [this](const RobotSpec&, const SettingsSpec&) -> Result<std::unique_ptr<ControllerBackend>> {
+                [this](const ControllerRequest&) -> Result<std::unique_ptr<ControllerBackend>> {
                     auto backend = std::make_unique<TalkingBackend>(m_door, m_lines);
                     backend->failAt = m_failAt;
                     backend->finishAt = m_finishAt;

@@ -47,7 +47,7 @@ struct Bench {
         RobotSpec robot;
         robot.name = "robot0";
         robot.config = config;
-        robot.controller = ComponentSpec{"Driver", "brain", {}, {}, {}};
+        robot.controllers = {{{"Driver", "brain", {}, {}, {}}, {}}};
         experiment->robots = {robot};
         (void)planRobot(*layout, experiment->robots[0]);
         layout->add("robot0/motor/voltage", "V", SignalType::Real, SignalDirection::Command);

@@ -8,43 +8,9 @@
 
 #include "run/experiment_runner.h"
 #include "run/fake_world.h"
+#include "run/scripted_backend.h"
 
 using namespace trundle;
-
-namespace {
-
-/// Records its calls.
-class ScriptedBackend final : public ControllerBackend {
-public:
-    std::string* story;
-    std::vector<double>* gaps;
-    std::uint64_t failAt = ~0ull, finishAt = ~0ull;
-    bool failStart = false;
-    ControllerOutputs outputs;
-
-    Status start(const SignalLayout&, SignalBlock&, ControllerOutputs given) override {
-        outputs = std::move(given);
-        if (failStart) return Error{Code::UnknownPort, "there is no port arm"};
-        return {};
-    }
-    Status tick(std::uint64_t tick, double time, double sinceLast) override {
-        if (tick == failAt) return Error{Code::ControllerFailed, "brain failed"};
-        if (tick >= finishAt) outputs.finish("reached " + std::to_string(tick));
-        if (tick >= finishAt) outputs.finish("again"); // of several in one tick the first counts
-        *story += "think ";
-        gaps->push_back(sinceLast);
-        outputs.print(TRUNDLE_INFO, "t=" + std::to_string(time));
-        return {};
-    }
-    Status set(const std::string& property, const PropertyValue&) override {
-        *story += "set " + property + " ";
-        return {};
-    }
-    void stop() override { *story += "stop "; }
-    std::string describe() const override { return "scripted"; }
-};
-
-} // namespace
 
 class RunnerTest : public QObject {
     Q_OBJECT
@@ -70,8 +36,10 @@ class RunnerTest : public QObject {
         };
         m_runner = std::make_unique<ExperimentRunner>(std::move(world), std::move(options));
         m_runner->startControllers(
-            [this](const RobotSpec&, const SettingsSpec&) -> Result<std::unique_ptr<ControllerBackend>> {
+            [this](const ControllerRequest& request) -> Result<std::unique_ptr<ControllerBackend>> {
+                if (request.library == "broken.so") return Error{Code::ModuleUnreadable, "broken.so is no library"};
                 auto backend = std::make_unique<ScriptedBackend>();
+                backend->kind = request.robot->controllers[request.controller].kind;
                 backend->story = &m_world->story;
                 backend->gaps = &m_gaps;
                 backend->failStart = m_failStart;
@@ -82,8 +50,7 @@ class RunnerTest : public QObject {
         if (!m_diagnostics.hasErrors()) m_runner->openLogs(m_diagnostics);
     }
     void giveController(double updatePeriod = 0) {
-        m_experiment->robots[0].controller =
-            ComponentSpec{"Scripted", "brain", {{"UpdatePeriod", numberValue(updatePeriod)}}, {}, {}};
+        m_experiment->robots[0].controllers = {{{"Scripted", "brain", {{"UpdatePeriod", numberValue(updatePeriod)}}, {}, {}}, {}}};
     }
     QByteArray log(const char* name) const {
         QFile file(m_folder.filePath(QString("logs/") + name));
@@ -109,6 +76,7 @@ private Q_SLOTS:
     void aFailedControllerEndsTheRun();
     void theFirstFinishEndsTheRunAfterItsTick();
     void aTickThatFailsFinishesNothing();
+    void anotherControllerTakesThePlace();
     void aFailedStartIsADiagnostic();
     void blowUpEndsRunAndKeepsLogs();
     void reportsLargeClusterOnce();
@@ -222,10 +190,53 @@ void RunnerTest::aTickThatFailsFinishesNothing() {
     QVERIFY(!m_runner->finished());
 }
 
+void RunnerTest::anotherControllerTakesThePlace() {
+    giveController();
+    build();
+    QVERIFY(m_runner->tick().ok());
+    const auto swap = [&](const char* from, std::optional<const char*> to, const char* library = "other.so") {
+        SwapCommand command{"robot0", from, {}, library};
+        if (to) command.to = ControllerSpec{{*to, "mind", {{"UpdatePeriod", numberValue(0)}}, {}, {}}, {}};
+        m_runner->command(command);
+        return m_runner->tick().ok();
+    };
+    const auto* velocity = m_world->layout().find("robot0/base/linearVelocity");
+    m_world->block().slots()[velocity->offset] = 0.3;
+    m_world->story.clear();
+    m_console.clear();
+    QVERIFY(swap("brain", "Other"));
+    QCOMPARE(m_world->story, std::string("stop think step ")); // the old one is stopped, the new one is called in the same tick
+    QCOMPARE(m_backend->kind, std::string("Other"));
+    QCOMPARE(m_world->block().slots()[velocity->offset], 0.0);
+    QCOMPARE(m_console.at(0), std::string("[0.01 robot0] the controller mind is Other now"));
+    QCOMPARE(m_runner->controllerCosts().size(), std::size_t(1));
+    QCOMPARE(m_runner->controllerCosts()[0].controller, std::string("mind"));
+
+    m_world->story.clear();
+    m_console.clear();
+    QVERIFY(swap("mind", "Third", "broken.so")); // that it has stays
+    QCOMPARE(m_world->story, std::string("think step "));
+    QCOMPARE(m_console.at(0), std::string("[0.02 ] command refused: broken.so is no library"));
+    QVERIFY(swap("", "Third"));
+    QVERIFY(m_console.at(2).ends_with("command refused: robot0 has a controller already"));
+
+    m_world->story.clear();
+    QVERIFY(swap("mind", {}));
+    QCOMPARE(m_world->story, std::string("stop step "));
+    QVERIFY(m_runner->controllerCosts().empty());
+    m_world->story.clear();
+    QVERIFY(swap("", "Fourth"));
+    QCOMPARE(m_world->story, std::string("think step "));
+    QCOMPARE(m_backend->kind, std::string("Fourth"));
+    m_world->story.clear();
+    QVERIFY(m_runner->finish().ok());
+    QCOMPARE(m_world->story, std::string("stop ")); // of the one that it has, once
+}
+
 void RunnerTest::aFailedStartIsADiagnostic() {
     m_failStart = true;
     giveController();
-    m_experiment->robots[1].controller = m_experiment->robots[0].controller;
+    m_experiment->robots[1].controllers = m_experiment->robots[0].controllers;
     build();
     QCOMPARE(m_diagnostics.errorCount(), std::size_t(1)); // the same message is kept once for all robots
     QCOMPARE(m_diagnostics.all()[0].code, Code::UnknownPort);

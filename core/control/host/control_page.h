@@ -72,7 +72,8 @@ enum class HostRecord : std::uint32_t {
     ObjectName,
     FindRadio,
     SendPacket,
-    ReceivePacket
+    ReceivePacket,
+    Claim
 };
 
 struct RecordHeader {

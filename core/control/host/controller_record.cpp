@@ -2,25 +2,33 @@
 
 #include <algorithm>
 
+#include "model/signal_count.h"
+
 namespace trundle {
 namespace {
 
 constexpr std::string_view kPeriod = "UpdatePeriod";
 
-void writeController(WireWriter& out, const ComponentSpec& controller) {
-    out.bytes(controller.kind).bytes(controller.name).number<std::uint64_t>(controller.values.size());
+void writeController(WireWriter& out, const ControllerSpec& controller) {
+    out.bytes(controller.kind).number<std::uint64_t>(controller.values.size());
     for (const auto& [key, value] : controller.values) out.bytes(key).value(value.value);
+    out.number<std::uint64_t>(controller.published.size());
+    for (const SignalDescription& signal : controller.published)
+        out.bytes(signal.name).number(signal.direction).number(signalCount(signal, controller));
 }
 
-ComponentSpec readController(WireReader& in) {
-    ComponentSpec controller;
+void readController(WireReader& in, ControllerSpec& controller) {
     controller.kind = in.text();
-    controller.name = in.text();
     for (std::uint64_t left = in.count(); left > 0; --left) {
         std::string key = in.text();
         controller.values[std::move(key)].value = in.value();
     }
-    return controller;
+    for (std::uint64_t left = in.count(); left > 0; --left) {
+        controller.published.emplace_back();
+        controller.published.back().name = in.text();
+        controller.published.back().direction = in.number<std::uint32_t>();
+        controller.published.back().count = in.number<std::uint32_t>();
+    }
 }
 
 } // namespace
@@ -33,15 +41,16 @@ std::span<const SignalEntry> entriesOf(const SignalLayout& layout, const std::st
     return {begin, end};
 }
 
-void write(WireWriter& out, const RobotSpec& robot, const SettingsSpec& settings, std::span<const SignalEntry> entries,
+void write(WireWriter& out, const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings, std::span<const SignalEntry> entries,
            std::uint64_t offset) {
     out.number(offset).number(settings.seed).number(settings.tick).bytes(robot.name);
-    writeController(out, *robot.controller);
+    out.number<std::uint64_t>(robot.controllers.size());
+    for (const ControllerSpec& each : robot.controllers) out.bytes(each.name);
+    out.number<std::uint64_t>(controller);
+    writeController(out, robot.controllers[controller]);
     out.number<std::uint64_t>(robot.config->devices.size());
     for (const ComponentSpec& device : robot.config->devices)
         out.bytes(device.kind).bytes(device.name).number(device.number(kPeriod));
-    out.number<std::uint64_t>(robot.published.size());
-    for (const SignalDescription& signal : robot.published) out.bytes(signal.name);
     out.number<std::uint64_t>(entries.size());
     for (const SignalEntry& entry : entries)
         out.bytes(entry.path)
@@ -56,7 +65,12 @@ ControllerRecord readControllerRecord(WireReader& in) {
     record.settings.seed = in.number<std::uint64_t>();
     record.settings.tick = in.number<double>();
     record.robot.name = in.text();
-    record.robot.controller = readController(in);
+    for (std::uint64_t left = in.count(); left > 0; --left) {
+        record.robot.controllers.emplace_back();
+        record.robot.controllers.back().name = in.text();
+    }
+    record.controller = in.number<std::uint64_t>();
+    readController(in, record.robot.controllers.at(record.controller));
     auto config = std::make_shared<RobotConfigSpec>();
     for (std::uint64_t left = in.count(); left > 0; --left) {
         ComponentSpec device;
@@ -66,10 +80,6 @@ ControllerRecord readControllerRecord(WireReader& in) {
         config->devices.push_back(std::move(device));
     }
     record.robot.config = std::move(config);
-    for (std::uint64_t left = in.count(); left > 0; --left) {
-        record.robot.published.emplace_back();
-        record.robot.published.back().name = in.text();
-    }
     record.layout.beginRobot(record.robot.name);
     for (std::uint64_t left = in.count(); left > 0; --left) {
         std::string path = in.text();

@@ -11,7 +11,8 @@ namespace trundle {
 
 /// What a host process needs of a robot to run its controller.
 struct ControllerRecord {
-    RobotSpec robot; ///< name, controller, devices with kind and UpdatePeriod, names of published signals
+    RobotSpec robot; ///< name, devices with kind and UpdatePeriod; names of all controllers, and all of one of them
+    std::size_t controller = 0; ///< its index; its published signals have names, directions and counts alone
     SettingsSpec settings;
     SignalLayout layout;      ///< of this robot alone
     std::uint64_t offset = 0; ///< of the first slot in the host's images
@@ -19,7 +20,7 @@ struct ControllerRecord {
 
 /// The entries of a robot's image, by offset.
 [[nodiscard]] std::span<const SignalEntry> entriesOf(const SignalLayout& layout, const std::string& robot);
-void write(WireWriter& out, const RobotSpec& robot, const SettingsSpec& settings, std::span<const SignalEntry> entries,
+void write(WireWriter& out, const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings, std::span<const SignalEntry> entries,
            std::uint64_t offset);
 [[nodiscard]] ControllerRecord readControllerRecord(WireReader& in);
 

@@ -60,10 +60,10 @@ const char* phaseName(HostPhase phase) {
     return "the middle of the run";
 }
 
-ControllerFault faultOf(const HostEnd& end, const RobotSpec* robot, const std::string& library) {
+ControllerFault faultOf(const HostEnd& end, const std::string& controller, const std::string& library) {
     ControllerFault fault;
     const std::string module = "the module " + library;
-    if (robot) fault.reason = "the controller " + robot->controller->kind + " of " + robot->name + " (" + library + ")";
+    if (!controller.empty()) fault.reason = controller + " (" + library + ")";
     else fault.reason = end.ofThread ? "a thread of " + module : module;
     fault.reason += ending(end);
     if (!end.exception.empty()) fault.reason += ", uncaught exception: " + end.exception;
@@ -74,8 +74,8 @@ ControllerFault faultOf(const HostEnd& end, const RobotSpec* robot, const std::s
     return fault;
 }
 
-ControllerFault sharedFault(const ControllerFault& own, const RobotSpec& robot, const RobotSpec& faulty) {
-    return {"the controller " + robot.controller->kind + " of " + robot.name + " shares its process with that of " + faulty.name +
+ControllerFault sharedFault(const ControllerFault& own, const std::string& controller, const std::string& faultyRobot) {
+    return {controller + " shares its process with that of " + faultyRobot +
                 ": " + own.reason + ". Isolation = robot gives each a process",
             {},
             own.process,
@@ -83,7 +83,7 @@ ControllerFault sharedFault(const ControllerFault& own, const RobotSpec& robot, 
 }
 
 std::string faultOfLoading(const HostEnd& end, const std::string& library) {
-    const ControllerFault fault = faultOf(end, nullptr, library);
+    const ControllerFault fault = faultOf(end, {}, library);
     return fault.reason.substr(std::string_view("the module ").size());
 }
 

@@ -9,11 +9,11 @@ namespace trundle {
 /// "update", "setup", "destructor".
 [[nodiscard]] const char* phaseName(HostPhase phase);
 
-/// What the end of a host process means: `robot` is that whose controller it called, nullptr if it is unknown. The backtrace has
+/// What the end of a host process means: `controller` is the title of that which it called, empty if it is unknown. The backtrace has
 /// functions and lines if the module has debug information and addr2line is installed.
-[[nodiscard]] ControllerFault faultOf(const HostEnd& end, const RobotSpec* robot, const std::string& library);
-/// Of a controller that shared the process of `faulty`.
-[[nodiscard]] ControllerFault sharedFault(const ControllerFault& own, const RobotSpec& robot, const RobotSpec& faulty);
+[[nodiscard]] ControllerFault faultOf(const HostEnd& end, const std::string& controller, const std::string& library);
+/// Of a controller that shared the process with that of `faultyRobot`.
+[[nodiscard]] ControllerFault sharedFault(const ControllerFault& own, const std::string& controller, const std::string& faultyRobot);
 /// Why a module could not be loaded.
 [[nodiscard]] std::string faultOfLoading(const HostEnd& end, const std::string& library);
 

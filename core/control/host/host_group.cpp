@@ -1,5 +1,6 @@
 // Method: before a request the values of the robots are copied into the host's images; afterwards only the slots that a controller
-// may write, commands and published values of its own robot, are copied back.
+// may write, commands of its robot and what it publishes, are copied back. Of a robot with several controllers each has the commands
+// that it claimed by its ports.
 #include "control/host/host_group.h"
 
 #include <algorithm>
@@ -26,10 +27,11 @@ bool isSameDescription(const std::string& a, const std::string& b, const std::st
 
 } // namespace
 
-std::size_t HostGroup::add(std::size_t robot) {
+std::size_t HostGroup::add(std::shared_ptr<const RobotSpec> robot, std::size_t controller) {
     Member member;
-    member.robot = &m_context.experiment->robots[robot];
-    member.index = robot;
+    member.robot = std::move(robot);
+    member.controller = &member.robot->controllers[controller];
+    member.index = controller;
     m_members.push_back(std::move(member));
     return m_members.size() - 1;
 }
@@ -112,48 +114,30 @@ void HostGroup::unload(Member& last) {
     });
     m_waiting.reset();
     if (alive || m_host->end().ofThread) m_host.reset(); // a thread that outlives its controller crashes now that its code is gone
-    else last.fault = faultOf(m_host->end(), nullptr, m_library);
-}
-
-void HostGroup::place(const SignalLayout& layout) {
-    m_slots = 0;
-    for (Member& member : m_members) {
-        const std::span<const SignalEntry> entries = entriesOf(layout, member.robot->name);
-        member.inBlock = entries.empty() ? 0 : entries.front().offset;
-        member.inImage = m_slots;
-        member.slots = entries.empty() ? 0 : entries.back().offset + entries.back().count - member.inBlock;
-        m_slots += member.slots;
-        member.written.clear();
-        const std::string published = member.robot->name + "/" + member.robot->controller->name + "/";
-        for (const SignalEntry& entry : entries) {
-            if (entry.direction != SignalDirection::Command && !entry.path.starts_with(published)) continue;
-            const std::size_t inImage = member.inImage + entry.offset - member.inBlock;
-            if (!member.written.empty() && member.written.back().inBlock + member.written.back().count == entry.offset)
-                member.written.back().count += entry.count;
-            else member.written.push_back({entry.offset, inImage, entry.count});
-        }
-    }
+    else last.fault = faultOf(m_host->end(), {}, m_library);
 }
 
 Status HostGroup::map(const SignalLayout& layout) {
     if (m_mapped) return {};
-    place(layout);
+    std::size_t slots = 0;
+    for (Member& member : m_members) slots = member.slots.place(*member.robot, *member.controller, layout, slots);
     const Status mapped = m_host->map(
-        m_slots, [this](HostRecord record, std::uint32_t number, WireReader& in) { return handle(record, number, in); });
+        slots, [this](HostRecord record, std::uint32_t number, WireReader& in) { return handle(record, number, in); });
     m_mapped = mapped.ok();
     return mapped;
 }
 
-void HostGroup::copyIn(const Member& member) {
-    const std::span<const double> block = m_block->slots().subspan(member.inBlock, member.slots);
-    std::ranges::copy(block, m_host->sensors().begin() + static_cast<std::ptrdiff_t>(member.inImage));
-    for (const WrittenSlots& written : member.written)
-        std::copy_n(m_block->slots().data() + written.inBlock, written.count, m_host->commands().data() + written.inImage);
-}
+void HostGroup::copyIn(const Member& member) { member.slots.copyIn(m_block->slots(), m_host->sensors(), m_host->commands()); }
 
-void HostGroup::copyOut(const Member& member) {
-    for (const WrittenSlots& written : member.written)
-        std::copy_n(m_host->commands().data() + written.inImage, written.count, m_block->slots().data() + written.inBlock);
+void HostGroup::copyOut(const Member& member) { member.slots.copyOut(m_host->commands(), m_block->slots()); }
+
+Status HostGroup::claim(Member& member, const std::string& command) {
+    const SignalEntry* entry = command.starts_with(member.robot->name + "/") ? m_layout->find(command) : nullptr;
+    if (!entry || entry->direction != SignalDirection::Command) return Error{Code::UnknownPort, "there is no command " + command};
+    if (member.robot->controllers.size() == 1) return {};
+    const Status claimed = member.outputs.claim ? member.outputs.claim(command) : Status();
+    if (claimed) member.slots.claim(*entry, m_block->slots(), m_host->commands());
+    return claimed;
 }
 
 // ---- calls ----
@@ -177,6 +161,7 @@ Status HostGroup::call(std::size_t number, HostRequest request, std::string_view
 }
 
 Status HostGroup::start(std::size_t number, const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) {
+    m_layout = &layout;
     m_block = &block;
     m_members[number].fault.reset();
     if (const auto loaded = load(); !loaded) return loaded.error();
@@ -184,21 +169,27 @@ Status HostGroup::start(std::size_t number, const SignalLayout& layout, SignalBl
     Member& member = m_members[number];
     member.outputs = std::move(outputs);
     member.radios.clear();
+    member.slots.forgetClaims();
     member.due.reset();
     member.result.reset();
     member.finish.reset();
     if (!member.target) {
-        const std::string& kind = member.robot->controller->kind;
-        member.target = m_context.calls->add({"the controller " + kind + " of " + member.robot->name, member.robot->name, kind,
-                                              m_library, static_cast<std::uint32_t>(member.index)});
+        member.target = m_context.calls->add({controllerTitle(*member.robot, *member.controller), member.robot->name,
+                                              member.controller->kind, m_library, robotIndex(member)});
     }
     WireWriter message;
     message.number(static_cast<std::uint32_t>(number));
-    write(message, *member.robot, m_context.experiment->settings, entriesOf(layout, member.robot->name), member.inImage);
+    write(message, *member.robot, member.index, m_context.experiment->settings, entriesOf(layout, member.robot->name), member.slots.inImage());
     member.started = true;
     Status started = call(number, HostRequest::Start, message.view());
     member.started = started.ok();
     return started;
+}
+
+/// In the experiment.
+std::uint32_t HostGroup::robotIndex(const Member& member) const {
+    const auto& robots = m_context.experiment->robots;
+    return static_cast<std::uint32_t>(std::ranges::find(robots, member.robot->name, &RobotSpec::name) - robots.begin());
 }
 
 void HostGroup::prepare(std::size_t number, std::uint64_t tick, double time, double sinceLast) {
@@ -296,14 +287,14 @@ void HostGroup::setFaults() {
     const HostEnd& end = m_host->end();
     const std::size_t faulty = end.during.controller;
     const bool known = faulty < m_members.size() && !end.ofThread && end.during.phase != HostPhase::None;
-    const RobotSpec* robot = known ? m_members[faulty].robot : nullptr;
-    ControllerFault own = faultOf(end, robot, m_library);
+    const auto titleOf = [](const Member& member) { return controllerTitle(*member.robot, *member.controller); };
+    ControllerFault own = faultOf(end, known ? titleOf(m_members[faulty]) : std::string(), m_library);
     own.process = m_library + " " + std::to_string(m_generation);
     for (std::size_t i = 0; i < m_members.size(); ++i) {
         Member& member = m_members[i];
         const bool isFaulty = known && i == faulty;
         if (!std::exchange(member.started, false) && !isFaulty) continue;
-        member.fault = known && !isFaulty ? sharedFault(own, *member.robot, *robot) : own;
+        member.fault = known && !isFaulty ? sharedFault(own, titleOf(member), m_members[faulty].robot->name) : own;
         if (isFaulty && member.gaveUp) member.fault->reason += "; it had called fail(): " + *member.gaveUp;
         if (!known) own.backtrace.clear(); // once, with the first robot
         passFinish(member);
@@ -340,6 +331,7 @@ std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReade
         return {};
     }
     case HostRecord::GaveUp: member->gaveUp = in.text(); return {};
+    case HostRecord::Claim: return WireWriter().status(claim(*member, in.text())).take();
     default: return answerHost(record, member->robot->name, member->outputs, member->radios, in);
     }
 }
@@ -347,7 +339,7 @@ std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReade
 double HostGroup::limitOf(const HostCall& call) const {
     const bool updates = call.phase == HostPhase::Update || call.phase == HostPhase::Set;
     if (!updates || call.controller >= m_members.size()) return isEnd(call.phase) ? kLongestEndS : kLongestCallS;
-    const double budget = m_members[call.controller].robot->controller->number("Budget");
+    const double budget = m_members[call.controller].controller->number("Budget");
     return budget > 0 ? std::max(kBudgetFactor * budget, kShortestLimitS) : kLongestCallS;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The robots whose controllers share one host process.
+// The controllers that share one host process.
 
 #include <cstdint>
 #include <functional>
@@ -11,6 +11,7 @@
 #include "base/call_monitor.h"
 #include "control/backend.h"
 #include "control/host/host_connection.h"
+#include "control/host/member_slots.h"
 #include "schema/kind.h"
 
 namespace trundle {
@@ -33,12 +34,12 @@ public:
     HostGroup(const HostGroup&) = delete;
     HostGroup& operator=(const HostGroup&) = delete;
 
-    /// Adds a robot by its index in the experiment. Returns its number here. Call for all before the first start().
-    std::size_t add(std::size_t robot);
+    /// Adds a controller by its index in its robot. Returns its number here. Call for all before the first start().
+    std::size_t add(std::shared_ptr<const RobotSpec> robot, std::size_t controller);
     /// Starts the host if it has ended or never ran, and loads the module into it. Returns the module's kinds.
     [[nodiscard]] Result<std::vector<Kind>> load();
 
-    // As in ControllerBackend, for the robot with this number.
+    // As in ControllerBackend, for the controller with this number.
     [[nodiscard]] Status start(std::size_t member, const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs);
     void prepare(std::size_t member, std::uint64_t tick, double time, double sinceLast);
     [[nodiscard]] Status update(std::size_t member, std::uint64_t tick, double time, double sinceLast);
@@ -56,9 +57,6 @@ public:
     [[nodiscard]] const std::string& library() const { return m_library; }
 
 private:
-    struct WrittenSlots { // by the controller
-        std::size_t inBlock, inImage, count;
-    };
     struct UpdateResult {
         Status status;
         bool gaveUp = false;
@@ -66,11 +64,12 @@ private:
         double seconds = 0;
     };
     struct Member {
-        const RobotSpec* robot = nullptr;
-        std::size_t index = 0, inBlock = 0, inImage = 0, slots = 0;
+        std::shared_ptr<const RobotSpec> robot;
+        const ControllerSpec* controller = nullptr;
+        std::size_t index = 0; ///< of the controller in its robot
+        MemberSlots slots;
         const CallTarget* target = nullptr;
         ControllerOutputs outputs;
-        std::vector<WrittenSlots> written;
         std::vector<std::uint32_t> radios;
         std::optional<double> due; ///< announced: time since the last call, s
         std::optional<UpdateResult> result;
@@ -87,13 +86,14 @@ private:
     void unload(Member& last);
     void passFinish(Member& member);
     [[nodiscard]] Status map(const SignalLayout& layout);
-    void place(const SignalLayout& layout);
     void copyIn(const Member& member);
     void copyOut(const Member& member);
+    [[nodiscard]] Status claim(Member& member, const std::string& command);
     void completeUpdates();
     [[nodiscard]] Status call(std::size_t member, HostRequest request, std::string_view bytes);
     [[nodiscard]] std::string handle(HostRecord record, std::uint32_t number, WireReader& in);
     [[nodiscard]] Member* memberAt(std::uint32_t number);
+    [[nodiscard]] std::uint32_t robotIndex(const Member& member) const;
     [[nodiscard]] double limitOf(const HostCall& call) const;
     void showWaiting(const HostCall& call, double seconds);
     /// After the end of the host: a fault of every member that it ran.
@@ -108,8 +108,8 @@ private:
     std::uint64_t m_renewal = 0;
     Status m_renewed;
     const CallTarget* m_moduleTarget = nullptr;
+    const SignalLayout* m_layout = nullptr;
     SignalBlock* m_block = nullptr;
-    std::size_t m_slots = 0;
     bool m_mapped = false, m_updating = false, m_announced = false, m_saidWaiting = false;
     std::uint64_t m_generation = 0; // of the current host
     std::uint64_t m_tick = 0;

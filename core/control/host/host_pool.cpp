@@ -49,7 +49,8 @@ private:
 
 HostPool::HostPool(HostPrograms programs, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls,
                    Isolation otherwise, const std::function<std::string(const std::string& kind)>& moduleOf) {
-    m_hostsByDefault = isolationOf(RobotSpec(), experiment->settings, otherwise) != Isolation::None;
+    m_otherwise = otherwise;
+    m_hostsByDefault = isolationOf(ComponentSpec(), experiment->settings, otherwise) != Isolation::None;
     m_context.programs = std::move(programs);
     m_context.experiment = std::move(experiment);
     m_context.calls = std::move(calls);
@@ -57,18 +58,32 @@ HostPool::HostPool(HostPrograms programs, std::shared_ptr<const ExperimentSpec> 
         for (const auto& [name, group] : m_groups) group->beginUpdates();
     };
     const std::vector<RobotSpec>& robots = m_context.experiment->robots;
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-        const RobotSpec& robot = robots[i];
-        if (!robot.controller) continue;
-        const std::string library = moduleOf(robot.controller->kind);
-        Isolation isolation = isolationOf(robot, m_context.experiment->settings, otherwise);
-        if (isolation == Isolation::None && isPythonModule(library)) isolation = Isolation::Module;
-        m_inside[library] = m_inside[library] || isolation == Isolation::None;
-        if (library.empty() || isolation == Isolation::None) continue;
-        std::unique_ptr<HostGroup>& group = m_groups[isolation == Isolation::Module ? library : library + "\n" + robot.name];
-        if (!group) group = std::make_unique<HostGroup>(m_context, library);
-        m_members[robot.name] = {group.get(), group->add(i)};
-    }
+    for (std::size_t i = 0; i < robots.size(); ++i)
+        for (std::size_t k = 0; k < robots[i].controllers.size(); ++k) add(i, k, moduleOf(robots[i].controllers[k].kind));
+}
+
+Isolation HostPool::isolationFor(const ControllerSpec& controller, const std::string& library) const {
+    const Isolation isolation = isolationOf(controller, m_context.experiment->settings, m_otherwise);
+    return isolation == Isolation::None && isPythonModule(library) ? Isolation::Module : isolation;
+}
+
+void HostPool::add(std::size_t robot, std::size_t controller, const std::string& library) {
+    const RobotSpec& spec = m_context.experiment->robots[robot];
+    const Isolation isolation = isolationFor(spec.controllers[controller], library);
+    m_inside[library] = m_inside[library] || isolation == Isolation::None;
+    if (library.empty() || isolation == Isolation::None) return;
+    std::unique_ptr<HostGroup>& group = m_groups[isolation == Isolation::Module ? library : library + "\n" + spec.name];
+    if (!group) group = std::make_unique<HostGroup>(m_context, library);
+    m_members[{spec.name, controller}] = {group.get(), group->add({m_context.experiment, &spec}, controller)};
+}
+
+bool HostPool::addLater(std::shared_ptr<const RobotSpec> robot, std::size_t controller, const std::string& library) {
+    m_members.erase({robot->name, controller});
+    if (isolationFor(robot->controllers[controller], library) == Isolation::None) return false;
+    std::unique_ptr<HostGroup>& group = m_groups[library + "\n" + robot->name + "\n" + std::to_string(++m_later)];
+    group = std::make_unique<HostGroup>(m_context, library);
+    m_members[{robot->name, controller}] = {group.get(), group->add(robot, controller)};
+    return true;
 }
 
 bool HostPool::hasOnly(const std::string& library) const {
@@ -84,9 +99,9 @@ Result<std::vector<Kind>> HostPool::load(const std::string& library) {
     return HostGroup(m_context, library).load();
 }
 
-std::unique_ptr<ControllerBackend> HostPool::makeBackend(const RobotSpec& robot) {
-    const auto& [group, member] = m_members.at(robot.name);
-    return std::make_unique<HostBackend>(*group, member, robot.controller->kind);
+std::unique_ptr<ControllerBackend> HostPool::makeBackend(const RobotSpec& robot, std::size_t controller) {
+    const auto& [group, member] = m_members.at({robot.name, controller});
+    return std::make_unique<HostBackend>(*group, member, robot.controllers[controller].kind);
 }
 
 } // namespace trundle

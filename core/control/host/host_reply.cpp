@@ -82,7 +82,8 @@ std::string answerHost(HostRecord record, const std::string& robot, const Contro
     case HostRecord::Done:
     case HostRecord::Updated:
     case HostRecord::Finish:
-    case HostRecord::GaveUp: break;
+    case HostRecord::GaveUp:
+    case HostRecord::Claim: break;
     }
     return {};
 }

@@ -136,7 +136,7 @@ void RingFields::describe(Describe<RingFields>& d) {
 }
 
 void RobotFields::describe(Describe<RobotFields>& d) {
-    d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without "
+    d.help("One robot in the world. Holds its controllers, values of the config's Params, and overrides by path. Without "
            "joints, "
            "devices and a controller it is a movable object, a ball or a crate, and is counted as one.");
     describePose(d, "RobotConfig", "Position of its config frame at the start.");

@@ -1,4 +1,4 @@
-// Resolves Robots, Statics, Grids and Scatters: config, values, poses and controller. Instances with equal values share one
+// Resolves Robots, Statics, Grids and Scatters: config, values, poses and controllers. Instances with equal values share one
 // resolved config.
 #include <algorithm>
 #include <iterator>
@@ -155,32 +155,32 @@ private:
     /// What moves, senses or acts in a Static is to everything else a robot with a fixed frame.
     void addMoving(const Part& part, ParamScope& scope, const Part& config, const StaticConfigSpec& spec,
                    std::shared_ptr<const std::vector<GeomSpec>> geoms, const Pose& pose) {
-        std::optional<ComponentSpec> brain = controller(part, scope, &config);
-        if (!spec.moving && brain)
-            m_context.diagnostics.error(Code::WrongPlace, brain->nameRange,
+        std::vector<ControllerSpec> brains = controllers(part, scope, &config);
+        if (!spec.moving && !brains.empty())
+            m_context.diagnostics.error(Code::WrongPlace, brains.front().nameRange,
                                         part.title() + " has a controller, but " + config.title() + " has no devices");
-        if (spec.moving) m_moving.push_back(robot(part, part.name, pose, spec.moving, std::move(brain), std::move(geoms)));
+        if (spec.moving) m_moving.push_back(robot(part, part.name, pose, spec.moving, std::move(brains), std::move(geoms)));
     }
     void addMovingScenery() { std::ranges::move(m_moving, std::back_inserter(m_context.out.robots)); }
 
     RobotSpec robot(const Part& part, const std::string& name, const Pose& pose, std::shared_ptr<const RobotConfigSpec> config,
-                    std::optional<ComponentSpec> brain, std::shared_ptr<const std::vector<GeomSpec>> scenery = nullptr) const {
-        const Kind* kind = brain ? m_context.registry.find(brain->kind) : nullptr;
-        RobotSpec spec{name, pose, std::move(config), std::move(brain), part.range, part.nameRange(), {}, std::move(scenery)};
-        if (kind) spec.published = kind->signals;
-        return spec;
+                    std::vector<ControllerSpec> brains, std::shared_ptr<const std::vector<GeomSpec>> scenery = nullptr) const {
+        return {name, pose, std::move(config), std::move(brains), part.range, part.nameRange(), std::move(scenery)};
     }
 
-    std::optional<ComponentSpec> controller(const Part& part, ParamScope& scope, const Part* config) {
+    std::vector<ControllerSpec> controllers(const Part& part, ParamScope& scope, const Part* config) {
+        std::vector<ControllerSpec> all;
         for (const Part& inner : part.parts) {
             if (!inner.usable || !inner.is(Role::Controller)) continue;
             ParamScope own(&scope);
             own.declare(inner.params);
             Record record = m_context.read(inner, own, nullptr, Origin::Instance);
             const bool known = !config || m_context.checkReferences(record, *config);
-            if (record.complete && known) return componentFrom(record, inner);
+            if (!record.complete || !known) continue;
+            const Kind* kind = m_context.registry.find(inner.kind->name);
+            all.push_back({componentFrom(record, inner), kind ? kind->signals : std::vector<SignalDescription>()});
         }
-        return std::nullopt;
+        return all;
     }
 
     /// What a Robot, or one member of a Grid or Scatter, is made of.
@@ -188,7 +188,7 @@ private:
         Record record;
         InstanceValues given;
         const Part* config = nullptr;
-        std::optional<ComponentSpec> brain;
+        std::vector<ControllerSpec> brains;
         bool isNumbered = false; ///< other members differ: their number is used
         std::shared_ptr<const RobotConfigSpec> spec;
     };
@@ -199,7 +199,7 @@ private:
         scope.declare(part.params);
         m_context.evaluator.checkAll(scope);
         d.record = read(part, scope, d.given, d.config, "RobotConfig", member);
-        d.brain = controller(part, scope, d.config);
+        d.brains = controllers(part, scope, d.config);
         d.isNumbered = isIndexUsed(scope);
         return d;
     }
@@ -234,7 +234,7 @@ private:
                 e.notes.push_back({"defined here", part.nameRange()});
                 continue;
             }
-            m_context.out.robots.push_back(robot(part, name, poses[i], d.spec, d.brain));
+            m_context.out.robots.push_back(robot(part, name, poses[i], d.spec, d.brains));
         }
     }
 

@@ -44,6 +44,14 @@ std::string replacement(const LoadedProject& loaded, const Part& robot, const Pa
     return kind.name + " " + (old.block->name ? old.name : "brain") + (all.empty() ? " {}" : " {" + all + " }");
 }
 
+/// "robot0" and its first controller, or "robot0.brain".
+const Part* controllerAt(const Part& robot, std::string_view target) {
+    const std::vector<const Part*> all = controllersOf(robot);
+    const std::string_view name = withoutFirstWord(target);
+    const auto named = std::ranges::find(all, name, &Part::name);
+    return named != all.end() ? *named : all.empty() ? nullptr : all.front();
+}
+
 void join(EditPlan& plan, EditPlan more) {
     for (auto& [file, edits] : more.edits) {
         auto& list = plan.edits[file];
@@ -63,16 +71,18 @@ std::vector<ControlledRobot> controlledRobots(const LoadedProject& loaded) {
     std::vector<ControlledRobot> robots;
     for (const Part* part : loaded.outline->world.all()) {
         if (!instanceAt(loaded, part->name)) continue;
-        ControlledRobot robot{part->name, {}, {}, 1};
-        if (const Part* controller = controllerOf(*part)) {
-            robot.kind = controller->kind->name;
-            robot.controller = controller->name;
-        }
+        const std::vector<const Part*> controllers = controllersOf(*part);
+        ControlledRobot robot{part->name, {}, {}, 1, controllers.size()};
         if (part->is(Role::Layout))
             robot.members = static_cast<std::size_t>(std::ranges::count_if(loaded.experiment->robots, [&](const RobotSpec& r) {
                 return layoutOfMember(*loaded.outline, r.name) == part && !loaded.outline->world.find(r.name);
             }));
-        robots.push_back(std::move(robot));
+        if (controllers.empty()) robots.push_back(robot);
+        for (const Part* controller : controllers) {
+            robot.kind = controller->kind->name;
+            robot.controller = controller->name;
+            robots.push_back(robot);
+        }
     }
     return robots;
 }
@@ -81,7 +91,11 @@ std::vector<std::string> robotsAmong(const LoadedProject& loaded, const std::vec
     std::vector<std::string> robots;
     for (const std::string& path : paths) {
         const Part* part = instanceAt(loaded, std::string(firstWord(path)));
-        if (part && std::ranges::find(robots, part->name) == robots.end()) robots.push_back(part->name);
+        if (!part) continue;
+        const std::vector<const Part*> controllers = controllersOf(*part);
+        const auto chosen = std::ranges::find(controllers, withoutFirstWord(path), &Part::name);
+        std::string robot = controllers.size() > 1 && chosen != controllers.end() ? part->name + "." + (*chosen)->name : part->name;
+        if (std::ranges::find(robots, robot) == robots.end()) robots.push_back(std::move(robot));
     }
     return robots;
 }
@@ -103,9 +117,9 @@ Result<EditPlan> planAssign(const LoadedProject& loaded, const std::vector<std::
     if (robots.empty()) return Error{Code::UnknownReference, "no robot is selected"};
     EditPlan plan;
     for (const std::string& name : robots) {
-        const Part* robot = instanceAt(loaded, name);
+        const Part* robot = instanceAt(loaded, firstWord(name));
         if (!robot) return Error{Code::UnknownReference, name + " is no robot"};
-        if (const Part* old = controllerOf(*robot)) {
+        if (const Part* old = controllerAt(*robot, name)) {
             if (old->kind->name == controller.name) continue;
             plan.edits[old->file].push_back({old->range, replacement(loaded, *robot, *old, controller)});
             plan.selects.push_back(robot->name + "." + (old->block->name ? old->name : "brain"));
@@ -127,12 +141,15 @@ Result<EditPlan> planAssign(const LoadedProject& loaded, const std::vector<std::
 Result<EditPlan> planUnassign(const LoadedProject& loaded, const std::vector<std::string>& robots) {
     std::vector<std::string> paths;
     for (const std::string& name : robots)
-        if (const Part* robot = instanceAt(loaded, name))
-            if (const Part* controller = controllerOf(*robot)) paths.push_back(robot->name + "." + controller->name);
+        if (const Part* robot = instanceAt(loaded, firstWord(name)))
+            if (const Part* controller = controllerAt(*robot, name)) paths.push_back(robot->name + "." + controller->name);
     if (paths.empty())
         return Error{Code::UnknownReference, robots.empty() ? "no robot is selected" : "there is no controller to remove"};
     Result<EditPlan> plan = planRemove(loaded, paths);
-    if (plan) plan.value().selects = robots; // the user may assign another controller next
+    if (plan) { // the user may assign another controller next
+        plan.value().selects.clear();
+        for (const std::string& name : robots) plan.value().selects.emplace_back(firstWord(name));
+    }
     return plan;
 }
 

@@ -16,7 +16,7 @@ namespace trundle {
 namespace {
 
 constexpr Code kNameErrors[] = {Code::UnknownKey, Code::UnknownReference, Code::DuplicateKey, Code::UnknownParam,
-                                Code::WrongPlace, Code::DuplicateName,    Code::NoSuchPath,   Code::MultipleControllers};
+                                Code::WrongPlace, Code::DuplicateName,    Code::NoSuchPath};
 
 const Diagnostic* nameErrorIn(const Diagnostics& diagnostics) {
     const auto& all = diagnostics.all();

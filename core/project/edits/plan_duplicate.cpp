@@ -16,8 +16,6 @@ Result<EditPlan> planDuplicate(const LoadedProject& loaded, const std::vector<st
     std::string text;
     for (const Chosen& c : all.value()) {
         const Part& part = *c.place.part;
-        if (part.is(Role::Controller))
-            return Error{Code::MultipleControllers, part.title() + " cannot be doubled: a robot has one controller"};
         if (part.is(Role::Medium))
             return Error{Code::DuplicateName, part.title() + " cannot be doubled: an experiment has one radio medium"};
         if (!part.kind) return Error{Code::UnknownKind, part.title() + " is of a kind that is not loaded"};

@@ -95,8 +95,6 @@ private:
         m_paths.push_back(target.value().path);
         if (entry.kind && entry.kind->role == Role::Medium)
             if (Status status = oneMedium(); !status.ok()) return status;
-        if (entry.kind && entry.kind->role == Role::Controller && entry.target)
-            if (Status status = oneController(*entry.target); !status.ok()) return status;
         const bool optional = !entry.kind || entry.kind->nameOptional;
         UsedNames& names = namesIn(entry);
         if (entry.block->name) entry.name = names.take(entry.block->name->text);
@@ -139,17 +137,6 @@ private:
         for (const Target& target : m_near)
             if (canHoldControllers(*target.part) || target.part->is(Role::Config)) return target;
         return Target{};
-    }
-
-    Status oneController(const Part& robot) const {
-        for (const Part& part : robot.parts)
-            if (part.is(Role::Controller))
-                return Error{Code::MultipleControllers, robot.title() + " has a controller already: " + part.title()};
-        const auto here = std::count_if(m_blocks.entries.begin(), m_blocks.entries.end(), [&](const PastedBlocks::Entry& e) {
-            return e.target == &robot && e.kind && e.kind->role == Role::Controller;
-        });
-        if (here > 1) return Error{Code::MultipleControllers, robot.title() + " can have one controller"};
-        return {};
     }
 
     Status oneMedium() const {

@@ -118,10 +118,6 @@ private:
             held.add(part);
             if (Status fits = held.fitsIn(m_loaded, *holder, part.title()); !fits.ok()) return fits;
         }
-        if (part.is(Role::Controller))
-            for (const Part& other : m.to->parts)
-                if (other.is(Role::Controller))
-                    return Error{Code::MultipleControllers, m.to->title() + " has a controller already: " + other.title()};
         const NameSpace* space = m.to ? nullptr : m_loaded.outline->spaceOf(*part.kind);
         m.name = m_names.try_emplace({m.to, space}, m_loaded, m.to, part.kind).first->second.take(part.name);
         return {};

@@ -144,9 +144,11 @@ SourceRange blockOf(const LoadedProject& loaded, std::string_view path) {
 
 std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
 
-const Part* controllerOf(const Part& instance) {
-    const auto it = std::ranges::find_if(instance.parts, [](const Part& part) { return part.is(Role::Controller); });
-    return it == instance.parts.end() ? nullptr : &*it;
+std::vector<const Part*> controllersOf(const Part& instance) {
+    std::vector<const Part*> controllers;
+    for (const Part& part : instance.parts)
+        if (part.is(Role::Controller)) controllers.push_back(&part);
+    return controllers;
 }
 
 } // namespace trundle

@@ -46,7 +46,7 @@ struct ObjectLocation {
 [[nodiscard]] const Part* configOf(const LoadedProject& loaded, const Part& instance);
 /// "RobotConfig.Rover".
 [[nodiscard]] std::string pathOfConfig(const Part& config);
-/// The controller block of an instance; nullptr without one.
-[[nodiscard]] const Part* controllerOf(const Part& instance);
+/// The controller blocks of an instance.
+[[nodiscard]] std::vector<const Part*> controllersOf(const Part& instance);
 
 } // namespace trundle

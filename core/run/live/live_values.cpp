@@ -63,7 +63,7 @@ void LiveObject::bind(const ExperimentSpec& experiment, const SignalLayout& layo
     }
     const std::string prefix = robot->name + "/" + std::string(path) + "/";
     const ComponentSpec* part = named(robot->config->devices, path);
-    if (!part && robot->controller && robot->controller->name == path) part = &*robot->controller;
+    if (!part) part = named(robot->controllers, path);
     addSignals(layout, prefix, part ? registry.find(part->kind) : nullptr);
 }
 
@@ -123,9 +123,9 @@ void LiveObject::addMotion(const SignalLayout& layout, const std::string& prefix
 
 void LiveObject::addRobot(const RobotSpec& robot, const SignalLayout& layout, const Registry& registry) {
     addMotion(layout, robot.name + "/", {});
-    // Signals published by the controller are shown with the robot, like the controller's properties.
-    if (robot.controller)
-        addSignals(layout, robot.name + "/" + robot.controller->name + "/", registry.find(robot.controller->kind));
+    // Signals published by controllers are shown with the robot, like the controllers' properties.
+    for (const ControllerSpec& controller : robot.controllers)
+        addSignals(layout, robot.name + "/" + controller.name + "/", registry.find(controller.kind));
 }
 
 void LiveObject::addSignals(const SignalLayout& layout, const std::string& prefix, const Kind* kind) {

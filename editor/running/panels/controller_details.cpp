@@ -19,7 +19,9 @@ ControllerNumbers controllerNumbers(const RunSession& session, const ControlledR
     if (!results.snapshot || !results.experiment) return numbers;
     double total = 0;
     for (const ControllerCost& cost : results.snapshot->costs) {
-        if (!isRobotOf(session, results.experiment->robots[cost.robot].name, robot)) continue;
+        const RobotSpec& built = results.experiment->robots[cost.robot];
+        const ControllerSpec* controller = isRobotOf(session, built.name, robot) ? controllerIn(built, robot) : nullptr;
+        if (!controller || controller->name != cost.controller) continue;
         if (!numbers.isKnown) numbers.process = cost.process;
         numbers.isKnown = true;
         numbers.calls += cost.calls;

@@ -57,7 +57,8 @@ public:
 /// As the block of the controller says; the setting of the experiment is not considered.
 bool isIsolated(const ExperimentSpec& experiment, const ControlledRobot& robot) {
     const auto named = std::ranges::find(experiment.robots, robot.path, &RobotSpec::name);
-    return named != experiment.robots.end() && named->controller && isolationOf(*named, {}, Isolation::Module) == Isolation::Robot;
+    const ControllerSpec* controller = named == experiment.robots.end() ? nullptr : controllerIn(*named, robot);
+    return controller && isolationOf(*controller, {}, Isolation::Module) == Isolation::Robot;
 }
 
 QTreeWidget* table(const char* name, const QStringList& columns) {
@@ -239,17 +240,22 @@ std::vector<std::string> ControllersPanel::chosenRobots() const {
     return m_document.loaded() ? robotsAmong(*m_document.loaded(), m_selection.paths()) : std::vector<std::string>();
 }
 
-/// The robots of the run that are chosen, with the members of Grids and Scatters.
+/// The chosen controllers of the run, as "robot/controller", with those of the members of Grids and Scatters.
 std::vector<std::string> ControllersPanel::controlledMembers() const {
     std::vector<std::string> names;
     const RunResults& results = m_session.results();
-    const std::vector<std::string> chosen = chosenRobots();
     for (const RobotSpec& robot : results.experiment ? results.experiment->robots : std::vector<RobotSpec>()) {
         const Part* layout = layoutOfMember(*results.built->outline, robot.name);
-        const std::string& row = layout ? layout->name : robot.name;
-        if (robot.controller && std::ranges::find(chosen, row) != chosen.end()) names.push_back(robot.name);
+        for (const ControlledRobot& row : m_listed)
+            if (const ControllerSpec* controller = row.path == (layout ? layout->name : robot.name) && isChosen(row) ? controllerIn(robot, row) : nullptr)
+                names.push_back(robot.name + "/" + controller->name);
     }
     return names;
+}
+
+bool ControllersPanel::isChosen(const ControlledRobot& robot) const {
+    const std::vector<std::string> chosen = chosenRobots();
+    return std::ranges::any_of(chosen, [&](const std::string& target) { return target == robot.path || target == robot.target(); });
 }
 
 const ModuleInfo* ControllersPanel::currentModule() const {
@@ -334,12 +340,12 @@ void ControllersPanel::refreshRobots() {
     m_stale = !isVisible(); // the rows of a swarm take longer than the edit, so they are created when the panel is shown
     if (m_stale) return;
     for (const ControlledRobot& robot : m_listed) {
-        const QString name = QString::fromStdString(robot.path);
+        const QString name = toQString(robot.controllers > 1 ? robot.path + " · " + robot.controller : robot.path);
         const QString shown = robot.members == 1 ? name : tr("%1 (%2 robots)").arg(name, QString::number(robot.members));
         auto* item = new QTreeWidgetItem(
             m_robots, {shown, robot.kind.empty() ? QStringLiteral("–") : QString::fromStdString(robot.kind), QString()});
-        item->setData(0, Qt::UserRole, name);
-        item->setSelected(m_selection.contains(robot.path));
+        item->setData(0, Qt::UserRole, toQString(robot.target()));
+        item->setSelected(m_selection.contains(robot.path) || m_selection.contains(robot.target()));
     }
     showStates();
 }
@@ -374,19 +380,15 @@ void ControllersPanel::showNumbers() {
 
 /// The first chosen robot that has a controller.
 const ControlledRobot* ControllersPanel::chosenController() const {
-    const std::vector<std::string> chosen = chosenRobots();
-    const auto found = std::ranges::find_if(m_listed, [&](const ControlledRobot& robot) {
-        return !robot.kind.empty() && std::ranges::find(chosen, robot.path) != chosen.end();
-    });
+    const auto found = std::ranges::find_if(m_listed, [&](const ControlledRobot& robot) { return !robot.kind.empty() && isChosen(robot); });
     return found == m_listed.end() ? nullptr : &*found;
 }
 
 /// Sets or resets the property of the controllers' blocks, as one edit.
 void ControllersPanel::isolate(bool alone) {
     std::vector<ValueEdit> values;
-    const std::vector<std::string> chosen = chosenRobots();
     for (const ControlledRobot& robot : m_listed)
-        if (!robot.kind.empty() && std::ranges::find(chosen, robot.path) != chosen.end())
+        if (!robot.kind.empty() && isChosen(robot))
             values.push_back({robot.path + "." + robot.controller + ".Isolation", alone ? "robot" : "module"});
     if (values.empty()) return Q_EMIT refused(tr("Select a robot with a controller."));
     (void)m_document.structure().setValues(alone ? tr("Isolate Controller") : tr("Share the Process of the Module"), values);
@@ -419,22 +421,19 @@ void ControllersPanel::showButtons() {
     m_actions.at("controllers.load").setEnabled(m_document.isOpen());
     m_actions.at("controllers.reload").setEnabled(m_document.isOpen());
     m_actions.at("controllers.assign").setEnabled(!robots.empty());
-    bool any = false;
-    for (const ControlledRobot& robot : m_listed)
-        any = any || (!robot.kind.empty() && std::ranges::find(robots, robot.path) != robots.end());
+    const ControlledRobot* chosen = chosenController();
+    const bool any = chosen != nullptr;
     m_actions.at("controllers.remove").setEnabled(any);
     const RunState state = m_session.state();
     const bool runs = state == RunState::Running || state == RunState::Paused;
     for (const char* id : {"controllers.restart", "controllers.stop", "controllers.debug"}) m_actions.at(id).setEnabled(any && runs);
-    const ControlledRobot* chosen = chosenController();
-    m_actions.at("controllers.isolate").setEnabled(chosen != nullptr);
+    m_actions.at("controllers.isolate").setEnabled(any);
     m_actions.at("controllers.isolate").setChecked(chosen && isIsolated(*m_document.loaded()->experiment, *chosen));
     m_details->show(chosen ? *chosen : ControlledRobot());
     if (m_choosing) return;
     const QSignalBlocker quiet(m_robots);
     for (int i = 0; i < m_robots->topLevelItemCount(); ++i)
-        m_robots->topLevelItem(i)->setSelected(std::ranges::find(robots, m_listed[static_cast<std::size_t>(i)].path) !=
-                                               robots.end());
+        m_robots->topLevelItem(i)->setSelected(isChosen(m_listed[static_cast<std::size_t>(i)]));
 }
 
 void ControllersPanel::showEvent(QShowEvent* event) {

@@ -23,15 +23,16 @@ QStringList hostedModules(const RunSession& session) {
     const bool runs = session.state() == RunState::Running || session.state() == RunState::Paused;
     if (!runs || !results.experiment || !results.built) return libraries;
     const Isolation otherwise = session.source().application().isolation();
-    for (const RobotSpec& robot : results.experiment->robots) {
-        if (!robot.controller) continue;
-        const Kind* kind = results.built->registry->find(robot.controller->kind);
+    const auto add = [&](const ControllerSpec& controller) {
+        const Kind* kind = results.built->registry->find(controller.kind);
         const std::string module = kind ? kind->module : std::string();
-        const bool isInside = isolationOf(robot, results.experiment->settings, otherwise) == Isolation::None;
-        if (isInside && !isPythonModule(module)) continue;
+        const bool isInside = isolationOf(controller, results.experiment->settings, otherwise) == Isolation::None;
+        if (isInside && !isPythonModule(module)) return;
         const QString library = toQString(module);
         if (!library.isEmpty() && !libraries.contains(library)) libraries.append(library);
-    }
+    };
+    for (const RobotSpec& robot : results.experiment->robots)
+        for (const ControllerSpec& controller : robot.controllers) add(controller);
     return libraries;
 }
 

@@ -14,12 +14,19 @@ namespace {
 QString trState(const char* text) { return QCoreApplication::translate("ControllersPanel", text); }
 
 /// The stopped controllers of a robot, or of the members of a Grid or Scatter.
+bool isController(const std::string& name, const RobotSpec& built, const ControlledRobot& robot) {
+    const ControllerSpec* controller = controllerIn(built, robot);
+    return controller && controller->name == name;
+}
+
 std::vector<const StoppedController*> stoppedOf(const RunSession& session, const ControlledRobot& robot) {
     std::vector<const StoppedController*> found;
     const RunResults& results = session.results();
     if (!results.snapshot) return found;
     for (const StoppedController& stopped : results.snapshot->stopped)
-        if (isRobotOf(session, results.experiment->robots[stopped.robot].name, robot)) found.push_back(&stopped);
+        if (const RobotSpec& built = results.experiment->robots[stopped.robot];
+            isRobotOf(session, built.name, robot) && isController(stopped.controller, built, robot))
+            found.push_back(&stopped);
     return found;
 }
 
@@ -46,6 +53,12 @@ bool isRobotOf(const RunSession& session, const std::string& built, const Contro
     return layout && layout->name == robot.path;
 }
 
+const ControllerSpec* controllerIn(const RobotSpec& built, const ControlledRobot& robot) {
+    const auto named = std::ranges::find(built.controllers, robot.controller, &ControllerSpec::name);
+    if (named != built.controllers.end()) return &*named;
+    return built.controllers.size() == 1 && robot.controllers <= 1 ? &built.controllers.front() : nullptr;
+}
+
 ControllerState controllerState(const RunSession& session, const ControlledRobot& robot) {
     const auto experiment = session.results().experiment;
     if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
@@ -60,13 +73,14 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
                 ? trState("ended by a fault, see Problems")
                 : trState("%1 of %2 ended by a fault, see Problems").arg(QString::number(ended), QString::number(robot.members)),
             false, true, session.robots().ended().explanation(robot.path)};
-    if (!built->controller) return {trState("no controller"), false, false};
+    const ControllerSpec* controller = controllerIn(*built, robot);
+    if (!controller) return {robot.kind.empty() ? trState("no controller") : trState("not in this run"), false, false};
     if (const auto stopped = stoppedOf(session, robot); !stopped.empty()) return stoppedState(stopped, robot);
     const std::optional<LiveEnd>& end = session.results().end;
-    if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)
+    if (end && end->failure && end->failure->range.known() && end->failure->range == controller->nameRange)
         return {QString::fromStdString(end->failure->message), false, true};
-    if (built->controller->kind != robot.kind)
-        return {trState("%1 until Reset").arg(QString::fromStdString(built->controller->kind)), true, false};
+    if (controller->kind != robot.kind)
+        return {trState("%1 until Reset").arg(QString::fromStdString(controller->kind)), true, false};
     switch (session.state()) {
     case RunState::Building: return {trState("is created"), true, false};
     case RunState::Running:

@@ -7,6 +7,8 @@ namespace trundle {
 
 class RunSession;
 struct ControlledRobot;
+struct ControllerSpec;
+struct RobotSpec;
 
 /// The state of a robot's controller, for display.
 struct ControllerState {
@@ -16,6 +18,8 @@ struct ControllerState {
 };
 /// Whether a robot of the run, by its name there, is this one or a member of it.
 [[nodiscard]] bool isRobotOf(const RunSession& session, const std::string& built, const ControlledRobot& robot);
+/// The controller in a run; nullptr if the robot has none of this name there, and not just one.
+[[nodiscard]] const ControllerSpec* controllerIn(const RobotSpec& built, const ControlledRobot& robot);
 [[nodiscard]] ControllerState controllerState(const RunSession& session, const ControlledRobot& robot);
 
 } // namespace trundle

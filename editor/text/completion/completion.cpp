@@ -221,18 +221,11 @@ private:
 
     void kinds() {
         const std::string parent = m_place.block() ? m_place.block()->type.text : std::string();
-        bool controlled = false;
-        for (const Item& item : m_place.items(m_loaded)) {
-            const auto* block = item.as<BlockItem>();
-            const Kind* kind = block ? m_loaded.registry->find(block->type.text) : nullptr;
-            const bool here = item.range.begin <= m_context.word.begin && m_context.word.begin <= item.range.end;
-            controlled = controlled || (kind && kind->role == Role::Controller && !here);
-        }
         const Part* own = m_place.parts.empty() ? nullptr : m_place.parts.back();
         const bool isInRepeat = own && own->isRepeat() && m_place.config;
         for (const Kind* kind : m_loaded.registry->inside(parent)) {
             if (isInRepeat && !isAllowedInside(*kind, m_place.config->kind->name)) continue;
-            if (kind->role != Role::Controller || !controlled) block(*kind);
+            block(*kind);
         }
     }
 

@@ -174,7 +174,7 @@ void LibraryTest::insertsModuleWithController() {
     QCOMPARE(s.refusals, QStringList());
     QVERIFY2(s.text().contains("#loadModule controllers/linear_motion"), s.text());
     QCOMPARE(s.errors(), QString());
-    QVERIFY(s.document.loaded()->experiment->robots[0].controller);
+    QCOMPARE(s.document.loaded()->experiment->robots[0].controllers.size(), 1u);
 }
 
 void LibraryTest::aDoubleClickPutsItAtAFreePlace() {

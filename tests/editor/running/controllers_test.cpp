@@ -148,8 +148,8 @@ private Q_SLOTS:
         QVERIFY2(text.starts_with("// a team\n"), text.c_str());
         QVERIFY(!o.document.loaded()->diagnostics.hasErrors());
         for (const RobotSpec& robot : o.document.loaded()->experiment->robots) {
-            QVERIFY2(robot.controller, robot.name.c_str());
-            QCOMPARE(robot.controller->kind, std::string("RandomDrive"));
+            QVERIFY2(robot.controllers.size() == 1, robot.name.c_str());
+            QCOMPARE(robot.controllers[0].kind, std::string("RandomDrive"));
         }
         QCOMPARE(o.document.edits().history().entries().size(), 1u);
         o.document.edits().undo();
@@ -159,6 +159,35 @@ private Q_SLOTS:
         QSignalSpy refused(&o.document, &Document::refused);
         QVERIFY(!commands.assign({"leader"}, choice(commands, "BumpAndTurn"))); // it has it already
         QCOMPARE(refused.size(), 1);
+    }
+
+    /// A robot of a running experiment gets another controller where it is, and loses it.
+    void swapsDuringARun() {
+        SessionFixture o;
+        QVERIFY(o.open(kTeam));
+        ControllerCommands commands(o.document, o.session);
+        o.session.run();
+        const auto snapshot = [&] { return o.session.results().snapshot; };
+        EVENTUALLY(snapshot() && snapshot()->tick > 20);
+        const auto kindOf = [&](std::size_t robot) {
+            const auto& controllers = o.session.results().experiment->robots.at(robot).controllers;
+            return controllers.empty() ? std::string() : controllers.front().kind;
+        };
+        const auto costOf = [&](std::size_t robot) -> const ControllerCost* {
+            for (const ControllerCost& cost : snapshot()->costs)
+                if (cost.robot == robot) return &cost;
+            return nullptr;
+        };
+        QVERIFY(commands.assign({"leader", "idle"}, choice(commands, "RandomDrive")));
+        QCOMPARE(kindOf(0), std::string("RandomDrive"));
+        QCOMPARE(kindOf(1), std::string("RandomDrive"));
+        QVERIFY(!o.session.edits().needsReset());
+        const std::uint64_t tick = snapshot()->tick;
+        EVENTUALLY(snapshot()->tick > tick + 20 && costOf(1) && costOf(1)->calls > 0);
+        QVERIFY(snapshot()->stopped.empty());
+        QVERIFY(commands.unassign({"leader", "idle"}));
+        EVENTUALLY(snapshot()->costs.empty());
+        QCOMPARE(o.session.state(), RunState::Running);
     }
 
     void removesAndUnloads() {
@@ -420,7 +449,8 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(robots->topLevelItem(0)->text(2), QStringLiteral("paused"));
         actions.at("controllers.remove").trigger();
         QCOMPARE(robots->topLevelItem(0)->text(1), QStringLiteral("–"));
-        QVERIFY(o.session.edits().waitsForReset("leader.brain"));
+        QVERIFY(!o.session.edits().waitsForReset("leader.brain")); // it leaves at once
+        QCOMPARE(robots->topLevelItem(0)->text(2), QStringLiteral("no controller"));
     }
 
     void createsOnlyVisibleRows() {

@@ -37,6 +37,9 @@ std::string commandText(const decltype(Command::what)& what) {
                number(s->surface.friction2.value_or(-1)) + " " + number(s->surface.frictionHeading);
     if (const auto* p = std::get_if<PropertyCommand>(&what))
         return p->object + "." + p->property + "=" + number(p->value.numbers.at(0));
+    if (const auto* s = std::get_if<SwapCommand>(&what))
+        return s->robot + ": " + (s->controller.empty() ? "none" : s->controller) + " becomes " +
+               (s->to ? s->to->kind + " " + s->to->name : "none") + (s->library.empty() ? "" : " of a module");
     return "another command";
 }
 
@@ -101,6 +104,58 @@ private Q_SLOTS:
         if (now->diagnostics.hasErrors()) QVERIFY(!result.experiment);
         // What was sent is not sent again.
         if (result.experiment) QVERIFY(edits(built, *result.experiment, now).commands.empty());
+    }
+
+    void controllersAreReplaced_data() {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<QStringList>("commands");
+        QTest::addColumn<QStringList>("waiting");
+        const auto row = [](const char* name, const char* from, const char* to, const char* commands, const char* waiting = "") {
+            const auto list = [](const char* words) {
+                return QString::fromLatin1(words).split(QLatin1Char('|'), Qt::SkipEmptyParts);
+            };
+            QTest::newRow(name) << QString::fromLatin1(from) << QString::fromLatin1(to) << list(commands) << list(waiting);
+        };
+        row("another kind", "Walker brain { Speed=1 }", "LinearMotion brain { }", "w: brain becomes LinearMotion brain of a module");
+        row("another name", "Walker brain", "Walker mind", "w: brain becomes Walker mind of a module");
+        row("none", "Walker brain { Speed=1 } }", "}", "w: brain becomes none");
+        row("a first one", "Robot robot1 { Config=Cart }", "Robot robot1 { Config=Cart Walker own { } }",
+            "robot1: none becomes Walker own of a module");
+        row("a second one", "Walker brain { Speed=1 }", "Walker brain { Speed=1 } LinearMotion arm { }", "", "w.arm");
+        row("one of two", "Walker legs { }", "LinearMotion legs { }", "two: legs becomes LinearMotion legs of a module");
+        row("of a Grid", "Walker each { }", "LinearMotion each { }",
+            "g_0: each becomes LinearMotion each of a module|g_1: each becomes LinearMotion each of a module");
+        row("a value that is not live", "Speed=1", "Speed=2", "", "w.brain.Speed");
+        row("another kind and a pose", "Pos=9,0,0 Walker brain { Speed=1 }", "Pos=9,1,0 LinearMotion brain { }",
+            "w: brain becomes LinearMotion brain of a module", "w.Pos");
+    }
+    void controllersAreReplaced() {
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(QStringList, commands);
+        QFETCH(QStringList, waiting);
+        const QString text = QString::fromStdString("#loadModule walker\n#loadModule controllers/linear_motion\n" + kText +
+                                                    "Robot w { Config=Cart Pos=9,0,0 Walker brain { Speed=1 } }\n"
+                                                    "Robot two { Config=Cart Pos=9,5,0 Walker arm { } Walker legs { } }\n"
+                                                    "Grid g { Config=Cart Pos=0,5,0 Count=2 Spacing=1 Walker each { } }\n");
+        PlanFixture fixture;
+        const auto built = fixture.open(text.toStdString()), now = fixture.open(QString(text).replace(from, to).toStdString());
+        QVERIFY2(!built->diagnostics.hasErrors(), sample::messages(*built).c_str());
+        QVERIFY2(!now->diagnostics.hasErrors(), sample::messages(*now).c_str());
+        RunComparison comparison;
+        comparison.begin(built);
+        const LiveEdits result = comparison.follow(ChangeSet(built, now), *built->experiment);
+        QStringList sent, waits;
+        for (const auto& what : result.commands) sent << QString::fromStdString(commandText(what));
+        for (const std::string& path : result.waiting) waits << QString::fromStdString(path);
+        QCOMPARE(sent, commands);
+        QCOMPARE(waits, waiting);
+        // Undone, the old one takes its place again; an edit of one that came during the run replaces it.
+        if (!result.experiment) return;
+        const LiveEdits undone = comparison.follow(ChangeSet(now, built), *result.experiment);
+        QCOMPARE(undone.commands.size(), result.commands.size());
+        QVERIFY(undone.waiting.empty());
     }
 
     /// Each value of a material is shown at once.

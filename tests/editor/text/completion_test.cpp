@@ -182,9 +182,9 @@ void CompletionTest::lists_data() {
     row("value of an override", "#import parts.sim\nRobot r { Config=Rover chassis.hull.Material=| }", "steel red", "rubber");
     row("controllers of loaded modules", "#import parts.sim\n#loadModule controllers/linear_motion\nRobot r { Config=Rover | }",
         "LinearMotion", "BumpAndTurn");
-    row("one controller",
-        "#import parts.sim\n#loadModule controllers/linear_motion\nRobot r { Config=Rover LinearMotion a { }\n | }", "Pos",
-        "LinearMotion");
+    row("a second controller",
+        "#import parts.sim\n#loadModule controllers/linear_motion\nRobot r { Config=Rover LinearMotion a { }\n | }",
+        "Pos LinearMotion", "");
     row("robots of a log", "#import parts.sim\nRobot rob { Config=Rover }\nStatic st { Config=Arena }\nPoseLog l { Robot=| }",
         "rob", "Rover steel");
     row("signals of a log", "#import parts.sim\nRobot rob { Config=Rover }\nSignalLog l { Signals=r| }", "rob/leftEncoder/count",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Slots of the signal image, and the names that lead to them."""
 
+import array
 import difflib
 
 OUTPUT, COMMAND, TRUTH = 1, 2, 3
@@ -64,16 +65,21 @@ def _listed(words):
 
 
 class Image:
-    """The signals of one robot. `devices`: (kind, name, update period) of each; `sensors`, `commands`: memoryviews of doubles."""
+    """The signals of one robot. `devices`: (kind, name, update period) of each; `sensors`, `commands`: memoryviews of doubles; `claim`:
+    called with the path of each command that is bound; None: all are this controller's. `published`: counts of the outputs that the
+    controller's kind describes, by name."""
 
-    def __init__(self, robot, controller, kind, devices, entries, sensors, commands):
+    def __init__(self, robot, controller, kind, devices, entries, sensors, commands, claim=None, published=None):
         self.robot, self.controller, self.kind, self.devices = robot, controller, kind, devices
         self.entries = {}
         for entry in entries:
             self.entries.setdefault(entry.path, entry)
-        self._sensors, self._commands = sensors, commands
+        self._sensors, self._commands, self._claim = sensors, commands, claim
+        self._published = published or {}
 
     def _slot(self, entry, writable):
+        if writable and entry.direction == COMMAND and self._claim:
+            self._claim(entry.path)
         return Slot(self._commands if writable else self._sensors, entry.offset, entry.count, writable)
 
     def _below(self, prefix, truth):
@@ -124,6 +130,9 @@ class Image:
     def published(self, signal):
         prefix = f"{self.robot}/{self.controller}/"
         entry = self.entries.get(prefix + signal)
+        if entry is None and signal in self._published:  # it came during the run, which has no signal for this
+            count = self._published[signal]
+            return Slot(memoryview(array.array("d", bytes(8 * count))), 0, count, True)
         if entry is None:
             raise UnknownPort(f"{self.robot} cannot publish '{signal}' (the outputs of {self.kind}: {self._below(prefix, False)})")
         return self._slot(entry, True)

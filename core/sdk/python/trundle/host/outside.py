@@ -8,9 +8,17 @@ from ..signals import UnknownPort
 from .wire import Reader, Writer
 
 DONE, UPDATED, PRINT, WRITE_LOG, FINISH = 1, 2, 3, 4, 5
-OPEN_LOG, CAPTURE, SAVE_PICTURE, OBJECT_NAME, FIND_RADIO, SEND_PACKET, RECEIVE_PACKET = range(100, 107)
+OPEN_LOG, CAPTURE, SAVE_PICTURE, OBJECT_NAME, FIND_RADIO, SEND_PACKET, RECEIVE_PACKET, CLAIM = range(100, 108)
 SETUP_TICK = (1 << 64) - 1  # random numbers drawn in setup differ from those of tick 0
 _LONGEST_PIECE = 256 << 10
+
+
+class ClaimedCommand(Exception):
+    """Another controller of the robot has this command."""
+
+    def __init__(self, code, text):
+        super().__init__(text)
+        self.code = code
 
 
 class Radio:
@@ -21,9 +29,9 @@ class Radio:
 
 
 class Outside:
-    def __init__(self, link, number, robot, kind, seed):
-        self._link, self._number, self._robot, self._kind, self._seed = link, number, robot, kind, seed
-        self._path_hash = fnv1a64(robot.encode())
+    def __init__(self, link, number, title, seed, random_name):
+        self._link, self._number, self._title, self._seed = link, number, title, seed
+        self._path_hash = fnv1a64(random_name.encode())
         self.time, self.tick, self._draws = 0.0, SETUP_TICK, 0
         self.gave_up = None
         self.radios = {}
@@ -40,7 +48,7 @@ class Outside:
 
     def fail(self, text):
         if self.gave_up is None:
-            self.gave_up = f"the controller {self._kind} of {self._robot} gave up: {text}"
+            self.gave_up = f"{self._title} gave up: {text}"
 
     def finish(self, reason):
         self._link.record(FINISH, self._number, Writer().bytes(reason).data())
@@ -78,10 +86,17 @@ class Outside:
         reply = self._ask(OBJECT_NAME, Writer().number("I", number))
         return reply.text() if reply else ""
 
+    def claim(self, command):
+        """Reserves a command of a robot with several controllers for this one."""
+        reply = self._ask(CLAIM, Writer().bytes(command))
+        fault = reply.status() if reply else (0, "ports are bound in setup and update alone")
+        if fault:
+            raise ClaimedCommand(*fault)
+
     def find_radio(self, path):
         reply = self._ask(FIND_RADIO, Writer().bytes(path))
         if not reply or not reply.number("B"):
-            raise UnknownPort(f"the controller {self._kind} of {self._robot} has no medium for its radio")
+            raise UnknownPort(f"{self._title} has no medium for its radio")
         radio = Radio(reply.number("I"), reply.number("I"), reply.number("Q"))
         return self.radios.setdefault(radio.number, radio)
 

@@ -14,7 +14,7 @@ from ..controller import INFO, WARNING
 from ..ports import RobotPorts
 from ..signals import Entry, Image, UnknownPort
 from .module import Fault, Module
-from .outside import DONE, SETUP_TICK, UPDATED, Outside
+from .outside import DONE, SETUP_TICK, UPDATED, ClaimedCommand, Outside
 from .wire import Reader, Writer
 
 LOAD, MAP, START, UPDATE, SET, STOP, UNLOAD, SAVE_STATE, LOAD_STATE = range(9)  # requests
@@ -54,26 +54,31 @@ class _Running:
     def __init__(self, reader, link, number, sensors, commands):
         offset, seed, self.tick = reader.number("Q"), reader.number("Q"), reader.number("d")
         robot = reader.text()
-        self.kind, name = reader.text(), reader.text()
+        controllers = [reader.text() for _ in range(reader.number("Q"))]
+        index = reader.number("Q")
+        name, self.kind = controllers[index], reader.text()
         self.values = {}
         for _ in range(reader.number("Q")):
             key = reader.text()
             self.values[key] = reader.value()
-        devices = [(reader.text(), reader.text(), reader.number("d")) for _ in range(reader.number("Q"))]
+        published = {}
         for _ in range(reader.number("Q")):
-            reader.text()
+            signal, _, published[signal] = reader.text(), reader.number("I"), reader.number("I")
+        devices = [(reader.text(), reader.text(), reader.number("d")) for _ in range(reader.number("Q"))]
         entries = []
         for _ in range(reader.number("Q")):
             path, type, direction, count = reader.text(), reader.number("I"), reader.number("I"), reader.number("I")
             entries.append(Entry(path, type, direction, count, offset))
             offset += count
         self.robot = robot
-        self.image = Image(robot, name, self.kind, devices, entries, sensors, commands)
-        self.outside = Outside(link, number, robot, self.kind, seed)
+        self.title = f"the controller {self.kind}{f' {name}' if len(controllers) > 1 else ''} of {robot}"
+        self.outside = Outside(link, number, self.title, seed, f"{robot}/{name}" if index else robot)
+        claim = self.outside.claim if len(controllers) > 1 else None
+        self.image = Image(robot, name, self.kind, devices, entries, sensors, commands, claim, published)
         self.instance = None
 
     def failed(self, how, why):
-        return f"the controller {self.kind} of {self.robot} {how}: {why}"
+        return f"{self.title} {how}: {why}"
 
     def set(self, field, value):
         setattr(self.instance, field.attribute, field.to_python(*value))
@@ -151,6 +156,8 @@ class Worker:
             fault = (CONTROLLER_FAILED, running.outside.gave_up) if running.outside.gave_up else None
         except UnknownPort as error:
             fault = (UNKNOWN_PORT, str(error))
+        except ClaimedCommand as error:
+            fault = (error.code, str(error))
         except _ANY as error:
             found = Fault(error)
             for frame in found.frames:
