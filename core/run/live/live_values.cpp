@@ -124,17 +124,18 @@ void LiveObject::addMotion(const SignalLayout& layout, const std::string& prefix
 void LiveObject::addRobot(const RobotSpec& robot, const SignalLayout& layout, const Registry& registry) {
     addMotion(layout, robot.name + "/", {});
     // Signals published by controllers are shown with the robot, like the controllers' properties.
+    const bool isAlone = robot.controllers.size() == 1;
     for (const ControllerSpec& controller : robot.controllers)
-        addSignals(layout, robot.name + "/" + controller.name + "/", registry.find(controller.kind));
+        addSignals(layout, robot.name + "/" + controller.name + "/", registry.find(controller.kind), isAlone ? "" : controller.name + " ");
 }
 
-void LiveObject::addSignals(const SignalLayout& layout, const std::string& prefix, const Kind* kind) {
+void LiveObject::addSignals(const SignalLayout& layout, const std::string& prefix, const Kind* kind, const std::string& owner) {
     for (const SignalEntry& entry : layout.entries()) {
         if (!entry.path.starts_with(prefix)) continue;
         const std::string name = entry.path.substr(prefix.size());
         const SignalDescription* described = kind ? named(kind->signals, name) : nullptr;
         addSignal(entry,
-                  {name, entry.path, described ? described->help : "", {}, "", entry.direction == SignalDirection::Command});
+                  {owner + name, entry.path, described ? described->help : "", {}, "", entry.direction == SignalDirection::Command});
     }
 }
 

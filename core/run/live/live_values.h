@@ -51,7 +51,8 @@ private:
     void addRun();
     void addMotion(const SignalLayout& layout, const std::string& prefix, const Pose& inFrame);
     void addRobot(const RobotSpec& robot, const SignalLayout& layout, const Registry& registry);
-    void addSignals(const SignalLayout& layout, const std::string& prefix, const Kind* kind);
+    /// Those below `prefix`, with `owner` before each name.
+    void addSignals(const SignalLayout& layout, const std::string& prefix, const Kind* kind, const std::string& owner = {});
     void addSignal(const SignalEntry& entry, LiveValue value);
     void addPose(const SignalEntry& entry, const std::string& prefix, const Pose& inFrame);
     void addVector(const SignalEntry& entry, LiveValue value, const char* unit, std::uint32_t from, std::uint32_t count);

@@ -83,7 +83,8 @@ QString ControllerDetails::text() const {
     if (m_robot.path.empty()) return {};
     if (m_robot.kind.empty()) return tr("%1 has no controller.").arg(toQString(m_robot.path));
     const ControllerState state = controllerState(m_session, m_robot);
-    QStringList rows{tr("%1 of %2: %3").arg(toQString(m_robot.kind), toQString(m_robot.path), state.text)};
+    const std::string name = m_robot.controllers > 1 ? m_robot.kind + " " + m_robot.controller : m_robot.kind;
+    QStringList rows{tr("%1 of %2: %3").arg(toQString(name), toQString(m_robot.path), state.text)};
     if (const ControllerNumbers numbers = controllerNumbers(m_session, m_robot); numbers.isKnown) {
         rows += numbers.process > 0 ? tr("Process %1").arg(numbers.process)
                 : state.active      ? tr("Inside the program")
