@@ -16,6 +16,8 @@ void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 /// Reports springs of joints and surfaces that swing faster than the tick can follow.
 void checkSprings(const ExperimentSpec& experiment, Diagnostics& diagnostics);
+/// Reports robots without a device that their controller needs; a run would refuse them.
+void checkNeeds(const LoadedProject& loaded, Diagnostics& diagnostics);
 void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics);
 /// Reports robots that start inside something else or below a floor.
 void checkStart(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics);

@@ -29,6 +29,7 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     checkMasses(experiment, diagnostics);
     checkLinks(experiment, diagnostics);
     checkDrives(loaded, diagnostics);
+    checkNeeds(loaded, diagnostics);
     checkSprings(experiment, diagnostics);
     if (experiment.robots.empty() || stop.stop_requested()) return;
     const std::optional<StartScene> scene = StartScene::build(experiment, stop);

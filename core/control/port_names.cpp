@@ -5,6 +5,7 @@
 #include <trundle/device_signals.h>
 
 #include "base/spelling.h"
+#include "model/port_kinds.h"
 
 namespace trundle {
 namespace {
@@ -27,16 +28,6 @@ std::string listed(const std::vector<std::string>& words) {
     std::string text;
     for (std::size_t i = 0; i < words.size() && i < most; ++i) text += (i ? ", " : "") + words[i];
     return words.empty() ? "none" : words.size() > most ? text + " ..." : text;
-}
-
-/// A port of the first kind also fits devices of the second, whose signals are the same.
-constexpr std::pair<std::string_view, std::string_view> kSameSignals[] = {{"DifferentialDrive", "SkidDrive"},
-                                                                          {"DifferentialDrive", "TrackDrive"}};
-
-bool fitsKind(const std::string& wanted, const std::string& device) {
-    return wanted.empty() || wanted == device ||
-           std::ranges::find(kSameSignals, std::pair<std::string_view, std::string_view>(wanted, device)) !=
-               std::end(kSameSignals);
 }
 
 Error unknown(const RobotSpec& robot, const std::string& what) { return {Code::UnknownPort, robot.name + " " + what}; }
@@ -79,7 +70,7 @@ Result<const SignalEntry*> PortNames::bind(const std::string& kind, const std::s
         const std::string wanted = kind.empty() ? "port" : kind + " port";
         return unknown(m_robot, "has no " + wanted + " '" + device + "'" + meant(device, names) + " (" + devices(kind) + ")");
     }
-    if (!fitsKind(kind, spec->kind))
+    if (!portFits(kind, spec->kind))
         return unknown(m_robot,
                        "has no " + kind + " port '" + device + "': that is of kind " + spec->kind + " (" + devices(kind) + ")");
     const std::string prefix = m_robot.name + "/" + device + "/";

@@ -168,6 +168,7 @@ Result<Image> RenderThreadState::drawOnce(const PictureRequest& request, bool ri
     scene.setMarks(request.marks);
     scene.setWireframe(request.wireframe);
     scene.setFloorLines(request.floorLines);
+    scene.lightLeds(set.value().view.eye);
     scene.setOverlay(request.overlay);
     if (request.mask & kMaskCollision) scene.makeCollision(*set.value().sceneState->experiment);
     const Result<SunMap*> sun = rich ? sunMap(request.width, request.height) : Result<SunMap*>(nullptr);

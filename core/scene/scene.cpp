@@ -88,7 +88,9 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
         m_robots->addChild(node);
         if (!robot.scenery) m_objects.add(robot.name, SceneObject{node, nullptr});
     }
-    m_leds.make(ledsOf(experiment), m_bodies, m_store->look);
+    const std::vector<LedModel> leds = ledsOf(experiment);
+    m_leds.make(leds, m_bodies, m_store->look);
+    m_ledLights.make(experiment, leds, m_bodies);
     setPoses(startPoses(experiment));
 }
 
@@ -178,6 +180,7 @@ void Scene::setPoses(const BodyPoses& poses) {
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (isSane(poses[i])) m_bodies[i]->setMatrix(toOsg(poses[i]));
     m_leds.set(poses.leds);
+    m_ledLights.set(poses.leds);
     m_marks.followPoses();
     m_collision.followPoses();
     m_overlay.followPoses();

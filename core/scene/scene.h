@@ -11,6 +11,7 @@
 
 #include "scene/collision_nodes.h"
 #include "scene/data_nodes.h"
+#include "scene/led_lights.h"
 #include "scene/led_nodes.h"
 #include "scene/mark_nodes.h"
 #include "scene/nodes/masks.h"
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] osg::Group& root() { return *m_root; }
     /// Also the colours of Leds. Ignored unless there is one pose per robot body; poses that are not finite are skipped.
     void setPoses(const BodyPoses& poses);
+    /// Before a picture from `eye` (world frame, m) is drawn: chooses the Leds that light it.
+    void lightLeds(const Vec3& eye) { m_ledLights.apply(eye, *m_root->getOrCreateStateSet()); }
     /// Hides objects in all images. Unknown paths are ignored, here and in setMarks().
     void setHidden(const std::vector<std::string>& paths) { m_objects.setHidden(paths); }
     /// Sets what marks() draws: selected objects in pure red, hovered ones in pure green.
@@ -78,6 +81,7 @@ private:
     osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = addedGroup(*m_root), m_statics = addedGroup(*m_root);
     std::vector<osg::ref_ptr<osg::MatrixTransform>> m_bodies; // in the order of BodyPoses
     LedNodes m_leds;
+    LedLights m_ledLights;
     SceneObjects m_objects;
     MarkNodes m_marks;
     PenNodes m_pens{*m_root};

@@ -81,7 +81,7 @@ void MovieDialog::addButtons() {
     m_record = m_box->addButton(tr("&Record"), QDialogButtonBox::ActionRole);
     m_record->setObjectName(QStringLiteral("movieRecord"));
     m_close->setObjectName(QStringLiteral("movieClose"));
-    m_open = new QPushButton(tr("&Open"), this);
+    m_open = new QPushButton(tr("Ope&n"), this);
     m_show = new QPushButton(tr("Show in &Folder"), this);
     m_open->setObjectName(QStringLiteral("movieOpen"));
     m_show->setObjectName(QStringLiteral("movieShowInFolder"));

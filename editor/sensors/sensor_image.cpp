@@ -34,6 +34,9 @@ void SensorImage::display(const RunResults& run, bool running) {
 
 bool SensorImage::isSettled() const { return m_feed->isSettled(); }
 
-void SensorImage::resizeEvent(QResizeEvent*) { m_tiles->fit(); }
+void SensorImage::resizeEvent(QResizeEvent*) {
+    m_tiles->setGeometry(rect());
+    m_tiles->fit();
+}
 
 } // namespace trundle

@@ -5,7 +5,7 @@ import math
 from typing import NamedTuple
 
 import trundle
-from trundle import degrees, field, metres_per_second, number, radians_per_second, text
+from trundle import degrees, field, metres_per_second, needs, number, radians_per_second
 
 
 class Blob(NamedTuple):
@@ -34,8 +34,8 @@ class BlobFollow(trundle.Controller):
                        "It is there when the blob takes that share of the picture's width.")
     keep_every = field("KeepEvery", 10, number().within(0, 1e6),
                        "Every so manieth picture is kept in the log folder; 0 keeps none.")
-    camera_name = field("Camera", "eye", text(), "The robot's Camera.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    camera_name = field("Camera", "eye", needs("Camera"), "The robot's Camera.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
     pictures = kept = 0
     there = blind = False
 

@@ -2,7 +2,7 @@
 controllers/braitenberg in C++."""
 
 import trundle
-from trundle import field, metres, metres_per_second, one_of, text, unit_of
+from trundle import field, metres, metres_per_second, needs, one_of, unit_of
 
 
 class Braitenberg(trundle.Controller):
@@ -16,9 +16,9 @@ class Braitenberg(trundle.Controller):
     reached = field("Reached", 0.0, unit_of("lx").within(0, 1e9).live(),
                     "The run ends where it is so bright on both sides; 0: never.")
     track_width = field("TrackWidth", 0.053, metres().above(0).at_most(10), "Distance of its wheels.")
-    left = field("Left", "leftLight", text(), "The robot's LightSensor on the left.")
-    right = field("Right", "rightLight", text(), "The one on the right.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    left = field("Left", "leftLight", needs("LightSensor"), "The robot's LightSensor on the left.")
+    right = field("Right", "rightLight", needs("LightSensor"), "The one on the right.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
 
     def setup(self, robot):
         self.left_light = robot.light_sensor(self.left)

@@ -1,9 +1,10 @@
-"""Finds cylinders with a lidar, grips them one after the other, and puts them down in a row at home, as controllers/collect in C++."""
+"""Finds cylinders with a lidar, grips them one after the other, and puts them down in a row at home, as controllers/collect in C++. Sonars see
+what is beside and behind it."""
 
 import math
 
 import trundle
-from trundle import degrees, field, metres, metres_per_second, number, output, radians_per_second, text
+from trundle import degrees, field, metres, metres_per_second, needs, number, output, radians_per_second
 
 from scan_points import ScanPoints, length
 
@@ -11,6 +12,8 @@ ALIGN = 0.65  # m from the axle to a cylinder: here it turns to it before it dri
 LANE = 0.52  # m: what it needs beside nothing
 RETREAT = 0.5  # m back from what it has put down
 SAME_THING = 0.3  # m between where a cylinder was and is seen
+LET_GO = 0.15  # m back: its jaws are clear of what it has put down
+PASS = 0.1  # m/s with which it passes what its back would swing into
 DEGREE = math.pi / 180
 
 
@@ -36,13 +39,21 @@ class Collect(trundle.Controller):
     lidar_ahead = field("LidarAhead", 0.165, metres().within(-10, 10), "From the axle to the lidar.")
     field_of_view = field("FieldOfView", 240 * DEGREE, degrees().above(0).at_most(360), "That of the lidar.")
     max_range = field("MaxRange", 4.0, metres().above(0), "That of the lidar.")
-    lidar_name = field("Lidar", "scan", text(), "The robot's Lidar.")
-    gripper_name = field("Gripper", "gripper", text(), "The robot's Gripper; it is open at the start.")
-    lift_name = field("Lift", "lift", text(), "The LinearMotor that lifts the gripper.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    sonar_names = field("Sonars", [f"sonar{i}" for i in range(16)], needs("RangeSensor").counted(0, 100), "RangeSensors around it.")
+    sonar_bearings = field("SonarBearings", [b * DEGREE for b in (90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170,
+                                                                  170, 150, 130, 90)],
+                           degrees().within(-180, 180).counted(0, 100), "Where each of them looks to, positive to the left.")
+    clearance = field("Clearance", 0.2, metres().within(0, 10), "From its sonars to what it does not turn or drive back into.")
+    lidar_name = field("Lidar", "scan", needs("Lidar"), "The robot's Lidar.")
+    gripper_name = field("Gripper", "gripper", needs("Gripper"), "The robot's Gripper; it is open at the start.")
+    lift_name = field("Lift", "lift", needs("LinearMotor"), "The LinearMotor that lifts the gripper.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
     delivered = output("delivered", "", "Cylinders at home.", type=int)
 
     def setup(self, robot):
+        if len(self.sonar_bearings) != len(self.sonar_names):
+            return self.fail("Sonars and SonarBearings are not equally many")
+        self.sonars = [robot.range_sensor(name) for name in self.sonar_names]
         self.lidar = robot.lidar(self.lidar_name)
         self.gripper = robot.gripper(self.gripper_name)
         self.lift = robot.linear_motor(self.lift_name)
@@ -101,7 +112,7 @@ class Collect(trundle.Controller):
         self.turned += abs(wrapped(self.here.heading - self.last_heading))
         self.last_heading = self.here.heading
         if self.turned < 2 * math.pi:
-            return self.drive.move(0, self.turn_rate)
+            return self.steer(0.0, self.turn_rate, (0.0, 0.0), 0.0)
         self.drive.stop()
         if self.best:
             self.target, self.best = self.best, None
@@ -110,6 +121,22 @@ class Collect(trundle.Controller):
         self.surveyed += 1
         self.target = (self.survey[at], self.survey[at + 1])
         self.enter(self.drive_to_survey)
+
+    def is_near(self, low, high):
+        """Whether something is near a sonar that looks between two bearings, positive to the left."""
+        return any(low <= bearing <= high and sonar.time() >= 0 and sonar.range() < self.clearance
+                   for sonar, bearing in zip(self.sonars, self.sonar_bearings))
+
+    def steer(self, linear, turn, ignored, ignored_radius):
+        """Drives and turns; where its back would swing into something, it goes past that first."""
+        swings = False
+        if turn > 0.1:
+            swings = self.is_near(-160 * DEGREE, -80 * DEGREE)
+        elif turn < -0.1:
+            swings = self.is_near(80 * DEGREE, 160 * DEGREE)
+        if not swings or not self.scan.is_free(0.0, 0.6, LANE, ignored, ignored_radius):
+            return self.drive.move(linear, turn)
+        self.drive.move(max(linear, PASS), clamp(turn, -0.1, 0.1))
 
     def drive_to(self, stop, ignored=(0.0, 0.0), ignored_radius=0.0):
         """Drives towards the target around what is in the way. True: nearer than `stop` m."""
@@ -121,7 +148,7 @@ class Collect(trundle.Controller):
         bearing = self.scan.free_bearing(math.atan2(y, x), min(far, 1.0), LANE, ignored, ignored_radius)
         turn = clamp(2 * bearing, -self.turn_rate, self.turn_rate)
         most = min(self.speed, 0.1 + 0.8 * (far - stop))
-        self.drive.move(0 if abs(bearing) > 30 * DEGREE else most * math.cos(2 * bearing), turn)
+        self.steer(0 if abs(bearing) > 30 * DEGREE else most * math.cos(2 * bearing), turn, ignored, ignored_radius)
         return False
 
     def drive_to_survey(self):
@@ -199,7 +226,9 @@ class Collect(trundle.Controller):
             self.enter(self.retreat)
 
     def retreat(self):
-        if length(self.here.x - self.start.x, self.here.y - self.start.y) < RETREAT and self.elapsed() < 10:
+        gone = length(self.here.x - self.start.x, self.here.y - self.start.y)
+        blocked = gone > LET_GO and (self.is_near(120 * DEGREE, 180 * DEGREE) or self.is_near(-180 * DEGREE, -120 * DEGREE))
+        if gone < RETREAT and not blocked and self.elapsed() < 10:
             return self.drive.move(-0.25, 0)
         self.drive.stop()
         if self.delivered >= self.count:

@@ -4,7 +4,7 @@ C++."""
 import math
 
 import trundle
-from trundle import field, metres, metres_per_second, number, output, radians_per_second, text, unit_of
+from trundle import field, metres, metres_per_second, needs, number, output, radians_per_second, unit_of
 
 TANGENT = 1.1917535925942100  # of 50 degrees, by which each light sensor is turned outwards
 SMOOTHING = 0.2  # share of a new reading in the smoothed light
@@ -33,15 +33,15 @@ class Docking(trundle.Controller):
     clearance = field("Clearance", 0.04, metres().within(0, 10), "It turns away from what is nearer.")
     dim = field("Dim", 8.0, unit_of("lx").above(0).at_most(1e9), "Weaker light, above that of the room, is no charger.")
     near = field("Near", 2500.0, unit_of("lx").above(0).at_most(1e9), "Where it is so bright, what is ahead is the charger.")
-    range_names = field("Ranges", ["prox7", "prox0", "prox6", "prox1"], text().counted(2, 100),
+    range_names = field("Ranges", ["prox7", "prox0", "prox6", "prox1"], needs("RangeSensor").counted(2, 100),
                         "RangeSensors ahead: of the left, of the right, and so on.")
-    led_names = field("Leds", ["led0", "led1", "led2", "led3", "led4", "led5", "led6", "led7"], text().counted(0, 100),
+    led_names = field("Leds", ["led0", "led1", "led2", "led3", "led4", "led5", "led6", "led7"], needs("Led").counted(0, 100),
                       "That show what it does: green at work, yellow on its way, blue while it charges.")
-    left_name = field("Left", "leftLight", text(), "The robot's LightSensor on the left, turned outwards by 50 degrees.")
-    right_name = field("Right", "rightLight", text(), "The one on the right.")
-    battery_name = field("Battery", "battery", text(), "The robot's Battery.")
-    touch_name = field("Touch", "touch", text(), "The TouchSensor of the contacts of the battery.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    left_name = field("Left", "leftLight", needs("LightSensor"), "The robot's LightSensor on the left, turned outwards by 50 degrees.")
+    right_name = field("Right", "rightLight", needs("LightSensor"), "The one on the right.")
+    battery_name = field("Battery", "battery", needs("Battery"), "The robot's Battery.")
+    touch_name = field("Touch", "touch", needs("TouchSensor"), "The TouchSensor of the contacts of the battery.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
     charged = output("charged", "", "How often it has charged.", type=int)
     worked = output("worked", "m", "Way that it went at work.")
 

@@ -3,7 +3,7 @@
 import math
 
 import trundle
-from trundle import degrees, field, metres, metres_per_second, number, output, radians_per_second, text
+from trundle import degrees, field, metres, metres_per_second, needs, number, output, radians_per_second, text
 
 from frontier_planner import FrontierPlanner
 from occupancy_grid import OccupancyGrid
@@ -32,8 +32,8 @@ class LidarMap(trundle.Controller):
     lidar_ahead = field("LidarAhead", -0.032, metres().within(-10, 10), "From the axle to the lidar.")
     field_of_view = field("FieldOfView", 360 * DEGREE, degrees().above(0).at_most(360), "That of the lidar.")
     file = field("File", "map.pgm", text(), "Of the map, in the log folder; with a .yaml beside it that ROS reads.")
-    lidar_name = field("Lidar", "scan", text(), "The robot's Lidar.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    lidar_name = field("Lidar", "scan", needs("Lidar"), "The robot's Lidar.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
     known = output("known", "m^2", "Area of the cells that are free or occupied.")
 
     def setup(self, robot):

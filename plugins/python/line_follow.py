@@ -4,7 +4,7 @@ controllers/line_follow in C++."""
 import math
 
 import trundle
-from trundle import field, metres_per_second, number, output, radians_per_second, text
+from trundle import field, metres_per_second, needs, number, output, radians_per_second
 
 
 def distance_of(a, b):
@@ -18,10 +18,10 @@ class LineFollow(trundle.Controller):
     turn_rate = field("TurnRate", 3.0, radians_per_second().above(0).at_most(100).live(), "At most.")
     threshold = field("Threshold", 0.3, number().within(0.01, 1).live(), "Reflectance halfway from the line to the floor.")
     laps = field("Laps", 1, number().within(1, 1000), "Rounds after which it ends the run.")
-    left = field("Left", "leftGround", text(), "The robot's GroundSensor on the left.")
-    middle = field("Middle", "middleGround", text(), "The one in the middle.")
-    right = field("Right", "rightGround", text(), "The one on the right.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    left = field("Left", "leftGround", needs("GroundSensor"), "The robot's GroundSensor on the left.")
+    middle = field("Middle", "middleGround", needs("GroundSensor"), "The one in the middle.")
+    right = field("Right", "rightGround", needs("GroundSensor"), "The one on the right.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
     offset = output("offset", "", "Where the line is: 1 below the left sensor, -1 below the right one.")
     lap = output("lap", "", "Rounds done.", type=int)
 

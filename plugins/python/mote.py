@@ -4,7 +4,7 @@ to the target from the newest floods and broadcasts it to its neighbours (after 
 
 import trundle
 from beacon import UNKNOWN, Beacon
-from trundle import decibel_milliwatts, field, flag, output, seconds, text
+from trundle import decibel_milliwatts, field, flag, needs, output, seconds
 
 TIMEOUT = 3  # floods without an update of its route before it accepts a worse one
 
@@ -17,7 +17,7 @@ class Mote(trundle.Controller):
     flood_period = field("FloodPeriod", 2.0, seconds().within(0.1, 1000), "Between two floods of the target.")
     power = field("Power", 0.0, decibel_milliwatts().within(-100, 100), "It sends with.")
     good_rssi = field("GoodRssi", -75.0, decibel_milliwatts().within(-150, 50), "A hop with more costs no more than one hop.")
-    radio_name = field("Radio", "radio", text(), "Its Transceiver.")
+    radio_name = field("Radio", "radio", needs("Transceiver"), "Its Transceiver.")
     hops = output("hops", "", "To the target; -1: no route is known.", type=int)
     cost = output("cost", "", "Of its route to the target: 10 for a good hop, more for a weak one; -1: no route is known.", type=int)
 

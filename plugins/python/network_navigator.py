@@ -7,7 +7,7 @@ import math
 import trundle
 from beacon import Beacon
 from sweep import Bearing, Sweep, wrap_angle
-from trundle import decibel_milliwatts, field, metres, metres_per_second, radians_per_second, text
+from trundle import decibel_milliwatts, field, metres, metres_per_second, needs, radians_per_second, text
 
 DEGREE = math.pi / 180
 STAND_OFF = 0.7  # m, distance before an intermediate mote at which a leg ends
@@ -22,8 +22,8 @@ class _Listener(trundle.Controller):
     """A drive, a radio with a forward-facing antenna, and the samples of the last sweep."""
 
     turn_rate = field("TurnRate", 0.5, radians_per_second().above(0).at_most(10), "While it listens.")
-    radio_name = field("Radio", "radio", text(), "The robot's Transceiver, whose antenna looks ahead.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    radio_name = field("Radio", "radio", needs("Transceiver"), "The robot's Transceiver, whose antenna looks ahead.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
 
     def setup(self, robot):
         self.drive = robot.differential_drive(self.drive_name)
@@ -90,7 +90,7 @@ class NetworkNavigator(_Listener):
                       "A mote that is heard with less must be that much nearer to the target to be chosen.")
     back_off = field("BackOff", 0.3, metres().above(0).at_most(100), "From what it touches.")
     detour = field("Detour", 0.8, metres().above(0).at_most(100), "Past what it touched.")
-    touch_name = field("Touch", "frontTouch", text(), "The robot's TouchSensor in front.")
+    touch_name = field("Touch", "frontTouch", needs("TouchSensor"), "The robot's TouchSensor in front.")
     file_name = field("File", "navigation.csv", text(), "A line for each leg, in the log folder.")
 
     def setup(self, robot):

@@ -55,11 +55,12 @@ class ScanPoints:
         for i in range(19):
             for side in (1, -1):
                 bearing = desired + side * i * 5 * _DEGREE
-                if self._is_free(bearing, reach, width, ignored, ignored_radius):
+                if self.is_free(bearing, reach, width, ignored, ignored_radius):
                     return bearing
         return desired
 
-    def _is_free(self, bearing, reach, width, ignored, ignored_radius):
+    def is_free(self, bearing, reach, width, ignored, ignored_radius):
+        """Whether nothing is in such a lane."""
         c, s = math.cos(bearing), math.sin(bearing)
         for x, y in self.points:
             along, aside = c * x + s * y, c * y - s * x

@@ -4,7 +4,7 @@ controllers/wall_follow in C++."""
 import math
 
 import trundle
-from trundle import degrees, field, metres, metres_per_second, number, one_of, output, radians_per_second, text
+from trundle import degrees, field, metres, metres_per_second, needs, number, one_of, output, radians_per_second
 
 DEGREE = math.pi / 180
 
@@ -26,8 +26,8 @@ class WallFollow(trundle.Controller):
     side = field("Side", "left", one_of("left|right"), "Where the wall is kept.")
     laps = field("Laps", 1, number().within(1, 1000), "Rounds after which it ends the run.")
     field_of_view = field("FieldOfView", 360 * DEGREE, degrees().above(0).at_most(360), "That of the lidar.")
-    lidar_name = field("Lidar", "scan", text(), "The robot's Lidar.")
-    drive_name = field("Drive", "base", text(), "The robot's DifferentialDrive.")
+    lidar_name = field("Lidar", "scan", needs("Lidar"), "The robot's Lidar.")
+    drive_name = field("Drive", "base", needs("DifferentialDrive"), "The robot's DifferentialDrive.")
     gap = output("gap", "m", "Distance of the nearest wall on its side.")
     lap = output("lap", "", "Rounds done.", type=int)
 

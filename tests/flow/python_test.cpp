@@ -72,6 +72,7 @@ private Q_SLOTS:
         QTest::newRow("braitenberg") << (isLong ? "60" : "20");
         QTest::newRow("lidar_map") << (isLong ? "600" : "20");          // it ends when all is mapped, after some minutes
         QTest::newRow("docking") << (isLong ? "600" : "60");
+        QTest::newRow("soccer") << "8"; // the ball is in the goal
     }
     void givesTheSameStateAsInCpp() {
         QFETCH(QString, duration);
@@ -98,6 +99,7 @@ private Q_SLOTS:
         QTest::newRow("braitenberg") << "Braitenberg";
         QTest::newRow("lidar_map") << "LidarMap";
         QTest::newRow("docking") << "Docking";
+        QTest::newRow("striker") << "Striker";
     }
     void isDescribedAsInCpp() {
         QFETCH(QString, kind);

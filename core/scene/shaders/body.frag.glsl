@@ -29,7 +29,7 @@ void main() {
     vec3 shown = texture(picture, onPicture).rgb;
     own = shown * shown;
 #endif
-    vec3 light = own * (ambient + sunLight * sun + lampsOn(positionW, n)) + glow;
+    vec3 light = own * (ambient + sunLight * sun + lampsOn(positionW, n) + ledsOn(positionW, n)) + glow;
     // What is reflected: ground below, horizon above.
     float rim = 1.0 - max(toEye, 0.0);
     rim *= rim;

@@ -19,8 +19,8 @@ void main() {
     float left = (1.0 - ink * floorLines) * (1.0 + 0.120 * checker * floorLines); // of the floor's own colour
 #ifdef LIGHT_VARIES
     vec3 shown = floorColour * sqrt(left * floorLightAt(positionW));
-#elif defined(LAMPS)
-    vec3 shown = floorColour * sqrt(left * (floorLight + lampsOn(positionW, floorNormal)));
+#elif defined(LAMPS) || defined(LEDS)
+    vec3 shown = floorColour * sqrt(left * (floorLight + lampsOn(positionW, floorNormal) + ledsOn(positionW, floorNormal)));
 #else
     vec3 shown = floorShown * sqrt(left);
 #endif

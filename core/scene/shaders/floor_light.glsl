@@ -10,6 +10,6 @@ vec3 floorLightAt(vec3 place) {
 #ifdef SUN_MAP
     sun *= sunSeen(place, floorNormal);
 #endif
-    return ambient + sun + lampsOn(place, floorNormal);
+    return ambient + sun + lampsOn(place, floorNormal) + ledsOn(place, floorNormal);
 }
 #endif

@@ -12,7 +12,7 @@ void main() {
 #ifdef LIGHT_VARIES
     vec3 shown = sqrt(colour * colour * floorLightAt(positionW));
 #else
-    vec3 shown = sqrt(colour * colour * (floorLight + lampsOn(positionW, floorNormal)));
+    vec3 shown = sqrt(colour * colour * (floorLight + lampsOn(positionW, floorNormal) + ledsOn(positionW, floorNormal)));
 #endif
     fragment = vec4(mix(horizonColour, shown, exp2(-dot(inHaze, inHaze))), 1.0);
 }

@@ -4,6 +4,7 @@
 
 #include "editor/text/symbols/property_text.h"
 #include "model/config_blocks.h"
+#include "model/port_kinds.h"
 #include "project/objects/name_references.h"
 #include "project/objects/object_location.h"
 #include "project/objects/reference_space.h"
@@ -83,8 +84,10 @@ private:
                 local(*config, choice, part->name + (part->is(Role::Layout) ? "_0." : "."));
     }
 
-    [[nodiscard]] static bool fits(const Part& part, const std::string& choice) {
-        return part.kind && (part.kind->name == choice || roleName(part.kind->role) == choice);
+    [[nodiscard]] bool fits(const Part& part, const std::string& choice) const {
+        if (!part.kind) return false;
+        if (m_property.type == PropertyType::Text && portFits(choice, part.kind->name)) return true;
+        return part.kind->name == choice || roleName(part.kind->role) == choice;
     }
     /// Names in a config; those in a Repeat without the member in front only from inside it.
     void local(const Part& config, const std::string& choice, const std::string& prefix = {}) {
@@ -105,7 +108,8 @@ private:
         if (!m_place.kind) return;
         if (namesWorld(*m_place.kind, m_property)) return world();
         if (m_place.kind->role != Role::Controller || !m_place.config) return;
-        local(*m_place.config, roleName(Role::Device)); // a controller refers to the devices that it uses
+        if (m_property.choices.empty()) return local(*m_place.config, roleName(Role::Device)); // those that it uses
+        for (const std::string& needed : m_property.choices) local(*m_place.config, needed);
     }
 
     /// Robots and, for a log of signals, their signals.

@@ -10,8 +10,10 @@ std::string typeText(const Property& property) {
     case PropertyType::Boolean: return "true or false";
     case PropertyType::Choice: return listText(property.choices);
     case PropertyType::File: return "a file (" + listText(property.choices) + ")";
+    case PropertyType::Text:
+        if (property.choices.empty()) return many ? countText(property) : "text";
+        [[fallthrough]];
     case PropertyType::Reference: return (many ? "names of " : "name of ") + listText(property.choices);
-    case PropertyType::Text: return many ? countText(property) : "text";
     case PropertyType::Integer: return many ? countText(property) : "whole number";
     case PropertyType::Number: break;
     }

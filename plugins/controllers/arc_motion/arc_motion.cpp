@@ -17,7 +17,7 @@ struct ArcMotion : trundle::Controller {
         d.field("Speed", &ArcMotion::speed, trundle::metresPerSecond().within(-10, 10), "Along the circle; 0 turns on the spot.");
         d.field("TurnRate", &ArcMotion::turnRate, trundle::radiansPerSecond().above(0).atMost(100), "How fast it turns.");
         d.field("Angle", &ArcMotion::angle, trundle::degrees().within(-36000, 36000), "Positive turns left.");
-        d.field("Drive", &ArcMotion::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Drive", &ArcMotion::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
     }
 
     void setup(trundle::RobotPorts& robot) override { drive = robot.differentialDrive(driveName); }

@@ -45,8 +45,8 @@ struct BlobFollow : trundle::Controller {
                 "It is there when the blob takes that share of the picture's width.");
         d.field("KeepEvery", &BlobFollow::keepEvery, trundle::number().within(0, 1e6),
                 "Every so manieth picture is kept in the log folder; 0 keeps none.");
-        d.field("Camera", &BlobFollow::cameraName, trundle::text(), "The robot's Camera.");
-        d.field("Drive", &BlobFollow::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Camera", &BlobFollow::cameraName, trundle::needs("Camera"), "The robot's Camera.");
+        d.field("Drive", &BlobFollow::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
     }
 
     void setup(trundle::RobotPorts& robot) override {

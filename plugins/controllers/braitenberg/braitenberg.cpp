@@ -24,9 +24,9 @@ struct Braitenberg : trundle::Controller {
         d.field("Reached", &Braitenberg::reached, trundle::unitOf("lx").within(0, 1e9).live(),
                 "The run ends where it is so bright on both sides; 0: never.");
         d.field("TrackWidth", &Braitenberg::trackWidth, trundle::metres().above(0).atMost(10), "Distance of its wheels.");
-        d.field("Left", &Braitenberg::left, trundle::text(), "The robot's LightSensor on the left.");
-        d.field("Right", &Braitenberg::right, trundle::text(), "The one on the right.");
-        d.field("Drive", &Braitenberg::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Left", &Braitenberg::left, trundle::needs("LightSensor"), "The robot's LightSensor on the left.");
+        d.field("Right", &Braitenberg::right, trundle::needs("LightSensor"), "The one on the right.");
+        d.field("Drive", &Braitenberg::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
     }
 
     void setup(trundle::RobotPorts& robot) override {

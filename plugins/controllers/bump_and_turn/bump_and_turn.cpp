@@ -20,8 +20,8 @@ struct BumpAndTurn : trundle::Controller {
                 "How fast it turns.");
         d.field("TurnAngle", &BumpAndTurn::turnAngle, trundle::degrees().within(1, 360).live(),
                 "Least and largest angle of a turn.");
-        d.field("Touch", &BumpAndTurn::touchName, trundle::text(), "The robot's TouchSensor in front.");
-        d.field("Drive", &BumpAndTurn::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Touch", &BumpAndTurn::touchName, trundle::needs("TouchSensor"), "The robot's TouchSensor in front.");
+        d.field("Drive", &BumpAndTurn::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
     }
 
     void setup(trundle::RobotPorts& robot) override {

@@ -1,4 +1,4 @@
-// Finds cylinders with a lidar, grips them one after the other, and puts them down in a row at home.
+// Finds cylinders with a lidar, grips them one after the other, and puts them down in a row at home. Sonars see what is beside and behind it.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,6 +17,8 @@ constexpr double kAlign = 0.65;    // m from the axle to a cylinder: here it tur
 constexpr double kLane = 0.52;     // m: what it needs beside nothing
 constexpr double kRetreat = 0.5;   // m back from what it has put down
 constexpr double kSameThing = 0.3; // m between where a cylinder was and is seen
+constexpr double kLetGo = 0.15;    // m back: its jaws are clear of what it has put down
+constexpr double kPass = 0.1;      // m/s with which it passes what its back would swing into
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 
@@ -30,6 +32,12 @@ struct Collect : trundle::Controller {
     double turnRate = 0.8;
     double grip = 0.315;
     double lidarAhead = 0.165, fieldOfView = 240 * kDegree, maxRange = 4;
+    std::vector<std::string> sonarNames{"sonar0", "sonar1", "sonar2",  "sonar3",  "sonar4",  "sonar5",  "sonar6",  "sonar7",
+                                        "sonar8", "sonar9", "sonar10", "sonar11", "sonar12", "sonar13", "sonar14", "sonar15"};
+    std::vector<double> sonarBearings = {
+        90 * kDegree,  50 * kDegree,   30 * kDegree,   10 * kDegree,   -10 * kDegree, -30 * kDegree, -50 * kDegree, -90 * kDegree,
+        -90 * kDegree, -130 * kDegree, -150 * kDegree, -170 * kDegree, 170 * kDegree, 150 * kDegree, 130 * kDegree, 90 * kDegree};
+    double clearance = 0.2;
     std::string lidarName = "scan", gripperName = "gripper", liftName = "lift", driveName = "base";
     trundle::OutputSlot<int> delivered;
 
@@ -49,14 +57,21 @@ struct Collect : trundle::Controller {
         d.field("LidarAhead", &C::lidarAhead, trundle::metres().within(-10, 10), "From the axle to the lidar.");
         d.field("FieldOfView", &C::fieldOfView, trundle::degrees().above(0).atMost(360), "That of the lidar.");
         d.field("MaxRange", &C::maxRange, trundle::metres().above(0), "That of the lidar.");
-        d.field("Lidar", &C::lidarName, trundle::text(), "The robot's Lidar.");
-        d.field("Gripper", &C::gripperName, trundle::text(), "The robot's Gripper; it is open at the start.");
-        d.field("Lift", &C::liftName, trundle::text(), "The LinearMotor that lifts the gripper.");
-        d.field("Drive", &C::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Sonars", &C::sonarNames, trundle::needs("RangeSensor").counted(0, 100), "RangeSensors around it.");
+        d.field("SonarBearings", &C::sonarBearings, trundle::degrees().within(-180, 180).counted(0, 100),
+                "Where each of them looks to, positive to the left.");
+        d.field("Clearance", &C::clearance, trundle::metres().within(0, 10),
+                "From its sonars to what it does not turn or drive back into.");
+        d.field("Lidar", &C::lidarName, trundle::needs("Lidar"), "The robot's Lidar.");
+        d.field("Gripper", &C::gripperName, trundle::needs("Gripper"), "The robot's Gripper; it is open at the start.");
+        d.field("Lift", &C::liftName, trundle::needs("LinearMotor"), "The LinearMotor that lifts the gripper.");
+        d.field("Drive", &C::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
         d.output("delivered", &C::delivered, "", "Cylinders at home.");
     }
 
     void setup(trundle::RobotPorts& robot) override {
+        if (sonarBearings.size() != sonarNames.size()) return fail("Sonars and SonarBearings are not equally many");
+        for (const std::string& name : sonarNames) sonars.push_back(robot.rangeSensor(name));
         lidar = robot.lidar(lidarName);
         gripper = robot.gripper(gripperName);
         lift = robot.linearMotor(liftName);
@@ -124,7 +139,7 @@ private:
         }
         turned += std::abs(wrapped(here.heading - lastHeading));
         lastHeading = here.heading;
-        if (turned < 2 * kPi) return drive.move(0, turnRate);
+        if (turned < 2 * kPi) return steer(scan, 0, turnRate, {}, 0);
         drive.stop();
         if (best) {
             target = *best;
@@ -134,6 +149,23 @@ private:
         const std::size_t at = 2 * (surveyed++ % (survey.size() / 2));
         target = {survey[at], survey[at + 1]};
         enter(State::Survey);
+    }
+
+    /// Whether something is near a sonar that looks between two bearings, positive to the left.
+    [[nodiscard]] bool isNear(double low, double high) const {
+        for (std::size_t i = 0; i < sonars.size(); ++i)
+            if (sonarBearings[i] >= low && sonarBearings[i] <= high && sonars[i].time() >= 0 && sonars[i].range() < clearance)
+                return true;
+        return false;
+    }
+
+    /// Drives and turns; where its back would swing into something, it goes past that first.
+    void steer(const ScanPoints& scan, double linear, double turn, Point ignored, double ignoredRadius) {
+        const bool swings = turn > 0.1    ? isNear(-160 * kDegree, -80 * kDegree)
+                            : turn < -0.1 ? isNear(80 * kDegree, 160 * kDegree)
+                                          : false;
+        if (!swings || !scan.isFree(0, 0.6, kLane, ignored, ignoredRadius)) return drive.move(linear, turn);
+        drive.move(std::max(linear, kPass), std::clamp(turn, -0.1, 0.1));
     }
 
     /// Drives towards `target` around what is in the way. True: nearer than `stop` m.
@@ -147,7 +179,7 @@ private:
         const double bearing = scan.freeBearing(to.bearing(), std::min(far, 1.0), kLane, ignored, ignoredRadius);
         const double turn = std::clamp(2 * bearing, -turnRate, turnRate);
         const double most = std::min(speed, 0.1 + 0.8 * (far - stop));
-        drive.move(std::abs(bearing) > 30 * kDegree ? 0 : most * std::cos(2 * bearing), turn);
+        steer(scan, std::abs(bearing) > 30 * kDegree ? 0 : most * std::cos(2 * bearing), turn, ignored, ignoredRadius);
         return false;
     }
 
@@ -224,13 +256,16 @@ private:
     }
 
     void retreat() {
-        if (collect::length(here.x - from.x, here.y - from.y) < kRetreat && elapsed() < 10) return drive.move(-0.25, 0);
+        const double gone = collect::length(here.x - from.x, here.y - from.y);
+        const bool blocked = gone > kLetGo && (isNear(120 * kDegree, 180 * kDegree) || isNear(-180 * kDegree, -120 * kDegree));
+        if (gone < kRetreat && !blocked && elapsed() < 10) return drive.move(-0.25, 0);
         drive.stop();
         if (delivered.get() >= count) return finish("all are home");
         enter(State::Search);
     }
 
     trundle::LidarPort lidar;
+    std::vector<trundle::RangePort> sonars;
     trundle::GripperPort gripper;
     trundle::LinearMotorPort lift;
     trundle::DifferentialDrivePort drive;

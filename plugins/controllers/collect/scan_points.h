@@ -29,10 +29,10 @@ public:
     /// The bearing nearest to the desired one (rad) along which nothing is within `reach` m in a lane of `width` m. Things within
     /// `ignoredRadius` of `ignored` do not count. The desired bearing itself if all are blocked.
     [[nodiscard]] double freeBearing(double desired, double reach, double width, Point ignored, double ignoredRadius) const;
-
-private:
+    /// Whether nothing is in such a lane.
     [[nodiscard]] bool isFree(double bearing, double reach, double width, Point ignored, double ignoredRadius) const;
 
+private:
     std::span<const double> m_ranges;
     std::vector<Point> m_points; ///< of each beam
     double m_step, m_first, m_ahead, m_maxRange;

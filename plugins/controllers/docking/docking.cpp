@@ -43,15 +43,15 @@ struct Docking : trundle::Controller {
                 "Weaker light, above that of the room, is no charger.");
         d.field("Near", &D::near, trundle::unitOf("lx").above(0).atMost(1e9),
                 "Where it is so bright, what is ahead is the charger.");
-        d.field("Ranges", &D::rangeNames, trundle::text().counted(2, 100),
+        d.field("Ranges", &D::rangeNames, trundle::needs("RangeSensor").counted(2, 100),
                 "RangeSensors ahead: of the left, of the right, and so on.");
-        d.field("Leds", &D::ledNames, trundle::text().counted(0, 100),
+        d.field("Leds", &D::ledNames, trundle::needs("Led").counted(0, 100),
                 "That show what it does: green at work, yellow on its way, blue while it charges.");
-        d.field("Left", &D::leftName, trundle::text(), "The robot's LightSensor on the left, turned outwards by 50 degrees.");
-        d.field("Right", &D::rightName, trundle::text(), "The one on the right.");
-        d.field("Battery", &D::batteryName, trundle::text(), "The robot's Battery.");
-        d.field("Touch", &D::touchName, trundle::text(), "The TouchSensor of the contacts of the battery.");
-        d.field("Drive", &D::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Left", &D::leftName, trundle::needs("LightSensor"), "The robot's LightSensor on the left, turned outwards by 50 degrees.");
+        d.field("Right", &D::rightName, trundle::needs("LightSensor"), "The one on the right.");
+        d.field("Battery", &D::batteryName, trundle::needs("Battery"), "The robot's Battery.");
+        d.field("Touch", &D::touchName, trundle::needs("TouchSensor"), "The TouchSensor of the contacts of the battery.");
+        d.field("Drive", &D::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
         d.output("charged", &D::charged, "", "How often it has charged.");
         d.output("worked", &D::worked, "m", "Way that it went at work.");
     }

@@ -46,8 +46,8 @@ struct LidarMap : trundle::Controller {
         d.field("LidarAhead", &C::lidarAhead, trundle::metres().within(-10, 10), "From the axle to the lidar.");
         d.field("FieldOfView", &C::fieldOfView, trundle::degrees().above(0).atMost(360), "That of the lidar.");
         d.field("File", &C::file, trundle::text(), "Of the map, in the log folder; with a .yaml beside it that ROS reads.");
-        d.field("Lidar", &C::lidarName, trundle::text(), "The robot's Lidar.");
-        d.field("Drive", &C::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Lidar", &C::lidarName, trundle::needs("Lidar"), "The robot's Lidar.");
+        d.field("Drive", &C::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
         d.output("known", &C::known, "m^2", "Area of the cells that are free or occupied.");
     }
 

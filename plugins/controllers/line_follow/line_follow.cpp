@@ -27,10 +27,10 @@ struct LineFollow : trundle::Controller {
         d.field("Threshold", &LineFollow::threshold, trundle::number().within(0.01, 1).live(),
                 "Reflectance halfway from the line to the floor.");
         d.field("Laps", &LineFollow::laps, trundle::number().within(1, 1000), "Rounds after which it ends the run.");
-        d.field("Left", &LineFollow::left, trundle::text(), "The robot's GroundSensor on the left.");
-        d.field("Middle", &LineFollow::middle, trundle::text(), "The one in the middle.");
-        d.field("Right", &LineFollow::right, trundle::text(), "The one on the right.");
-        d.field("Drive", &LineFollow::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Left", &LineFollow::left, trundle::needs("GroundSensor"), "The robot's GroundSensor on the left.");
+        d.field("Middle", &LineFollow::middle, trundle::needs("GroundSensor"), "The one in the middle.");
+        d.field("Right", &LineFollow::right, trundle::needs("GroundSensor"), "The one on the right.");
+        d.field("Drive", &LineFollow::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
         d.output("offset", &LineFollow::offset, "", "Where the line is: 1 below the left sensor, -1 below the right one.");
         d.output("lap", &LineFollow::lap, "", "Rounds done.");
     }

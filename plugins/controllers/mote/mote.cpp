@@ -22,7 +22,7 @@ struct Mote : trundle::Controller {
         d.field("Power", &Mote::power, trundle::decibelMilliwatts().within(-100, 100), "It sends with.");
         d.field("GoodRssi", &Mote::goodRssi, trundle::decibelMilliwatts().within(-150, 50),
                 "A hop with more costs no more than one hop.");
-        d.field("Radio", &Mote::radioName, trundle::text(), "Its Transceiver.");
+        d.field("Radio", &Mote::radioName, trundle::needs("Transceiver"), "Its Transceiver.");
         d.output("hops", &Mote::hops, "", "To the target; -1: no route is known.");
         d.output("cost", &Mote::cost, "",
                  "Of its route to the target: 10 for a good hop, more for a weak one; -1: no route is known.");

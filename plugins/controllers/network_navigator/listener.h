@@ -16,8 +16,8 @@ struct Listener : trundle::Controller {
 
     template <class T> static void describeListener(trundle::Describe<T>& d) {
         d.field("TurnRate", &T::turnRate, trundle::radiansPerSecond().above(0).atMost(10), "While it listens.");
-        d.field("Radio", &T::radioName, trundle::text(), "The robot's Transceiver, whose antenna looks ahead.");
-        d.field("Drive", &T::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Radio", &T::radioName, trundle::needs("Transceiver"), "The robot's Transceiver, whose antenna looks ahead.");
+        d.field("Drive", &T::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
     }
 
 protected:

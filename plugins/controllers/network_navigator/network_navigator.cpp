@@ -34,7 +34,7 @@ struct NetworkNavigator : Listener {
                 "A mote that is heard with less must be that much nearer to the target to be chosen.");
         d.field("BackOff", &NetworkNavigator::backOff, trundle::metres().above(0).atMost(100), "From what it touches.");
         d.field("Detour", &NetworkNavigator::detour, trundle::metres().above(0).atMost(100), "Past what it touched.");
-        d.field("Touch", &NetworkNavigator::touchName, trundle::text(), "The robot's TouchSensor in front.");
+        d.field("Touch", &NetworkNavigator::touchName, trundle::needs("TouchSensor"), "The robot's TouchSensor in front.");
         d.field("File", &NetworkNavigator::fileName, trundle::text(), "A line for each leg, in the log folder.");
         describeListener(d);
     }

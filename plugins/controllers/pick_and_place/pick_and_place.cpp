@@ -38,7 +38,7 @@ struct PickAndPlace : trundle::Controller {
         d.field("Upper", &C::upper, trundle::metres().within(0.01, 10), "From shoulder to elbow.");
         d.field("Fore", &C::fore, trundle::metres().within(0.01, 10), "From elbow to wrist.");
         d.field("Tool", &C::tool, trundle::metres().within(0, 10), "From the wrist down to the latch.");
-        d.field("Latch", &C::latchName, trundle::text(), "The robot's Latch.");
+        d.field("Latch", &C::latchName, trundle::needs("Latch"), "The robot's Latch.");
         d.output("moved", &C::moved, "", "Crates on the new pile.");
     }
 

@@ -16,7 +16,7 @@ struct RandomDrive : trundle::Controller {
         d.field("TurnRate", &RandomDrive::turnRate, trundle::radiansPerSecond().within(0, 100).live(),
                 "Largest turn rate, to either side.");
         d.field("Period", &RandomDrive::period, trundle::seconds().above(0).atMost(1e6), "Time between changes.");
-        d.field("Drive", &RandomDrive::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Drive", &RandomDrive::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
     }
 
     void setup(trundle::RobotPorts& robot) override { drive = robot.differentialDrive(driveName); }

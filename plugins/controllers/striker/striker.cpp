@@ -24,7 +24,7 @@ struct Blob {
 /// On the floor, in the robot's frame, m.
 struct Spot {
     double x = 0, y = 0;
-    [[nodiscard]] double distance() const { return std::hypot(x, y); }
+    [[nodiscard]] double distance() const { return std::sqrt(x * x + y * y); } ///< in the same bits as in Python
 };
 
 struct Striker : trundle::Controller {
@@ -47,8 +47,8 @@ struct Striker : trundle::Controller {
         d.field("CameraHeight", &Striker::height, metres().above(0).atMost(10), "Above the floor.");
         d.field("CameraPitch", &Striker::pitch, degrees().within(0, 89), "How far it looks down.");
         d.field("FieldOfView", &Striker::fieldOfView, degrees().within(10, 150), "Of the camera, from left to right.");
-        d.field("Camera", &Striker::cameraName, trundle::text(), "The robot's Camera.");
-        d.field("Drive", &Striker::driveName, trundle::text(), "The robot's OmniDrive.");
+        d.field("Camera", &Striker::cameraName, trundle::needs("Camera"), "The robot's Camera.");
+        d.field("Drive", &Striker::driveName, trundle::needs("OmniDrive"), "The robot's OmniDrive.");
         d.output("kicked", &Striker::kicked, "", "1 after it let the ball roll.");
     }
 

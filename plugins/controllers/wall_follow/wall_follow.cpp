@@ -32,8 +32,8 @@ struct WallFollow : trundle::Controller {
         d.field("Side", &WallFollow::side, trundle::oneOf("left|right"), "Where the wall is kept.");
         d.field("Laps", &WallFollow::laps, trundle::number().within(1, 1000), "Rounds after which it ends the run.");
         d.field("FieldOfView", &WallFollow::fieldOfView, trundle::degrees().above(0).atMost(360), "That of the lidar.");
-        d.field("Lidar", &WallFollow::lidarName, trundle::text(), "The robot's Lidar.");
-        d.field("Drive", &WallFollow::driveName, trundle::text(), "The robot's DifferentialDrive.");
+        d.field("Lidar", &WallFollow::lidarName, trundle::needs("Lidar"), "The robot's Lidar.");
+        d.field("Drive", &WallFollow::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");
         d.output("gap", &WallFollow::gap, "m", "Distance of the nearest wall on its side.");
         d.output("lap", &WallFollow::lap, "", "Rounds done.");
     }

@@ -13,6 +13,7 @@
 #include "editor/sensors/polar_plot.h"
 #include "editor/sensors/reading_row.h"
 #include "editor/sensors/sensor_card.h"
+#include "editor/sensors/sensor_image.h"
 #include "editor/sensors/sensors_panel.h"
 #include "editor/sensors/shown_devices.h"
 #include "editor/viewport/overlays/pinned_values.h"
@@ -278,6 +279,14 @@ private Q_SLOTS:
         f.panel.show();
         EVENTUALLY(f.panel.updateCount() > before && f.panel.isSettled());
         QCOMPARE(f.row("one.front", "range")->trace().time(f.row("one.front", "range")->trace().size() - 1), 0.6);
+    }
+
+    void theCameraPictureFillsItsCard() {
+        SensorImage image(nullptr, "one/eye");
+        image.resize(420, 190);
+        image.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&image, kTimeoutMs));
+        QCOMPARE(image.findChild<QWidget*>(QStringLiteral("cameraWall"))->size(), image.size());
     }
 
     void newValuesMoveNothing() {

@@ -1,6 +1,7 @@
 // Every dialog and question of the program, opened by its real code: Enter never triggers a destructive button, all text is
-// visible at the font sizes that Preferences offers, and each fits a screen of 800x500. A dialog in the sources that the table
-// below does not list is a failure. If TRUNDLE_PICTURES=FOLDER is in the environment, an image of each is saved there.
+// visible at the font sizes that Preferences offers, no Alt-letter is there twice, and each fits a screen of 800x500. A dialog in the
+// sources that the table below does not list is a failure. If TRUNDLE_PICTURES=FOLDER is in the environment, an image of each is saved
+// there.
 
 #include <QComboBox>
 #include <QDialog>
@@ -25,6 +26,7 @@
 #include "editor/shell/commands/project_questions.h"
 #include "editor/shell/cut_off_texts.h"
 #include "editor/shell/dialogs/share_dialog.h"
+#include "editor/shell/shared_mnemonics.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/widgets/widget_text.h"
 #include "eventually.h"
@@ -153,7 +155,7 @@ private Q_SLOTS:
                     box && box->buttonRole(button) == QMessageBox::DestructiveRole)
                     faults << QStringLiteral("Enter presses what loses something");
             }
-            faults << cutOff(dialog);
+            faults << cutOff(dialog) << sharedMnemonics(dialog);
             if (!dark && font == 13) faults << described(name, dialog);
             if (const auto* open = dialog.findChild<QPushButton*>(QStringLiteral("movieOpen")); open && open->isVisible())
                 faults << QStringLiteral("a movie is offered that there is not");

@@ -9,6 +9,7 @@
 
 #include <trundle/describe.h>
 #include <trundle/module.h>
+#include <trundle/needs.h>
 #include <trundle/ports.h>
 
 namespace trundle {

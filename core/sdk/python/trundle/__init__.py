@@ -10,7 +10,7 @@ from .driver import DriveAmounts, Driver
 from .ports import (AckermannDrivePort, CompassPort, DifferentialDrivePort, EncoderPort, GpsPort, GroundPort, GroundTruthPort, ImuPort,
                     LidarPort, LightPort, MotorPort, OmniDrivePort, Port, Pose, Pose2, RangePort, RobotPorts, ServoPort, TouchPort)
 from .quantity import (Quantity, amperes, decibel_milliwatts, decibels, degrees, file, flag, hertz, kilograms, metres,
-                       metres_per_second, metres_per_second_squared, milliseconds, newton_metres, newtons, number, ohms, one_of,
+                       metres_per_second, metres_per_second_squared, milliseconds, needs, newton_metres, newtons, number, ohms, one_of,
                        radians_per_second, radians_per_second_squared, reference, seconds, text, unit_of, volts)
 from .radio import EVERYBODY, FULL_POWER, Packet, RadioPort
 from .remote import Disconnected, Reading, Remote, RemoteError, TextError, connect

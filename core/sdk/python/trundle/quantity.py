@@ -103,3 +103,9 @@ def file(endings):
 def reference(kinds):
     """The name of an object of one of the kinds or roles "Hinge|Slider"."""
     return Quantity(type="reference", choices=_words(kinds))
+
+
+def needs(kinds):
+    """Names of devices of the robot, without which setup fails. `kinds` are those of the ports that setup binds, separated by "|"; an empty
+    name needs nothing. The check of a model reports a robot that lacks one of them."""
+    return Quantity(type="text", choices=_words(kinds))
