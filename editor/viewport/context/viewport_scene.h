@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include "editor/viewport/context/dragged_object.h"
+#include "editor/viewport/context/joint_positions.h"
 #include "render/service.h"
 #include "scene/queries/camera_model.h"
 #include "scene/queries/object_index.h"
@@ -54,6 +55,8 @@ public:
     /// Visible objects along a ray, nearest first; locked ones only if `alsoLocked`.
     [[nodiscard]] std::vector<RayHit> hitsAlong(const ViewRay& ray, bool alsoLocked = false) const;
 
+    /// Of the text's robots; a run begins without them.
+    [[nodiscard]] JointPositions& joints() { return m_joints; }
     [[nodiscard]] DraggedObject& dragged() { return m_dragged; }
     [[nodiscard]] const DraggedObject& dragged() const { return m_dragged; }
 
@@ -74,6 +77,7 @@ private:
     friend bool showsModel(const ViewportScene& scene);
     void updateScene();
     void updatePoses();
+    [[nodiscard]] std::shared_ptr<const BodyPoses> posesOfText() const;
     void listHidden();
     void addInside(const std::string& instance, std::string_view part, std::vector<ObjectRef>& objects) const;
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> ghosts() const;
@@ -83,6 +87,7 @@ private:
     RunSession& m_session;
     RenderService* m_render;
     DraggedObject m_dragged;
+    JointPositions m_joints;
     std::shared_ptr<const ExperimentSpec> m_experiment, m_ghosts; // shown
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;
