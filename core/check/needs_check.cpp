@@ -67,7 +67,7 @@ private:
         const auto& devices = robot.config->devices;
         const auto other = std::ranges::find(devices, finding.device, &ComponentSpec::name);
         const std::string more = finding.others > 0 ? " (and " + std::to_string(finding.others) + " more like it)" : "";
-        const std::string what = other != devices.end() ? ": " + finding.device + " is " + withArticle(other->kind) + " " + other->kind : "";
+        const std::string what = other != devices.end() ? ": " + finding.device + " is " + withArticle(other->kind) : "";
         Diagnostic& d = m_diagnostics.error(
             Code::UnknownPort, value && value->range.known() ? value->range : controller.nameRange,
             robot.name + " lacks the " + listText(finding.field->choices) + " '" + finding.device + "' that its controller " +

@@ -82,12 +82,15 @@ void LedLights::apply(const Vec3& eye, osg::StateSet& root) const {
         led.beam = osg::Vec4(osg::Vec3(axis), static_cast<float>(source.narrowness));
         led.seen = source.candela * most / (0.01 + (place - osg::Vec3d(eye.x(), eye.y(), eye.z())).length2());
     }
+    root.removeDefine("LED_BEAMS");
     if (chosen.empty()) return root.removeDefine("LEDS");
     std::ranges::stable_sort(chosen, std::greater(), &ChosenLed::seen);
     // A program is compiled for each number of them, so there are few of these.
     const std::size_t count = std::bit_ceil(std::min(chosen.size(), kMost));
     chosen.resize(count);
     root.setDefine("LEDS", std::to_string(count));
+    if (std::ranges::any_of(chosen, [](const ChosenLed& led) { return led.beam.w() > 0; }))
+        root.setDefine("LED_BEAMS"); // apart, since powers take most of the time
     osg::Uniform *places = arrayOf(root, "ledPlace", osg::Uniform::FLOAT_VEC3),
                  *lights = arrayOf(root, "ledLight", osg::Uniform::FLOAT_VEC3),
                  *beams = arrayOf(root, "ledBeam", osg::Uniform::FLOAT_VEC4);

@@ -14,7 +14,7 @@ namespace trundle {
 class LedLights {
 public:
     /// At most so many light a picture.
-    static constexpr std::size_t kMost = 8;
+    static constexpr std::size_t kMost = 4;
 
     /// `leds` are those of the experiment, `bodies` in the order of BodyPoses.
     void make(const ExperimentSpec& experiment, const std::vector<LedModel>& leds,

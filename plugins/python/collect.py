@@ -12,7 +12,7 @@ ALIGN = 0.65  # m from the axle to a cylinder: here it turns to it before it dri
 LANE = 0.52  # m: what it needs beside nothing
 RETREAT = 0.5  # m back from what it has put down
 SAME_THING = 0.3  # m between where a cylinder was and is seen
-LET_GO = 0.15  # m back: its jaws are clear of what it has put down
+RELEASED = 0.15  # m back: its jaws are clear of what it has put down
 PASS = 0.1  # m/s with which it passes what its back would swing into
 DEGREE = math.pi / 180
 
@@ -227,7 +227,7 @@ class Collect(trundle.Controller):
 
     def retreat(self):
         gone = length(self.here.x - self.start.x, self.here.y - self.start.y)
-        blocked = gone > LET_GO and (self.is_near(120 * DEGREE, 180 * DEGREE) or self.is_near(-180 * DEGREE, -120 * DEGREE))
+        blocked = gone > RELEASED and (self.is_near(120 * DEGREE, 180 * DEGREE) or self.is_near(-180 * DEGREE, -120 * DEGREE))
         if gone < RETREAT and not blocked and self.elapsed() < 10:
             return self.drive.move(-0.25, 0)
         self.drive.stop()

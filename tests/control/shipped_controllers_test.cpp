@@ -294,7 +294,8 @@ private:
             .arg(f.maximum)
             .arg(f.flags & TRUNDLE_MAX_EXCLUSIVE ? ")" : "]")
             .arg(f.flags)
-            .arg(defaults.join(','), *f.help ? "" : " help missing");
+            .arg(defaults.join(','), *f.help ? "" : " help missing") +
+               (f.type == TRUNDLE_TEXT && *f.choices ? QStringLiteral(" needs %1").arg(f.choices) : QString());
     }
 };
 

@@ -111,6 +111,25 @@ private Q_SLOTS:
         QCOMPARE(reasonOf(done), QString());
     }
 
+    /// Beside its back, where its lidar sees nothing, is a can: while it looks around its sonars keep it off, without them it falls over.
+    void theSonarsKeepItsBackOffACan() {
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("tail.sim"),
+                          "Tick = 0.01 Duration = 8\n#import robots/research_base.sim\n#import objects/can.sim\n"
+                          "#import arenas/depot.sim\n#loadModule controllers/collect\nStatic depot { Config=Depot }\n"
+                          "Robot collector { Config=ResearchBase Collect brain { Count=1 } }\n"
+                          "Robot near { Config=Can Pos=-0.1,-0.285,0 }\n"));
+        for (const auto& [clearance, stays] : {std::pair("0.2", true), {"0", false}}) {
+            const Outcome outcome = cli({"run", folder.filePath("tail.sim"), "--json", "--set",
+                                         QStringLiteral("collector.brain.Clearance=%1").arg(clearance)});
+            const QJsonObject robots = QJsonDocument::fromJson(outcome.out).object()["robots"].toObject();
+            const QJsonArray at = robots["near"].toObject()["pos"].toArray();
+            QVERIFY2(at.size() == 3, shown(outcome));
+            const double moved = std::hypot(at[0].toDouble() + 0.1, at[1].toDouble() + 0.285);
+            QVERIFY2(stays ? moved < 1e-4 : moved > 0.1, qPrintable(QString::number(moved)));
+        }
+    }
+
     /// Twice it finds its charger by the light on it, charges and works on.
     void theRobotCharges_data() {
         QTest::addColumn<int>("seed");

@@ -1,6 +1,6 @@
 // Shading by the values of Lighting and LedLights. The numbers of lamps and Leds are compiled in: in software rendering even a loop
 // with no iterations doubles the cost per pixel.
-#pragma import_defines(LAMPS, LEDS, SUN_MAP, SKY_MAP)
+#pragma import_defines(LAMPS, LEDS, LED_BEAMS, SUN_MAP, SKY_MAP)
 uniform vec3 sunWay, sunLight, skyLight, groundLight, horizonColour, zenithColour;
 // What a lamp adds to a matt surface; `way` leads to it.
 vec3 lampOn(vec3 light, vec3 way, vec3 n) {
@@ -22,14 +22,19 @@ vec3 lampsOn(vec3 place, vec3 n) { return vec3(0.0); }
 #endif
 #ifdef LEDS
 uniform vec3 ledPlace[LEDS], ledLight[LEDS];
-uniform vec4 ledBeam[LEDS]; // its axis, and how narrow it is
+#ifdef LED_BEAMS
+uniform vec4 ledBeam[LEDS]; // its axis, and how narrow it is; 0: it shines all around
+#endif
 vec3 ledsOn(vec3 place, vec3 n) {
     vec3 all = vec3(0.0);
     for (int i = 0; i < LEDS; ++i) {
         vec3 way = ledPlace[i] - place;
+        vec3 light = ledLight[i];
+#ifdef LED_BEAMS
         float ahead = -dot(ledBeam[i].xyz, way) * inversesqrt(max(dot(way, way), 1.0e-8));
-        float share = ledBeam[i].w > 0.0 ? pow(max(ahead, 1.0e-4), ledBeam[i].w) : 1.0;
-        all += lampOn(share * ledLight[i], way, n);
+        if (ledBeam[i].w > 0.0) light *= pow(max(ahead, 1.0e-4), ledBeam[i].w);
+#endif
+        all += lampOn(light, way, n);
     }
     return all;
 }

@@ -17,7 +17,7 @@ constexpr double kAlign = 0.65;    // m from the axle to a cylinder: here it tur
 constexpr double kLane = 0.52;     // m: what it needs beside nothing
 constexpr double kRetreat = 0.5;   // m back from what it has put down
 constexpr double kSameThing = 0.3; // m between where a cylinder was and is seen
-constexpr double kLetGo = 0.15;    // m back: its jaws are clear of what it has put down
+constexpr double kReleased = 0.15; // m back: its jaws are clear of what it has put down
 constexpr double kPass = 0.1;      // m/s with which it passes what its back would swing into
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
@@ -257,7 +257,7 @@ private:
 
     void retreat() {
         const double gone = collect::length(here.x - from.x, here.y - from.y);
-        const bool blocked = gone > kLetGo && (isNear(120 * kDegree, 180 * kDegree) || isNear(-180 * kDegree, -120 * kDegree));
+        const bool blocked = gone > kReleased && (isNear(120 * kDegree, 180 * kDegree) || isNear(-180 * kDegree, -120 * kDegree));
         if (gone < kRetreat && !blocked && elapsed() < 10) return drive.move(-0.25, 0);
         drive.stop();
         if (delivered.get() >= count) return finish("all are home");
