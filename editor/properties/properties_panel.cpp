@@ -15,6 +15,7 @@
 #include "editor/properties/editors/row_editor.h"
 #include "editor/properties/help_strip.h"
 #include "editor/properties/live_table.h"
+#include "editor/properties/object_details.h"
 #include "editor/properties/object_header.h"
 #include "editor/properties/property_row.h"
 #include "editor/properties/row_menu.h"
@@ -71,7 +72,8 @@ QString liveHint(const Document& document, const Selection& selection, const Run
 PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSession* session, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session),
       m_header(new ObjectHeader(document, this)), m_ended(newEndedBanner(this)), m_scroll(new QScrollArea(this)),
-      m_live(new LiveTable(this)), m_strip(new HelpStrip(this)), m_nothing(new QLabel(this)) {
+      m_details(new ObjectDetails(m_scroll)), m_live(new LiveTable(this)), m_strip(new HelpStrip(this)),
+      m_nothing(new QLabel(this)) {
     setObjectName(QStringLiteral("propertiesPanel"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -85,6 +87,8 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
     m_scroll->setWidgetResizable(true);
     auto* holder = new QVBoxLayout(new QWidget(m_scroll->viewport()));
     holder->setContentsMargins({});
+    holder->addWidget(m_details);
+    holder->addStretch(1);
     m_scroll->setWidget(holder->parentWidget());
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -206,6 +210,10 @@ void PropertiesPanel::refresh() {
         for (const Row& row : rows) places[row.id]->display(row);
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_header, m_scroll, m_strip}) w->show();
+    m_details->display(objects.size() == 1 ? objects[0]->shownPath() : std::string(), m_shown, m_session);
+    auto* column = static_cast<QVBoxLayout*>(m_scroll->widget()->layout());
+    const int place = m_details->leadsRows() ? 0 : 1;
+    if (column->indexOf(m_details) != place) column->insertWidget(place, m_details);
     showHelp();
     showEnded();
     showLive();
@@ -284,9 +292,8 @@ void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shap
         none->setContentsMargins(0, 24, 0, 0);
         layout->addWidget(none);
     }
-    layout->addStretch(1);
     alignLabels();
-    m_scroll->widget()->layout()->addWidget(m_body);
+    static_cast<QVBoxLayout*>(m_scroll->widget()->layout())->insertWidget(0, m_body);
     m_body->show();
     if (mine) focusRow(focused, field);
 }

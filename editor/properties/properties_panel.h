@@ -26,6 +26,7 @@ class Document;
 class HelpStrip;
 class LiveTable;
 struct LiveGroup;
+class ObjectDetails;
 class ObjectHeader;
 class PropertyRow;
 class RunSession;
@@ -88,6 +89,7 @@ private:
     QLabel* m_ended; ///< why a selected robot has ended
     QScrollArea* m_scroll;
     QWidget* m_body = nullptr; ///< parent of the rows
+    ObjectDetails* m_details; ///< below the rows
     LiveTable* m_live;
     HelpStrip* m_strip;
     QLabel* m_nothing;

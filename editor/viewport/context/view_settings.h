@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include <QObject>
 
 #include "editor/widgets/preferences.h"
@@ -6,7 +8,7 @@
 
 namespace trundle {
 
-enum class Tool { Select, Move, Rotate, Scale, Measure, DrawWalls, DrawLine };
+enum class Tool { Select, Move, Rotate, Scale, Measure, DrawWalls, DrawLine, Connect };
 /// Axes that the gizmo is aligned to.
 enum class AxesOf { World, Parent, Local };
 
@@ -26,6 +28,8 @@ enum Overlay : unsigned {
     kOverlayLinks = 1u << 11,    ///< radio links
     kOverlayCoverage = 1u << 12, ///< radio coverage on the floor
     kOverlayBeams = 1u << 13,    ///< what range sensors measure
+    kOverlayInertia = 1u << 14,  ///< solid ellipsoids of the same mass and inertia
+    kOverlaySupport = 1u << 15,  ///< support polygons
 };
 
 /// Settings shared by all views of a panel.
@@ -35,6 +39,8 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] Tool tool() const { return m_tool; }
+    /// The kind of joint that Connect inserts: "Hinge".
+    [[nodiscard]] const std::string& jointKind() const { return m_jointKind; }
     [[nodiscard]] AxesOf axes() const { return m_axes; }
     [[nodiscard]] bool snaps() const { return m_snaps; }
     [[nodiscard]] double moveStep() const { return m_moveStep; }         ///< m
@@ -44,6 +50,7 @@ public:
     [[nodiscard]] bool shows(Overlay overlay) const { return (m_overlays & overlay) != 0; }
 
     void setTool(Tool tool) { set(m_tool, tool); }
+    void setJointKind(const std::string& kind) { set(m_jointKind, kind); }
     void setAxes(AxesOf axes) { set(m_axes, axes); }
     void setSnaps(bool snaps) { set(m_snaps, snaps); }
     void setLook(LookChoice look) { set(m_look, look); }
@@ -65,6 +72,7 @@ private:
         Q_EMIT changed();
     }
     Tool m_tool = Tool::Select;
+    std::string m_jointKind = "Hinge";
     AxesOf m_axes = AxesOf::World;
     LookChoice m_look = LookChoice::Automatic;
     NavigationStyle m_navigation = NavigationStyle::Trundle;

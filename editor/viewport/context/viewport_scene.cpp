@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <QSignalBlocker>
+
 #include "editor/document/document.h"
 #include "editor/running/session.h"
 #include "model/dotted_path.h"
@@ -43,6 +45,16 @@ ViewportScene::ViewportScene(Document& document, RunSession& session, RenderServ
     connect(&m_session, &RunSession::experimentChanged, this, &ViewportScene::updateScene);
     connect(&m_session, &RunSession::stateChanged, this, &ViewportScene::updateScene);
     connect(&m_session, &RunSession::advanced, this, &ViewportScene::updatePoses);
+    connect(&m_document, &Document::opened, this, [this] {
+        const QSignalBlocker quiet(m_joints); // changed() of the document follows
+        m_joints.reset();
+    });
+    connect(&m_joints, &JointPositions::changed, this, [this] {
+        if (m_running) return;
+        m_poses = posesOfText();
+        m_bounds.reset();
+        Q_EMIT posed();
+    });
     m_objects = std::make_shared<ObjectIndex>(std::make_shared<ExperimentSpec>());
     m_poses = std::make_shared<BodyPoses>();
     updateScene();
@@ -54,11 +66,15 @@ ViewportScene::~ViewportScene() {
 
 void ViewportScene::updateScene() {
     const bool runs = m_session.results().experiment && m_session.results().poses;
+    if (runs && !m_running) {
+        const QSignalBlocker quiet(m_joints); // the poses of the run are shown below
+        m_joints.reset();
+    }
     std::shared_ptr<const ExperimentSpec> experiment = runs ? m_session.results().experiment : m_session.source().shown();
     if (experiment == m_experiment) {
         if (runs == m_running) return updatePoses();
         m_running = runs;
-        m_poses = std::make_shared<BodyPoses>(startPoses(m_objects->experiment()));
+        m_poses = posesOfText();
         m_bounds.reset();
         updatePoses();
         Q_EMIT posed();
@@ -71,7 +87,7 @@ void ViewportScene::updateScene() {
     m_cameras = trundle::camerasOf(*experiment);
     m_rangeSensors = rangeModelsOf(*experiment);
     const std::shared_ptr<const BodyPoses> now = runs ? m_session.results().poses : nullptr;
-    m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
+    m_poses = now && now->size() == m_objects->poseCount() ? now : posesOfText();
     if (m_render && !(m_drawnAlike && m_scene != SceneId::None)) {
         const SceneId before = m_scene;
         m_ghosts = runs ? nullptr : ghosts();
@@ -81,6 +97,12 @@ void ViewportScene::updateScene() {
     m_dragged.setWorld(m_experiment, m_ghosts);
     listHidden();
     Q_EMIT replaced();
+}
+
+std::shared_ptr<const BodyPoses> ViewportScene::posesOfText() const {
+    auto poses = std::make_shared<BodyPoses>(startPoses(m_objects->experiment()));
+    m_joints.apply(*m_objects, *poses);
+    return poses;
 }
 
 void ViewportScene::updatePoses() {
@@ -189,6 +211,8 @@ bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef
     return std::any_of(marks.begin(), marks.end(),
                        [&](const std::string& mark) { return startsWithPath(path, mark) || isMemberOf(firstWord(path), mark); });
 }
+
+JointPositions& jointPositions(ViewportScene& scene) { return scene.m_joints; }
 
 bool showsModel(const ViewportScene& scene) { return scene.m_document.editedModel().isOpen(); }
 

@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include "editor/viewport/context/dragged_object.h"
+#include "editor/viewport/context/joint_positions.h"
 #include "render/service.h"
 #include "scene/queries/camera_model.h"
 #include "scene/queries/object_index.h"
@@ -72,8 +73,10 @@ Q_SIGNALS:
 
 private:
     friend bool showsModel(const ViewportScene& scene);
+    friend JointPositions& jointPositions(ViewportScene& scene);
     void updateScene();
     void updatePoses();
+    [[nodiscard]] std::shared_ptr<const BodyPoses> posesOfText() const;
     void listHidden();
     void addInside(const std::string& instance, std::string_view part, std::vector<ObjectRef>& objects) const;
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> ghosts() const;
@@ -83,6 +86,7 @@ private:
     RunSession& m_session;
     RenderService* m_render;
     DraggedObject m_dragged;
+    JointPositions m_joints;
     std::shared_ptr<const ExperimentSpec> m_experiment, m_ghosts; // shown
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;
@@ -94,6 +98,9 @@ private:
     bool m_running = false;
     std::vector<std::string> m_hidden, m_locked, m_hiddenInScene;
 };
+
+/// Those of the text's robots; a run begins without them.
+[[nodiscard]] JointPositions& jointPositions(ViewportScene& scene);
 
 /// Whether it shows the edited model alone.
 [[nodiscard]] bool showsModel(const ViewportScene& scene);

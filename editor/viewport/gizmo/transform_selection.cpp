@@ -10,9 +10,9 @@
 #include "editor/running/session.h"
 #include "editor/viewport/context/view_context.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/gizmo/text_in_place.h"
 #include "lang/number_text.h"
 #include "model/dotted_path.h"
-#include "model/provenance.h"
 #include "project/objects/object_location.h"
 #include "project/objects/part_values.h"
 
@@ -48,6 +48,12 @@ Pose localPose(const ObjectIndex& objects, const ObjectRef& object) {
     return object.kind == ObjectKind::Robot ? robot->pose : robot->config->bodies[object.body].pose;
 }
 
+/// World pose of the frame in which its Pos is written; of a body that a joint has moved, moved with it.
+Pose frameAsShown(const ObjectIndex& objects, const ObjectRef& object, const BodyPoses& poses) {
+    if (object.kind != ObjectKind::Body) return objects.frameOf(object, poses);
+    return objects.poseOf(object, poses) * localPose(objects, object).inverse();
+}
+
 /// Pos and HPR of an object after a motion in the world.
 Pose movedLocal(const Pose& local, const Pose& frame, const DescribedFrame& described, const Pose& motion) {
     // Applied in the object's own frame, so that unaffected numbers stay exact.
@@ -55,24 +61,6 @@ Pose movedLocal(const Pose& local, const Pose& frame, const DescribedFrame& desc
     const bool turns = motion.rotation.angularDistance(Quat::Identity()) > 1e-12;
     const Vec3 shift = described.signs.cwiseProduct(frame.rotation.conjugate() * motion.position);
     return {turns ? inFrame * local.position : Vec3(local.position + shift), (inFrame.rotation * local.rotation).normalized()};
-}
-
-/// The text of a property where an edit through this path would replace it; empty: it gets a new value.
-std::string textInPlace(const LoadedProject& loaded, const std::string& property) {
-    const auto from = provenanceOf(*loaded.outline, property);
-    if (!from || !from->value.known()) return {};
-    // A value written in the config is not edited through an instance; the instance gets a new value with plain numbers.
-    const bool inConfig = property.starts_with("RobotConfig.") || property.starts_with("StaticConfig.");
-    if (const auto place = placeOf(loaded, withoutLastWord(property)); inConfig && place && !place->above.empty()) {
-        const SourceRange config = place->above.front()->range; // a value in a PartConfig is not edited through its Part
-        if (config.file != from->value.file || from->value.range.begin < config.range.begin ||
-            from->value.range.end > config.range.end)
-            return {};
-    }
-    const SourceRange own = blockOf(loaded, firstWord(property));
-    const bool inPlace = inConfig || (own.known() && own.file == from->value.file && own.range.begin <= from->value.range.begin &&
-                                      from->value.range.end <= own.range.end);
-    return inPlace ? std::string(loaded.sources.slice(from->value)) : std::string();
 }
 
 /// Whether what is inside is described in a frame of its own.
@@ -130,7 +118,7 @@ void TransformSelection::take(const std::string& path) {
         m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
         return;
     }
-    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}, {}};
+    Item item{path, object, world.poseOf(object), frameAsShown(*m_objects, object, *world.poses()), {}, {}, {}, {}};
     item.local = localPose(*m_objects, object);
     if (std::ranges::any_of(place->above, holdsFrame)) {
         item.described = describedFrame(*m_context.document.loaded(), *place);

@@ -12,6 +12,7 @@
 #include "editor/viewport/overlays/beams.h"
 #include "editor/viewport/overlays/contact_arrows.h"
 #include "editor/viewport/overlays/frusta.h"
+#include "editor/viewport/overlays/mass_overlay.h"
 #include "editor/viewport/overlays/motion_arrows.h"
 #include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/overlays/regions.h"
@@ -93,6 +94,13 @@ void paintJoint(QPainter& painter, const ToolView& view, const JointSpec& joint,
     painter.drawEllipse(*middle, 3, 3);
 }
 
+/// Whether the selected joint is drawn with handles.
+bool hasHandles(const ToolView& view) {
+    const Tool tool = view.context().settings.tool();
+    const bool edits = tool == Tool::Select || tool == Tool::Move || tool == Tool::Rotate || tool == Tool::Scale;
+    return edits && !view.context().world.isRunning() && view.context().selection.paths().size() == 1;
+}
+
 /// Those between robots move with their child.
 void paintLinks(QPainter& painter, const ToolView& view, bool all) {
     const ViewportScene& world = view.context().world;
@@ -100,7 +108,7 @@ void paintLinks(QPainter& painter, const ToolView& view, bool all) {
     for (const auto& link : experiment.joints) {
         const bool selected = view.context().selection.contains(link.spec.name);
         const auto robot = std::uint32_t(link.childRobot), body = std::uint32_t(link.spec.child);
-        if ((!all && !selected) || !experiment.robots[robot].config || world.isHidden({ObjectKind::Robot, robot})) continue;
+        if ((!all && !selected) || (selected && hasHandles(view)) || !experiment.robots[robot].config || world.isHidden({ObjectKind::Robot, robot})) continue;
         const Pose start = experiment.robots[robot].pose * experiment.robots[robot].config->bodies[body].pose;
         const Pose now = world.objects()->poseOf({ObjectKind::Body, robot, body}, view.shownPoses());
         paintJoint(painter, view, link.spec, now * start.inverse(), selected);
@@ -121,7 +129,7 @@ void paintJoints(QPainter& painter, const ToolView& view, bool all) {
             // Selected joints are always shown, including those selected in their config.
             const bool selected = selection.contains(robots[r].name + "." + joint.name) ||
                                   selection.contains("RobotConfig." + config.name + "." + joint.name);
-            if (!all && !selected) continue;
+            if ((!all && !selected) || (selected && hasHandles(view))) continue;
             const auto child = std::uint32_t(joint.child);
             const Pose toWorld =
                 world.objects()->poseOf({ObjectKind::Body, r, child}, view.shownPoses()) * config.bodies[child].pose.inverse();
@@ -155,34 +163,6 @@ void paintContacts(QPainter& painter, const ToolView& view) {
         painter.drawEllipse(*at, 2.5, 2.5);
     }
     paintContactScale(painter, view, unit, snapshot->contacts->size());
-}
-
-void massMark(QPainter& painter, const QPointF& at, double radius) {
-    painter.setPen(QPen(QColor(20, 22, 26), 1.2));
-    painter.setBrush(Qt::white);
-    painter.drawEllipse(at, radius, radius);
-    painter.setBrush(QColor(20, 22, 26));
-    const QRectF box(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius);
-    painter.drawPie(box, 0, 90 * 16);
-    painter.drawPie(box, 180 * 16, 90 * 16);
-}
-
-void paintMass(QPainter& painter, const ToolView& view) {
-    const ViewportScene& world = view.context().world;
-    const auto& robots = world.objects()->experiment().robots;
-    for (std::uint32_t r = 0; r < robots.size() && r < kMaxRobots; ++r) {
-        if (!robots[r].config || world.isHidden({ObjectKind::Robot, r})) continue;
-        Vec3 sum = Vec3::Zero();
-        double mass = 0;
-        const auto& bodies = robots[r].config->bodies;
-        for (std::uint32_t b = 0; b < bodies.size(); ++b) {
-            const Vec3 centre = world.objects()->poseOf({ObjectKind::Body, r, b}, view.shownPoses()) * bodies[b].mass.centre;
-            sum += bodies[b].mass.mass * centre;
-            mass += bodies[b].mass.mass;
-            if (const auto at = view.shownPixelOf(centre); at && bodies.size() > 1) massMark(painter, *at, 3.2);
-        }
-        if (const auto at = mass > 0 ? view.shownPixelOf(sum / mass) : std::nullopt) massMark(painter, *at, 6.5);
-    }
 }
 
 void paintTrails(QPainter& painter, const ToolView& view) {
@@ -280,7 +260,9 @@ void paintOverlays(QPainter& painter, const ToolView& view) {
     paintRegions(painter, view);
     paintSprings(painter, view);
     paintJoints(painter, view, settings.shows(kOverlayJoints));
-    if (settings.shows(kOverlayMass)) paintMass(painter, view);
+    if (settings.shows(kOverlaySupport)) paintSupport(painter, view);
+    if (settings.shows(kOverlayInertia)) paintInertia(painter, view);
+    if (settings.shows(kOverlayMass)) paintCentresOfMass(painter, view);
     if (settings.shows(kOverlayContacts)) paintContacts(painter, view);
     paintNames(painter, view, settings.shows(kOverlayNames));
     if (settings.shows(kOverlayGrid)) paintScale(painter, view);

@@ -37,6 +37,12 @@ ModelBar::ModelBar(const Document& document, Actions& actions, QWidget* parent)
         row->addWidget(made);
         return made;
     };
+    QPushButton* joints = button("modelJoints", "model.joints");
+    joints->setText(tr("Joints"));
+    joints->setToolTip(m_actions.at("model.joints").toolTip());
+    joints->setCheckable(true);
+    joints->setChecked(m_actions.at("model.joints").isChecked());
+    connect(&m_actions.at("model.joints"), &QAction::toggled, joints, &QPushButton::setChecked);
     QPushButton* drive = button("modelDrive", "model.drive");
     QPushButton* done = button("modelDone", "model.edit");
     done->setText(tr("Done"));
@@ -47,8 +53,10 @@ ModelBar::ModelBar(const Document& document, Actions& actions, QWidget* parent)
         show();
     };
     connect(&driving, &QAction::toggled, this, showDriving);
-    connect(&m_document.editedModel(), &EditedModel::changed, this, [this, drive] {
-        drive->setVisible(m_document.editedModel().path().starts_with("RobotConfig."));
+    connect(&m_document.editedModel(), &EditedModel::changed, this, [this, drive, joints] {
+        const bool isRobot = m_document.editedModel().path().starts_with("RobotConfig.");
+        drive->setVisible(isRobot);
+        joints->setVisible(isRobot);
         show();
     });
     connect(&m_document, &Document::changed, this, &ModelBar::show);

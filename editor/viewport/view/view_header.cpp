@@ -38,7 +38,7 @@ QDoubleSpinBox* stepBox(const QString& name, double value, const QString& suffix
 
 constexpr const char* kOverlays[] = {
     "view.overlayGrid",     "view.overlayShadows",  "view.overlayNames",     "view.overlayTrails",   "view.overlayJoints",
-    "view.overlayMass",     "view.overlayFrusta",   "view.overlayBeams",     "view.overlayLobes",    "view.overlayLinks",
+    "view.overlayMass",     "view.overlayInertia",  "view.overlaySupport",  "view.overlayFrusta",   "view.overlayBeams",     "view.overlayLobes",    "view.overlayLinks",
     "view.overlayCoverage", "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"};
 constexpr const char* kViewCounts[] = {"view.one", "view.two", "view.three", "view.four"};
 

@@ -8,8 +8,11 @@
 #include <QWidget>
 
 #include "editor/viewport/context/tool_view.h"
+#include "editor/viewport/gizmo/aim_tool.h"
 #include "editor/viewport/gizmo/gizmo_tool.h"
+#include "editor/viewport/gizmo/joint_tool.h"
 #include "editor/viewport/radio/radio_overlays.h"
+#include "editor/viewport/tools/connect_tool.h"
 #include "editor/viewport/tools/draw_tool.h"
 #include "editor/viewport/tools/measure_tool.h"
 #include "editor/viewport/tools/navigation.h"
@@ -33,6 +36,13 @@ ViewTools::ViewTools(ToolView& view) : m_view(view) {
     m_tools.push_back(std::move(navigation));
     m_tools.push_back(std::make_unique<MeasureTool>(view));
     m_tools.push_back(std::make_unique<DrawTool>(view));
+    auto joint = std::make_unique<JointTool>(view);
+    m_joint = joint.get();
+    m_tools.push_back(std::move(joint));
+    auto aim = std::make_unique<AimTool>(view);
+    m_aim = aim.get();
+    m_tools.push_back(std::move(aim));
+    m_tools.push_back(std::make_unique<ConnectTool>(view));
     auto gizmo = std::make_unique<GizmoTool>(view);
     m_gizmo = gizmo.get();
     m_tools.push_back(std::move(gizmo));

@@ -11,7 +11,9 @@ class QWheelEvent;
 
 namespace trundle {
 
+class AimTool;
 class GizmoTool;
+class JointTool;
 class Navigation;
 class ToolView;
 class ViewTool;
@@ -24,6 +26,8 @@ public:
     ~ViewTools();
 
     [[nodiscard]] GizmoTool& gizmo() { return *m_gizmo; }
+    [[nodiscard]] JointTool& joint() { return *m_joint; }
+    [[nodiscard]] AimTool& aim() { return *m_aim; }
     [[nodiscard]] bool isActive() const { return m_active != nullptr; }
     [[nodiscard]] bool needsKey(const QKeyEvent& event) const; ///< instead of the window's shortcuts
 
@@ -51,6 +55,8 @@ private:
     Qt::MouseButton m_button = Qt::NoButton;
     Navigation* m_navigation = nullptr;
     GizmoTool* m_gizmo = nullptr;
+    JointTool* m_joint = nullptr;
+    AimTool* m_aim = nullptr;
 };
 
 } // namespace trundle

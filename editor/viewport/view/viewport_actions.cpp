@@ -31,6 +31,14 @@ constexpr ToolRow kToolRows[] = {{"tool.select", Tool::Select},    {"tool.move",
                                  {"tool.measure", Tool::Measure},  {"tool.drawWalls", Tool::DrawWalls},
                                  {"tool.drawLine", Tool::DrawLine}};
 
+struct JointRow {
+    const char* id;
+    const char* kind;
+};
+constexpr JointRow kJointRows[] = {{"tool.connectHinge", "Hinge"},         {"tool.connectSlider", "Slider"},
+                                   {"tool.connectFixed", "Fixed"},         {"tool.connectBall", "Ball"},
+                                   {"tool.connectUniversal", "Universal"}, {"tool.connectSuspension", "Suspension"}};
+
 struct KindRow {
     const char* id;
     ViewKind kind;
@@ -53,7 +61,8 @@ constexpr OverlayRow kOverlayRows[] = {{"view.overlayGrid", kOverlayGrid},      
                                        {"view.overlayContacts", kOverlayContacts},   {"view.overlayCollision", kOverlayCollision},
                                        {"view.overlayWireframe", kOverlayWireframe}, {"view.overlayFrusta", kOverlayFrusta},
                                        {"view.overlayLobes", kOverlayLobes},         {"view.overlayLinks", kOverlayLinks},
-                                       {"view.overlayCoverage", kOverlayCoverage},   {"view.overlayBeams", kOverlayBeams}};
+                                       {"view.overlayCoverage", kOverlayCoverage},   {"view.overlayBeams", kOverlayBeams},
+                                       {"view.overlayInertia", kOverlayInertia},     {"view.overlaySupport", kOverlaySupport}};
 
 struct LookRow {
     const char* id;
@@ -107,6 +116,12 @@ void ViewportActions::connectTools() {
             m_context.settings.setTool(tool);
             showSettings();
         });
+    for (const JointRow& row : kJointRows)
+        on(row.id, [this, kind = row.kind] {
+            m_context.settings.setJointKind(kind);
+            m_context.settings.setTool(Tool::Connect);
+            showSettings();
+        });
     on("tool.snap", [this] { m_context.settings.setSnaps(m_actions.at("tool.snap").isChecked()); });
     on("tool.snapSteps", [this] { m_bar.openSteps(); });
     on("tool.frame", [this] {
@@ -123,6 +138,9 @@ void ViewportActions::connectTools() {
 
 void ViewportActions::showSettings() {
     for (const ToolRow& row : kToolRows) m_actions.at(row.id).setChecked(m_context.settings.tool() == row.tool);
+    const bool connects = m_context.settings.tool() == Tool::Connect;
+    for (const JointRow& row : kJointRows)
+        m_actions.at(row.id).setChecked(connects && m_context.settings.jointKind() == row.kind);
     m_actions.at("tool.snap").setChecked(m_context.settings.snaps());
     for (const OverlayRow& row : kOverlayRows) m_actions.at(row.id).setChecked(m_context.settings.shows(row.overlay));
     for (const LookRow& row : kLookRows) m_actions.at(row.id).setChecked(m_context.settings.look() == row.look);

@@ -1,5 +1,7 @@
 #include "editor/viewport/view/viewport_panel.h"
 
+#include <QAction>
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "editor/document/document.h"
@@ -10,6 +12,7 @@
 #include "editor/viewport/radio/radio_overlays.h"
 #include "editor/viewport/tools/floor_drawing.h"
 #include "editor/viewport/tools/measure_tool.h"
+#include "editor/viewport/view/joint_panel.h"
 #include "editor/viewport/view/model_bar.h"
 #include "editor/viewport/view/view_banner.h"
 #include "editor/viewport/view/view_header.h"
@@ -35,7 +38,16 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     column->setSpacing(0);
     column->addWidget(new ModelBar(document, actions));
     column->addWidget(bar);
-    column->addWidget(m_views, 1);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    row->addWidget(m_views, 1);
+    auto* joints = new JointPanel(*m_context);
+    row->addWidget(joints);
+    column->addLayout(row, 1);
+    QAction& showJoints = actions.at("model.joints");
+    joints->hide();
+    connect(&showJoints, &QAction::toggled, joints, &QWidget::setVisible);
+    connect(joints, &JointPanel::closeRequested, &showJoints, [&showJoints] { showJoints.setChecked(false); });
     m_banner = new ViewBanner(*m_context, this);
     new ViewportActions(*m_context, actions, *m_views, *bar);
     for (const auto& signal : {&ViewportScene::replaced, &ViewportScene::posed})

@@ -1,0 +1,38 @@
+#pragma once
+// Mass of a robot as it is posed, and whether it balances on level ground.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/queries/object_index.h"
+
+namespace trundle {
+
+/// Of all its bodies as one: mass, centre and inertia in the world frame. No mass: it has only fixed bodies.
+[[nodiscard]] MassProperties massOf(const ObjectIndex& objects, std::uint32_t robot, const BodyPoses& poses);
+
+/// The solid ellipsoid of the same mass and inertia, about the same centre: semi-axes (m) along the columns of `axes`.
+/// For a solid ellipsoid I_x = m/5 (b^2 + c^2), so a^2 = 5/(2m) (I_y + I_z - I_x).
+struct InertiaEllipsoid {
+    Vec3 semiAxes = Vec3::Zero();
+    Mat3 axes = Mat3::Identity(); ///< right-handed, of the frame of the inertia
+    Vec3 moments = Vec3::Zero();  ///< kg m^2, principal
+};
+[[nodiscard]] InertiaEllipsoid ellipsoidOf(const MassProperties& mass);
+
+/// How a robot rests on level ground at its lowest point, rigid as it is posed.
+struct Balance {
+    double level = 0;          ///< m, z of the ground
+    std::vector<Vec3> polygon; ///< the convex hull of what touches it, counter-clockwise; one or two points: it has no area
+    Vec3 centre;               ///< of mass, on the ground
+    double margin = 0;         ///< m, from the centre to the nearest edge; negative: outside, or the polygon has no area
+    [[nodiscard]] bool isStable() const { return margin > 0; }
+};
+/// "Stable: 32 mm to the edge", "Falls over: 5 mm beyond the edge".
+[[nodiscard]] std::string balanceText(const Balance& balance);
+/// Nothing for a robot that is joined to the world, or has no mass or no colliding shapes.
+[[nodiscard]] std::optional<Balance> balanceOf(const ObjectIndex& objects, std::uint32_t robot, const BodyPoses& poses);
+
+} // namespace trundle

@@ -1,0 +1,47 @@
+#pragma once
+// The torque and the current of a motor against the speed of its joint, drawn beside its rows.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QString>
+#include <QWidget>
+
+namespace trundle {
+
+struct LoadedProject;
+
+/// At the joint, SI units; current is empty where the kind has none.
+struct MotorCharacteristic {
+    struct Sample {
+        double speed = 0, effort = 0, current = 0;
+    };
+    std::vector<Sample> samples; ///< from rest to the speed without load
+    bool isLinear = false;       ///< m/s and N instead of rad/s and N m
+    bool hasCurrent = false;
+    double voltage = 0; ///< V, that it is for; 0: the kind has none
+};
+
+/// Of a RotaryMotor at MaxVoltage, with its friction, gear and current limit: i = (V - G w / kv) / R within the limit, joint effort =
+/// efficiency * (G kt i - G M_dry - G^2 d w). Of a Servo and a LinearMotor the line from the largest effort to MaxSpeed. Nothing for other objects, and
+/// without the values that it needs.
+[[nodiscard]] std::optional<MotorCharacteristic> motorCharacteristic(const LoadedProject& loaded, const std::string& path);
+
+class MotorCurve final : public QWidget {
+    Q_OBJECT
+public:
+    explicit MotorCurve(QWidget* parent);
+    void display(const MotorCharacteristic& motor);
+    [[nodiscard]] QSize sizeHint() const override;
+    /// What it shows in words: "Stall 0.42 Nm, 6 A; no load 20 rad/s".
+    [[nodiscard]] QString summary() const;
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    MotorCharacteristic m_motor;
+};
+
+} // namespace trundle

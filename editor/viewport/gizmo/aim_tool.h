@@ -1,0 +1,57 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include <QObject>
+
+#include "base/result.h"
+#include "editor/viewport/context/view_tool.h"
+#include "project/objects/part_values.h"
+
+namespace trundle {
+
+class ToolView;
+
+/// Turns the selected sensor, camera or antenna about its position, by the end of the line along which it looks or sends. Writes HPR; the
+/// roll stays. A drag is one undo entry; Esc cancels it.
+class AimTool final : public QObject, public ViewTool {
+    Q_OBJECT
+public:
+    explicit AimTool(ToolView& view);
+
+    bool press(const Pointer& pointer) override;
+    void drag(const Pointer& pointer) override;
+    void release(const Pointer& pointer) override;
+    void cancel() override;
+    bool hover(const Pointer& pointer) override;
+    void leave() override;
+    void paint(QPainter& painter) override;
+
+    /// Screen position of the handle, if it is visible.
+    [[nodiscard]] std::optional<QPointF> spot();
+
+private:
+    /// The selected device: where it is and where it looks.
+    struct Aimed {
+        std::string path, text;     ///< text: HPR as written where it is edited
+        Pose X_WB, X_BD;            ///< of its body, of the device in it
+        Vec3 sight = Vec3::UnitX(); ///< unit vector in the frame of the device
+        DescribedFrame mirror;      ///< signs of the Part that it is in
+        [[nodiscard]] Vec3 position() const { return X_WB * X_BD.position; }
+        [[nodiscard]] Vec3 direction() const { return X_WB.rotation * (X_BD.rotation * sight); }
+    };
+    [[nodiscard]] std::optional<Aimed> selected() const;
+    [[nodiscard]] const Aimed* aimed();
+    [[nodiscard]] Vec3 end(const Aimed& aimed) const;
+    [[nodiscard]] bool isOver(const QPointF& at);
+    Status turnTo(const Quat& rotation, double fine);
+    [[nodiscard]] QString label(const Aimed& aimed) const;
+
+    ToolView& m_view;
+    std::optional<Aimed> m_aimed, m_start; ///< m_start: during a drag, as before it
+    bool m_known = false, m_isHot = false, m_wrote = false;
+    double m_length = 0.1; ///< m, of the line when the drag began
+    std::string m_mergeKey;
+};
+
+} // namespace trundle

@@ -1,0 +1,223 @@
+// The handles of joints, their sliders, and joining bodies by a drag.
+#include <QSlider>
+#include <QtTest>
+
+#include "editor/viewport/gizmo/aim_tool.h"
+#include "editor/viewport/gizmo/joint_tool.h"
+#include "editor/viewport/view_window.h"
+#include "lang/formatter.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kArm = R"(RobotConfig Arm {
+  Body post { Box column { Size=0.1,0.1,0.4 Pos=0,0,0.2 Mass=5 } }
+  Body link {
+    Pos=0.2,0,0.4
+    Box beam { Size=0.4,0.05,0.05 Mass=1 }
+  }
+  Body tip { Pos=0.45,0,0.4  Box block { Size=0.06,0.06,0.06 Mass=0.1 } }
+  Body wheel { Pos=0,0.3,0.05  Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.15 } }
+  Fixed foot { Parent=world Child=post }
+  Hinge elbow { Parent=post Child=link Anchor=0,0,0.4 Axis=0,1,0 HighStop=90 }
+  Slider reach { Parent=link Child=tip Axis=1,0,0 LowStop=0 HighStop=0.1 }
+  Camera eye { Body=tip Pos=0.03,0,0 }
+}
+Robot arm { Config=Arm }
+)";
+
+constexpr JointHandle kAnchor{JointHandle::Kind::Anchor, {}}, kAxis{JointHandle::Kind::Axis, {}},
+    kLow{JointHandle::Kind::Stop, {false, false}}, kHigh{JointHandle::Kind::Stop, {true, false}};
+
+} // namespace
+
+class JointsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() {
+        m_window = std::make_unique<ViewWindow>(m_render.get());
+        QVERIFY(m_window->open(kArm));
+        m_window->look({0.3, -1.6, 0.5}, {0.2, 0, 0.35}); // x to the right, z up
+    }
+    void cleanup() { m_window.reset(); }
+
+    void anchorIsDraggedInOneEdit() {
+        m_window->selection.select("arm.elbow");
+        dragTo(kAnchor, {0.1, 0, 0.3}); // two steps of 5 cm to each side; y stays
+        QCOMPARE(m_window->text(), replaced("Anchor=0,0,0.4", "Anchor=0.1,0,0.3"));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), kArm);
+    }
+
+    void anchorSnapsToCentresOfTheBodies() {
+        m_window->selection.select("RobotConfig.Arm.elbow");
+        dragTo(kAnchor, {0.201, 0, 0.402});
+        QCOMPARE(m_window->text(), replaced("Anchor=0,0,0.4", "Anchor=0.2,0,0.4"));
+    }
+
+    void axisTurnsToTheNearestMainAxis() {
+        m_window->look({1.2, -1.2, 1.2}, {0, 0, 0.4});
+        m_window->selection.select("arm.elbow");
+        const double length = arrow({0, 0, 0.4});
+        dragTo(kAxis, Vec3(0, 0, 0.4) + length * Vec3(0.08, 0.05, 0.99));
+        QCOMPARE(m_window->text(), replaced("Axis=0,1,0 High", "Axis=0,0,1 High"));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+    }
+
+    void doubleClickReversesTheAxis() {
+        m_window->look({1.2, -1.2, 1.2}, {0, 0, 0.4});
+        m_window->selection.select("arm.elbow");
+        const QPointF at = *tool().spot(kAxis);
+        m_window->click(at);
+        QMouseEvent twice(QEvent::MouseButtonDblClick, at, m_window->view().mapToGlobal(at), Qt::LeftButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&m_window->view(), &twice);
+        m_window->release(at);
+        QCOMPARE(m_window->text(), replaced("Axis=0,1,0 High", "Axis=0,-1,0 High"));
+    }
+
+    void stopsAreDraggedOnTheirArc() {
+        m_window->selection.select("arm.elbow");
+        dragTo(kHigh, onArc(45));
+        QCOMPARE(m_window->text(), replaced("HighStop=90", "HighStop=45"));
+        dragTo(kLow, onArc(-30)); // there was none
+        QCOMPARE(m_window->text(), replaced("HighStop=90", "HighStop=45 LowStop=-30"));
+        dragTo(kLow, onArc(80)); // it stays below the other one
+        QCOMPARE(m_window->text(), replaced("HighStop=90", "HighStop=45 LowStop=45"));
+        QVERIFY(m_window->refusals.empty());
+    }
+
+    void stopsOfASliderAreOnItsLine() {
+        m_window->selection.select("arm.reach");
+        const Vec3 anchor(0.45, 0, 0.4);
+        dragTo(kHigh, anchor + Vec3(0.15, 0, 0));
+        QCOMPARE(m_window->text(), replaced("HighStop=0.1 ", "HighStop=0.15 "));
+        QVERIFY(!tool().spot(kAnchor)); // it makes no difference
+    }
+
+    void escapeRestoresTheText() {
+        m_window->selection.select("arm.elbow");
+        const QPointF from = *tool().spot(kAnchor);
+        m_window->press(from);
+        m_window->move(from + QPointF(80, 20), {}, Qt::LeftButton);
+        QVERIFY(m_window->text() != kArm);
+        m_window->key(Qt::Key_Escape);
+        QCOMPARE(m_window->text(), kArm);
+        QVERIFY(!m_window->document.edits().history().canUndo());
+        m_window->release(from);
+    }
+
+    void aDeviceShowsItsJoint() {
+        QVERIFY(m_window->open(
+            QByteArray(kArm).replace("  Camera", "  Servo drive { Joint=elbow MaxTorque=1 MaxSpeed=1 }\n  Camera")));
+        m_window->selection.select("arm.drive");
+        QVERIFY(tool().spot(kAnchor));
+        m_window->selection.select("arm.link");
+        QVERIFY(!tool().spot(kAnchor));
+    }
+
+    void slidersPoseTheTreeOfBodies() {
+        m_window->trigger("model.joints");
+        auto* elbow = m_window->panel->findChild<QSlider*>(QStringLiteral("joint.elbow.0"));
+        auto* reach = m_window->panel->findChild<QSlider*>(QStringLiteral("joint.reach.0"));
+        QVERIFY(elbow && reach && elbow->isVisible());
+        QCOMPARE(reach->maximum(), 1000); // a tenth of a millimetre
+        elbow->setFocus();
+        QTest::keyClick(elbow, Qt::Key_End); // 90 degrees about y: x points down
+        QVERIFY(at("arm.tip").isApprox(Vec3(0, 0, 0.4 - 0.45), 1e-9));
+        reach->setFocus();
+        QTest::keyClick(reach, Qt::Key_End);
+        QVERIFY(at("arm.tip").isApprox(Vec3(0, 0, 0.4 - 0.55), 1e-9));
+        QVERIFY(at("arm.link").isApprox(Vec3(0, 0, 0.2), 1e-9));
+        QVERIFY(at("arm.post").isZero(1e-12));
+        QCOMPARE(m_window->text(), kArm);
+        QTest::mouseClick(m_window->panel->findChild<QWidget*>(QStringLiteral("jointsReset")), Qt::LeftButton);
+        QVERIFY(at("arm.tip").isApprox(Vec3(0.45, 0, 0.4), 1e-12));
+        QCOMPARE(elbow->value(), 0);
+    }
+
+    void whatAJointHasMovedIsMovedAsItIsShown() {
+        m_window->trigger("model.joints");
+        auto* elbow = m_window->panel->findChild<QSlider*>(QStringLiteral("joint.elbow.0"));
+        elbow->setFocus();
+        QTest::keyClick(elbow, Qt::Key_End);
+        m_window->selection.select("RobotConfig.Arm.link");
+        m_window->trigger("tool.move");
+        m_window->key(Qt::Key_Right); // along x of the world, which is up in the frame of the link
+        QVERIFY2(m_window->text().contains("Pos=0.2,0,0.45"), m_window->text().constData());
+        QVERIFY(at("arm.link").isApprox(Vec3(0.05, 0, 0.2), 1e-9));
+    }
+
+    void aWheelIsConnectedAboutItsAxle() {
+        m_window->look({-1, 1.4, 0.8}, {0, 0.1, 0.2});
+        m_window->trigger("tool.connectHinge");
+        m_window->drag(m_window->at({0, 0.05, 0.2}), m_window->at({0, 0.315, 0.05}));
+        QVERIFY2(m_window->text().contains("\n  Hinge axle { Parent=post Child=wheel Axis=0,1,0 }\n"),
+                 m_window->text().constData());
+        QVERIFY2(m_window->selection.current().ends_with(".axle"), m_window->selection.current().c_str());
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        QVERIFY(m_window->document.loaded()->experiment);
+        QVERIFY(tool().spot(kAnchor)); // its handles are there at once
+        QVERIFY(isClean());
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), kArm);
+    }
+
+    void otherBodiesAreConnectedWhereTheyArePicked() {
+        QVERIFY(m_window->open(
+            QByteArray(kArm).replace("  Hinge elbow { Parent=post Child=link Anchor=0,0,0.4 Axis=0,1,0 HighStop=90 }\n", "")));
+        m_window->trigger("tool.connectHinge");
+        m_window->drag(m_window->at({0, -0.05, 0.2}), m_window->at({0.12, -0.025, 0.4}));
+        QVERIFY2(m_window->text().contains("Hinge linkHinge { Parent=post Child=link Anchor=0.12,-0.025,0.4 Axis=0,1,0 }"),
+                 m_window->text().constData());
+        m_window->trigger("tool.connectSlider");
+        m_window->drag(m_window->at({0.12, -0.025, 0.4}), m_window->at({0.45, -0.03, 0.4}));
+        QCOMPARE(m_window->refusals.size(), std::size_t(1)); // they are joined already
+        QVERIFY(m_window->refusals[0].contains(QStringLiteral("reach")));
+    }
+
+    void cameraIsAimedByItsSight() {
+        m_window->look({0.45, -0.01, 2.5}, {0.45, 0, 0.4}); // from above
+        m_window->selection.select("arm.eye");
+        const Vec3 eye(0.48, 0, 0.4);
+        const QPointF from = *m_window->view().tools().aim().spot();
+        const Vec3 along(std::cos(M_PI / 6), std::sin(M_PI / 6), 0);
+        const double reach = QLineF(m_window->at(eye), from).length();
+        const Vec3 there = eye + along;
+        const QPointF way = QPointF(m_window->at(there)) - QPointF(m_window->at(eye));
+        m_window->drag(from, QPointF(m_window->at(eye)) + way * (reach / std::hypot(way.x(), way.y())));
+        QCOMPARE(m_window->text(), replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=30,0,0 }"));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), kArm);
+    }
+
+private:
+    JointTool& tool() { return m_window->view().tools().joint(); }
+    QByteArray replaced(const char* before, const char* after) const { return QByteArray(kArm).replace(before, after); }
+    void dragTo(const JointHandle& handle, const Vec3& point) {
+        const auto from = tool().spot(handle);
+        QVERIFY(from);
+        m_window->drag(*from, m_window->view().camera().pixelOf(point).value());
+    }
+    /// m, of the arrow of an axis there.
+    double arrow(const Vec3& p) { return 88 * m_window->view().camera().free().metresPerPixel(m_window->view().width(), p); }
+    /// On the arc of the elbow, whose angle 0 is along x and grows downwards.
+    static Vec3 onArc(double degrees) {
+        const double a = degrees * M_PI / 180;
+        return Vec3(0, 0, 0.4) + 0.12 * Vec3(std::cos(a), 0, -std::sin(a));
+    }
+    Vec3 at(const char* path) {
+        const ViewportScene& world = m_window->panel->world();
+        return world.poseOf(*world.find(path)).position;
+    }
+    bool isClean() const { return format(*m_window->document.loaded()->trees[0]) == m_window->text().toStdString(); }
+
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(JointsTest)
+#include "joints_test.moc"

@@ -1,0 +1,111 @@
+// Mass of posed robots, ellipsoids of inertia, and what robots rest on.
+#include <QtTest>
+
+#include "model/mass_properties.h"
+#include "scene/queries/balance.h"
+
+using namespace trundle;
+
+namespace {
+
+BodySpec boxBody(const Vec3& size, const Vec3& at, double mass) {
+    BodySpec body;
+    GeomSpec box;
+    box.shape = GeomShape::Box;
+    box.size = size;
+    body.pose.position = at;
+    body.mass = withMass(solidOf(box).value(), mass);
+    body.geoms.push_back(box);
+    return body;
+}
+
+std::shared_ptr<const ExperimentSpec> experimentOf(std::vector<BodySpec> bodies) {
+    auto config = std::make_shared<RobotConfigSpec>();
+    config->bodies = std::move(bodies);
+    auto experiment = std::make_shared<ExperimentSpec>();
+    experiment->robots.resize(1);
+    experiment->robots[0].name = "r";
+    experiment->robots[0].config = config;
+    return experiment;
+}
+
+std::optional<Balance> balanceOf(const std::shared_ptr<const ExperimentSpec>& experiment) {
+    return trundle::balanceOf(ObjectIndex(experiment), 0, startPoses(*experiment));
+}
+
+} // namespace
+
+class BalanceTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void wholeIsTheSumOfItsBodies() {
+        const auto experiment =
+            experimentOf({boxBody(Vec3::Constant(0.1), {0, 0, 0.05}, 1), boxBody(Vec3::Constant(0.1), {0.4, 0, 0.05}, 3)});
+        const MassProperties whole = massOf(ObjectIndex(experiment), 0, startPoses(*experiment));
+        QCOMPARE(whole.mass, 4.0);
+        QVERIFY(whole.centre.isApprox(Vec3(0.3, 0, 0.05), 1e-12));
+        QVERIFY(std::abs(whole.inertia(2, 2) - (4 * 0.01 / 6 + 0.09 + 3 * 0.01)) < 1e-12); // Steiner
+    }
+
+    void ellipsoidOfASolidEllipsoidIsItself() {
+        const Vec3 axes(0.3, 0.2, 0.1); // I = m/5 (b^2 + c^2)
+        MassProperties mass{5, Vec3::Zero(), Vec3(0.04 + 0.01, 0.09 + 0.01, 0.09 + 0.04).asDiagonal().toDenseMatrix()};
+        const InertiaEllipsoid made = ellipsoidOf(mass);
+        Vec3 sorted = made.semiAxes;
+        std::sort(sorted.data(), sorted.data() + 3);
+        QVERIFY(sorted.isApprox(Vec3(0.1, 0.2, 0.3), 1e-9));
+        for (int k = 0; k < 3; ++k) {
+            int main = 0;
+            made.axes.col(k).cwiseAbs().maxCoeff(&main);
+            QVERIFY(std::abs(made.semiAxes[k] - axes[main]) < 1e-9);
+        }
+        QVERIFY(std::abs(made.axes.determinant() - 1) < 1e-9);
+    }
+
+    void aBoxRestsOnItsFoot() {
+        const auto balance = balanceOf(experimentOf({boxBody({0.4, 0.2, 0.1}, {1, 2, 0.3}, 1)}));
+        QVERIFY(balance && balance->isStable());
+        QCOMPARE(balance->polygon.size(), std::size_t(4));
+        QVERIFY(std::abs(balance->level - 0.25) < 1e-12);
+        QVERIFY(std::abs(balance->margin - 0.1) < 1e-12);
+        QVERIFY(balance->centre.isApprox(Vec3(1, 2, 0.25), 1e-12));
+    }
+
+    void aLoadBeyondTheEdgeTurnsItOver() {
+        const auto balance =
+            balanceOf(experimentOf({boxBody({0.2, 0.2, 0.1}, {0, 0, 0.05}, 1), boxBody({0.1, 0.1, 0.1}, {0.4, 0, 0.4}, 1)}));
+        QVERIFY(balance && !balance->isStable());
+        QVERIFY(std::abs(balance->margin + 0.1) < 1e-12);
+    }
+
+    void twoWheelsAreALine() {
+        const auto wheel = [](double y) {
+            BodySpec body;
+            GeomSpec tyre;
+            tyre.shape = GeomShape::Cylinder;
+            tyre.radius = 0.05;
+            tyre.length = 0.02;
+            tyre.pose.rotation = rotationFromHpr({0, 0, std::numbers::pi / 2});
+            body.pose.position = {0, y, 0.05};
+            body.mass = placed(withMass(solidOf(tyre).value(), 0.1), tyre.pose);
+            body.geoms.push_back(tyre);
+            return body;
+        };
+        const auto balance = balanceOf(experimentOf({boxBody({0.1, 0.2, 0.1}, {0, 0, 0.1}, 1), wheel(0.12), wheel(-0.12)}));
+        QVERIFY(balance && !balance->isStable());
+        QCOMPARE(balance->polygon.size(), std::size_t(2));
+    }
+
+    void whatIsHeldByTheWorldNeedsNoSupport() {
+        auto experiment = std::make_shared<ExperimentSpec>(*experimentOf({boxBody(Vec3::Constant(0.1), {0, 0, 1}, 1)}));
+        auto config = std::make_shared<RobotConfigSpec>(*experiment->robots[0].config);
+        JointSpec foot;
+        foot.type = JointType::Fixed;
+        config->joints.push_back(foot);
+        experiment->robots[0].config = config;
+        QVERIFY(!balanceOf(experiment));
+    }
+};
+
+QTEST_APPLESS_MAIN(BalanceTest)
+#include "balance_test.moc"

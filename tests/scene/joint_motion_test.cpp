@@ -1,0 +1,109 @@
+// Where bodies are with their joints at given positions.
+#include <QtTest>
+
+#include <numbers>
+
+#include "scene/queries/joint_motion.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+JointSpec joint(const char* name, JointType type, int parent, int child, const Vec3& anchor, const Vec3& axis) {
+    JointSpec made;
+    made.name = name;
+    made.type = type;
+    made.parent = parent;
+    made.child = child;
+    made.anchor = anchor;
+    made.axis = axis;
+    return made;
+}
+
+/// A chain along x: base at 0, link at 1, tip at 2.
+RobotConfigSpec chain() {
+    RobotConfigSpec config;
+    config.bodies.resize(3);
+    for (int i = 0; i < 3; ++i) config.bodies[std::size_t(i)].pose.position = {double(i), 0, 0};
+    config.joints = {joint("shoulder", JointType::Hinge, 0, 1, {0.5, 0, 0}, Vec3::UnitZ()),
+                     joint("slide", JointType::Slider, 1, 2, {2, 0, 0}, Vec3::UnitX())};
+    return config;
+}
+
+Vec3 place(const RobotConfigSpec& config, const std::vector<double>& positions, std::size_t body) {
+    return bodyMotions(config, jointCoordinates(config), positions)[body] * config.bodies[body].pose.position;
+}
+
+} // namespace
+
+class JointMotionTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void childrenFollow() {
+        const RobotConfigSpec config = chain();
+        QVERIFY(place(config, {kQuarter, 0.25}, 0).isZero(1e-12));
+        QVERIFY(place(config, {kQuarter, 0.25}, 1).isApprox(Vec3(0.5, 0.5, 0), 1e-12));
+        QVERIFY(place(config, {kQuarter, 0.25}, 2).isApprox(Vec3(0.5, 1.75, 0), 1e-12)); // it slides along the turned axis
+    }
+
+    void theFirstBodyStaysAlsoAsAChild() {
+        RobotConfigSpec config = chain();
+        std::swap(config.joints[0].parent, config.joints[0].child);
+        QVERIFY(place(config, {kQuarter, 0}, 0).isZero(1e-12));
+        QVERIFY(place(config, {kQuarter, 0}, 1).isApprox(Vec3(0.5, -0.5, 0), 1e-12)); // the parent turns the other way
+    }
+
+    void whatIsJoinedToTheWorldStays() {
+        RobotConfigSpec config = chain();
+        config.joints.push_back(joint("foot", JointType::Fixed, kWorldBody, 2, {}, Vec3::UnitZ()));
+        QVERIFY(place(config, {kQuarter, 0}, 2).isApprox(Vec3(2, 0, 0), 1e-12));
+        QVERIFY(!place(config, {kQuarter, 0}, 0).isZero(0.1));
+    }
+
+    void positionsStayWithinTheirStops() {
+        RobotConfigSpec config = chain();
+        config.joints[0].highStop = 1;
+        const auto coordinates = jointCoordinates(config);
+        QCOMPARE(coordinates.size(), std::size_t(2));
+        QVERIFY(coordinates[0].hasHigh && !coordinates[0].hasLow);
+        std::vector<double> positions(2, 0.0);
+        setJointPosition(config, coordinates, 0, 2, positions);
+        QCOMPARE(positions[0], 1.0);
+        setJointPosition(config, coordinates, 0, -2, positions);
+        QCOMPARE(positions[0], -2.0);
+    }
+
+    void gearsTurnTheirJoints() {
+        RobotConfigSpec config = chain();
+        GearSpec gear;
+        gear.joint = 1;
+        gear.other = 0;
+        gear.ratio = 0.1; // m/rad
+        config.gears = {gear};
+        std::vector<double> positions(2, 0.0);
+        setJointPosition(config, jointCoordinates(config), 0, 0.5, positions);
+        QCOMPARE(positions[1], 0.05);
+        setJointPosition(config, jointCoordinates(config), 1, 0.02, positions);
+        QCOMPARE(positions[0], 0.2);
+    }
+
+    void aBallTiltsNoFartherThanItsStop() {
+        RobotConfigSpec config = chain();
+        config.joints[0].type = JointType::Ball;
+        config.joints[0].swingStop = 0.3;
+        const std::vector<Pose> motions = bodyMotions(config, jointCoordinates(config), std::vector<double>{1, 1, 0.7, 0});
+        const Vec3 tilted = motions[1].rotation * Vec3(Vec3::UnitZ());
+        QVERIFY(std::abs(std::acos(tilted.z()) - 0.3) < 1e-9);
+    }
+
+    void aLoopIsFollowedOnce() {
+        RobotConfigSpec config = chain();
+        config.joints.push_back(joint("close", JointType::Hinge, 0, 2, {0, 0, 0}, Vec3::UnitZ()));
+        QVERIFY(place(config, {kQuarter, 0, 0}, 1).isApprox(Vec3(0.5, 0.5, 0), 1e-12));
+    }
+};
+
+QTEST_APPLESS_MAIN(JointMotionTest)
+#include "joint_motion_test.moc"
