@@ -65,6 +65,7 @@ ObjectDetails::ObjectDetails(QWidget* parent)
 void ObjectDetails::display(const std::string& path, const std::shared_ptr<const LoadedProject>& loaded,
                             const RunSession* session) {
     const auto motor = path.empty() ? std::nullopt : motorCharacteristic(*loaded, path);
+    m_isMotor = motor.has_value();
     if (motor) {
         m_motor->setTitle(motor->voltage > 0 ? tr("Motor curve at %1 V").arg(threeDigits(motor->voltage)) : tr("Motor curve"));
         m_curve->display(*motor);

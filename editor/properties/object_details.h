@@ -24,6 +24,9 @@ public:
     /// Hidden for an object of which nothing is shown, and without `path`. `session` may be null.
     void display(const std::string& path, const std::shared_ptr<const LoadedProject>& loaded, const RunSession* session);
 
+    /// Whether it is above the rows: a curve is read while they are changed, and a motor has many.
+    [[nodiscard]] bool leadsRows() const { return m_isMotor; }
+
 private:
     using Lines = std::vector<std::pair<QString, QString>>;
     [[nodiscard]] static Lines massLines(const std::string& path, const LoadedProject& loaded, const RunSession* session);
@@ -31,6 +34,7 @@ private:
 
     Section *m_motor, *m_mass;
     MotorCurve* m_curve;
+    bool m_isMotor = false;
     QWidget* m_lines;
     QGridLayout* m_grid;
 };

@@ -211,6 +211,9 @@ void PropertiesPanel::refresh() {
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_header, m_scroll, m_strip}) w->show();
     m_details->display(objects.size() == 1 ? objects[0]->shownPath() : std::string(), m_shown, m_session);
+    auto* column = static_cast<QVBoxLayout*>(m_scroll->widget()->layout());
+    const int place = m_details->leadsRows() ? 0 : 1;
+    if (column->indexOf(m_details) != place) column->insertWidget(place, m_details);
     showHelp();
     showEnded();
     showLive();

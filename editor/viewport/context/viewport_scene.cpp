@@ -212,6 +212,8 @@ bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef
                        [&](const std::string& mark) { return startsWithPath(path, mark) || isMemberOf(firstWord(path), mark); });
 }
 
+JointPositions& jointPositions(ViewportScene& scene) { return scene.m_joints; }
+
 bool showsModel(const ViewportScene& scene) { return scene.m_document.editedModel().isOpen(); }
 
 bool ViewportScene::isLocked(const ObjectRef& object) const {

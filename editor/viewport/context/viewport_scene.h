@@ -75,6 +75,7 @@ Q_SIGNALS:
 
 private:
     friend bool showsModel(const ViewportScene& scene);
+    friend JointPositions& jointPositions(ViewportScene& scene);
     void updateScene();
     void updatePoses();
     [[nodiscard]] std::shared_ptr<const BodyPoses> posesOfText() const;
@@ -99,6 +100,9 @@ private:
     bool m_running = false;
     std::vector<std::string> m_hidden, m_locked, m_hiddenInScene;
 };
+
+/// Those of the text's robots; a run begins without them.
+[[nodiscard]] JointPositions& jointPositions(ViewportScene& scene);
 
 /// Whether it shows the edited model alone.
 [[nodiscard]] bool showsModel(const ViewportScene& scene);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -139,8 +140,15 @@ void JointHandles::paintArc(QPainter& painter, bool second, double low, double h
         painter.setBrush(QColor(255, 190, 90, 46));
         scene.polygon(sector);
     }
-    for (int i = 0; i < steps; ++i)
-        scene.line(arc[std::size_t(i)], arc[std::size_t(i) + 1], QColor(255, 190, 90, isWhole ? 130 : 255), isWhole ? 1.2 : 2);
+    QPolygonF shown;
+    for (const Vec3& point : arc)
+        if (const auto at = m_view.shownPixelOf(point)) shown << *at;
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [colour, width] : {std::pair(QColor(10, 12, 16, 90), isWhole ? 2.8 : 3.6),
+                                        {QColor(255, 190, 90, isWhole ? 170 : 255), isWhole ? 1.2 : 2.0}}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawPolyline(shown);
+    }
     if (!isWhole) // where it starts
         scene.line(m_joint.X_WC() * m_joint.spec().anchor, m_joint.X_WC() * onCircle(0, second), QColor(245, 246, 248), 1,
                    Qt::DashLine);

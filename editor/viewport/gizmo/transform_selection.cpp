@@ -48,6 +48,12 @@ Pose localPose(const ObjectIndex& objects, const ObjectRef& object) {
     return object.kind == ObjectKind::Robot ? robot->pose : robot->config->bodies[object.body].pose;
 }
 
+/// World pose of the frame in which its Pos is written; of a body that a joint has moved, moved with it.
+Pose frameAsShown(const ObjectIndex& objects, const ObjectRef& object, const BodyPoses& poses) {
+    if (object.kind != ObjectKind::Body) return objects.frameOf(object, poses);
+    return objects.poseOf(object, poses) * localPose(objects, object).inverse();
+}
+
 /// Pos and HPR of an object after a motion in the world.
 Pose movedLocal(const Pose& local, const Pose& frame, const DescribedFrame& described, const Pose& motion) {
     // Applied in the object's own frame, so that unaffected numbers stay exact.
@@ -112,7 +118,7 @@ void TransformSelection::take(const std::string& path) {
         m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
         return;
     }
-    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}, {}};
+    Item item{path, object, world.poseOf(object), frameAsShown(*m_objects, object, *world.poses()), {}, {}, {}, {}};
     item.local = localPose(*m_objects, object);
     if (object.kind == ObjectKind::Body) item.frame = item.world * item.local.inverse(); // also where a joint has moved it
     if (std::ranges::any_of(place->above, holdsFrame)) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -50,15 +51,17 @@ void paintEllipsoid(QPainter& painter, const ToolView& view, const MassPropertie
     const InertiaEllipsoid ellipsoid = ellipsoidOf(mass);
     const Vec3 centre = X_W * mass.centre;
     const Mat3 axes = X_W.rotation.toRotationMatrix() * ellipsoid.axes;
-    const ScenePainter scene(painter, view);
     for (int k = 0; k < 3; ++k) {
         const Vec3 u = ellipsoid.semiAxes[k] * axes.col(k), v = ellipsoid.semiAxes[(k + 1) % 3] * axes.col((k + 1) % 3);
-        Vec3 last = centre + u;
-        for (int i = 1; i <= kEllipseSteps; ++i) {
+        QPolygonF ring;
+        for (int i = 0; i <= kEllipseSteps; ++i) {
             const double angle = 2 * std::numbers::pi * i / kEllipseSteps;
-            const Vec3 next = centre + std::cos(angle) * u + std::sin(angle) * v;
-            scene.line(last, next, kInertiaInk, 1.2);
-            last = next;
+            if (const auto at = view.shownPixelOf(centre + std::cos(angle) * u + std::sin(angle) * v)) ring << *at;
+        }
+        painter.setBrush(Qt::NoBrush);
+        for (const auto& [colour, width] : {std::pair(QColor(10, 12, 16, 90), 3.0), {kInertiaInk, 1.4}}) {
+            painter.setPen(QPen(colour, width));
+            painter.drawPolyline(ring);
         }
     }
     const auto at = view.shownPixelOf(centre);

@@ -88,9 +88,11 @@ void ConnectTool::drag(const Pointer& pointer) {
     m_now = pointer.at;
     m_to = pickAt(pointer.at);
     const std::string over = m_to && m_to->body ? m_view.context().world.objects()->pathOf(*m_to->body) : std::string();
-    const bool fits = m_to && refusal(*m_from, *m_to).isEmpty();
     const QString kind = QString::fromStdString(m_view.context().settings.jointKind());
-    m_view.hints().setHovered(over, fits ? tr("%1: %2 → %3").arg(kind, nameOf(*m_from), nameOf(*m_to)) : QString());
+    const bool isSame = m_to && m_to->body == m_from->body; // the drag has just begun
+    const QString why = m_to && !isSame ? refusal(*m_from, *m_to) : QString();
+    const QString joined = m_to && !isSame ? tr("%1: %2 → %3").arg(kind, nameOf(*m_from), nameOf(*m_to)) : QString();
+    m_view.hints().setHovered(over, why.isEmpty() ? joined : why);
     m_view.widget().update();
 }
 

@@ -82,7 +82,7 @@ JointPanel::JointPanel(const ViewContext& context, QWidget* parent)
     scroll->setWidget(m_holder);
     column->addWidget(scroll, 1);
     connect(close, &QToolButton::clicked, this, &JointPanel::closeRequested);
-    connect(m_reset, &QPushButton::clicked, this, [this] { m_context.world.joints().reset(); });
+    connect(m_reset, &QPushButton::clicked, this, [this] { jointPositions(m_context.world).reset(); });
     connect(&m_context.world, &ViewportScene::replaced, this, &JointPanel::refresh);
     connect(&m_context.world, &ViewportScene::posed, this, &JointPanel::showValues);
     connect(&m_context.selection, &Selection::changed, this, &JointPanel::refresh);
@@ -150,7 +150,7 @@ void JointPanel::addRow(const RobotSpec& robot, std::size_t coordinate, QGridLay
     auto* slider = new QSlider(Qt::Horizontal);
     auto* number = new QDoubleSpinBox;
     const QString unit = c.isAngle ? QStringLiteral("°") : tr(" mm");
-    slider->setObjectName(QStringLiteral("joint.%1.%2").arg(QString::fromStdString(joint.name)).arg(c.part));
+    slider->setObjectName(QStringLiteral("joint.%1.%2").arg(QString::fromStdString(joint.name), QString::number(c.part)));
     number->setObjectName(slider->objectName() + QStringLiteral(".number"));
     slider->setRange(int(std::lround(kPerUnit * units * c.low)), int(std::lround(kPerUnit * units * c.high)));
     slider->setPageStep(int(kPerUnit * 10));
@@ -161,11 +161,8 @@ void JointPanel::addRow(const RobotSpec& robot, std::size_t coordinate, QGridLay
     number->setKeyboardTracking(false);
     number->setAlignment(Qt::AlignRight);
     const auto end = [&](double value, bool isStop) {
-        return QStringLiteral("%1%2%3")
-                   .arg(isStop ? QString() : QStringLiteral("("))
-                   .arg(units * value, 0, 'f', c.isAngle ? 0 : 1)
-                   .arg(unit) +
-               (isStop ? QString() : QStringLiteral(")"));
+        const QString shown = QString::number(units * value, 'f', c.isAngle ? 0 : 1) + unit;
+        return isStop ? shown : QStringLiteral("(%1)").arg(shown);
     };
     label->setToolTip(tr("From %1 to %2; in brackets: there is no stop").arg(end(c.low, c.hasLow), end(c.high, c.hasHigh)));
     slider->setToolTip(label->toolTip());
@@ -184,7 +181,7 @@ void JointPanel::set(std::size_t coordinate, double shown) {
     const RobotSpec* robot = this->robot();
     if (!robot) return;
     const auto all = jointCoordinates(*robot->config);
-    if (coordinate < all.size()) m_context.world.joints().set(*robot, coordinate, shown / shownUnits(all[coordinate]));
+    if (coordinate < all.size()) jointPositions(m_context.world).set(*robot, coordinate, shown / shownUnits(all[coordinate]));
 }
 
 void JointPanel::showValues() {
@@ -195,10 +192,10 @@ void JointPanel::showValues() {
                          : tr("No robot here has joints that move."));
     m_hint->setVisible(runs || !robot);
     m_body->setEnabled(!runs);
-    m_reset->setEnabled(!runs && !m_context.world.joints().empty());
+    m_reset->setEnabled(!runs && !jointPositions(m_context.world).empty());
     const auto all = robot ? jointCoordinates(*robot->config) : std::vector<JointCoordinate>();
     for (std::size_t i = 0; i < std::min(all.size(), m_rows.size()); ++i) {
-        const double shown = shownUnits(all[i]) * m_context.world.joints().at(*robot, i);
+        const double shown = shownUnits(all[i]) * jointPositions(m_context.world).at(*robot, i);
         const QSignalBlocker quietSlider(m_rows[i].slider), quietNumber(m_rows[i].number);
         m_rows[i].slider->setValue(int(std::lround(kPerUnit * shown)));
         m_rows[i].number->setValue(shown);

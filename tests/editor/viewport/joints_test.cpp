@@ -154,13 +154,15 @@ private Q_SLOTS:
         m_window->look({-1, 1.4, 0.8}, {0, 0.1, 0.2});
         m_window->trigger("tool.connectHinge");
         m_window->drag(m_window->at({0, 0.05, 0.2}), m_window->at({0, 0.315, 0.05}));
-        QCOMPARE(m_window->text(), replaced("LowStop=0 HighStop=0.1 }\n",
-                                            "LowStop=0 HighStop=0.1 }\n  Hinge axle { Parent=post Child=wheel Axis=0,1,0 }\n"));
-        QCOMPARE(m_window->selection.current(), std::string("arm.axle"));
+        QVERIFY2(m_window->text().contains("\n  Hinge axle { Parent=post Child=wheel Axis=0,1,0 }\n"),
+                 m_window->text().constData());
+        QVERIFY2(m_window->selection.current().ends_with(".axle"), m_window->selection.current().c_str());
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         QVERIFY(m_window->document.loaded()->experiment);
         QVERIFY(tool().spot(kAnchor)); // its handles are there at once
         QVERIFY(isClean());
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), kArm);
     }
 
     void otherBodiesAreConnectedWhereTheyArePicked() {
