@@ -55,8 +55,6 @@ public:
     /// Visible objects along a ray, nearest first; locked ones only if `alsoLocked`.
     [[nodiscard]] std::vector<RayHit> hitsAlong(const ViewRay& ray, bool alsoLocked = false) const;
 
-    /// Of the text's robots; a run begins without them.
-    [[nodiscard]] JointPositions& joints() { return m_joints; }
     [[nodiscard]] DraggedObject& dragged() { return m_dragged; }
     [[nodiscard]] const DraggedObject& dragged() const { return m_dragged; }
 

@@ -120,7 +120,6 @@ void TransformSelection::take(const std::string& path) {
     }
     Item item{path, object, world.poseOf(object), frameAsShown(*m_objects, object, *world.poses()), {}, {}, {}, {}};
     item.local = localPose(*m_objects, object);
-    if (object.kind == ObjectKind::Body) item.frame = item.world * item.local.inverse(); // also where a joint has moved it
     if (std::ranges::any_of(place->above, holdsFrame)) {
         item.described = describedFrame(*m_context.document.loaded(), *place);
         if (object.kind == ObjectKind::Body || object.kind == ObjectKind::StaticGeom) { // its Pos is in the frame of its Part
