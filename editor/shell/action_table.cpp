@@ -105,7 +105,7 @@ static constexpr ActionRow kTable[] = {
     {"tool.connectFixed", "Insert/Connect Bodies", "&Fixed",     "kind-fixed",  "",               "Drag from one body to another: the second one is held to the first.", true},
     {"tool.connectBall", "Insert/Connect Bodies", "&Ball",       "kind-ball",   "",               "Drag from one body to another: the second one turns about a point.", true},
     {"tool.connectUniversal", "Insert/Connect Bodies", "&Universal", "kind-universal", "",        "Drag from one body to another: the second one turns about two axes.", true},
-    {"tool.connectSuspension", "Insert/Connect Bodies", "S&uspension", "kind-suspension", "",     "Drag from one body to a wheel: it turns about its axle on a spring.", true},
+    {"tool.connectSuspension", "Insert/Connect Bodies", "Sus&pension", "kind-suspension", "",    "Drag from one body to a wheel: it turns about its axle on a spring.", true},
     {"tool.drawWalls", "Insert",      "Draw &Walls",             "kind-wall",   "",               "Draw walls on the floor, corner by corner; a typed number is the length.", true},
     {"tool.drawLine",  "Insert",      "Draw &Line on the Floor", "kind-groundsensor",    "",               "Draw a black line for ground sensors on the floor, corner by corner; a typed number is the length.", true},
     {"arena.room",     "Insert",      "R&oom…",                  "kind-wall",   "",               "Put the walls of a room around the origin, with a door if you like."},
