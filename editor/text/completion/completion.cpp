@@ -229,9 +229,10 @@ private:
             controlled = controlled || (kind && kind->role == Role::Controller && !here);
         }
         const Part* own = m_place.parts.empty() ? nullptr : m_place.parts.back();
-        const bool isInRepeat = own && own->isRepeat() && m_place.config;
+        const bool isInRepeat = own && own->isRepeat();
+        const std::string around = m_place.config ? m_place.config->kind->name : std::string(); // a Repeat
         for (const Kind* kind : m_loaded.registry->inside(parent)) {
-            if (isInRepeat && !isAllowedInside(*kind, m_place.config->kind->name)) continue;
+            if (isInRepeat && !isAllowedInside(*kind, around)) continue;
             if (kind->role != Role::Controller || !controlled) block(*kind);
         }
     }
