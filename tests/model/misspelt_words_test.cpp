@@ -23,7 +23,8 @@ std::vector<std::string> misspelt(const std::string& word) {
 /// The text of a block in a place where its kind is allowed.
 std::string placed(const Kind& kind, const std::string& block) {
     const std::vector<std::string> parents = allowedParents(kind);
-    if (parents.empty() || std::ranges::find(parents, std::string()) != parents.end()) return block + "\n";
+    if (parents.empty() || std::ranges::find(parents, std::string()) != parents.end())
+        return "Material zz { }\n" + block + "\n"; // no file of blocks for import
     for (const char* config : {"RobotConfig", "StaticConfig", "PartConfig"})
         if (isAllowedInside(kind, config)) return std::string(config) + " Outer {\n" + block + "\n}\n";
     if (isAllowedInside(kind, "Body")) return "RobotConfig Outer { Body b {\n" + block + "\n} }\n";
@@ -66,7 +67,8 @@ private Q_SLOTS:
                 for (const std::string& typo : misspelt(property.name)) {
                     if (kind->find(typo)) continue;
                     const bool isSetting = kind->role == Role::Settings;
-                    const std::string line = typo + "=1", block = isSetting ? line : kind->name + " x { " + line + " }";
+                    const std::string line = typo + "=1",
+                                      block = isSetting ? "Seed=1\n" + line : kind->name + " x { " + line + " }";
                     const std::string said = suggestionFor(placed(*kind, block), typo);
                     QVERIFY2(said == property.name, (typo + " for " + property.name + " of " + kind->name + ": " + said).c_str());
                     ++asked;

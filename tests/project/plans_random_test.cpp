@@ -200,7 +200,7 @@ private Q_SLOTS:
                                                : static_cast<unsigned>(file.size() * 7 + style.size());
         RandomNumbers rng(seed);
         for (int i = 0; i < count; ++i) {
-            const Throw thrown = file == "parts_kit" ? throwPlan(*loaded, rng, std::size_t(i) * 7) : throwPlan(*loaded, rng);
+            const Throw thrown = file == "parts_kit" ? throwPlan(*loaded, rng, std::size_t(i) * 11) : throwPlan(*loaded, rng);
             if (!thrown.plan.ok()) {
                 QVERIFY2(!thrown.plan.error().message.empty(), thrown.what.c_str());
                 continue;
