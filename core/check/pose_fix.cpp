@@ -24,7 +24,7 @@ double roundedShift(double from, double shift) {
 
 std::optional<Fix> moveFix(const LoadedProject& loaded, const RobotSpec& robot, const Vec3& offset) {
     std::optional<ObjectLocation> place = placeOf(loaded, robot.name);
-    if (!place || !place->part) return std::nullopt;
+    if (!place || !place->part || !place->around.empty()) return std::nullopt; // of a Repeat: it would move all members
     const bool sideways = std::abs(offset.x()) > 1e-9 || std::abs(offset.y()) > 1e-9;
     const bool layout = place->part->is(Role::Layout);
     if (layout && (sideways || place->part->kind->name != "Grid")) return std::nullopt;

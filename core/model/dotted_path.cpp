@@ -54,4 +54,19 @@ std::optional<MemberName> memberName(std::string_view name) {
     return member;
 }
 
+bool isMemberOf(std::string_view name, std::string_view of) {
+    const std::optional<MemberName> member = memberName(name);
+    return member && member->stem == of;
+}
+
+std::optional<std::string_view> restBehind(std::string_view path, std::string_view name) {
+    while (!name.empty()) {
+        const std::string_view word = firstWord(path), wanted = firstWord(name);
+        if (word != wanted && !isMemberOf(wanted, word)) return std::nullopt;
+        path = withoutFirstWord(path);
+        name = withoutFirstWord(name);
+    }
+    return path;
+}
+
 } // namespace trundle

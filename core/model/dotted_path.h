@@ -50,6 +50,11 @@ struct MemberName {
     std::string_view stem; ///< "swarm"
     std::size_t index = 0;
 };
+/// Whether a name is that of a member of something: "swarm_12" of "swarm".
+[[nodiscard]] bool isMemberOf(std::string_view name, std::string_view of);
+/// What follows behind the words of `name` in a path that begins with it, or with that of all the members it is one of: "hull" for
+/// the name "row_3.cart" and the path "row.cart.hull". Empty: the path is not longer. Nothing if it does not begin so.
+[[nodiscard]] std::optional<std::string_view> restBehind(std::string_view path, std::string_view name);
 /// Nothing if a name does not have that form.
 [[nodiscard]] std::optional<MemberName> memberName(std::string_view name);
 

@@ -56,6 +56,17 @@ private:
     std::vector<SourceBlock> m_found;
 };
 
+void checkMemberNames(const NameSpace& world, Diagnostics& diagnostics) {
+    for (const Part* part : world.all()) {
+        const std::optional<MemberName> member = memberName(part->name);
+        const Part* repeat = member ? world.find(member->stem) : nullptr;
+        if (!repeat || !repeat->isRepeat()) continue;
+        Diagnostic& d = diagnostics.error(Code::DuplicateName, part->nameRange(),
+                                          "the name " + part->name + " belongs to a member of " + repeat->title());
+        d.notes.push_back({"defined here", repeat->nameRange()});
+    }
+}
+
 } // namespace
 
 const NameSpace* Outline::spaceOf(const Kind& kind) const {
@@ -70,6 +81,7 @@ const NameSpace* Outline::spaceOf(const Kind& kind) const {
     case Role::Look:
     case Role::Joint: // at the top level, between robots
     case Role::Region:
+    case Role::Repeat: // at the top level
     case Role::Log: return &world;
     default: return nullptr;
     }
@@ -117,8 +129,23 @@ std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, st
         if (!namers.try_emplace(space, diagnostics).first->second.name(*part)) part->usable = false;
         else space->add(*part);
     }
+    checkMemberNames(outline->world, diagnostics);
     outline->linkParts();
     return outline;
+}
+
+static void addFirstMembers(const Part& part, const std::string& before, std::vector<std::pair<const Part*, std::string>>& all) {
+    const bool hasMembers = part.isRepeat() || part.is(Role::Layout);
+    const std::string name = before + part.name + (hasMembers ? "_0" : "");
+    all.emplace_back(&part, name);
+    for (const Part& inner : part.parts)
+        if (part.isRepeat() && inner.usable && inner.kind) addFirstMembers(inner, name + ".", all);
+}
+
+std::vector<std::pair<const Part*, std::string>> firstMembers(const Outline& outline) {
+    std::vector<std::pair<const Part*, std::string>> all;
+    for (const Part* part : outline.world.all()) addFirstMembers(*part, {}, all);
+    return all;
 }
 
 const Part* layoutOfMember(const Outline& outline, std::string_view name) {

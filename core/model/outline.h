@@ -48,6 +48,20 @@ private:
     std::shared_ptr<const Registry> m_registry;
 };
 
+/// Calls `visit(part, path)` for each block of the world; of a Repeat also, behind it, for those in it: "row.cart".
+template <class Visit> void eachInWorld(const Part& part, const std::string& path, const Visit& visit) {
+    visit(part, path);
+    if (!part.isRepeat()) return;
+    for (const Part& inner : part.parts)
+        if (inner.usable && inner.kind) eachInWorld(inner, path + "." + inner.name, visit);
+}
+template <class Visit> void eachInWorld(const Outline& outline, const Visit& visit) {
+    for (const Part* part : outline.world.all()) eachInWorld(*part, part->name, visit);
+}
+
+/// Everything in the world with its name, of a Grid, Scatter or Repeat that of the first member: "swarm_0", "row_0.cart".
+[[nodiscard]] std::vector<std::pair<const Part*, std::string>> firstMembers(const Outline& outline);
+
 /// The Grid or Scatter of a member: `swarm` for "swarm_12".
 [[nodiscard]] const Part* layoutOfMember(const Outline& outline, std::string_view name);
 

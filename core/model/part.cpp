@@ -44,8 +44,19 @@ const SourceParam* Part::param(std::string_view key) const {
 }
 
 const Part* NameSpace::find(std::string_view name) const {
-    const auto it = m_byName.find(name);
-    return it == m_byName.end() ? nullptr : it->second;
+    const auto own = [&](std::string_view word) {
+        const auto it = m_byName.find(word);
+        return it == m_byName.end() ? nullptr : it->second;
+    };
+    if (const Part* part = own(name)) return part;
+    std::string_view rest = name;
+    const std::optional<MemberName> member = memberName(firstWord(rest));
+    const Part* part = own(firstWord(rest));
+    if (!part && member) part = own(member->stem);
+    for (; part && firstWord(rest) != rest; part = part->isRepeat() ? part->find(firstWord(rest)) : nullptr)
+        rest = withoutFirstWord(rest);
+    const bool isNamed = part && (part->isRepeat() || name != firstWord(name));
+    return isNamed ? part : nullptr;
 }
 
 std::vector<std::string> NameSpace::names() const {

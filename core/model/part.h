@@ -26,6 +26,7 @@ struct Part {
     std::string name;           ///< given or generated: box, box2 ...
     std::uint32_t order = 0;    ///< of its top-level block
     bool usable = true;         ///< false: misplaced, unknown or a duplicate name
+    bool isInWorld = false;     ///< of a Repeat: at the top level, not in a config
     AssignmentList assignments;
     std::vector<SourceParam> params;
     std::vector<Part> parts;                            ///< inner blocks, in order
@@ -64,6 +65,7 @@ template <class Visit> void eachPartUse(const Part& config, const Visit& visit) 
 /// Parts with unique names, in order.
 class NameSpace {
 public:
+    /// Also of what is in a Repeat, "row_3.cart" or "row.cart", with its name, and of a member, "row_3", its Repeat.
     [[nodiscard]] const Part* find(std::string_view name) const;
     [[nodiscard]] const std::vector<const Part*>& all() const { return m_all; }
     [[nodiscard]] std::vector<std::string> names() const;

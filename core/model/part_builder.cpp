@@ -32,14 +32,21 @@ std::string lowerFirst(std::string word) {
 } // namespace
 
 void PartBuilder::findFragment(const BlockView& top) {
-    const auto isInner = [&](const SourceBlock& block) {
-        const Kind* kind = m_registry.find(block.block->type.text);
-        return block.file != 0 ||
-               (kind && kind->role != Role::Settings && (!allows(nullptr, *kind) || kind->role == Role::Joint));
-    };
+    const auto isInner = [&](const SourceBlock& block) { return block.file != 0 || belongsInside(*block.block); };
     const auto isOwn = [](const auto& what) { return what.file == 0; };
     m_isFragment = std::ranges::any_of(top.blocks, isOwn) && std::ranges::all_of(top.blocks, isInner) &&
                    std::ranges::none_of(top.assignments.all(), isOwn);
+}
+
+/// Whether a block is written for another block: a Repeat is if what it repeats is.
+bool PartBuilder::belongsInside(const BlockItem& block) const {
+    const Kind* kind = m_registry.find(block.type.text);
+    if (!kind || kind->role == Role::Settings) return false;
+    if (kind->role != Role::Repeat) return !allows(nullptr, *kind) || kind->role == Role::Joint;
+    return std::ranges::any_of(block.items, [&](const Item& item) {
+        const auto* inner = item.as<BlockItem>();
+        return inner && belongsInside(*inner);
+    });
 }
 
 Part PartBuilder::build(const SourceBlock& placed, const Part* parent, std::uint32_t order) {
@@ -52,6 +59,7 @@ Part PartBuilder::build(const SourceBlock& placed, const Part* parent, std::uint
     if (placed.block->name) part.name = placed.block->name->text;
     if (!parent) m_config = part.is(Role::Config) ? part.kind : nullptr;
     part.usable = fits(part, parent);
+    part.isInWorld = part.isRepeat() && !m_config;
     if (part.kind) fill(part, placed.file);
     return part;
 }
@@ -111,16 +119,18 @@ void PartBuilder::nameParts(Part& part) {
     }
 }
 
-/// What is in a Repeat is in the config that holds it, too.
+/// What is in a Repeat is in the config that holds it, or at the top level, too.
 bool PartBuilder::allows(const Part* parent, const Kind& kind) const {
     const bool isInRepeat = parent && parent->isRepeat();
-    return isAllowedInside(kind, kindIn(parent)) && (!isInRepeat || !m_config || isAllowedInside(kind, m_config->name));
+    const std::string_view around = m_config ? std::string_view(m_config->name) : std::string_view();
+    return isAllowedInside(kind, kindIn(parent)) && (!isInRepeat || isAllowedInside(kind, around));
 }
 
 std::string PartBuilder::placeOf(const Part* parent) const {
     if (!parent) return "at the top level";
     const bool isInRepeat = parent->isRepeat() && m_config;
-    return "in " + withArticle(kindIn(parent)) + (isInRepeat ? " of " + withArticle(m_config->name) : std::string());
+    const std::string around = isInRepeat ? " of " + withArticle(m_config->name) : parent->isRepeat() ? " at the top level" : "";
+    return "in " + withArticle(kindIn(parent)) + around;
 }
 
 bool PartBuilder::fits(Part& part, const Part* parent) {
@@ -128,7 +138,8 @@ bool PartBuilder::fits(Part& part, const Part* parent) {
         unknownKind(part, parent);
         return false;
     }
-    const bool isOfFragment = !parent && m_isFragment && part.file == 0 && part.is(Role::Joint); // joins what is beside it there
+    const bool isOfFragment =
+        !parent && m_isFragment && part.file == 0 && (part.is(Role::Joint) || part.isRepeat()); // joins what is beside it there
     if (!isOfFragment && allows(parent, *part.kind)) return true;
     const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && isAllowedInside(*part.kind, "Body");
     if (!loose) misplaced(part, parent); // loose geoms get a message of their own, with a fix
@@ -179,7 +190,8 @@ void PartBuilder::misplaced(const Part& part, const Part* parent) {
                                    "; what is in it is checked with the file that imports it there");
         return;
     }
-    const bool top = legal.size() == 1 && legal[0].empty();
+    const bool top = std::ranges::all_of(
+        legal, [](const std::string& place) { return place.empty() || place == "Repeat" || place == "Ring"; });
     std::string text =
         part.block->type.text + " is allowed " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
     m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);

@@ -23,6 +23,7 @@ private:
     void fill(Part& part, FileId file);
     void checkParams(const Part& config);
     void nameParts(Part& part);
+    [[nodiscard]] bool belongsInside(const BlockItem& block) const;
     [[nodiscard]] bool allows(const Part* parent, const Kind& kind) const;
     [[nodiscard]] std::string placeOf(const Part* parent) const;
     [[nodiscard]] bool fits(Part& part, const Part* parent);

@@ -1,7 +1,7 @@
 #include "model/resolver.h"
 
-
 #include "base/spelling.h"
+#include "model/dotted_path.h"
 #include "model/resolve/resolve_steps.h"
 #include "schema/value_words.h"
 
@@ -9,11 +9,14 @@ namespace trundle {
 
 namespace {
 
+constexpr std::size_t kMostNames = 500; // that a message chooses from
+
 std::vector<std::string> robotNames(const ResolveContext& context) {
     std::vector<std::string> names;
-    for (const Part* part : context.outline.world.all()) {
+    for (const Part* part : context.outline.world.all())
         if (part->kind->name == "Robot" || part->is(Role::Layout)) names.push_back(part->name);
-    }
+    for (const RobotSpec& robot : context.out.robots) // in Repeats
+        if (!robot.scenery && robot.name.find('.') != std::string::npos && names.size() < kMostNames) names.push_back(robot.name);
     return names;
 }
 
@@ -23,9 +26,13 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
     std::vector<std::string> names;
     for (const std::string& name : value.value.texts) {
         const Part* part = context.outline.world.find(name);
-        if (!part && layoutOfMember(context.outline, name)) {
-            bool there = false;
-            for (const RobotSpec& robot : context.out.robots) there = there || robot.name == name;
+        const bool isInRepeat = part && name.find('.') != std::string::npos;
+        if ((!part && layoutOfMember(context.outline, name)) || isInRepeat) {
+            const bool isForAll = isInRepeat && property.maxCount > 1; // `row.cart` names all members
+            const bool there = std::ranges::any_of(context.out.robots, [&](const RobotSpec& robot) {
+                const auto rest = isForAll ? restBehind(name, robot.name) : std::nullopt;
+                return robot.name == name || (rest && rest->empty());
+            });
             if (!there && !context.out.robots.empty()) {
                 context.unknownReference(property.name, "robot", name, value.range, false, robotNames(context));
                 return false;
@@ -41,9 +48,10 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
             suggest(d, name, robotNames(context), value.range);
             return false;
         }
-        if (part && part->is(Role::Layout) && property.maxCount > 1) {
+        if (part && (part->is(Role::Layout) || isInRepeat) && property.maxCount > 1) {
             for (const RobotSpec& robot : context.out.robots) {
-                if (robot.range == part->range) names.push_back(robot.name);
+                const auto rest = robot.range == part->range ? restBehind(name, robot.name) : std::nullopt;
+                if (rest && rest->empty()) names.push_back(robot.name);
             }
         } else {
             names.push_back(name);
@@ -64,26 +72,45 @@ void reportDefaults(ResolveContext& context) {
     context.diagnostics.hint(Code::DefaultUsed, part->nameRange(), text);
 }
 
+/// Where a lamp or the sun of a member of a Repeat is.
+void placeLight(const ExpandedPart& expanded, ComponentSpec& light) {
+    const auto numbersOf = [&](const char* key) -> std::vector<double>* {
+        const auto it = light.values.find(key);
+        return it != light.values.end() && it->second.value.numbers.size() == 3 ? &it->second.value.numbers : nullptr;
+    };
+    if (!expanded.frame->use) return;
+    const auto put = [](std::vector<double>& numbers, const Vec3& v) { numbers = {v.x(), v.y(), v.z()}; };
+    if (auto* pos = numbersOf("Pos")) put(*pos, expanded.placed({Vec3(pos->data()), Quat::Identity()}).position);
+    if (auto* direction = numbersOf("Direction")) put(*direction, expanded.placed(Pose{}).rotation * Vec3(direction->data()));
+}
+
+void resolveLog(ResolveContext& context, AppearanceChecker& looks, const ExpandedPart& expanded) {
+    const Part& part = *expanded.part;
+    ParamScope scope(expanded.frame->scope);
+    scope.declare(part.params);
+    Record record = context.read(part, scope, nullptr, Origin::Config);
+    bool good = record.complete;
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+        const Property& property = record.kind->properties[i];
+        const bool robots =
+            property.type == PropertyType::Reference && std::count(property.choices.begin(), property.choices.end(), "Robot");
+        if (!robots || !record.values[i] || record.values[i]->origin == Origin::Default) continue;
+        good = checkRobots(context, property, *record.values[i]) && good;
+    }
+    looks.check(record, part);
+    if (!good) return;
+    ComponentSpec spec = componentFrom(record, part);
+    spec.name = expanded.name();
+    if (part.kind->name == "Light") placeLight(expanded, spec);
+    (part.is(Role::Log) ? context.out.logs : context.out.looks).push_back(std::move(spec));
+}
+
 } // namespace
 
-void resolveLogs(ResolveContext& context) {
+void resolveLogs(ResolveContext& context, PartExpansion& world) {
     AppearanceChecker looks(context);
-    for (const Part* part : context.outline.world.all()) {
-        if (!part->is(Role::Log) && !part->is(Role::Look)) continue;
-        ParamScope scope(&context.globals);
-        scope.declare(part->params);
-        Record record = context.read(*part, scope, nullptr, Origin::Config);
-        bool good = record.complete;
-        for (std::size_t i = 0; i < record.values.size(); ++i) {
-            const Property& property = record.kind->properties[i];
-            const bool robots =
-                property.type == PropertyType::Reference && std::count(property.choices.begin(), property.choices.end(), "Robot");
-            if (!robots || !record.values[i] || record.values[i]->origin == Origin::Default) continue;
-            good = checkRobots(context, property, *record.values[i]) && good;
-        }
-        looks.check(record, *part);
-        if (good) (part->is(Role::Log) ? context.out.logs : context.out.looks).push_back(componentFrom(record, *part));
-    }
+    world.each(Role::Log, [&](const ExpandedPart& part) { resolveLog(context, looks, part); });
+    world.each(Role::Look, [&](const ExpandedPart& part) { resolveLog(context, looks, part); });
 }
 
 std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLookup& assets, Diagnostics& diagnostics) {
@@ -94,10 +121,11 @@ std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLooku
     resolveMaterials(context);
     resolveSurfaces(context);
     resolveRadio(context);
-    resolveInstances(context);
-    resolveLinks(context);
+    PartExpansion world(context);
+    resolveInstances(context, world);
+    resolveLinks(context, world);
     checkRadios(context);
-    resolveLogs(context);
+    resolveLogs(context, world);
     checkFrameLogs(context);
     reportDefaults(context);
     return experiment;

@@ -136,7 +136,12 @@ private:
 
 PathStart startOfPath(const Outline& outline, std::span<const std::string> path) {
     if (path.empty()) return {};
-    if (const Part* part = outline.world.find(path[0])) return {part, 1};
+    if (const Part* part = outline.world.find(path[0])) {
+        std::size_t words = 1;
+        for (const Part* inner = part; part->isRepeat() && words < path.size() && (inner = part->find(path[words])); ++words)
+            part = inner;
+        return {part, words};
+    }
     const Kind* kind = outline.registry().find(path[0]);
     const NameSpace* space = kind && path.size() > 2 ? outline.spaceOf(*kind) : nullptr;
     const Part* part = space ? space->find(path[1]) : nullptr;

@@ -8,6 +8,7 @@
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_node.h"
+#include "editor/outline/row_members.h"
 #include "editor/running/session.h"
 #include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
@@ -150,8 +151,7 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
 
 /// Creates the rows on the way to a member: its range of members, then the member's own row.
 QModelIndex OutlineModel::indexOfMember(const std::string& layout, const std::string& name) {
-    const std::vector<RobotSpec>& robots = m_rows->loaded()->experiment->robots;
-    const auto robot = std::size_t(std::ranges::find(robots, name, &RobotSpec::name) - robots.begin());
+    const std::size_t robot = numberOfMember(*m_rows->loaded()->experiment, name);
     QModelIndex at = indexOf(layout);
     while (at.isValid()) {
         if (canFetchMore(at)) fetchMore(at);

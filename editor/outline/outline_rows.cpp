@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "editor/outline/row_blocks.h"
+#include "editor/outline/row_members.h"
 #include "model/config_blocks.h"
 #include "model/passive_objects.h"
 #include "project/loading/search.h"
@@ -30,11 +31,16 @@ std::vector<std::string> wordsOf(const std::string& filter) {
     return words;
 }
 
+bool holdsScenery(const Part& layout, const Part* config) {
+    return layout.is(Role::Layout) && config && config->kind->name == "StaticConfig";
+}
+
 OutlineGroup plainGroupOf(const Part& part) {
     if (!part.usable || !part.kind) return OutlineGroup::Misplaced;
     switch (part.kind->role) {
     case Role::Instance: return part.kind->name == "Static" ? OutlineGroup::Scenery : OutlineGroup::Robots;
     case Role::Layout: return OutlineGroup::Robots;
+    case Role::Repeat: return part.parts.empty() ? OutlineGroup::Robots : plainGroupOf(part.parts.front());
     case Role::Joint: return OutlineGroup::Joints;
     case Role::Region: return OutlineGroup::Regions;
     case Role::Look: return OutlineGroup::Looks;
@@ -76,26 +82,6 @@ std::string configText(const LoadedProject& loaded, const Part& instance) {
 
 std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-using Members = std::unordered_map<const Part*, std::pair<std::size_t, std::size_t>>;
-
-/// The robots of one Grid or Scatter are contiguous in the experiment.
-Members membersOf(const LoadedProject& loaded) {
-    Members members;
-    std::unordered_map<std::uint64_t, const Part*> layouts; // by file and start of their block
-    const auto placeOf = [](const SourceRange& r) { return (std::uint64_t(r.file) << 32) | r.range.begin; };
-    for (const auto& part : loaded.outline->parts)
-        if (part->is(Role::Layout) && part->usable) layouts.emplace(placeOf(part->range), part.get());
-    if (layouts.empty()) return members;
-    const std::vector<RobotSpec>& robots = loaded.experiment->robots;
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-        const auto layout = layouts.find(placeOf(robots[i].range));
-        if (layout == layouts.end()) continue;
-        const auto [range, isNew] = members.try_emplace(layout->second, i, i);
-        range->second.second = i + 1;
-    }
-    return members;
-}
-
 /// Adds the blocks inside that are from another file than the block around them.
 void gather(const std::vector<Part>& parts, FileId around, std::unordered_map<FileId, std::vector<const Part*>>& blocks) {
     for (const Part& part : parts) {
@@ -136,8 +122,9 @@ OutlineRows::OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMod
 }
 
 OutlineGroup OutlineRows::groupOf(const Part& part) const {
-    const OutlineGroup group = plainGroupOf(part);
-    return group == OutlineGroup::Robots && isPassive(part, configOf(*m_loaded, part)) ? OutlineGroup::Objects : group;
+    const Part* config = configOf(*m_loaded, part);
+    const OutlineGroup group = holdsScenery(part, config) ? OutlineGroup::Scenery : plainGroupOf(part);
+    return group == OutlineGroup::Robots && isPassive(part, config) ? OutlineGroup::Objects : group;
 }
 
 std::vector<OutlineRow> OutlineRows::top() const {
@@ -249,7 +236,7 @@ void OutlineRows::addMembers(Rows& rows, const OutlineRow& above, std::size_t fi
 }
 
 OutlineRow OutlineRows::membersRow(const OutlineRow& above, std::size_t first, std::size_t last, bool all) const {
-    const std::vector<RobotSpec>& robots = m_loaded->experiment->robots;
+    const ExperimentSpec& e = *m_loaded->experiment;
     OutlineRow row;
     row.type = OutlineRow::Type::Members;
     row.part = above.part;
@@ -260,7 +247,7 @@ OutlineRow OutlineRows::membersRow(const OutlineRow& above, std::size_t first, s
     row.first = first;
     row.last = last;
     row.hasRows = last > first;
-    row.name = all ? "Members" : robots[first].name + " … " + robots[last - 1].name;
+    row.name = all ? "Members" : nameOfMember(e, first) + " … " + nameOfMember(e, last - 1);
     row.key = all ? "members" : "members " + std::to_string(first - m_members.at(above.part).first);
     row.detail = std::to_string(last - first);
     row.tip = "They have no text of their own: replace the " + (above.part->kind ? above.part->kind->name : "Grid") +
@@ -268,9 +255,9 @@ OutlineRow OutlineRows::membersRow(const OutlineRow& above, std::size_t first, s
     return row;
 }
 
-OutlineRow OutlineRows::memberRow(const OutlineRow& above, std::size_t robot) const {
+OutlineRow OutlineRows::memberRow(const OutlineRow& above, std::size_t member) const {
     OutlineRow row;
-    row.name = row.key = row.path = m_loaded->experiment->robots[robot].name;
+    row.name = row.key = row.path = nameOfMember(*m_loaded->experiment, member);
     row.member = row.selectable = true;
     row.passive = above.passive;
     row.markable = above.markable;
@@ -370,7 +357,7 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
         row.detail =
             (part.is(Role::Layout) ? countOf(*m_loaded, part) : "") + (config ? config->name : configText(*m_loaded, part));
         // A config that contains an instance of itself (an error) would recurse without end.
-        const bool isEndless = above.type == OutlineRow::Type::Object && !part.isPartUse();
+        const bool isEndless = above.type == OutlineRow::Type::Object && !part.isPartUse() && !above.part->isInWorld;
         if (m_mode == OutlineMode::ByOwner && !isEndless) row.config = config;
         row.hasRows |= row.config && (isVariant(*row.config) || !row.config->parts.empty());
         row.hasRows |= m_members.contains(&part);
@@ -409,10 +396,10 @@ bool OutlineRows::leads(const OutlineRow& row) const {
         return leads(*row.part) || (row.config && leads(*row.config));
     }
     case OutlineRow::Type::Members: {
-        const auto from = m_loaded->experiment->robots.begin();
-        const std::string& detail = row.config ? row.config->name : row.part->name;
-        return std::any_of(from + std::ptrdiff_t(row.first), from + std::ptrdiff_t(row.last),
-                           [&](const RobotSpec& robot) { return says(robot.name, detail, ""); });
+        bool isAny = false;
+        for (std::size_t i = row.first; i < row.last && !isAny; ++i)
+            isAny = says(nameOfMember(*m_loaded->experiment, i), row.config ? row.config->name : row.part->name, "");
+        return isAny;
     }
     case OutlineRow::Type::Group: {
         const auto& parts = m_groups[std::size_t(row.group)];

@@ -89,7 +89,7 @@ private:
     void addParts(Rows& rows, const OutlineRow& above) const;
     void addMembers(Rows& rows, const OutlineRow& above, std::size_t first, std::size_t last) const;
     [[nodiscard]] OutlineRow membersRow(const OutlineRow& above, std::size_t first, std::size_t last, bool all) const;
-    [[nodiscard]] OutlineRow memberRow(const OutlineRow& above, std::size_t robot) const;
+    [[nodiscard]] OutlineRow memberRow(const OutlineRow& above, std::size_t member) const;
     [[nodiscard]] OutlineGroup groupOf(const Part& part) const;
     [[nodiscard]] Rows fileBlocks(const OutlineRow& above) const;
     void keep(Rows& rows, OutlineRow row, const OutlineRow& above) const;

@@ -55,9 +55,9 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
                 if (fits(*part, choices)) found.push_back(part->name);
     if (config) addInside(*config, {}, choices, wantsGeom(*loaded.registry, choices), found);
     if (!config && names("Body")) // of a joint between robots
-        for (const Part* part : outline.world.all())
+        for (const auto& [part, name] : firstMembers(outline))
             if (const Part* used = isPlaced(*part) ? configOf(loaded, *part) : nullptr)
-                addInside(*used, part->name + (part->is(Role::Layout) ? "_0." : "."), choices, false, found);
+                addInside(*used, name + ".", choices, false, found);
     const bool looks = names("Material") || names("Surface");
     if (looks && !std::count(found.begin(), found.end(), "default")) found.insert(found.begin(), "default");
     if (names("world")) found.emplace_back("world");
@@ -66,8 +66,9 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
 
 std::vector<std::string> robotNames(const LoadedProject& loaded) {
     std::vector<std::string> names;
-    for (const Part* part : loaded.outline->world.all())
-        if (part->is(Role::Layout) || (part->kind && part->kind->name == "Robot")) names.push_back(part->name);
+    eachInWorld(*loaded.outline, [&](const Part& part, const std::string& path) {
+        if (part.is(Role::Layout) || part.kind->name == "Robot") names.push_back(path);
+    });
     return names;
 }
 

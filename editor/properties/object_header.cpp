@@ -11,6 +11,7 @@
 #include "editor/widgets/theme.h"
 #include "model/dotted_path.h"
 #include "project/edits/plans.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {
@@ -29,6 +30,15 @@ qsizetype firstPathStep(const ObjectValues& object, const QStringList& words) {
     const bool byKind =
         !object.instance() && words.size() > 1 && object.loaded().registry->find(words[0].toStdString()) != nullptr;
     return byKind ? 2 : 1;
+}
+
+/// The Repeat at the top level of which the path names a member: the text has one block for all of them. Empty: there is none.
+QString repeatOf(const ObjectValues& object) {
+    const auto place = placeOf(object.loaded(), object.shownPath());
+    if (!place) return {};
+    for (const auto& [repeat, member] : place->members)
+        if (repeat->isInWorld) return toQString(repeat->name);
+    return {};
 }
 
 } // namespace
@@ -154,9 +164,9 @@ void ObjectHeader::showConfig(const ObjectValues& object) {
     }
     if (const QString target = targetWords(object, m_document); !target.isEmpty() && !object.member())
         line += QStringLiteral("<br>") + faint(target.toHtmlEscaped());
-    if (object.member())
-        line += QStringLiteral("<br>") +
-                faint(tr("One of %1: a change here applies to all of them.").arg(toQString(object.path())).toHtmlEscaped());
+    const QString of = object.member() ? toQString(object.path()) : repeatOf(object);
+    if (!of.isEmpty())
+        line += QStringLiteral("<br>") + faint(tr("One of %1: a change here applies to all of them.").arg(of).toHtmlEscaped());
     m_config->setText(line);
     m_config->setVisible(!line.isEmpty());
 }

@@ -15,14 +15,14 @@ struct Section {
 };
 
 const Section kCommon[] = {
-    {QT_TRANSLATE_NOOP("QObject", "Place"), {"Pos", "HPR", "Anchor", "Anchor2", "Axis", "Axis2"}},
+    {QT_TRANSLATE_NOOP("QObject", "Place"), {"Pos", "HPR", "In", "Mirror", "Anchor", "Anchor2", "Axis", "Axis2"}},
     {QT_TRANSLATE_NOOP("QObject", "Mass"), {"Mass", "Density", "CenterOfMass", "Inertia"}},
     {QT_TRANSLATE_NOOP("QObject", "Appearance and contact"), {"Material", "Surface", "Collide", "Visible"}},
     {QT_TRANSLATE_NOOP("QObject", "Schedule"), {"UpdatePeriod", "Isolation", "Budget"}},
 };
 const Section kSettings[] = {
     {QT_TRANSLATE_NOOP("QObject", "Time"), {"Tick", "Duration", "Seed"}},
-    {QT_TRANSLATE_NOOP("QObject", "Physics"), {"Engine", "Gravity", "Solver", "Iterations", "ErrorReduction"}},
+    {QT_TRANSLATE_NOOP("QObject", "Physics"), {"Engine", "Gravity", "Solver", "Iterations", "ErrorReduction", "NoContact"}},
     {QT_TRANSLATE_NOOP("QObject", "About"), {"Title", "Description"}},
 };
 
@@ -40,8 +40,8 @@ QString sectionOf(const Kind& kind, const Property& property) {
         return title ? QObject::tr(title) : QObject::tr("Controllers");
     }
     const bool geometry = kind.role == Role::Body || kind.role == Role::Geom || kind.role == Role::Joint ||
-                          kind.role == Role::Instance || kind.role == Role::Layout || kind.role == Role::Device ||
-                          kind.role == Role::Controller;
+                          kind.role == Role::Instance || kind.role == Role::Layout || kind.role == Role::Repeat ||
+                          kind.role == Role::Region || kind.role == Role::Device || kind.role == Role::Controller;
     const char* title = geometry ? titleIn(kCommon, property.name) : nullptr;
     return title ? QObject::tr(title) : QString::fromStdString(kind.name);
 }

@@ -46,6 +46,7 @@ StartPoses startPoses(const LoadedProject& loaded, const std::function<std::opti
         const std::optional<Pose> now = poseNow(robot.name);
         if (now && !isElsewhere(*now, robot.pose)) continue;
         const Part* layout = loaded.outline->world.find(robot.name) ? nullptr : layoutOfMember(*loaded.outline, robot.name);
+        const bool isInRepeat = robot.name.find('.') != std::string::npos;
         const QString name = QString::fromStdString(layout ? layout->name : robot.name);
         if (!now) {
             if (leftOut.empty() || leftOut.back() != name) leftOut.append(name);
@@ -55,6 +56,11 @@ StartPoses startPoses(const LoadedProject& loaded, const std::function<std::opti
             all.refusal = trPoses("%1 moved: members of a Grid or Scatter have no start pose of their own. Replace %2 by single "
                                   "instances first.")
                               .arg(QString::fromStdString(robot.name), name);
+            all.values.clear();
+            return all;
+        }
+        if (isInRepeat) {
+            all.refusal = trPoses("%1 moved: what is in a Repeat has no start pose of its own.").arg(name);
             all.values.clear();
             return all;
         }

@@ -1,19 +1,11 @@
 #include "editor/sensors/shown_devices.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "model/dotted_path.h"
 
 namespace trundle {
 namespace {
-
-/// "swarm_3" is a member of the Grid "swarm".
-bool isMemberOf(const std::string& robot, std::string_view layout) {
-    if (robot.size() <= layout.size() + 1 || !robot.starts_with(layout) || robot[layout.size()] != '_') return false;
-    return std::all_of(robot.begin() + std::ptrdiff_t(layout.size()) + 1, robot.end(),
-                       [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
-}
 
 bool refersTo(const ComponentSpec& device, std::string_view part) {
     return std::ranges::any_of(device.values, [part](const auto& item) {
@@ -51,9 +43,9 @@ std::vector<std::string> devicesOf(const ExperimentSpec& experiment, const std::
     std::vector<std::string> devices;
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
-        const bool fits = ofConfig ? robot.config->name == first : robot.name == first || isMemberOf(robot.name, first);
-        if (!fits) continue;
-        std::ranges::copy(devicesOf(robot, part), std::back_inserter(devices));
+        const auto rest = ofConfig ? std::optional(part) : restBehind(path, robot.name);
+        if (!rest || (ofConfig && robot.config->name != first)) continue;
+        std::ranges::copy(devicesOf(robot, *rest), std::back_inserter(devices));
         if (ofConfig) break;
     }
     return devices;

@@ -1,4 +1,5 @@
 // Random plans on random objects of the shipped configs: the result is a valid text that keeps all other objects, and undo restores it.
+#include <optional>
 #include <random>
 
 #include <QTest>
@@ -32,9 +33,11 @@ std::vector<std::string> pathsOf(const LoadedProject& loaded) {
     std::vector<std::string> paths;
     for (const auto& part : loaded.outline->parts) {
         collect(loaded, *part, {}, paths);
-        if (!isPlaced(*part)) continue;
-        const Part* config = configOf(loaded, *part);
-        if (config) inside(*config, part->name, paths);
+        if (!part->usable || !part->kind) continue;
+        eachInWorld(*part, part->name, [&](const Part& placed, const std::string& path) {
+            const Part* config = isPlaced(placed) && !placed.isPartUse() ? configOf(loaded, placed) : nullptr;
+            if (config) inside(*config, path, paths);
+        });
     }
     for (const Part* config : loaded.outline->configs.all())
         for (const Part& part : config->parts)
@@ -78,11 +81,11 @@ private:
 struct Throw {
     std::string what;
     Result<EditPlan> plan;
+    std::string path = {}; ///< of the object
 };
 
-Throw throwPlan(const LoadedProject& loaded, RandomNumbers& rng) {
-    const std::vector<std::string> paths = pathsOf(loaded);
-    const std::string path = rng.of(paths), other = rng.of(paths);
+Throw planFor(const LoadedProject& loaded, RandomNumbers& rng, const std::vector<std::string>& paths, const std::string& path) {
+    const std::string other = rng.of(paths);
     static const std::vector<std::string> names{"alpha",     "robot0", "chassis", "wheel", "red",  "swarm_1", "box",
                                                 "leftMotor", "world",  "9",       "a b",   "hull", "brain"};
     const std::vector<std::string> several =
@@ -127,6 +130,15 @@ Throw throwPlan(const LoadedProject& loaded, RandomNumbers& rng) {
     case 10: return {"repeat " + all, planRepeat(loaded, several, 1 + int(rng.below(3)), {0.1, 0, 0.2})};
     default: return {"singles " + path, planReplaceBySingles(loaded, path)};
     }
+}
+
+/// `turn`: which object gets its turn; nothing: any.
+Throw throwPlan(const LoadedProject& loaded, RandomNumbers& rng, std::optional<std::size_t> turn = std::nullopt) {
+    const std::vector<std::string> paths = pathsOf(loaded);
+    const std::string path = turn && !paths.empty() ? paths[*turn % paths.size()] : rng.of(paths);
+    Throw thrown = planFor(loaded, rng, paths, path);
+    thrown.path = path;
+    return thrown;
 }
 
 /// The edits that undo a plan: they replace each new range with its old text.
@@ -188,11 +200,13 @@ private Q_SLOTS:
                                                : static_cast<unsigned>(file.size() * 7 + style.size());
         RandomNumbers rng(seed);
         for (int i = 0; i < count; ++i) {
-            const Throw thrown = throwPlan(*loaded, rng);
+            const Throw thrown = file == "parts_kit" ? throwPlan(*loaded, rng, std::size_t(i) * 11) : throwPlan(*loaded, rng);
             if (!thrown.plan.ok()) {
                 QVERIFY2(!thrown.plan.error().message.empty(), thrown.what.c_str());
                 continue;
             }
+            if (const auto place = placeOf(*loaded, thrown.path); place && place->part && place->part->kind)
+                ++m_edited[place->part->kind->name];
             const EditPlan& plan = thrown.plan.value();
             const Texts before = PlanFixture::textsOf(*loaded), after = PlanFixture::after(*loaded, plan);
             QVERIFY2(!after.empty(), thrown.what.c_str());
@@ -220,6 +234,12 @@ private Q_SLOTS:
         QVERIFY2(done > count / 6, "hardly any plan could be carried out");
     }
 
+    void editsAllKindsOfParts() {
+        for (const char* kind : {"PartConfig", "Part", "Repeat", "Ring", "RobotConfig", "StaticConfig", "Grid", "Region",
+                                 "Spring", "Latch", "Robot", "Static", "Body", "Slider"})
+            QVERIFY2(m_edited[kind] > 0, kind);
+    }
+
     /// Texts with every kind of error: the edits of a plan fit the text and add no syntax errors.
     void brokenTexts() {
         namespace fs = std::filesystem;
@@ -242,6 +262,9 @@ private Q_SLOTS:
         }
         QVERIFY(done > 20);
     }
+
+private:
+    std::map<std::string, int> m_edited; ///< plans that were made, by the kind of their object
 };
 
 QTEST_APPLESS_MAIN(PlansRandomTest)

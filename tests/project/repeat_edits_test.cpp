@@ -165,6 +165,63 @@ private Q_SLOTS:
         QVERIFY(!planRename(*m_loaded, "RobotConfig.Kit.hub", "spoke_77").ok());
     }
 
+    /// At the top level: paths, values, edits and names.
+    void repeatsOfTheWorld() {
+        m_loaded =
+            m_fixture.open("Material red { } Surface floor { }\nRobotConfig Cart { Param m = 1 Body b { Box hull { Size=1,1,1 "
+                           "Mass=$m Material=red Surface=floor } } }\n"
+                           "Repeat row { Count=3 Pos=0,$(2*index),0\n  Robot a { Config=Cart m=$(1+index) } Robot c { "
+                           "Config=Cart Pos=1.5,0,0 }\n"
+                           "  Fixed f { Parent=a.b Child=c.b } }\n"
+                           "Fixed g { Parent=row_0.a.b Child=row_1.c.b }\nPoseLog log { Robot=row.a }\n");
+        QVERIFY(m_loaded);
+        QCOMPARE(messages(*m_loaded), std::string());
+        for (const char* path : {"row_2.a", "row.a", "row_2.a.b.hull", "row.f"}) {
+            const auto place = placeOf(*m_loaded, path);
+            QVERIFY2(place && place->part, path);
+            QCOMPARE(place->members.size(), std::size_t(std::string(path).find('_') != std::string::npos));
+        }
+        QVERIFY(!placeOf(*m_loaded, "row_2.b"));
+        const auto mass = [&](const char* path) { return ObjectValues(m_loaded, path).property("Mass")->value->numbers.at(0); };
+        QCOMPARE(mass("row_2.a.b.hull"), 3.0);
+        QCOMPARE(mass("row.a.b.hull"), 1.0);
+        const DescribedFrame frame = describedFrame(*m_loaded, *placeOf(*m_loaded, "row_2.c"));
+        QCOMPARE(frame.pose.position, Vec3(0, 4, 0));
+        const auto edited = [&](const char* path) {
+            ConfigUsers users;
+            const EditTarget found = targetOfValue(*m_loaded, path, users);
+            const Result<FileEdits> edits = editsForValues(*m_loaded, {{found.path, std::string("9")}});
+            EditPlan plan;
+            if (edits.ok()) plan.edits = edits.value();
+            return QString::fromStdString(m_fixture.text(m_loaded, plan));
+        };
+        QVERIFY2(edited("row_1.a.m").contains("Robot a { Config=Cart m=9 }"), qPrintable(edited("row_1.a.m")));
+        QVERIFY2(edited("row_1.a.b.hull.Mass").contains("m=$(1+index) b.hull.Mass=9 }"),
+                 qPrintable(edited("row_1.a.b.hull.Mass")));
+        QVERIFY2(edited("row.Count").contains("Repeat row { Count=9"), qPrintable(edited("row.Count")));
+        const auto renamed = [&](const char* path, const char* name) {
+            const auto after = m_fixture.apply(m_loaded, planRename(*m_loaded, path, name));
+            return after && messages(*after).empty() ? QString::fromStdString(std::string(after->trees[0]->source().bytes()))
+                                                     : QString::fromStdString(after ? messages(*after) : std::string("no plan"));
+        };
+        const QString robot = renamed("row.a", "cart");
+        for (const char* text : {"Parent=cart.b", "row_0.cart.b", "Robot=row.cart"})
+            QVERIFY2(robot.contains(text), qPrintable(robot));
+        const QString repeat = renamed("row", "line");
+        for (const char* text : {"Repeat line", "line_0.a.b Child=line_1.c.b", "Robot=line.a"})
+            QVERIFY2(repeat.contains(text), qPrintable(repeat));
+        const QString body = renamed("RobotConfig.Cart.b", "box");
+        for (const char* text : {"Parent=a.box", "row_1.c.box"}) QVERIFY2(body.contains(text), qPrintable(body));
+        for (const char* kind : {"Repeat", "Ring", "Robot", "Static", "Region", "Light"}) {
+            for (const char* parent : {"", "row"}) {
+                const auto plan = planInsert(*m_loaded, parent, templateOf(*m_loaded, *m_loaded->registry->find(kind), parent));
+                const auto after = m_fixture.apply(m_loaded, plan);
+                QVERIFY2(after, plan.ok() ? kind : plan.error().message.c_str());
+                QVERIFY2(messages(*after).empty(), (std::string(kind) + " in " + parent + ": " + messages(*after)).c_str());
+            }
+        }
+    }
+
     /// What a template inserts is valid, at every place that may hold one.
     void templatesAreValid_data() {
         QTest::addColumn<QString>("kind");

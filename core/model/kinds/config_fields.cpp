@@ -54,6 +54,7 @@ void BodyFields::describe(Describe<BodyFields>& d) {
     d.help("One rigid body of a robot: its geoms and its mass.");
     d.field("Pos", &BodyFields::pos, position(), "Position of its frame in the config frame.");
     d.field("HPR", &BodyFields::hpr, angles(), "Heading, pitch and roll in the config frame.");
+    d.field("In", &BodyFields::in, reference("Body"), "The body in whose frame Pos and HPR are, in place of the config's.");
     d.field("Mass", &BodyFields::mass, kilograms().above(0).atMost(1e9),
             "Spread evenly over its geoms, which then have no mass of their own.");
     d.field("CenterOfMass", &BodyFields::centreOfMass, position(), "In the body's frame; from the geoms where absent.");

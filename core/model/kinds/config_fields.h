@@ -12,6 +12,7 @@ namespace trundle {
 
 struct BodyFields {
     std::array<double, 3> pos{0, 0, 0}, hpr{0, 0, 0};
+    std::optional<std::string> in;
     std::optional<double> mass;
     std::optional<std::array<double, 3>> centreOfMass;
     std::optional<std::vector<double>> inertia; ///< three or six numbers

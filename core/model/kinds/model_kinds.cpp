@@ -35,16 +35,19 @@ void addModelKinds(Registry& registry) {
     kinds.add<PartConfigFields>("PartConfig", Role::Config, {""});
     const std::vector<std::string> anyConfig{"RobotConfig", "StaticConfig", "PartConfig", "Repeat", "Ring"};
     kinds.add<PartFields>("Part", Role::Instance, anyConfig);
-    kinds.add<RepeatFields>("Repeat", Role::Repeat, anyConfig);
-    kinds.add<RingFields>("Ring", Role::Repeat, anyConfig);
-    kinds.add<RobotFields>("Robot", Role::Instance, {""});
-    kinds.add<StaticFields>("Static", Role::Instance, {""});
+    std::vector<std::string> anywhere = anyConfig;
+    anywhere.emplace_back();
+    kinds.add<RepeatFields>("Repeat", Role::Repeat, anywhere);
+    kinds.add<RingFields>("Ring", Role::Repeat, anywhere);
+    const std::vector<std::string> inWorld{"", "Repeat", "Ring"};
+    kinds.add<RobotFields>("Robot", Role::Instance, inWorld);
+    kinds.add<StaticFields>("Static", Role::Instance, inWorld);
     kinds.add<GridFields>("Grid", Role::Layout, {""});
     kinds.add<ScatterFields>("Scatter", Role::Layout, {""});
-    kinds.add<LightFields>("Light", Role::Look, {""}, true);
+    kinds.add<LightFields>("Light", Role::Look, inWorld, true);
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
     kinds.add<ViewFields>("View", Role::Look, {""}, true);
-    kinds.add<RegionFields>("Region", Role::Region, {""});
+    kinds.add<RegionFields>("Region", Role::Region, inWorld);
     kinds.add<BodyFields>("Body", Role::Body, anyConfig);
     const std::vector<std::string> ground{"StaticConfig", "PartConfig", "Repeat", "Ring"};
     std::vector<std::string> solid{"Body"};
@@ -57,8 +60,7 @@ void addModelKinds(Registry& registry) {
     kinds.add<MeshFields>("Mesh", Role::Geom, solid, true);
     kinds.add<PlaneFields>("Plane", Role::Geom, ground, true);
     kinds.add<HeightfieldFields>("Heightfield", Role::Geom, ground, true);
-    std::vector<std::string> anyJointed = anyConfig;
-    anyJointed.emplace_back(); // at the top level between robots
+    const std::vector<std::string>& anyJointed = anywhere; // at the top level between robots
     kinds.add<HingeFields>("Hinge", Role::Joint, anyJointed);
     kinds.add<SliderFields>("Slider", Role::Joint, anyJointed);
     kinds.add<BallFields>("Ball", Role::Joint, anyJointed);

@@ -15,8 +15,9 @@ constexpr Quantity whole(double low, double high) {
 }
 
 template <class T> void describePose(Describe<T>& d, const char* config, const char* pos) {
-    d.field("Config", &PoseFields::config, reference(config).required(),
-            std::string("Name of the ") + config + " it is created from.");
+    std::string named = config;
+    if (const std::size_t bar = named.find('|'); bar != std::string::npos) named.replace(bar, 1, " or ");
+    d.field("Config", &PoseFields::config, reference(config).required(), "Name of the " + named + " it is created from.");
     d.field("Pos", &PoseFields::pos, position(), pos);
     d.field("HPR", &PoseFields::hpr, angles(), "Heading, pitch and roll.");
 }
@@ -36,9 +37,10 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
     d.field("Duration", &SettingsFields::duration, seconds().within(0, 1e9), "How long to simulate; 0 = until stopped.");
     d.field("Seed", &SettingsFields::seed, whole(0, kLargestWhole), "Start of all random numbers.");
     d.field("Gravity", &SettingsFields::gravity, metresPerSecondSquared().within(-1000, 1000), "Acceleration of free fall.");
-    d.field("Engine", &SettingsFields::engine, oneOf("auto|general|wheeled"),
-            "General holds everything. Wheeled is many times faster and holds robots on wheels, boxes, cylinders and balls on level "
-            "ground. Auto is wheeled where all of the experiment fits it.");
+    d.field(
+        "Engine", &SettingsFields::engine, oneOf("auto|general|wheeled"),
+        "General holds everything. Wheeled is many times faster and holds robots on wheels, boxes, cylinders and balls on level "
+        "ground. Auto is wheeled where all of the experiment fits it.");
     d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"),
             "Exact, quick, or chosen by the size of the largest cluster of contacts.");
     d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");
@@ -46,8 +48,9 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
             "Share of what a joint gapes that one tick closes (ODE's ERP). Less makes joints softer.");
     d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"),
             "Which controllers share a process of their own; not given: none in trundle-cli, module in the window.");
-    d.field("NoContact", &SettingsFields::noContact, reference("Robot|Grid|Scatter").counted(2, 1000),
-            "Pairs of robots that pass through each other: a,b or a,b, c,d. The name of a Grid or Scatter means all its members.");
+    d.field(
+        "NoContact", &SettingsFields::noContact, reference("Robot|Grid|Scatter").counted(2, 1000),
+        "Pairs of robots that pass through each other: a,b or a,b, c,d. The name of a Grid or Scatter means all its members.");
     d.field("Title", &SettingsFields::title, text(), "Name of the experiment.");
     d.field("Description", &SettingsFields::description, text(), "What the experiment is about.");
 }
@@ -106,6 +109,7 @@ void PartFields::describe(Describe<PartFields>& d) {
     d.help("One use of a PartConfig: what is in it gets the name of the Part in front, left.wheel. Takes values of the config's "
            "Params, and overrides by path.");
     describePose(d, "PartConfig", "Position of the part's frame in the config that it is in.");
+    d.field("In", &PartFields::in, reference("Body"), "The body in whose frame Pos and HPR are, in place of the config's.");
     d.field("Mirror", &PartFields::mirror, oneOf("none|x|y|z"),
             "The mirror image along this axis of the part's frame. What turns keeps its sense: a mirrored wheel drives forwards "
             "under the same command.");
@@ -113,17 +117,20 @@ void PartFields::describe(Describe<PartFields>& d) {
 
 void RepeatFields::describe(Describe<RepeatFields>& d) {
     d.help(
-        "Blocks of a config that are there several times: rollers, spokes, the links of a chain. Its members are name_0, name_1 "
+        "Blocks of a config, or of the world, that are there several times: rollers, spokes, the links of a chain. Its members "
+        "are name_0, name_1 "
         "... "
         "In $( ) in it, index is the number of the member, from 0; with Count=8,4 the first one counts fastest and index2 is the "
         "other.");
     d.field("Count", &RepeatFields::count, whole(1, 200000).required().counted(1, 2), "How many; or how many by how many.");
-    d.field("Pos", &RepeatFields::pos, position(), "Position of the member's frame in the config that it is in.");
+    d.field("Pos", &RepeatFields::pos, position(), "Position of the member's frame in the config or world that it is in.");
     d.field("HPR", &RepeatFields::hpr, angles(), "Heading, pitch and roll of the member's frame.");
+    d.field("In", &RepeatFields::in, reference("Body"), "The body in whose frame Pos and HPR are, in place of the config's.");
 }
 
 void RingFields::describe(Describe<RingFields>& d) {
-    d.help("Blocks of a config that are there several times in a circle: the rollers of a wheel, the sensors of a turret. Its "
+    d.help("Blocks of a config, or of the world, that are there several times in a circle: the rollers of a wheel, the sensors "
+           "of a turret. Its "
            "members "
            "are name_0, name_1 ..., each turned about Axis by its share of 360 degrees; in $( ) in it, index is its number.");
     d.field("Count", &RingFields::count, whole(1, 200000).required(), "How many.");
@@ -131,8 +138,9 @@ void RingFields::describe(Describe<RingFields>& d) {
         "Radius", &RingFields::radius, metres().within(0, kFarthestCoordinate).required(),
         "Distance of the members' frames from the axis. The first one is along x from the centre, along y if that is the axis.");
     d.field("Axis", &RingFields::axis, direction(), "Direction of the axis of the circle; need not have length 1.");
-    d.field("Pos", &RingFields::pos, position(), "Centre of the circle in the config that it is in.");
+    d.field("Pos", &RingFields::pos, position(), "Centre of the circle in the config or world that it is in.");
     d.field("HPR", &RingFields::hpr, angles(), "Heading, pitch and roll of the circle with its members.");
+    d.field("In", &RingFields::in, reference("Body"), "The body in whose frame Pos and HPR are, in place of the config's.");
 }
 
 void RobotFields::describe(Describe<RobotFields>& d) {
@@ -148,17 +156,18 @@ void StaticFields::describe(Describe<StaticFields>& d) {
 }
 
 void GridFields::describe(Describe<GridFields>& d) {
-    d.help("Equal robots in rows. Takes what a Robot takes; its members are name_0, name_1 ...");
-    describePose(d, "RobotConfig", "Centre of the pattern.");
+    d.help("Equal robots, or pieces of scenery, in rows. Takes what a Robot or Static takes; its members are name_0, name_1 ...");
+    describePose(d, "RobotConfig|StaticConfig", "Centre of the pattern.");
     d.field("Count", &GridFields::count, whole(1, 200000).required().counted(1, 2), "How many along x, and along y.");
     d.field("Spacing", &GridFields::spacing, metres().within(0, kFarthestCoordinate).required().counted(1, 2),
             "Distance between neighbours, or along x and along y.");
 }
 
 void ScatterFields::describe(Describe<ScatterFields>& d) {
-    d.help("Equal robots at random places clear of scenery and of each other. Takes what a Robot takes; its members are name_0, "
-           "name_1 ...");
-    describePose(d, "RobotConfig", "Origin of the area.");
+    d.help(
+        "Equal robots, or pieces of scenery, at random places clear of scenery and of each other. Takes what a Robot or Static "
+        "takes; its members are name_0, name_1 ...");
+    describePose(d, "RobotConfig|StaticConfig", "Origin of the area.");
     d.field("Count", &ScatterFields::count, whole(1, 200000).required(), "How many.");
     d.field("Area", &ScatterFields::area, position().required(), "x0, y0, x1, y1 about Pos.");
     d.field("MinDistance", &ScatterFields::minDistance, metres().within(0, kFarthestCoordinate),
@@ -197,7 +206,8 @@ void ViewFields::describe(Describe<ViewFields>& d) {
 }
 
 void RegionFields::describe(Describe<RegionFields>& d) {
-    d.help("A box in the world that reports which robots are in it: a goal, a lap line, a zone. Nothing touches it. A robot is inside "
+    d.help("A box in the world that reports which robots are in it: a goal, a lap line, a zone. Nothing touches it. A robot is "
+           "inside "
            "while the point that its pose reports is.");
     d.field("Pos", &RegionFields::pos, position(), "Position of its centre.");
     d.field("HPR", &RegionFields::hpr, angles(), "Heading, pitch and roll.");

@@ -71,12 +71,14 @@ struct StaticFields : PoseFields {
     static void describe(Describe<StaticFields>& d);
 };
 struct PartFields : PoseFields {
+    std::optional<std::string> in;
     std::string mirror = "none";
     static void describe(Describe<PartFields>& d);
 };
 /// Poses are those of one member.
 struct RepeatFields {
     std::vector<double> count;
+    std::optional<std::string> in;
     Triple pos{0, 0, 0}, hpr{0, 0, 0}; ///< m; rad
     static void describe(Describe<RepeatFields>& d);
 };
@@ -84,6 +86,7 @@ struct RepeatFields {
 struct RingFields {
     double count = 1, radius = 0;
     Triple axis{0, 0, 1}, pos{0, 0, 0}, hpr{0, 0, 0}; ///< m; rad
+    std::optional<std::string> in;
     static void describe(Describe<RingFields>& d);
 };
 struct GridFields : PoseFields {

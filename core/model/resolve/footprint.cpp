@@ -124,20 +124,30 @@ std::vector<Footprint> footprintsOf(const GeomSpec& geom, const Pose& pose) {
     return all;
 }
 
-RobotDisc discOf(const RobotConfigSpec& config) {
-    RobotDisc disc{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const BodySpec& body : config.bodies) {
-        for (const GeomSpec& geom : body.geoms) {
-            if (!geom.collide) continue;
-            double grown = 0;
-            for (const Vec3& p : outline(geom, grown)) {
-                const Vec3 q = body.pose * (geom.pose * p);
-                disc.radius = std::max(disc.radius, std::hypot(q.x(), q.y()) + grown);
-                disc.low = std::min(disc.low, q.z() - grown);
-                disc.high = std::max(disc.high, q.z() + grown);
-            }
+namespace {
+
+void add(RobotDisc& disc, const std::vector<GeomSpec>& geoms, const Pose& pose) {
+    for (const GeomSpec& geom : geoms) {
+        if (!geom.collide || geom.shape == GeomShape::Plane || geom.shape == GeomShape::Heightfield) continue;
+        double grown = 0;
+        for (const Vec3& p : outline(geom, grown)) {
+            const Vec3 q = pose * (geom.pose * p);
+            disc.radius = std::max(disc.radius, std::hypot(q.x(), q.y()) + grown);
+            disc.low = std::min(disc.low, q.z() - grown);
+            disc.high = std::max(disc.high, q.z() + grown);
         }
     }
+}
+
+} // namespace
+
+RobotDisc discOf(const RobotConfigSpec& config) { return discOf({}, &config); }
+
+RobotDisc discOf(const std::vector<GeomSpec>& geoms, const RobotConfigSpec* moving) {
+    RobotDisc disc{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    add(disc, geoms, Pose{});
+    if (moving)
+        for (const BodySpec& body : moving->bodies) add(disc, body.geoms, body.pose);
     if (disc.low > disc.high) disc.low = disc.high = 0;
     return disc;
 }

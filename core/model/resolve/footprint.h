@@ -28,5 +28,7 @@ struct RobotDisc {
     double radius = 0, low = 0, high = 0;
 };
 [[nodiscard]] RobotDisc discOf(const RobotConfigSpec& config);
+/// The same for scenery. `moving`: its bodies; null: there are none.
+[[nodiscard]] RobotDisc discOf(const std::vector<GeomSpec>& geoms, const RobotConfigSpec* moving);
 
 } // namespace trundle

@@ -61,6 +61,8 @@ Vec3 PartPlacement::mirroredAxis(const Vec3& axis, bool& isReversed) const {
     return isReversed ? Vec3(negated(image.x()), negated(image.y()), negated(image.z())) : image;
 }
 
+void PartPlacement::countFrom(const Pose& frame) { m_pose = PartPlacement(frame).pose(m_pose); }
+
 Pose PartPlacement::pose(const Pose& described) const {
     const Pose image{mirrored(described.position), mirrored(described.rotation)};
     if (m_pose.rotation.coeffs() == Quat::Identity().coeffs()) return {m_pose.position + image.position, image.rotation};

@@ -16,6 +16,8 @@ public:
     [[nodiscard]] bool isMirrored() const { return m_axis >= 0; }
 
     [[nodiscard]] Pose pose(const Pose& described) const;
+    /// From now on its pose is one in the frame that has this pose.
+    void countFrom(const Pose& frame);
     /// Bodies with their geoms, centre of mass and inertia. False, with a diagnostic, if something has no mirror image.
     [[nodiscard]] bool place(ResolveContext& context, BodySpec& body) const;
     /// A geom of a StaticConfig, whose frame is that of the part.

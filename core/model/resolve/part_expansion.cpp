@@ -55,6 +55,7 @@ void reportCircle(ResolveContext& context, const Part& use, SourceRange place, c
 
 const Part* PartFrame::find(std::string_view name) const {
     const std::string_view first = firstWord(name);
+    if (!config) return nullptr; // names in the world are looked up among the robots
     if (first != name)
         if (const auto it = inner.find(first); it != inner.end()) return it->second->find(withoutFirstWord(name));
     const Part* part = config->find(first);
@@ -83,19 +84,29 @@ PartExpansion::PartExpansion(ResolveContext& context, const Part& config, ParamS
     expand(root);
 }
 
+PartExpansion::PartExpansion(ResolveContext& context) : m_context(context), m_isScenery(true) {
+    PartFrame& root = m_frames.emplace_back();
+    root.scope = &context.globals;
+    for (const Part* part : context.outline.world.all())
+        if (!isFull()) add(root, *part);
+}
+
 /// The blocks of a config; of a variant first those of what it is a variant of, as if they were written in it.
 void PartExpansion::expand(PartFrame& frame, const Part& holder) {
     if (holder.config && holder.is(Role::Config)) expand(frame, *holder.config);
     for (const Part& part : holder.parts) {
         if (isFull()) return;
-        if (clashes(part, holder)) continue;
-        if (part.isPartUse() || part.isRepeat()) {
-            if (part.usable) part.isRepeat() ? expandRepeat(part, frame) : expandUse(part, frame);
-            continue;
-        }
-        if (frame.holder().use) checkContent(part, frame.holder());
-        m_parts.push_back({&part, &frame});
+        if (!clashes(part, holder)) add(frame, part);
     }
+}
+
+void PartExpansion::add(PartFrame& frame, const Part& part) {
+    if (part.isPartUse() || part.isRepeat()) {
+        if (part.usable) part.isRepeat() ? expandRepeat(part, frame) : expandUse(part, frame);
+        return;
+    }
+    if (frame.holder().use) checkContent(part, frame.holder());
+    m_parts.push_back({&part, &frame});
 }
 
 /// Whether a variant has a block with a name that is taken in what it is a variant of; reports it.
@@ -149,8 +160,12 @@ Record readConfig(ResolveContext& context, const Part& config, ParamScope& scope
 
 bool PartExpansion::isFull() {
     if (m_isFull || m_parts.size() + m_frames.size() <= kMaxObjects) return m_isFull;
-    m_context.diagnostics.error(Code::TooManyObjects, m_frames.front().config->nameRange(),
-                                m_frames.front().config->title() + " would hold more than 200000 objects");
+    if (const Part* config = m_frames.front().config)
+        m_context.diagnostics.error(Code::TooManyObjects, config->nameRange(),
+                                    config->title() + " would hold more than 200000 objects");
+    else
+        m_context.diagnostics.error(Code::TooManyObjects, m_frames.back().use->nameRange(),
+                                    "with " + m_frames.back().use->title() + " the world would hold more than 200000 objects");
     return m_isFull = true;
 }
 
@@ -199,8 +214,9 @@ bool PartExpansion::expandMember(const Part& repeat, PartFrame& outer, std::size
     if (!hasAxis)
         m_context.diagnostics.error(Code::BadJoint, record.rangeOf("Axis", repeat.nameRange()),
                                     "the Axis of " + repeat.title() + " is zero, it has no direction");
+    const bool isPlaced = takeIn(m_context, frame, record);
     nameUses(first, frame);
-    if (!record.complete || counts.empty() || !hasAxis) return false;
+    if (!record.complete || counts.empty() || !hasAxis || !isPlaced) return false;
     if (isRing) frame.placement = PartPlacement(memberPose(ring, member));
     else {
         const RepeatFields f = fieldsFrom<RepeatFields>(record);
@@ -236,8 +252,9 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
     own.declare(use.params);
     m_context.evaluator.checkAll(own);
     const Record record = readInstance(m_context, use, own, frame.given, frame.config, "PartConfig", outside);
+    const bool isPlaced = takeIn(m_context, frame, record);
     if (outer.use) nameUses(first, outer);
-    if (!frame.config) return;
+    if (!frame.config || !isPlaced) return;
     frame.prefix = outer.prefix + use.name + ".";
     if (isCircle(frame, record.rangeOf("Config", use.nameRange()))) return;
     OverrideNode& overrides = m_overrides.emplace_back();
@@ -253,6 +270,15 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
     m_context.evaluator.checkAll(*frame.scope);
     nameUses(values, frame);
     expand(frame);
+}
+
+/// The body that a Part or Repeat is placed from. False, with a diagnostic, if it names none.
+bool PartExpansion::takeIn(ResolveContext& context, PartFrame& frame, const Record& record) {
+    const std::optional<std::string> in = bodyOfIn(context, record, *frame.outer);
+    if (!in) return false;
+    frame.in = *in;
+    frame.inRange = record.rangeOf("In", frame.use->nameRange());
+    return true;
 }
 
 /// The Params of a part, from its use and from overrides outside of that. False, with a diagnostic, if one is missing.

@@ -13,14 +13,16 @@ namespace trundle {
 /// The blocks of one config: the config that is resolved, what one Part in it uses, or one member of a Repeat. Names are looked up in
 /// it, and those that a member of a Repeat does not have around it.
 struct PartFrame {
-    const Part* config = nullptr;     ///< of a member of a Repeat the Repeat itself
-    const Part* use = nullptr;        ///< the Part or Repeat; nullptr: it is the config that is resolved
-    const PartFrame* outer = nullptr; ///< of the config that holds the Part
-    std::string prefix;               ///< of its names: "left."
-    ParamScope* scope = nullptr;      ///< the Params of the config
+    const Part* config = nullptr; ///< of a member of a Repeat the Repeat itself; nullptr: it is the world
+    const Part* use = nullptr;    ///< the Part or Repeat; nullptr: it is the config that is resolved
+    PartFrame* outer = nullptr;   ///< of the config that holds the Part
+    std::string prefix;           ///< of its names: "left."
+    ParamScope* scope = nullptr;  ///< the Params of the config
     const OverrideNode* overrides = nullptr;
     bool isOpen = false; ///< a PartConfig by itself: what is outside is not known
     PartPlacement placement;
+    std::string in; ///< the body that the placement counts from, in the config that is resolved; empty: the frame of `outer`
+    SourceRange inRange;
     InstanceValues given;              ///< by the Part
     std::optional<std::size_t> member; ///< of a Repeat
     std::map<std::string, const PartFrame*, std::less<>> inner;
@@ -37,10 +39,15 @@ struct PartFrame {
 /// A block that is resolved, and the frame that it is described in.
 struct ExpandedPart {
     const Part* part = nullptr;
-    const PartFrame* frame = nullptr;
+    PartFrame* frame = nullptr;
 
     [[nodiscard]] const OverrideNode* overrides() const { return below(frame->overrides, part->name); }
     [[nodiscard]] std::string name() const { return frame->prefix + part->name; }
+    /// Puts a pose described in the innermost frame into the config that is resolved, or into the world.
+    [[nodiscard]] Pose placed(Pose pose) const {
+        for (const PartFrame* at = frame; at->use; at = at->outer) pose = at->placement.pose(pose);
+        return pose;
+    }
     /// The same for a device: on a body of the part or on one from outside.
     void place(ComponentSpec& device) const {
         const std::string body = device.text("Body");
@@ -62,13 +69,19 @@ class PartExpansion {
 public:
     /// `scope` has the Params of the config; it and `overrides` must outlive this.
     PartExpansion(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides);
+    /// The blocks of the world.
+    explicit PartExpansion(ResolveContext& context);
 
     [[nodiscard]] const std::vector<ExpandedPart>& parts() const { return m_parts; }
     /// Calls `resolve` for every usable block of a role; what is reported meanwhile names the Parts that it is used by.
-    template <class Resolve> void each(Role role, const Resolve& resolve) {
+    template <class Resolve> void each(Role role, const Resolve& resolve) { each(role, role, resolve); }
+    /// The same for two roles.
+    template <class Resolve> void each(Role role, Role other, const Resolve& resolve) {
         for (const ExpandedPart& part : m_parts) {
             const bool isRepeated = part.frame->isRepeated();
-            if (!part.part->usable || !part.part->is(role) || (isRepeated && m_faulty.contains(part.part))) continue;
+            if (!part.part->usable || !(part.part->is(role) || part.part->is(other)) ||
+                (isRepeated && m_faulty.contains(part.part)))
+                continue;
             const std::size_t first = m_context.diagnostics.all().size(), errors = m_context.diagnostics.errorCount();
             resolve(part);
             nameUses(first, *part.frame);
@@ -79,6 +92,7 @@ public:
 private:
     void expand(PartFrame& frame) { expand(frame, *frame.config); }
     void expand(PartFrame& frame, const Part& holder);
+    void add(PartFrame& frame, const Part& part);
     [[nodiscard]] const OverrideNode* withVariants(const Part& config, ParamScope& scope, const OverrideNode* outside);
     void addVariant(const Part& config, ParamScope& scope, OverrideNode& overrides);
     [[nodiscard]] bool clashes(const Part& part, const Part& holder);
@@ -88,6 +102,7 @@ private:
     void checkMembers(const Part& repeat, const PartFrame& outer, std::size_t count);
     [[nodiscard]] bool isFull();
     [[nodiscard]] bool takeParams(PartFrame& frame, const OverrideNode* outside, ParamScope& scope);
+    [[nodiscard]] static bool takeIn(ResolveContext& context, PartFrame& frame, const Record& record);
     [[nodiscard]] bool isCircle(const PartFrame& frame, SourceRange place);
     void checkContent(const Part& part, const PartFrame& frame);
     void nameUses(std::size_t first, const PartFrame& frame);

@@ -194,6 +194,22 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
     return good;
 }
 
+std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& record, const PartFrame& frame) {
+    Record own = record; // the config that a Part names is none of the names in a config
+    for (std::size_t i = 0; i < own.values.size(); ++i)
+        if (own.kind->properties[i].name != "In") own.values[i].reset();
+    const ResolvedValue* value = own.find("In");
+    if (!value || value->value.texts.empty()) return std::string();
+    if (!frame.config) {
+        context.diagnostics.error(Code::WrongPlace, value->range,
+                                  "In places what is in a config; at the top level there are no bodies to count from");
+        return std::nullopt;
+    }
+    if (!context.checkReferences(own, frame)) return std::nullopt;
+    const std::string& name = own.find("In")->value.texts[0];
+    return name == "world" ? std::string() : name;
+}
+
 std::uint32_t ResolveContext::mirroredSurface(std::uint32_t surface) {
     const SurfaceSpec& described = out.surfaces[surface];
     if (!described.friction2 || described.frictionHeading == 0) return surface;

@@ -45,6 +45,7 @@ public:
         else if (!readMass()) return std::nullopt;
         return std::move(m_body);
     }
+    [[nodiscard]] const Record& record() const { return m_record; }
 
 private:
     SourceRange place(const char* property) const { return m_record.rangeOf(property, m_part.nameRange()); }
@@ -160,8 +161,14 @@ private:
 
 } // namespace
 
-std::optional<BodySpec> resolveBody(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides) {
-    return BodyReader(context, part, scope, overrides).read();
+std::optional<BodySpec> resolveBody(ResolveContext& context, const ExpandedPart& expanded, std::string& in, SourceRange& place) {
+    BodyReader reader(context, *expanded.part, *expanded.frame->scope, expanded.overrides());
+    std::optional<BodySpec> body = reader.read();
+    const std::optional<std::string> named = bodyOfIn(context, reader.record(), *expanded.frame);
+    if (!body || !named) return std::nullopt;
+    in = *named;
+    place = reader.record().rangeOf("In", expanded.part->nameRange());
+    return body;
 }
 
 } // namespace trundle

@@ -4,6 +4,7 @@
 
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
+#include "model/resolve/relative_poses.h"
 #include "model/resolve/resolve_steps.h"
 #include "schema/value_words.h"
 
@@ -55,17 +56,38 @@ std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Expand
     return device;
 }
 
+void resolveBodies(ResolveContext& context, PartExpansion& expansion, BodyIndices& places, RobotConfigSpec& spec) {
+    RelativePoses poses(context);
+    std::map<const Part*, std::map<const PartFrame*, BodySpec>> described;
+    expansion.each(Role::Body, [&](const ExpandedPart& part) {
+        std::string in;
+        SourceRange place;
+        std::optional<BodySpec> body = resolveBody(context, part, in, place);
+        if (!body) return;
+        poses.add(part, body->pose, in, place);
+        described[part.part].emplace(part.frame, std::move(*body));
+    });
+    expansion.each(Role::Body, [&](const ExpandedPart& part) { // a pose may count from a body further down
+        const auto bodies = described.find(part.part);
+        if (bodies == described.end()) return;
+        const auto it = bodies->second.find(part.frame);
+        if (it == bodies->second.end()) return;
+        BodySpec& body = it->second;
+        body.name = part.name();
+        const std::optional<Pose> pose = poses.of(body.name);
+        if (!pose) return;
+        body.pose = *pose;
+        if (!part.place(body, context)) return;
+        places.emplace(body.name, static_cast<int>(spec.bodies.size()));
+        spec.bodies.push_back(std::move(body));
+    });
+}
+
 /// Behind the bodies that the spec already has.
 void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfigSpec& spec) {
     BodyIndices places;
     JoinedPairs pairs;
-    expansion.each(Role::Body, [&](const ExpandedPart& part) {
-        std::optional<BodySpec> body = resolveBody(context, *part.part, *part.frame->scope, part.overrides());
-        if (!body || !part.place(*body, context)) return;
-        body->name = part.name();
-        places.emplace(body->name, static_cast<int>(spec.bodies.size()));
-        spec.bodies.push_back(std::move(*body));
-    });
+    resolveBodies(context, expansion, places, spec);
     const auto isKind = [](const ExpandedPart& part, std::string_view kind) { return part.part->kind->name == kind; };
     expansion.each(Role::Joint, [&](const ExpandedPart& part) {
         if (isKind(part, "Gear")) return;

@@ -99,6 +99,9 @@ private:
 [[nodiscard]] inline Pose poseOf(const std::array<double, 3>& pos, const std::array<double, 3>& hpr) {
     return {vec3(pos), rotationFromHpr(vec3(hpr))};
 }
+/// What `In` names in the config that is resolved, checked; empty: it is not given, or is the world. Nothing, with a diagnostic, if
+/// it is wrong.
+[[nodiscard]] std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& record, const PartFrame& frame);
 [[nodiscard]] ComponentSpec componentFrom(const Record& record, const Part& part);
 
 } // namespace trundle

@@ -5,6 +5,7 @@
 
 #include "base/spelling.h"
 #include "model/kinds/world_fields.h"
+#include "model/provenance.h"
 #include "model/repeat.h"
 #include "model/resolve/footprint.h"
 #include "model/resolve/instance_variants.h"
@@ -17,8 +18,8 @@ namespace trundle {
 namespace {
 
 double objectsOf(const RobotConfigSpec& config) {
-    std::size_t objects = config.bodies.size() + config.joints.size() + config.springs.size() + config.gears.size() +
-                          config.devices.size();
+    std::size_t objects =
+        config.bodies.size() + config.joints.size() + config.springs.size() + config.gears.size() + config.devices.size();
     for (const BodySpec& body : config.bodies) objects += body.geoms.size();
     return static_cast<double>(objects);
 }
@@ -27,22 +28,29 @@ class Instances {
 public:
     explicit Instances(ResolveContext& context) : m_context(context) {}
 
-    void run() {
+    void run(PartExpansion& world) {
         checkConfigs();
-        for (const Part* part : m_context.outline.world.all()) {
-            if (part->kind->name == "Static") addStatic(*part);
-        }
-        for (const Part* part : m_context.outline.world.all()) {
-            if (part->kind->name == "Robot" || part->is(Role::Layout)) addRobots(*part);
-        }
+        const auto isKind = [](const ExpandedPart& part, const char* kind) { return part.part->kind->name == kind; };
+        world.each(Role::Instance, [&](const ExpandedPart& part) {
+            if (isKind(part, "Static")) addStatics(part);
+        });
+        world.each(Role::Layout, [&](const ExpandedPart& part) {
+            if (isScenery(*part.part)) addStatics(part);
+        });
+        world.each(Role::Instance, Role::Layout, [&](const ExpandedPart& part) {
+            if (!isKind(part, "Static") && !isScenery(*part.part)) addRobots(part);
+        });
         addMovingScenery();
     }
 
-    /// Resolves one Robot or Static only, with these Params instead of its own.
+    /// Resolves one Robot, Static, Grid or Scatter only, with these Params instead of its own.
     void only(const Part& part, const InstanceVariants::Params& params) {
         m_params = &params;
-        if (part.kind->name == "Static") addStatic(part);
-        else addRobots(part);
+        const PartExpansion world(m_context);
+        const auto it = std::ranges::find(world.parts(), &part, &ExpandedPart::part);
+        if (it == world.parts().end()) return;
+        if (part.kind->name == "Static" || isScenery(part)) addStatics(*it);
+        else addRobots(*it);
         addMovingScenery();
     }
 
@@ -51,7 +59,7 @@ public:
         scope.declare(part.params);
         InstanceValues given;
         const Part* config = nullptr;
-        (void)read(part, scope, given, config, part.kind->name == "Static" ? "StaticConfig" : "RobotConfig");
+        (void)read(part, scope, given, config, part.kind->name == "Static" || isScenery(part) ? "StaticConfig" : "RobotConfig");
         if (!config) return {};
         inner.declare(config->params);
         for (const auto& [name, value] : given.params) inner.preset(name, value);
@@ -133,34 +141,77 @@ private:
         return false;
     }
 
-    void addStatic(const Part& part) {
-        m_instance = &part;
-        ParamScope scope(&m_context.globals);
-        scope.declare(part.params);
+    /// What a Robot or Static, or one member of a Grid or Scatter, is made of.
+    struct Described {
+        Record record;
         InstanceValues given;
         const Part* config = nullptr;
-        const Record record = read(part, scope, given, config, "StaticConfig");
-        if (!config || !record.complete || !roomFor(part, m_sizes.of(*config), part.nameRange())) return;
-        const StaticFields f = fieldsFrom<StaticFields>(record);
-        const std::shared_ptr<const StaticConfigSpec> spec = staticConfig(*config, given);
-        const double own = static_cast<double>(spec->geoms.size()) + (spec->moving ? objectsOf(*spec->moving) : 0);
-        const double more = own - m_sizes.of(*config);
-        if (more > 0 && !roomFor(part, more, part.nameRange())) return;
-        const Pose pose = poseOf(f.pos, f.hpr);
-        const std::shared_ptr<const std::vector<GeomSpec>> geoms(spec, &spec->geoms);
-        m_context.out.statics.push_back({part.name, config->name, pose, geoms, part.range, part.nameRange()});
-        addMoving(part, scope, *config, *spec, geoms, pose);
+        std::vector<ControllerSpec> brains;
+        bool isNumbered = false; ///< other members differ: their number is used
+        std::shared_ptr<const RobotConfigSpec> spec;
+        std::shared_ptr<const StaticConfigSpec> scenery; ///< of a Static
+    };
+
+    /// Whether the members of a Grid or Scatter are scenery.
+    bool isScenery(const Part& part) const {
+        const Part* config = part.is(Role::Layout) ? configOf(m_context.outline, part) : nullptr;
+        return config && config->kind->name == "StaticConfig";
     }
 
-    /// What moves, senses or acts in a Static is to everything else a robot with a fixed frame.
-    void addMoving(const Part& part, ParamScope& scope, const Part& config, const StaticConfigSpec& spec,
-                   std::shared_ptr<const std::vector<GeomSpec>> geoms, const Pose& pose) {
-        std::vector<ControllerSpec> brains = controllers(part, scope, &config);
-        if (!spec.moving && !brains.empty())
-            m_context.diagnostics.error(Code::WrongPlace, brains.front().nameRange,
-                                        part.title() + " has a controller, but " + config.title() + " has no devices");
-        if (spec.moving) m_moving.push_back(robot(part, part.name, pose, spec.moving, std::move(brains), std::move(geoms)));
+    /// A Static, or the members of a Grid or Scatter of scenery.
+    void addStatics(const ExpandedPart& expanded) {
+        const Part& part = *expanded.part;
+        m_instance = &part;
+        std::vector<Described> all{describe(expanded, 0, "StaticConfig")};
+        if (!all[0].config || !all[0].record.complete) return;
+        const std::size_t members = membersOf(part, all[0].record);
+        const SourceRange place = all[0].record.rangeOf("Count", part.nameRange());
+        if (!roomFor(part, static_cast<double>(members) * m_sizes.of(*all[0].config), place)) return;
+        if (!resolveScenery(part, all[0])) return;
+        for (std::size_t i = 1; all[0].isNumbered && i < members; ++i) {
+            all.push_back(describe(expanded, i, "StaticConfig"));
+            if (!all[i].config || !resolveScenery(part, all[i])) return;
+        }
+        const std::vector<Pose> poses = posesOf(part, all);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            const Described& d = all.size() > 1 ? all[i] : all[0];
+            const std::string name = memberName(expanded, i);
+            if (!isFree(part, name)) continue;
+            const Pose pose = expanded.placed(poses[i]);
+            const std::shared_ptr<const std::vector<GeomSpec>> geoms(d.scenery, &d.scenery->geoms);
+            m_context.out.statics.push_back({name, d.config->name, pose, geoms, part.range, part.nameRange()});
+            // What moves, senses or acts in a Static is to everything else a robot with a fixed frame.
+            if (d.scenery->moving) m_moving.push_back(robot(part, name, pose, d.scenery->moving, d.brains, geoms));
+        }
     }
+
+    /// False if there would be too many objects.
+    bool resolveScenery(const Part& part, Described& d) {
+        d.scenery = staticConfig(*d.config, d.given);
+        if (!d.scenery->moving && !d.brains.empty())
+            m_context.diagnostics.error(Code::WrongPlace, d.brains.front().nameRange,
+                                        part.title() + " has a controller, but " + d.config->title() + " has no devices");
+        const double moving = d.scenery->moving ? objectsOf(*d.scenery->moving) : 0;
+        const double more = static_cast<double>(d.scenery->geoms.size()) + moving - m_sizes.of(*d.config);
+        return more <= 0 || roomFor(part, more, part.nameRange());
+    }
+
+    static std::size_t membersOf(const Part& part, const Record& record) {
+        return part.is(Role::Layout) ? memberCount(record.find("Count")->value.numbers) : 1;
+    }
+    static std::string memberName(const ExpandedPart& expanded, std::size_t member) {
+        return expanded.name() + (expanded.part->is(Role::Layout) ? "_" + std::to_string(member) : std::string());
+    }
+    /// False, with a diagnostic, if something else has the name of a member.
+    bool isFree(const Part& part, const std::string& name) const {
+        const Part* other = part.is(Role::Layout) ? m_context.outline.world.find(name) : nullptr;
+        if (!other || other == &part) return true;
+        Diagnostic& e = m_context.diagnostics.error(Code::DuplicateName, other->nameRange(),
+                                                    "the name " + name + " belongs to a member of " + part.title());
+        e.notes.push_back({"defined here", part.nameRange()});
+        return false;
+    }
+
     void addMovingScenery() { std::ranges::move(m_moving, std::back_inserter(m_context.out.robots)); }
 
     RobotSpec robot(const Part& part, const std::string& name, const Pose& pose, std::shared_ptr<const RobotConfigSpec> config,
@@ -183,22 +234,13 @@ private:
         return all;
     }
 
-    /// What a Robot, or one member of a Grid or Scatter, is made of.
-    struct Described {
-        Record record;
-        InstanceValues given;
-        const Part* config = nullptr;
-        std::vector<ControllerSpec> brains;
-        bool isNumbered = false; ///< other members differ: their number is used
-        std::shared_ptr<const RobotConfigSpec> spec;
-    };
-
-    Described describe(const Part& part, std::size_t member) {
+    Described describe(const ExpandedPart& expanded, std::size_t member, std::string_view kind) {
+        const Part& part = *expanded.part;
         Described d;
-        ParamScope scope(&m_context.globals);
+        ParamScope scope(expanded.frame->scope);
         scope.declare(part.params);
         m_context.evaluator.checkAll(scope);
-        d.record = read(part, scope, d.given, d.config, "RobotConfig", member);
+        d.record = read(part, scope, d.given, d.config, kind, member);
         d.brains = controllers(part, scope, d.config);
         d.isNumbered = isIndexUsed(scope);
         return d;
@@ -211,30 +253,25 @@ private:
         return !d.spec->bodies.empty() && (more <= 0 || roomFor(part, more, part.nameRange()));
     }
 
-    void addRobots(const Part& part) {
+    void addRobots(const ExpandedPart& expanded) {
+        const Part& part = *expanded.part;
         m_instance = &part;
-        std::vector<Described> all;
-        all.push_back(describe(part, 0));
+        std::vector<Described> all{describe(expanded, 0, "RobotConfig")};
         if (!all[0].config || !all[0].record.complete) return;
-        const std::size_t members = part.is(Role::Layout) ? memberCount(all[0].record.find("Count")->value.numbers) : 1;
+        const std::size_t members = membersOf(part, all[0].record);
         const SourceRange place = all[0].record.rangeOf("Count", part.nameRange());
         if (!roomFor(part, static_cast<double>(members) * m_sizes.of(*all[0].config), place)) return;
         if (!resolveMember(part, all[0])) return; // reported
         for (std::size_t i = 1; all[0].isNumbered && i < members; ++i) {
-            all.push_back(describe(part, i));
+            all.push_back(describe(expanded, i, "RobotConfig"));
             if (!all[i].config || !resolveMember(part, all[i])) return;
         }
         const std::vector<Pose> poses = posesOf(part, all);
         for (std::size_t i = 0; i < poses.size(); ++i) {
             const Described& d = all.size() > 1 ? all[i] : all[0];
-            const std::string name = part.is(Role::Layout) ? part.name + "_" + std::to_string(i) : part.name;
-            if (const Part* other = m_context.outline.world.find(name); other && other != &part) {
-                Diagnostic& e = m_context.diagnostics.error(Code::DuplicateName, other->nameRange(),
-                                                            "the name " + name + " belongs to a member of " + part.title());
-                e.notes.push_back({"defined here", part.nameRange()});
-                continue;
-            }
-            m_context.out.robots.push_back(robot(part, name, poses[i], d.spec, d.brains));
+            const std::string name = memberName(expanded, i);
+            if (!isFree(part, name)) continue;
+            m_context.out.robots.push_back(robot(part, name, expanded.placed(poses[i]), d.spec, d.brains));
         }
     }
 
@@ -245,8 +282,12 @@ private:
             const RobotFields f = fieldsFrom<RobotFields>(record);
             return {poseOf(f.pos, f.hpr)};
         }
-        const auto largest = std::ranges::max_element(all, {}, [](const Described& d) { return discOf(*d.spec).radius; });
-        return scatterPoses(m_context, part, record, *largest->spec);
+        RobotDisc largest;
+        for (const Described& d : all) {
+            const RobotDisc disc = d.scenery ? discOf(d.scenery->geoms, d.scenery->moving.get()) : discOf(*d.spec);
+            if (&d == &all[0] || disc.radius > largest.radius) largest = disc;
+        }
+        return scatterPoses(m_context, part, record, largest);
     }
 
     ResolveContext& m_context;
@@ -262,7 +303,7 @@ private:
 
 } // namespace
 
-void resolveInstances(ResolveContext& context) { Instances(context).run(); }
+void resolveInstances(ResolveContext& context, PartExpansion& world) { Instances(context).run(world); }
 
 InstanceVariants::Params InstanceVariants::params() const {
     Diagnostics silent;
@@ -277,7 +318,7 @@ std::optional<std::vector<ConfigGeom>> InstanceVariants::geoms(const Params& cha
     ResolveContext context(*m_outline, m_assets, silent, out);
     Instances(context).only(*m_instance, changed);
     std::vector<ConfigGeom> all;
-    const bool hasBodies = !out.robots.empty() && out.robots[0].config, isStatic = out.statics.size() == 1 && out.statics[0].geoms;
+    const bool hasBodies = !out.robots.empty() && out.robots[0].config, isStatic = !out.statics.empty() && out.statics[0].geoms;
     if (!hasBodies && !isStatic) return std::nullopt;
     for (const GeomSpec& geom : isStatic ? *out.statics[0].geoms : std::vector<GeomSpec>()) all.push_back({geom, Pose{}});
     if (hasBodies) // all members of a Grid or Scatter have one config

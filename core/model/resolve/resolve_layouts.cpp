@@ -69,7 +69,7 @@ std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Rec
     return poses;
 }
 
-std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record, const RobotConfigSpec& config) {
+std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record, const RobotDisc& disc) {
     const ScatterFields f = fieldsFrom<ScatterFields>(record);
     if (!(f.area[0] < f.area[2]) || !(f.area[1] < f.area[3])) {
         context.diagnostics.error(Code::OutOfRange, record.rangeOf("Area", part.nameRange()),
@@ -77,7 +77,6 @@ std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const 
         return {};
     }
     const Pose origin = poseOf(f.pos, f.hpr);
-    const RobotDisc disc = discOf(config);
     std::vector<Footprint> obstacles;
     for (const StaticSpec& s : context.out.statics) {
         for (const GeomSpec& geom : *s.geoms) {

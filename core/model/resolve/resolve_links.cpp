@@ -25,24 +25,29 @@ public:
             m_robots.emplace(context.out.robots[i].name, static_cast<int>(i));
     }
 
-    void readJoint(const Part& part) {
-        std::optional<Record> record = recordOf(part);
+    void readJoint(const ExpandedPart& expanded) {
+        const Part& part = *expanded.part;
+        std::optional<Record> record = recordOf(expanded);
         if (!record) return;
-        const std::optional<LinkEnd> parent = endOf(*record, "Parent"), child = endOf(*record, "Child");
+        const PartFrame& frame = *expanded.frame;
+        const std::optional<LinkEnd> parent = endOf(*record, "Parent", frame), child = endOf(*record, "Child", frame);
         if (!parent || !child) return;
-        if (part.kind->name == "Spring") return readSpring(part, *record, *parent, *child);
+        if (part.kind->name == "Spring") return readSpring(expanded, *record, *parent, *child);
         std::optional<JointSpec> joint = trundle::readJoint(m_context, part, *record);
         if (!joint) return;
         joint->parent = parent->body;
         joint->child = child->body;
+        joint->name = expanded.name();
+        (void)expanded.place(*joint);
         if (!record->given("Anchor")) joint->anchor = originOf(*child);
-        warnAboutDuplicates(part, *parent, *child);
+        warnAboutDuplicates(part, joint->name, *parent, *child);
         m_context.out.joints.push_back({std::move(*joint), parent->robot, child->robot});
     }
 
 private:
-    std::optional<Record> recordOf(const Part& part) {
-        ParamScope scope(&m_context.globals);
+    std::optional<Record> recordOf(const ExpandedPart& expanded) {
+        const Part& part = *expanded.part;
+        ParamScope scope(expanded.frame->scope);
         scope.declare(part.params);
         m_context.evaluator.checkAll(scope);
         Record record = m_context.read(part, scope, nullptr, Origin::Config);
@@ -50,7 +55,8 @@ private:
         return record;
     }
 
-    void readSpring(const Part& part, const Record& record, const LinkEnd& parent, const LinkEnd& child) {
+    void readSpring(const ExpandedPart& expanded, const Record& record, const LinkEnd& parent, const LinkEnd& child) {
+        const Part& part = *expanded.part;
         const auto f = fieldsFrom<SpringFields>(record);
         if (f.parent == f.child) {
             m_context.diagnostics.error(Code::BadJoint, record.rangeOf("Child", part.nameRange()),
@@ -58,11 +64,14 @@ private:
             return;
         }
         SpringSpec spring;
-        spring.name = part.name;
+        spring.name = expanded.name();
         spring.parent = parent.body;
         spring.child = child.body;
-        spring.anchor = f.anchor ? vec3(*f.anchor) : originOf(parent);
-        spring.anchor2 = f.anchor2 ? vec3(*f.anchor2) : originOf(child);
+        if (f.anchor) spring.anchor = vec3(*f.anchor);
+        if (f.anchor2) spring.anchor2 = vec3(*f.anchor2);
+        (void)expanded.place(spring);
+        if (!f.anchor) spring.anchor = originOf(parent);
+        if (!f.anchor2) spring.anchor2 = originOf(child);
         spring.length = f.length.value_or((spring.anchor2 - spring.anchor).norm());
         spring.stiffness = f.stiffness;
         spring.damping = f.damping;
@@ -79,11 +88,11 @@ private:
     }
 
     /// Nothing if it names nothing, with a diagnostic, or something with errors of its own.
-    std::optional<LinkEnd> endOf(const Record& record, const char* property) {
+    std::optional<LinkEnd> endOf(const Record& record, const char* property, const PartFrame& frame) {
         const ResolvedValue& value = *record.find(property);
-        const std::string &name = value.value.texts[0], first(firstWord(name)), body(withoutFirstWord(name));
+        const std::string& name = value.value.texts[0];
         if (name == "world" && std::string_view(property) == "Parent") return LinkEnd{kWorldBody, kWorldBody};
-        const auto robot = m_robots.find(first);
+        const auto [robot, body] = robotAt(name, frame);
         if (robot == m_robots.end()) return unknownRobot(property, name, value), std::nullopt;
         const std::vector<BodySpec>& bodies = m_context.out.robots[static_cast<std::size_t>(robot->second)].config->bodies;
         const auto found = std::ranges::find(bodies, body, &BodySpec::name);
@@ -91,6 +100,21 @@ private:
         if (found != bodies.end()) return LinkEnd{robot->second, static_cast<int>(found - bodies.begin())};
         unknown(property, name, value, robot->second);
         return std::nullopt;
+    }
+
+    using Robots = std::map<std::string, int, std::less<>>;
+
+    /// The robot that a path begins with, in a member of a Repeat first its own one, and what follows.
+    std::pair<Robots::const_iterator, std::string> robotAt(const std::string& path, const PartFrame& frame) const {
+        for (const PartFrame* at = &frame; at; at = at->outer) {
+            std::string name = at->prefix;
+            for (std::string_view rest = path; !rest.empty(); name += '.') {
+                name += firstWord(rest);
+                rest = withoutFirstWord(rest);
+                if (const auto it = m_robots.find(name); it != m_robots.end()) return {it, std::string(rest)};
+            }
+        }
+        return {m_robots.end(), {}};
     }
 
     /// A robot of the text that is not in the world has errors of its own.
@@ -128,18 +152,18 @@ private:
                                    names);
     }
 
-    void warnAboutDuplicates(const Part& part, const LinkEnd& parent, const LinkEnd& child) {
+    void warnAboutDuplicates(const Part& part, const std::string& name, const LinkEnd& parent, const LinkEnd& child) {
         for (const Link<JointSpec>& other : m_context.out.joints) {
             const LinkEnd otherParent{other.parentRobot, other.spec.parent}, otherChild{other.childRobot, other.spec.child};
             if ((otherParent != parent || otherChild != child) && (otherParent != child || otherChild != parent)) continue;
             m_context.diagnostics.warning(Code::BadJoint, part.nameRange(),
-                                          "two joints join the same bodies: " + other.spec.name + " and " + part.name);
+                                          "two joints join the same bodies: " + other.spec.name + " and " + name);
             return;
         }
     }
 
     ResolveContext& m_context;
-    std::map<std::string, int, std::less<>> m_robots; ///< indices by name
+    Robots m_robots; ///< indices by name
 };
 
 /// The indices of robots that a property lists.
@@ -150,17 +174,28 @@ std::vector<std::size_t> robotsOf(const ResolveContext& context, const std::vect
     return robots;
 }
 
-void resolveRegion(ResolveContext& context, const Part& part) {
-    ParamScope scope(&context.globals);
+/// The robot that a name in a member of a Repeat means: its own one, or one around it.
+std::string robotMeant(const ResolveContext& context, const std::string& name, const PartFrame& frame) {
+    for (const PartFrame* at = &frame; at; at = at->outer)
+        if (std::ranges::find(context.out.robots, at->prefix + name, &RobotSpec::name) != context.out.robots.end())
+            return at->prefix + name;
+    return name;
+}
+
+void resolveRegion(ResolveContext& context, const ExpandedPart& expanded) {
+    const Part& part = *expanded.part;
+    ParamScope scope(expanded.frame->scope);
     scope.declare(part.params);
     context.evaluator.checkAll(scope);
     Record record = context.read(part, scope, nullptr, Origin::Config);
-    for (std::size_t i = 0; i < record.values.size(); ++i)
-        if (record.kind->properties[i].name == "Robots" && record.values[i])
-            record.complete = checkRobots(context, record.kind->properties[i], *record.values[i]) && record.complete;
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+        if (record.kind->properties[i].name != "Robots" || !record.values[i]) continue;
+        for (std::string& name : record.values[i]->value.texts) name = robotMeant(context, name, *expanded.frame);
+        record.complete = checkRobots(context, record.kind->properties[i], *record.values[i]) && record.complete;
+    }
     if (!record.complete) return;
     const auto f = fieldsFrom<RegionFields>(record);
-    RegionSpec region{part.name, poseOf(f.pos, f.hpr), vec3(f.size), {}, part.range, part.nameRange()};
+    RegionSpec region{expanded.name(), expanded.placed(poseOf(f.pos, f.hpr)), vec3(f.size), {}, part.range, part.nameRange()};
     if (f.robots) region.robots = robotsOf(context, *f.robots);
     for (std::size_t i = 0; !f.robots && i < context.out.robots.size(); ++i)
         if (!context.out.robots[i].scenery) region.robots.push_back(i);
@@ -174,10 +209,9 @@ void resolveApartRobots(ResolveContext& context) {
     ResolveContext quiet(context.outline, context.assets, silent, nothing);
     Record record = quiet.readSettings();
     const auto membersOf = [&](const std::string& name) {
-        std::vector<std::size_t> members = robotsOf(context, {name});
-        const Part* layout = context.outline.world.find(name);
-        for (std::size_t i = 0; layout && layout->is(Role::Layout) && i < context.out.robots.size(); ++i)
-            if (context.out.robots[i].range == layout->range) members.push_back(i);
+        std::vector<std::size_t> members;
+        for (std::size_t i = 0; i < context.out.robots.size(); ++i)
+            if (const auto rest = restBehind(name, context.out.robots[i].name); rest && rest->empty()) members.push_back(i);
         return members;
     };
     const auto pairs = namePairs(context, record, {});
@@ -214,12 +248,10 @@ std::vector<std::pair<std::string, std::string>> namePairs(ResolveContext& conte
     return pairs;
 }
 
-void resolveLinks(ResolveContext& context) {
+void resolveLinks(ResolveContext& context, PartExpansion& world) {
     LinkReader links(context);
-    for (const Part* part : context.outline.world.all()) {
-        if (part->is(Role::Joint)) links.readJoint(*part);
-        if (part->is(Role::Region)) resolveRegion(context, *part);
-    }
+    world.each(Role::Joint, [&](const ExpandedPart& part) { links.readJoint(part); });
+    world.each(Role::Region, [&](const ExpandedPart& part) { resolveRegion(context, part); });
     resolveApartRobots(context);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The steps of the resolver, one file per step. Private to core/model.
 
+#include "model/resolve/footprint.h"
 #include "model/resolve/part_expansion.h"
 
 namespace trundle {
@@ -12,8 +13,9 @@ void resolveSurfaces(ResolveContext& context);
 /// Nothing, with a diagnostic, if the geom is invalid.
 [[nodiscard]] std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope,
                                                   const OverrideNode* overrides, bool onBody);
-[[nodiscard]] std::optional<BodySpec> resolveBody(ResolveContext& context, const Part& part, ParamScope& scope,
-                                                  const OverrideNode* overrides);
+/// As it is described. `in` becomes the name of the body that its pose counts from, empty for none; `place` where that is written.
+[[nodiscard]] std::optional<BodySpec> resolveBody(ResolveContext& context, const ExpandedPart& expanded, std::string& in,
+                                                  SourceRange& place);
 /// Index by name of the bodies that could be resolved.
 using BodyIndices = std::unordered_map<std::string, int>;
 [[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPart& expanded,
@@ -39,9 +41,9 @@ struct StaticConfigSpec {
 void checkPartConfig(ResolveContext& context, const Part& config);
 /// Antenna patterns and the medium; requires the settings.
 void resolveRadio(ResolveContext& context);
-void resolveLogs(ResolveContext& context);
+void resolveLogs(ResolveContext& context, PartExpansion& world);
 /// Joints and springs at the top level, regions, and robots that do not touch each other; requires the robots.
-void resolveLinks(ResolveContext& context);
+void resolveLinks(ResolveContext& context, PartExpansion& world);
 /// Checks the robots that a property names; in a list, the name of a Grid or Scatter is replaced by those of its members.
 [[nodiscard]] bool checkRobots(ResolveContext& context, const Property& property, ResolvedValue& value);
 /// The pairs of a list of names; nothing, with a diagnostic, if one name is left over.
@@ -65,11 +67,11 @@ private:
 /// Checks Transceivers for inconsistent values; requires the robots.
 void checkRadios(ResolveContext& context);
 /// Robots, statics, grids and scatters, in text order.
-void resolveInstances(ResolveContext& context);
+void resolveInstances(ResolveContext& context, PartExpansion& world);
 
 /// The poses of a layout's members. Empty, with a diagnostic (E317), on failure.
 [[nodiscard]] std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Record& record);
 [[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record,
-                                             const RobotConfigSpec& config);
+                                             const RobotDisc& disc);
 
 } // namespace trundle

@@ -14,7 +14,7 @@ const Part* instanceAt(const LoadedProject& loaded, std::string_view path) {
     const Part* part = loaded.outline->world.find(std::string(path));
     if (!part) part = layoutOfMember(*loaded.outline, path);
     if (!part || !(part->is(Role::Instance) || part->is(Role::Layout))) return nullptr;
-    const auto isMoving = [&](const RobotSpec& robot) { return robot.scenery && robot.name == part->name; };
+    const auto isMoving = [&](const RobotSpec& robot) { return robot.scenery && robot.range == part->range; };
     return part->kind->name != "Static" || std::ranges::any_of(loaded.experiment->robots, isMoving) ? part : nullptr;
 }
 

@@ -64,6 +64,11 @@ FileEdits editsOf(const Fix& fix) {
 
 std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config) {
     std::vector<const Part*> instances;
+    for (const Part* repeat : loaded.outline->world.all())
+        if (repeat->isRepeat())
+            eachInWorld(*repeat, repeat->name, [&](const Part& part, const std::string&) {
+                if (isPlaced(part) && configOf(loaded, part) == &config) instances.push_back(&part);
+            });
     for (const auto& part : loaded.outline->parts) {
         const bool isInstance = isPlaced(*part) || isVariant(*part);
         if (isInstance && configOf(loaded, *part) == &config) instances.push_back(part.get());

@@ -42,6 +42,7 @@ std::optional<std::string> pathAfterEdit(const LoadedProject& before, const Load
     if (path.empty()) return path;
     const auto place = placeOf(before, path);
     if (!place || !place->part) return placeOf(after, path) ? std::optional(path) : std::nullopt;
+    if (!place->around.empty()) return placeOf(after, path) ? std::optional(path) : std::nullopt;
     const Part* top = topOf(*place);
     const bool isReached = top == place->instance && !place->within.empty();
     if (place->member) return placeOf(after, path) ? std::optional(path) : std::nullopt; // its name comes from its Grid

@@ -157,7 +157,9 @@ private:
                 continue;
             }
             for (const RobotSpec& robot : m_loaded.experiment->robots)
-                if (robot.range == part->range) m_items.push_back({part, robot.pose, robot.name});
+                if (robot.range == part->range && !robot.scenery) m_items.push_back({part, robot.pose, robot.name});
+            for (const StaticSpec& fixed : m_loaded.experiment->statics)
+                if (fixed.range == part->range) m_items.push_back({part, fixed.pose, fixed.name});
         }
         if (m_items.size() <= kMaxItems) return {};
         return Error{Code::WrongPlace, "a piece has at most " + std::to_string(kMaxItems) + " objects, these are " +

@@ -23,7 +23,9 @@ Result<EditPlan> planReplaceBySingles(const LoadedProject& loaded, const std::st
     sheet.add({edit.range, text});
     std::vector<std::string> selects;
     for (const RobotSpec& robot : loaded.experiment->robots)
-        if (robot.range == layout->range) selects.push_back(robot.name);
+        if (robot.range == layout->range && !robot.scenery) selects.push_back(robot.name);
+    for (const StaticSpec& fixed : loaded.experiment->statics)
+        if (fixed.range == layout->range) selects.push_back(fixed.name);
     return sheet.plan(std::move(selects));
 }
 

@@ -104,7 +104,11 @@ Status HeldBlocks::fitsIn(const LoadedProject& loaded, const Part& config, const
 }
 
 bool isAllowedIn(const Kind& kind, const Part* parent) {
-    const bool canBeScenery = parent && (parent->block->type.text == "PartConfig" || parent->isRepeat());
+    if (parent && parent->isRepeat()) {
+        const bool isOfConfig = isAllowedInside(kind, "RobotConfig") || isAllowedInside(kind, "StaticConfig");
+        if (parent->isInWorld ? !isAllowedInside(kind, {}) : !isOfConfig) return false;
+    }
+    const bool canBeScenery = parent && !parent->isInWorld && (parent->block->type.text == "PartConfig" || parent->isRepeat());
     if (canBeScenery) {
         HeldBlocks here, added;
         here.add(*parent);
@@ -118,7 +122,7 @@ std::string allowedPlaces(const Kind& kind) {
     std::vector<std::string> places = allowedParents(kind);
     std::erase_if(places, [](const std::string& place) { return place == "Repeat" || place == "Ring"; }); // in the same configs
     for (std::string& place : places) place = place.empty() ? "the top level" : withArticle(place);
-    const bool top = places.size() == 1 && places[0] == "the top level";
+    const bool top = places.size() == 1 && places[0] == "the top level"; // or in a Repeat there
     return withArticle(kind.name) + " is allowed " + (top ? "at " : "in ") + listText(places);
 }
 

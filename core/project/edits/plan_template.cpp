@@ -99,10 +99,14 @@ private:
         if (kind.role == Role::Body)
             text += position(*m_loaded.registry->find("Box"), target) + " Box box { Size=0.1,0.1,0.1" +
                     looks(*m_loaded.registry->find("Box"), nullptr) + " Mass=0.1 }";
-        if (kind.name == "Repeat") text += " Pos=$(0.2*index),0,0";
+        const bool isInWorld = kind.role == Role::Repeat && (!target || target->isInWorld);
+        if (kind.name == "Repeat") text += isInWorld ? " Pos=$index,0,0" : " Pos=$(0.2*index),0,0";
         if (kind.name == "RobotConfig")
             text += "\n  Body chassis { Box hull { Size=0.2,0.2,0.1 Pos=0,0,0.05" + looks(kind, nullptr) + " Mass=1 } }\n";
-        else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery()))
+        else if (isInWorld) {
+            const Kind& robot = *m_loaded.registry->find("Robot");
+            text += "\n  Robot robot { Config=" + value(robot, *robot.find("Config"), "robot", depth) + " }\n";
+        } else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery()))
             text += "\n  Body body { Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
         else if (kind.name == "StaticConfig" || kind.name == "PartConfig" || kind.role == Role::Repeat)
             text += "\n  Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1" + looks(kind, nullptr) + " }\n";

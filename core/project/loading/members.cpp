@@ -1,5 +1,6 @@
 #include "project/loading/members.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -25,12 +26,17 @@ std::string singles(const Part& layout, const TextSet& texts, const ExperimentSp
         if (item.as<ImportItem>() || item.as<ModuleItem>()) rest += "\n"; // a directive needs a line of its own
     }
     std::string out;
-    for (const RobotSpec& robot : experiment.robots) {
-        if (robot.range != layout.range || !robot.name.starts_with(layout.name + "_")) continue;
-        const Vec3 hpr = hprFromRotation(robot.pose.rotation) * (180 / std::numbers::pi);
-        out += (out.empty() ? "Robot " : "\nRobot ") + robot.name + " { Pos=" + triple(robot.pose.position) +
+    const auto add = [&](const char* kind, const auto& one) {
+        if (one.range != layout.range || !one.name.starts_with(layout.name + "_")) return;
+        const Vec3 hpr = hprFromRotation(one.pose.rotation) * (180 / std::numbers::pi);
+        out += (out.empty() ? "" : "\n") + std::string(kind) + " " + one.name + " { Pos=" + triple(one.pose.position) +
                " HPR=" + triple(hpr) + rest + " }";
-    }
+    };
+    const auto isScenery = [&](const StaticSpec& fixed) { return fixed.range == layout.range; };
+    if (std::ranges::any_of(experiment.statics, isScenery))
+        for (const StaticSpec& fixed : experiment.statics) add("Static", fixed);
+    else
+        for (const RobotSpec& robot : experiment.robots) add("Robot", robot);
     return out;
 }
 

@@ -35,9 +35,11 @@ public:
         : m_loaded(loaded), m_outline(*loaded.outline), m_texts(m_outline.texts()) {}
 
     std::vector<NameReference> run() {
+        eachInWorld(m_outline, [&](const Part& part, const std::string&) {
+            if (const Part* config = isPlaced(part) ? configOf(m_loaded, part) : nullptr)
+                m_instances[config].push_back({&part, nullptr, {}});
+        });
         for (const auto& part : m_outline.parts) {
-            if (isPlaced(*part))
-                if (const Part* config = configOf(m_loaded, *part)) m_instances[config].push_back({part.get(), nullptr, {}});
             if (isVariant(*part)) m_instances[part->config].push_back({part.get(), nullptr, {}});
             collectUses(*part, *part, {});
         }
@@ -215,14 +217,17 @@ private:
             const SourceAssignment* preset = instance->assignments.find(param);
             if (!preset || (instance->kind && instance->kind->find(param))) continue;
             ValueContext there = place;
-            NameScope around;
-            if (owner) {
-                around = NameScope(m_texts, owner->block->items, owner->file, &m_globals, owner);
-                there = {instance, place.kind, owner, nullptr, repeats};
-            }
-            const NameScope own(m_texts, instance->block->items, instance->file, owner ? &around : &m_globals);
+            if (owner) there = {instance, place.kind, owner, nullptr, repeats};
+            const NameScope own(m_texts, instance->block->items, instance->file, owner ? &scopeOf(*owner) : &m_globals);
             follow(property, *preset->value, preset->file, there, owner ? param : key, own, seen);
         }
+    }
+
+    /// Of a config; it may hold very many Parts.
+    const NameScope& scopeOf(const Part& config) {
+        const auto it = m_configScopes.find(&config);
+        if (it != m_configScopes.end()) return it->second;
+        return m_configScopes.try_emplace(&config, m_texts, config.block->items, config.file, &m_globals, &config).first->second;
     }
 
     void word(const Property& property, const ValueWord& said, const ValueContext& place, const std::string& key) {
@@ -247,17 +252,39 @@ private:
         path(*place.config, said, place, key);
     }
 
+    /// The block of the world that a path begins with, "tractor", "trailer_2", "row_3.cart", in a Repeat first what is in that.
+    /// Adds references for its words; `size`: their length.
+    const Part* startInWorld(const ValueWord& said, const ValueContext& place, const std::string& key, std::size_t& size) {
+        const ValueWord first = said.piece(0, firstWord(said.text).size());
+        const Part* at = nullptr;
+        for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && !at; ++it) at = (*it)->find(first.text);
+        if (!at) at = m_outline.world.find(first.text);
+        if (!at) at = layoutOfMember(m_outline, first.text);
+        if (!at) return nullptr;
+        const bool isMember = at->is(Role::Layout) && first.text != at->name;
+        add(*at, isMember ? first.piece(0, at->name.size()).range : nameRange(*at, first), {}, place, key);
+        size = first.text.size();
+        for (SourceRange before = first.range; at->isRepeat() && size < said.text.size();) {
+            const ValueWord next = said.piece(size + 1, firstWord(said.text.substr(size + 1)).size());
+            const Part* inner = at->find(next.text);
+            if (!inner) return nullptr;
+            add(*inner, nameRange(*inner, next), before, place, key);
+            before = next.range;
+            at = inner;
+            size += 1 + next.text.size();
+        }
+        return at;
+    }
+
     /// Of a joint at the top level: "tractor.chassis", "trailer_2.frame".
     void bodyOfRobot(const ValueWord& said, const ValueContext& place, const std::string& key) {
-        const ValueWord first = said.piece(0, firstWord(said.text).size());
-        const Part* instance = m_outline.world.find(first.text);
-        const Part* layout = instance ? nullptr : layoutOfMember(m_outline, first.text);
-        if (!instance && !layout) return;
-        add(instance ? *instance : *layout, layout ? first.piece(0, layout->name.size()).range : first.range, {}, place, key);
-        const Part* config = configOf(m_loaded, instance ? *instance : *layout);
-        const std::size_t rest = first.text.size() + 1;
-        if (config && rest < said.text.size())
-            path(*config, said.piece(rest, said.text.size() - rest), place, key, false, first.range);
+        std::size_t size = 0;
+        const Part* instance = startInWorld(said, place, key, size);
+        const Part* config = instance ? configOf(m_loaded, *instance) : nullptr;
+        if (!config || size + 1 >= said.text.size()) return;
+        const std::size_t before = said.text.substr(0, size).rfind('.') + 1; // of the last word: npos + 1 is 0
+        path(*config, said.piece(size + 1, said.text.size() - size - 1), place, key, false,
+             said.piece(before, size - before).range);
     }
 
     /// Of "roller_3", a member of a Repeat, the name of the Repeat.
@@ -291,9 +318,11 @@ private:
         const std::size_t slash = std::min(said.text.find('/'), said.text.size());
         const ValueWord first = said.piece(0, slash);
         std::vector<const Part*> meant;
-        if (const Part* part = m_outline.world.find(first.text)) {
-            add(*part, first.range, {}, place, key);
-            meant = {part};
+        std::size_t size = 0;
+        const bool isThere = m_outline.world.find(first.text) ||
+                             std::ranges::any_of(place.repeats, [&](const Part* r) { return r->find(firstWord(first.text)); });
+        if (const Part* part = isThere ? startInWorld(first, place, key, size) : nullptr) {
+            if (size == first.text.size()) meant = {part};
         } else if (const std::size_t bar = first.text.rfind('_');
                    bar != std::string_view::npos &&
                    first.text.find_first_not_of("0123456789*?", bar + 1) == std::string_view::npos) {
@@ -346,6 +375,7 @@ private:
     const TextSet& m_texts;
     NameScope m_globals;
     Repeats m_repeats; ///< around the block that is visited
+    std::unordered_map<const Part*, NameScope> m_configScopes;
     std::unordered_map<const Part*, std::vector<Use>> m_instances;
     std::unordered_map<const Name*, const ParamItem*> m_declarations;
     std::vector<NameReference> m_found;

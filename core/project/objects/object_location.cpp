@@ -9,8 +9,9 @@ namespace trundle {
 namespace {
 
 bool isMember(const LoadedProject& loaded, std::string_view name) {
-    const std::vector<RobotSpec>& robots = loaded.experiment->robots;
-    return std::any_of(robots.begin(), robots.end(), [&](const RobotSpec& robot) { return robot.name == name; });
+    const ExperimentSpec& e = *loaded.experiment;
+    return std::ranges::find(e.robots, name, &RobotSpec::name) != e.robots.end() ||
+           std::ranges::find(e.statics, name, &StaticSpec::name) != e.statics.end();
 }
 
 bool hasOwn(const Part& holder, const Part& block) {
@@ -54,10 +55,23 @@ void findPart(ObjectLocation& place, std::span<const std::string> words) {
     for (; place.instance && used < words.size(); ++used) place.within = pathInside(place.within, words[used]);
 }
 
-/// Finds the top-level block that a path begins with; returns the number of words it takes.
+/// From a Repeat at the top level to what is in it; returns the number of words that this takes. No part: it leads nowhere.
+std::size_t enterRepeats(const std::vector<std::string>& words, ObjectLocation& place) {
+    std::size_t used = 0;
+    while (place.part) {
+        const Part& at = *place.part;
+        if (at.isRepeat() && at.name != words[used]) place.members.emplace_back(&at, memberName(words[used])->index);
+        if (++used == words.size() || !at.isRepeat()) break;
+        place.around.push_back(&at);
+        place.part = at.find(words[used]);
+    }
+    return used;
+}
+
+/// Finds the block of the world, or at the top level, that a path begins with; returns the number of words it takes.
 std::size_t findTop(const LoadedProject& loaded, const std::vector<std::string>& words, ObjectLocation& place) {
     const Outline& outline = *loaded.outline;
-    if ((place.part = outline.world.find(words[0]))) return 1;
+    if ((place.part = outline.world.find(words[0]))) return enterRepeats(words, place);
     const Kind* kind = words.size() > 1 ? outline.registry().find(words[0]) : nullptr;
     const NameSpace* space = kind ? outline.spaceOf(*kind) : nullptr;
     const Part* part = space ? space->find(words[1]) : nullptr;
@@ -103,14 +117,19 @@ std::optional<ObjectLocation> placeOf(const LoadedProject& loaded, std::string_v
     if (!place.part) return std::nullopt;
     const std::span<const std::string> rest = std::span(words).subspan(used);
     const Part& top = *place.part;
+    const auto withRepeats = [&] { place.above.insert(place.above.begin(), place.around.begin(), place.around.end()); };
     if (!isPlaced(top)) {
         if (!descend(place, top, rest)) return std::nullopt;
-        findPart(place, rest);
+        if (place.around.empty()) findPart(place, rest);
+        withRepeats();
         return place;
     }
     place.instance = &top;
     for (const std::string& word : rest) place.within = pathInside(place.within, word);
-    if (descend(place, top, rest)) return place;
+    if (descend(place, top, rest)) {
+        withRepeats();
+        return place;
+    }
     const Part* config = configOf(loaded, top);
     if (!config || !descend(place, *config, rest)) return std::nullopt;
     return place;

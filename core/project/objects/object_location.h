@@ -19,6 +19,7 @@ struct ObjectLocation {
     bool member = false; ///< a member of a Grid or Scatter ("swarm_3"), which has no text of its own
     /// The enclosing blocks of `part`, outermost first; empty: it is at the top level. A Part is followed by its PartConfig.
     std::vector<const Part*> above;
+    std::vector<const Part*> around; ///< the Repeats at the top level that it, or its instance, is in, outermost first
     /// The Repeats, Grids and Scatters of which the path names a member ("roller_3"), and its number.
     std::vector<std::pair<const Part*, std::size_t>> members;
     [[nodiscard]] std::optional<std::size_t> memberOf(const Part& part) const;

@@ -4,6 +4,7 @@
 
 #include "lang/characters.h"
 #include "model/config_blocks.h"
+#include "model/dotted_path.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -11,12 +12,6 @@ namespace trundle {
 namespace {
 
 bool isReserved(std::string_view word) { return word == "Param" || word == "true" || word == "false" || word == "world"; }
-
-/// Whether a name has the form of a member of a layout: "swarm_12" for "swarm".
-bool isMemberOf(std::string_view name, std::string_view layout) {
-    return name.size() > layout.size() + 1 && name.starts_with(layout) && name[layout.size()] == '_' &&
-           name.find_first_not_of("0123456789", layout.size() + 1) == std::string_view::npos;
-}
 
 } // namespace
 
@@ -56,7 +51,7 @@ std::string UsedNames::inSpace(const NameSpace& space, const std::string& name) 
     if (&space == &outline.materials || &space == &outline.surfaces) return name == "default" ? "the built-in default" : "";
     if (&space != &outline.world) return {};
     if (const Part* layout = layoutOfMember(outline, name)) return "a member of " + layout->title();
-    if (m_kind && m_kind->role != Role::Layout) return {};
+    if (m_kind && m_kind->role != Role::Layout && m_kind->role != Role::Repeat) return {};
     for (const Part* part : space.all())
         if (isMemberOf(part->name, name)) return part->title() + ", as a member would be called";
     return {};
@@ -73,11 +68,12 @@ const Part* UsedNames::beside(const std::string& name) const {
         const Part* part = isVariant(*variant) && variant->config == m_parent ? variant->find(name) : nullptr;
         if (part) return part;
     }
-    for (const Part* instance : m_loaded.outline->world.all()) {
-        const Part* part = isPlaced(*instance) ? instance->find(name) : nullptr;
-        if (part && configOf(m_loaded, *instance) == m_parent) return part;
-    }
-    return nullptr;
+    const Part* found = nullptr;
+    eachInWorld(*m_loaded.outline, [&](const Part& instance, const std::string&) {
+        const Part* part = isPlaced(instance) && !found ? instance.find(name) : nullptr;
+        if (part && configOf(m_loaded, instance) == m_parent) found = part;
+    });
+    return found;
 }
 
 std::string UsedNames::holder(const std::string& name) const {

@@ -13,12 +13,14 @@ PathScopes::PathScopes(const LoadedProject& loaded, const ObjectLocation& place)
     if (place.part) chain.push_back(place.part);
     const bool isReached = place.instance && isPlaced(*place.instance) && !place.instance->isPartUse() && !chain.empty() &&
                            chain.front() != place.instance;
-    if (isReached)
+    if (isReached) {
+        for (const Part* repeat : place.around) m_scope = enterMember(*repeat, place.memberOf(*repeat).value_or(0));
         m_layers.push_back({place.instance,
                             configOf(loaded, *place.instance),
                             enterMember(*place.instance, place.memberOf(*place.instance).value_or(0)),
                             {},
                             {}});
+    }
     const Part* before = nullptr;
     for (const Part* part : chain) {
         const bool isBase = before && isVariant(*before) && before->config == part; // its blocks are in the scope of the variant

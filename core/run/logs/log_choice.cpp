@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/spelling.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 namespace {
@@ -17,12 +18,6 @@ std::string listed(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < names.size() && i < kMaxListed; ++i) text += (i ? ", " : "") + names[i];
     if (names.size() > kMaxListed) text += " and " + std::to_string(names.size() - kMaxListed) + " more";
     return text;
-}
-
-/// Whether a name has the form of a member: `name` "swarm_12" for `grid` "swarm".
-bool isMemberOf(std::string_view name, std::string_view grid) {
-    if (name.size() < grid.size() + 2 || !name.starts_with(grid) || name[grid.size()] != '_') return false;
-    return name.find_first_not_of("0123456789", grid.size() + 1) == std::string_view::npos;
 }
 
 /// Reports an unknown name. `best`: the intended name if it is certain; replaces the list of names.
@@ -90,7 +85,8 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
     for (const std::string& name : written) {
         bool found = false;
         for (std::size_t i = 0; i < robots.size(); ++i) {
-            if (!matchesWildcard(name, robots[i].name) && !isMemberOf(robots[i].name, name)) continue;
+            const auto behind = restBehind(name, robots[i].name); // the robot, or one of the members that the name means
+            if (!matchesWildcard(name, robots[i].name) && !(behind && behind->empty())) continue;
             chosen[i] = found = true;
         }
         if (found) continue;

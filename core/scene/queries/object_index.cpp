@@ -55,7 +55,12 @@ const std::vector<Ball>& ObjectIndex::ballsOf(const std::vector<GeomSpec>& geoms
 }
 
 std::optional<ObjectRef> ObjectIndex::find(std::string_view path) const {
-    const std::string_view instance = instanceOf(path);
+    std::string_view instance = instanceOf(path);
+    const auto isNone = [&] { return m_statics.find(instance) == m_statics.end() && m_robots.find(instance) == m_robots.end(); };
+    for (std::string_view longer = instance; isNone() && longer.size() < path.size();) { // "row_3.cart" in a Repeat
+        longer = path.substr(0, endOfWord(path, longer.size() + 1));
+        if (m_statics.find(longer) != m_statics.end() || m_robots.find(longer) != m_robots.end()) instance = longer;
+    }
     const std::string_view inside = path.substr(std::min(path.size(), instance.size() + 1));
     if (inside.empty() && instance.size() != path.size()) return std::nullopt; // "robot0."
     if (const auto it = m_statics.find(instance); it != m_statics.end()) {

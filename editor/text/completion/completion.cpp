@@ -222,9 +222,10 @@ private:
     void kinds() {
         const std::string parent = m_place.block() ? m_place.block()->type.text : std::string();
         const Part* own = m_place.parts.empty() ? nullptr : m_place.parts.back();
-        const bool isInRepeat = own && own->isRepeat() && m_place.config;
+        const bool isInRepeat = own && own->isRepeat();
+        const std::string around = m_place.config ? m_place.config->kind->name : std::string(); // a Repeat
         for (const Kind* kind : m_loaded.registry->inside(parent)) {
-            if (isInRepeat && !isAllowedInside(*kind, m_place.config->kind->name)) continue;
+            if (isInRepeat && !isAllowedInside(*kind, around)) continue;
             block(*kind);
         }
     }

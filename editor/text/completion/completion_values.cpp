@@ -79,9 +79,8 @@ private:
 
     /// Of a joint at the top level.
     void bodiesOfRobots(const std::string& choice) {
-        for (const Part* part : m_loaded.outline->world.all())
-            if (const Part* config = isPlaced(*part) ? configOf(m_loaded, *part) : nullptr)
-                local(*config, choice, part->name + (part->is(Role::Layout) ? "_0." : "."));
+        for (const auto& [part, name] : firstMembers(*m_loaded.outline))
+            if (const Part* config = isPlaced(*part) ? configOf(m_loaded, *part) : nullptr) local(*config, choice, name + ".");
     }
 
     [[nodiscard]] bool fits(const Part& part, const std::string& choice) const {
@@ -114,13 +113,12 @@ private:
 
     /// Robots and, for a log of signals, their signals.
     void world() {
-        for (const Part* part : m_loaded.outline->world.all()) {
+        for (const auto& [part, name] : firstMembers(*m_loaded.outline)) {
             if (!isPlaced(*part)) continue;
             const bool robots = m_property.name == "Robot";
-            if (robots) named(*part);
+            if (robots) named(*part, part->is(Role::Layout) ? std::string() : name.substr(0, name.size() - part->name.size()));
             const Part* config = robots ? nullptr : configOf(m_loaded, *part);
             if (!config) continue;
-            const std::string name = part->is(Role::Layout) ? part->name + "_0" : part->name;
             signalsOf(*config, Role::Device, name + "/");
             signalsOf(*part, Role::Controller, name + "/");
         }

@@ -13,9 +13,14 @@
 namespace trundle {
 namespace {
 
-bool isMemberOf(std::string_view name, std::string_view layout) {
-    return name.size() > layout.size() + 1 && name.starts_with(layout) && name[layout.size()] == '_' &&
-           std::all_of(name.begin() + std::ptrdiff_t(layout.size()) + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+/// Whether what has a name is in a Part, a Repeat or one of its members: "roller_3.rim" is in "roller" and in "roller_3".
+bool isNamedInside(std::string_view name, std::string_view part) {
+    for (; !part.empty(); part = withoutFirstWord(part), name = withoutFirstWord(name)) {
+        const std::string_view word = firstWord(name), wanted = firstWord(part);
+        const std::optional<MemberName> member = memberName(word);
+        if (word != wanted && (!member || member->stem != wanted)) return false;
+    }
+    return true;
 }
 
 /// True if the text has syntax errors; missing objects are then no sign of what the author intended.
@@ -144,25 +149,15 @@ std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
         }
         return objects;
     }
-    if (!inside.empty()) addInside(std::string(first), inside, objects);
+    const auto addMeant = [&](const std::string& name) { // the path means it, or what is in it, or the Repeat that it is in
+        if (const auto rest = restBehind(path, name)) add(name, *rest);
+        else if (isNamedInside(name, path)) add(name, {});
+    };
     for (const RobotSpec& robot : m_objects->experiment().robots)
-        if (isMemberOf(robot.name, first)) add(robot.name, inside);
+        if (!robot.scenery) addMeant(robot.name);
+    for (const StaticSpec& fixed : m_objects->experiment().statics) addMeant(fixed.name);
     return objects;
 }
-
-namespace {
-
-/// Whether what has a name is in a Part, a Repeat or one of its members: "roller_3.rim" is in "roller" and in "roller_3".
-bool isInside(std::string_view name, std::string_view part) {
-    for (; !part.empty(); part = withoutFirstWord(part), name = withoutFirstWord(name)) {
-        const std::string_view word = firstWord(name), wanted = firstWord(part);
-        const std::optional<MemberName> member = memberName(word);
-        if (word != wanted && (!member || member->stem != wanted)) return false;
-    }
-    return true;
-}
-
-} // namespace
 
 /// What a Part or Repeat of an instance holds: the bodies or geoms whose names begin with its name.
 void ViewportScene::addInside(const std::string& instance, std::string_view part, std::vector<ObjectRef>& objects) const {
@@ -172,9 +167,9 @@ void ViewportScene::addInside(const std::string& instance, std::string_view part
     const StaticSpec* fixed = object ? m_objects->staticOf(*object) : nullptr;
     if (part.empty()) return;
     for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i)
-        if (isInside(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, *bodies, i});
+        if (isNamedInside(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, *bodies, i});
     for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
-        if (isInside((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
+        if (isNamedInside((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
 }
 
 const CameraModel* ViewportScene::camera(const std::string& path) const {
@@ -194,12 +189,14 @@ bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, 
     // Splits "seeker.eye" or "RobotConfig.Seeker.eye" into the robot or config and the component.
     const bool byConfig = firstWord(path) == "RobotConfig" || firstWord(path) == "StaticConfig";
     const std::string_view local = byConfig ? withoutFirstWord(path) : path;
-    const std::string_view name = firstWord(local), which = withoutFirstWord(local);
+    const std::string_view name = firstWord(local);
     const auto object = find(robot);
     const auto bodies = object ? m_objects->bodiesOf(*object) : std::nullopt;
     const RobotSpec* spec = bodies ? &m_objects->experiment().robots[*bodies] : nullptr;
     if (!spec || !spec->config) return false;
-    if (byConfig ? spec->config->name != name : robot != name && !isMemberOf(robot, name)) return false;
+    const auto rest = restBehind(path, robot);
+    if (byConfig ? spec->config->name != name : !rest && !isNamedInside(robot, path)) return false;
+    const std::string_view which = byConfig ? withoutFirstWord(local) : rest.value_or(std::string_view());
     if (which.empty() || component == robot + "/" + std::string(which)) return true;
     const std::size_t own = body - m_objects->firstPose(*bodies);
     return own < spec->config->bodies.size() && spec->config->bodies[own].name == which;
@@ -208,8 +205,7 @@ bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, 
 bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {
     if (marks.empty()) return false;
     const std::string path = m_objects->pathOf(object);
-    return std::any_of(marks.begin(), marks.end(),
-                       [&](const std::string& mark) { return startsWithPath(path, mark) || isMemberOf(firstWord(path), mark); });
+    return std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) { return isNamedInside(path, mark); });
 }
 
 JointPositions& jointPositions(ViewportScene& scene) { return scene.m_joints; }

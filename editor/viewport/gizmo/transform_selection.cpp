@@ -92,10 +92,8 @@ void TransformSelection::take(const std::string& path) {
     if (objects.empty()) return;
     const ObjectRef object = objects.front();
     if (m_running) {
-        if (object.kind != ObjectKind::Robot) {
-            m_refusal = tr("During a run only whole robots can be moved; reset to edit the start.");
-            return;
-        }
+        if (object.kind != ObjectKind::Robot)
+            return void(m_refusal = tr("During a run only whole robots can be moved; reset to edit the start."));
         for (const ObjectRef& robot : objects) {
             const Pose at = world.poseOf(robot);
             m_items.push_back({m_objects->pathOf(robot), robot, at, Pose{}, at, {}, {}});
@@ -113,16 +111,16 @@ void TransformSelection::take(const std::string& path) {
         return;
     }
     if (place->part && holdsFrame(place->part)) return takePart(path, *place, object);
+    const bool isAllOfRepeat = !place->around.empty() && place->members.empty(); // they have one text
+    if (isAllOfRepeat && m_objects->pathOf(object) != path) return take(m_objects->pathOf(object));
     if (place->instance && place->within.empty() && !world.find(path)) return takeLayout(path);
-    if (world.isLocked(object)) {
-        m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
-        return;
-    }
+    if (world.isLocked(object)) return void(m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path)));
     Item item{path, object, world.poseOf(object), frameAsShown(*m_objects, object, *world.poses()), {}, {}, {}, {}};
     item.local = localPose(*m_objects, object);
-    if (std::ranges::any_of(place->above, holdsFrame)) {
+    const bool hasIn = valueAt(*m_context.document.loaded(), *place, "In").has_value();
+    if (hasIn || std::ranges::any_of(place->above, holdsFrame)) {
         item.described = describedFrame(*m_context.document.loaded(), *place);
-        if (object.kind == ObjectKind::Body || object.kind == ObjectKind::StaticGeom) { // its Pos is in the frame of its Part
+        if (object.kind != ObjectKind::Geom) { // its Pos is in the frame of its Part, or of a member of a Repeat
             item.frame = item.frame * item.described.pose;
             item.local = item.described.pose.inverse() * item.local;
         }
@@ -180,7 +178,7 @@ void TransformSelection::takePart(const std::string& path, const ObjectLocation&
               textOf(path + ".Pos"),
               textOf(path + ".HPR")};
     if (place.part->isRepeat() && usesIndex(item.posText + item.hprText)) return void(m_refusal = placedByIndex(path));
-    item.frame = m_context.world.poseOf(whole) * item.described.pose;
+    item.frame = place.part->isInWorld ? item.described.pose : m_context.world.poseOf(whole) * item.described.pose;
     item.world = item.frame * item.described.mirrored(item.local);
     m_items.push_back(std::move(item));
 }

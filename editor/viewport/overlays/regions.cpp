@@ -2,10 +2,12 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include <QPainter>
 
 #include "editor/document/selection.h"
+#include "editor/viewport/context/label.h"
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
 
@@ -33,6 +35,7 @@ std::optional<std::array<QPointF, 8>> cornersOf(const ToolView& view, const Regi
 } // namespace
 
 void paintRegions(QPainter& painter, const ToolView& view) {
+    std::vector<std::pair<QPointF, QString>> names;
     const auto& regions = view.context().world.objects()->experiment().regions;
     for (std::size_t i = 0; i < regions.size() && i < kMostRegions; ++i) {
         const auto corners = cornersOf(view, regions[i]);
@@ -50,9 +53,9 @@ void paintRegions(QPainter& painter, const ToolView& view) {
         }
         for (const QPointF& corner : *corners)
             if (corner.y() < top.y()) top = corner;
-        painter.setPen(colour);
-        painter.drawText(top + QPointF(4, -4), QString::fromStdString(regions[i].name));
+        names.emplace_back(top, QString::fromStdString(regions[i].name));
     }
+    for (const auto& [corner, name] : names) paintLabel(painter, corner - QPointF(0, 14), name); // over all boxes
 }
 
 } // namespace trundle

@@ -113,10 +113,20 @@ private:
 
     void killConfigs(int seed, int afterMs, int& offered, int& copied, int& changedForAll) {
         const DocumentFixture fixture;
-        const std::string cart = "RobotConfig Cart { Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.06 Mass=2 } } }\n";
+        const std::string cart =
+            "PartConfig Wheel { Param r = 0.05 { Min=0.01 Max=1 } Body wheel { Sphere tyre { Radius=$r Mass=0.1 } } Hinge axle { "
+            "Parent=$on Child=wheel Axis=0,1,0 } }\n"
+            "RobotConfig Cart { Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.06 Mass=2 } }\n"
+            "  Part left { Config=Wheel In=chassis Pos=0,0.1,0 on=chassis } Part right { Config=Wheel In=chassis Pos=0,-0.1,0 "
+            "Mirror=y "
+            "on=chassis }\n  Ring bolt { Count=3 Radius=0.05 Body head { Sphere s { Radius=0.01 Mass=0.01 } } Fixed nail { "
+            "Parent=chassis Child=head } }\n  Latch magnet { Body=chassis } }\nRobotConfig Tall { Config=Cart left.r=0.06 }\n";
         fixture.write("configs/robots/cart.sim", cart);
         fixture.write("configs/main.sim", "#import robots/rover.sim\n#import robots/cart.sim\nRobot robot0 { Config=Rover }\n"
-                                          "Robot robot1 { Config=Cart Pos=1,0,0 }\n");
+                                          "Robot robot1 { Config=Cart Pos=1,0,0 }\nNoContact = robot0,robot1\n"
+                                          "Repeat row { Count=2 Pos=$(2 + index),0,0 Robot tall { Config=Tall } Region goal { "
+                                          "Size=1,1,1 Robots=tall } }\n"
+                                          "Spring rope { Parent=robot0.chassis Child=row_1.tall.left.wheel Stiffness=1 }\n");
         Heard heard;
         editUntilKilled(fixture, {QString::number(seed), u"configs"_qs}, afterMs, heard);
         if (QTest::currentTestFailed()) return;

@@ -58,8 +58,16 @@ bool changeConfigs(Document& document, std::mt19937& random, int number) {
     case 1:
     case 2: return document.edits().undo(), true;
     case 3: return document.edits().redo(), true;
-    case 4:
-        return document.structure().setValues(u"Set"_qs, {{robot + ".chassis.hull.Mass", std::to_string(number % 9 + 1)}}).ok();
+    case 4: {
+        const std::vector<std::string> paths{robot + ".chassis.hull.Mass", "row.Count", "row_1.goal.Size", "row.tall.left.r",
+                                             "rope.Stiffness"};
+        const std::string value = std::to_string(number % 9 + 2), &path = paths[random() % paths.size()];
+        return document.structure()
+            .setValues(u"Set"_qs, {{path, path.ends_with("Size") ? "1,1," + value
+                                          : path.ends_with(".r") ? "0." + value
+                                                                 : value}})
+            .ok();
+    }
     default:
         return document.structure()
             .apply(u"Insert"_qs, {robot},

@@ -2,7 +2,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <random>
+#include <set>
 
 #include "editor/document/group_edit.h"
 #include "editor/document/structure_edits.h"
@@ -18,18 +20,23 @@ namespace {
 /// A rover of two parts, of which one is mirrored.
 const char* const kPartsRover = R"(// A rover.
 PartConfig Wheel {
-  Param r = 0.05 // its radius
+  Param r = 0.05 { Min=0.01 Max=60 Help="its radius" } // its radius
   Body wheel { Cylinder tyre { Radius=$r Length=0.03 HPR=0,0,90 Mass=0.15 } }
   Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0 }
 }
 RobotConfig Rover {
+  SelfCollision=true NoContact=chassis,mast
   Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=2 } } // two kilograms
   Part left { Config=Wheel Pos=0,0.1,0.05 carrier=chassis }
   Part right { Config=Wheel Pos=0,-0.1,0.05 Mirror=y carrier=chassis }
-  Body mast { Box pole { Size=0.02,0.02,0.2 Pos=0,0,0.3 Mass=0.1 } }
+  Body mast { In=chassis Box pole { Size=0.02,0.02,0.2 Pos=0,0,0.3 Mass=0.1 } }
   Fixed leftAxle { Parent=chassis Child=mast }
   Repeat roller { Count=2 Pos=$(0.1*index),0,0.4 Body rim { Sphere ball { Radius=0.02 Mass=0.1 } } Hinge pin { Parent=chassis Child=rim } }
+  Ring bolt { In=mast Count=3 Radius=0.05 Pos=0,0,0.2 Body head { Sphere ball { Radius=0.01 Mass=0.01 } } Fixed nail { Parent=mast Child=head } }
+  Spring strap { Parent=chassis Child=roller_0.rim Stiffness=10 Damping=0.1 }
+  Latch magnet { Body=chassis Pos=0.15,0,0.1 }
 }
+RobotConfig TallRover { Config=Rover chassis.hull.Mass=3 } // a variant
 )";
 
 class RandomEdits {
@@ -80,6 +87,7 @@ public:
 
     std::map<ShareChoice, int> answers; ///< answers given, by choice
     std::vector<std::string> created;   ///< created files
+    std::set<std::string> valuesSet;    ///< the paths of values that were set
     int structures = 0, copies = 0;     ///< structural edits made, and how many of them made a copy
 
 private:
@@ -103,10 +111,18 @@ private:
                                            {"RobotConfig.Rover.roller.Count", std::to_string(below(4) + 1)},
                                            {"robot0.roller_1.rim.ball.Mass", number},
                                            {"robot1.roller.rim.ball.Mass", number},
-                                           {"PartConfig.Wheel.r", "0." + number}});
+                                           {"PartConfig.Wheel.r", "0." + number},
+                                           {"RobotConfig.Rover.bolt.Count", std::to_string(below(4) + 1)},
+                                           {"RobotConfig.Rover.mast.Pos", "0,0,0." + number},
+                                           {"RobotConfig.Rover.mast.In", below(2) ? "chassis" : "left.wheel"},
+                                           {"robot0.bolt_2.head.ball.Mass", number},
+                                           {"robot1.strap.Stiffness", number},
+                                           {"RobotConfig.Rover.magnet.MaxForce", number},
+                                           {"RobotConfig.TallRover.roller.rim.ball.Mass", number}});
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
-        (void)m_document.structure().setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path.text());
+        if (m_document.structure().setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path.text()))
+            for (const ValueEdit& value : values) valuesSet.insert(value.path.text());
     }
 
     /// Through an instance, in the config, or in a copy of the config that an earlier edit made.
@@ -219,6 +235,7 @@ private Q_SLOTS:
         }
         QVERIFY(random.structures > 0);
         m_structures += random.structures;
+        m_valuesSet.merge(random.valuesSet);
         m_edits += edits;
         QVERIFY(!random.answers.empty());
         m_answers.merge(random.answers);
@@ -244,6 +261,12 @@ private Q_SLOTS:
     void everyActionRan() {
         QCOMPARE(m_answers.size(), 3u);
         QVERIFY(m_copies > 0);
+        const auto isOf = [&](const char* name) {
+            return std::ranges::any_of(m_valuesSet,
+                                       [&](const std::string& path) { return path.find(name) != std::string::npos; });
+        };
+        for (const char* name : {"left.", "roller", "bolt", "mast", "strap", "magnet", "TallRover", "PartConfig"})
+            QVERIFY2(isOf(name), name);
         QVERIFY2(m_structures > m_edits / 50, qPrintable(QString::number(m_structures)));
     }
 
@@ -274,6 +297,7 @@ private:
 
     std::unique_ptr<Application> m_application;
     std::map<ShareChoice, int> m_answers;
+    std::set<std::string> m_valuesSet;
     int m_copies = 0, m_structures = 0, m_edits = 0; ///< of all walks
 };
 

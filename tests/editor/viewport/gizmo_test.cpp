@@ -218,6 +218,49 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("row_1.c.Pos=0,0,0.1 }"), m_window->text().constData());
     }
 
+    /// What is in a Repeat of the world moves in the frame of its member, all members alike.
+    void repeatedRobotsMove() {
+        open("RobotConfig Kit { Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+             "StaticConfig Post { Box b { Size=0.2,0.2,0.2 } }\n"
+             "Ring fence { Count=4 Radius=0.5 Pos=0,0,0.2 Robot cart { Config=Kit } }\n"
+             "Repeat row { Count=2 Pos=$(0.5*index),0.9,0.1 Static post { Config=Post } }\n");
+        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
+        take("fence_3.cart", "tool.move"); // its x points to -y
+        dragBy({Handle::Kind::Axis, 1}, {0, -0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Robot cart { Config=Kit Pos=0.1,0,0 }"), m_window->text().constData());
+        take("row_1.post", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.5, 0.9, 0.1});
+        QVERIFY2(m_window->text().contains("Static post { Config=Post Pos=0,0,0.1 }"), m_window->text().constData());
+        QCOMPARE(m_window->panel->world().objectsOf("fence").size(), std::size_t(4));
+        QCOMPARE(m_window->panel->world().objectsOf("fence.cart.c").size(), std::size_t(4));
+        QCOMPARE(m_window->panel->world().objectsOf("row_1").size(), std::size_t(1));
+    }
+
+    /// A body moves along with the one that it is placed in, and its own numbers are in that one's frame.
+    void bodiesInBodiesMove() {
+        const QByteArray text = "PartConfig Wheel { Body w { Box t { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                "RobotConfig Kit { Body base { HPR=90,0,0 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+                                "  Body arm { In=base Pos=0.5,0,0 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+                                "  Part left { Config=Wheel In=base Pos=0,0.5,0 } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\n";
+        open(text);
+        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
+        const auto at = [&](const char* path) {
+            const ViewportScene& world = m_window->panel->world();
+            return world.poseOf(*world.find(path)).position;
+        };
+        QVERIFY((at("robot0.arm") - Vec3(0, 0.5, 0.2)).norm() < 1e-9);
+        take("RobotConfig.Kit.arm", "tool.move"); // its x points to y
+        dragBy({Handle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {0, 0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Body arm { In=base Pos=0.6,0,0 "), m_window->text().constData());
+        take("RobotConfig.Kit.left", "tool.move");
+        dragBy({Handle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {-0.5, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Part left { Config=Wheel In=base Pos=0.1,0.5,0 }"), m_window->text().constData());
+        take("RobotConfig.Kit.base", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.2});
+        QVERIFY((at("robot0.arm") - Vec3(0, 0.6, 0.3)).norm() < 1e-9);
+        QVERIFY((at("robot0.left.w") - Vec3(-0.5, 0.1, 0.3)).norm() < 1e-9);
+    }
+
     void aShapeIsSizedBySides() {
         open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n");
         take("StaticConfig.Yard.crate", "tool.scale");

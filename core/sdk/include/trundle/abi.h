@@ -15,7 +15,7 @@
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
 #define TRUNDLE_ABI_MINOR 9u
-#define TRUNDLE_SDK_VERSION "1.11.0"
+#define TRUNDLE_SDK_VERSION "1.12.0"
 
 #ifdef __cplusplus
 extern "C" {

@@ -8,7 +8,7 @@ import math
 from .quantity import Quantity
 
 FORMAT = 1
-VERSION = "1.11.0"  # as in trundle/abi.h
+VERSION = "1.12.0"  # as in trundle/abi.h
 INTERFACE = (1, 9)
 MOST_PUBLISHED = 1000
 MANY_ELEMENTS = 100000

@@ -1,0 +1,168 @@
+// Repeat and Ring at the top level, Grid and Scatter of scenery: each member is what its blocks say for its number.
+#include <QTest>
+
+#include "model/outline.h"
+#include "model_fixture.h"
+
+using namespace trundle;
+using sample::Resolved;
+using sample::resolved;
+
+namespace {
+
+const std::string kWorld = "Material g { } Surface s { }\n"
+                           "RobotConfig Cart { Param m = 1 Body b { Box hull { Size=1,1,1 Material=g Surface=s Mass=$m } } }\n"
+                           "StaticConfig Post { Param h = 1 Box wood { Size=0.1,0.1,$h Material=g Surface=s } }\n";
+
+QString messagesOf(const Resolved& r) { return QString::fromStdString(r.messages()); }
+Resolved world(const std::string& text, const std::vector<std::string>& sets = {}) { return resolved(kWorld + text, sets); }
+
+} // namespace
+
+class WorldRepeatTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void robotsAndSceneryAreThereSeveralTimes() {
+        const Resolved r = world("Repeat row { Count=3 Pos=0,$(2*index),1 Param k = $(index+1)\n"
+                                 "  Robot cart { Config=Cart m=$k Pos=0.5,0,0 Walker brain { } }\n"
+                                 "  Static post { Config=Post h=$(1+index) Pos=1,0,0 } }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->robots.size(), std::size_t(3));
+        QCOMPARE(r.experiment->robots[2].name, std::string("row_2.cart"));
+        QCOMPARE(r.experiment->robots[2].pose.position, Vec3(0.5, 4, 1));
+        QCOMPARE(r.config(2).bodies[0].mass.mass, 3.0);
+        QVERIFY(r.experiment->robots[1].controller.has_value());
+        QCOMPARE(r.experiment->statics.size(), std::size_t(3));
+        QCOMPARE(r.experiment->statics[1].name, std::string("row_1.post"));
+        QCOMPARE(r.experiment->statics[1].pose.position, Vec3(1, 2, 1));
+        QCOMPARE(r.experiment->statics[1].geoms->at(0).size.z(), 2.0);
+    }
+
+    void aRingTurnsItsMembers() {
+        const Resolved r = world("Ring fence { Count=4 Radius=2 Pos=1,0,0 Static post { Config=Post } Light lamp { Mode=lamp "
+                                 "Pos=0,0,3 } }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->statics.size(), std::size_t(4));
+        QVERIFY((r.experiment->statics[1].pose.position - Vec3(1, 2, 0)).norm() < 1e-12);
+        QVERIFY((r.experiment->statics[1].pose.rotation * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-12);
+        QCOMPARE(r.experiment->looks.size(), std::size_t(4));
+        QCOMPARE(r.experiment->looks[2].name, std::string("fence_2.lamp"));
+        const std::vector<double>& at = r.experiment->looks[2].find("Pos")->value.numbers;
+        QVERIFY((Vec3(at.data()) - Vec3(-1, 0, 3)).norm() < 1e-12);
+    }
+
+    /// A joint finds the robots of its own member first, then those around it.
+    void jointsAndRegionsBelongToTheirMember() {
+        const Resolved r = world("Robot base { Config=Cart Pos=0,-5,0 }\n"
+                                 "Repeat row { Count=2 Pos=0,$(3*index),0\n"
+                                 "  Robot a { Config=Cart } Robot b { Config=Cart Pos=2,0,0 }\n"
+                                 "  Hinge h { Parent=a.b Child=b.b Anchor=1,0,0 }\n"
+                                 "  Spring tie { Parent=base.b Child=b.b Stiffness=1 }\n"
+                                 "  Region goal { Size=1,1,1 Pos=1,0,0 Robots=b,base } }\n"
+                                 "Fixed last { Parent=base.b Child=row_1.a.b }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->joints.size(), std::size_t(3));
+        QCOMPARE(r.experiment->joints[1].spec.name, std::string("row_1.h"));
+        QCOMPARE(r.experiment->joints[1].spec.anchor, Vec3(1, 3, 0));
+        QCOMPARE(r.experiment->robots[std::size_t(r.experiment->joints[1].parentRobot)].name, std::string("row_1.a"));
+        QCOMPARE(r.experiment->robots[std::size_t(r.experiment->joints[2].childRobot)].name, std::string("row_1.a"));
+        QCOMPARE(r.experiment->springs[1].spec.anchor2, Vec3(2, 3, 0));
+        QCOMPARE(r.experiment->springs[1].spec.anchor, Vec3(0, -5, 0));
+        QCOMPARE(r.experiment->regions[1].pose.position, Vec3(1, 3, 0));
+        QCOMPARE(r.experiment->regions[1].robots.size(), std::size_t(2));
+    }
+
+    void repeatsAreInRepeats() {
+        const Resolved r = world("Repeat y { Count=2 Pos=0,$index,0 Param j = $index Repeat x { Count=3 Pos=$index,0,0\n"
+                                 "  Static p { Config=Post h=$(1 + 10*j + index) } } }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->statics.size(), std::size_t(6));
+        QCOMPARE(r.experiment->statics[5].name, std::string("y_1.x_2.p"));
+        QCOMPARE(r.experiment->statics[5].pose.position, Vec3(2, 1, 0));
+        QCOMPARE(r.experiment->statics[5].geoms->at(0).size.z(), 13.0);
+    }
+
+    void namesLeadToMembers() {
+        const Resolved r = world("Repeat row { Count=2 Robot cart { Config=Cart } }\n");
+        for (const char* name : {"row_1.cart", "row.cart"}) {
+            const Part* part = r.outline->world.find(name);
+            QVERIFY2(part && part->name == "cart", name);
+        }
+        QVERIFY(r.outline->world.find("row_1")->isRepeat());
+        QVERIFY(!r.outline->world.find("row_1.car"));
+        QVERIFY(!r.outline->world.find("rows_1.cart"));
+        QCOMPARE(provenanceOf(*r.outline, "row_1.cart.Config")->origin, Origin::Instance);
+        QCOMPARE(int(provenanceOf(*r.outline, "row_1.cart.b.hull.Mass")->origin), int(Origin::Param));
+    }
+
+    void valuesAreSetForAllMembers() {
+        const Resolved r = world("Repeat row { Count=2 Robot cart { Config=Cart } }\n", {"row.cart.m=4", "row.Count=3"});
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->robots.size(), std::size_t(3));
+        QCOMPARE(r.config(2).bodies[0].mass.mass, 4.0);
+    }
+
+    void gridsAndScattersOfScenery() {
+        const Resolved r = world("Grid crate { Config=Post Count=2,2 Spacing=1 h=$(1+index2) }\n"
+                                 "Scatter bush { Config=Post Count=5 Area=-3,-3,3,3 h=$(1+index) }\n"
+                                 "Scatter swarm { Config=Cart Count=3 Area=-3,-3,3,3 }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->statics.size(), std::size_t(9));
+        QCOMPARE(r.experiment->statics[3].name, std::string("crate_3"));
+        QCOMPARE(r.experiment->statics[3].pose.position, Vec3(0.5, 0.5, 0));
+        QCOMPARE(r.experiment->statics[3].geoms->at(0).size.z(), 2.0);
+        QCOMPARE(r.experiment->statics[8].geoms->at(0).size.z(), 5.0);
+        QCOMPARE(r.experiment->robots.size(), std::size_t(3));
+        for (std::size_t i = 0; i < 9; ++i) {
+            for (std::size_t k = 0; k < i; ++k)
+                QVERIFY((r.experiment->statics[i].pose.position - r.experiment->statics[k].pose.position).norm() > 0.1);
+            for (const RobotSpec& robot : r.experiment->robots) // clear of scenery
+                QVERIFY((r.experiment->statics[i].pose.position - robot.pose.position).norm() > 0.5);
+        }
+    }
+
+    void errors_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("message");
+        QTest::addColumn<QString>("place");
+        const auto row = [](const char* name, const char* text, const char* message, const char* place) {
+            QTest::newRow(name) << text << message << place;
+        };
+        row("a body", "Repeat row { Count=2 Body b { } }\n",
+            "E302 Body is allowed in a RobotConfig, a StaticConfig or a PartConfig, not in a Repeat at the top level\n", "Body");
+        row("in a config",
+            "RobotConfig K { Body c { Mass=1 Box h { Size=1,1,1 Material=g Surface=s } } Repeat r { Count=2 Robot x { "
+            "Config=Cart } } }\n",
+            "E302 Robot is allowed at the top level, not in a Repeat of a RobotConfig\n", "Robot");
+        row("a grid", "Repeat row { Count=2 Grid g { Config=Cart Count=2 Spacing=1 } }\n",
+            "E302 Grid is allowed at the top level, not in a Repeat at the top level\n", "Grid");
+        row("a name", "Repeat row { Count=2 Robot cart { Config=Cart } }\nRobot row_1 { Config=Cart }\n",
+            "E303 the name row_1 belongs to a member of Repeat row\n", "row_1");
+        row("a value", "Repeat row { Count=3 Robot cart { Config=Cart m=$(2-index) } }\n", "E203 Mass is 0, it must be above 0\n",
+            "$(2-index)");
+        row("too many", "Repeat row { Count=1000,1000 Static p { Config=Post } }\n",
+            "E312 with Repeat row the world would hold more than 200000 objects\n", "row");
+        row("no body",
+            "Robot c { Config=Cart } Repeat row { Count=2 Robot cart { Config=Cart } Fixed f { Parent=c.b Child=cart.c } }\n",
+            "E208 Child names cart.c, but there is no such body of a robot (robot.body); there is row_0.cart.b\n", "cart.c");
+        row("no robot", "Repeat row { Count=2 Robot cart { Config=Cart } Region r { Size=1,1,1 Robots=row_2.cart } }\n",
+            "E208 Robots names row_2.cart, but there is no such robot\n", "row_2.cart");
+        row("no parts", "Repeat row { Count=2 In=b Static p { Config=Post } }\n",
+            "E302 In places what is in a config; at the top level there are no bodies to count from\n", "b");
+    }
+    void errors() {
+        QFETCH(QString, text);
+        QFETCH(QString, message);
+        QFETCH(QString, place);
+        const Resolved r = world(text.toStdString());
+        QString errors;
+        for (const Diagnostic& d : r.diagnostics.all())
+            if (d.severity == Severity::Error) errors += QString::fromStdString(codeName(d.code) + " " + d.message) + u'\n';
+        QCOMPARE(errors, message);
+        for (const Diagnostic& d : r.diagnostics.all())
+            if (d.severity == Severity::Error) QCOMPARE(QString::fromStdString(r.slice(d.range)), place);
+    }
+};
+
+QTEST_APPLESS_MAIN(WorldRepeatTest)
+#include "world_repeat_test.moc"
