@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "editor/document/selection.h"
+#include "editor/running/panels/controller_commands.h"
 #include "editor/running/panels/controllers_panel.h"
 #include "editor/running/panels/trust.h"
 #include "editor/running/session_fixture.h"
@@ -72,6 +73,41 @@ private Q_SLOTS:
         QSettings().clear();
     }
     void cleanup() { QSettings().clear(); }
+
+    /// A robot of a running experiment gets another controller where it is, and loses it.
+    void swapsDuringARun() {
+        SessionFixture o;
+        QVERIFY(o.open("#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule controllers/linear_motion\n"
+                       "Static arena { Config=MediumArena }\n"
+                       "Robot leader { Config=SimpleRobot  Pos=1,0,0  LinearMotion brain { Speed=0.2 } }\n"
+                       "Robot idle { Config=SimpleRobot Pos=0,1,0 }\n"));
+        ControllerCommands commands(o.document, o.session);
+        o.session.run();
+        const auto snapshot = [&] { return o.session.results().snapshot; };
+        EVENTUALLY(snapshot() && snapshot()->tick > 20);
+        const auto choices = commands.choices();
+        const auto random = std::ranges::find(choices, std::string("RandomDrive"), [](const auto& c) { return c.kind.name; });
+        QVERIFY(random != choices.end());
+        const auto kindOf = [&](std::size_t robot) {
+            const auto& controllers = o.session.results().experiment->robots.at(robot).controllers;
+            return controllers.empty() ? std::string() : controllers.front().kind;
+        };
+        const auto costOf = [&](std::size_t robot) -> const ControllerCost* {
+            for (const ControllerCost& cost : snapshot()->costs)
+                if (cost.robot == robot) return &cost;
+            return nullptr;
+        };
+        QVERIFY(commands.assign({"leader", "idle"}, *random));
+        QCOMPARE(kindOf(0), std::string("RandomDrive"));
+        QCOMPARE(kindOf(1), std::string("RandomDrive"));
+        QVERIFY(!o.session.edits().needsReset());
+        const std::uint64_t tick = snapshot()->tick;
+        EVENTUALLY(snapshot()->tick > tick + 20 && costOf(1) && costOf(1)->calls > 0);
+        QVERIFY(snapshot()->stopped.empty());
+        QVERIFY(commands.unassign({"leader", "idle"}));
+        EVENTUALLY(snapshot()->costs.empty());
+        QCOMPARE(o.session.state(), RunState::Running);
+    }
 
     void theRestartButtonStartsAStoppedController() {
         SessionFixture o;
