@@ -24,7 +24,7 @@
 #include "editor/running/session.h"
 #include "editor/widgets/empty_page.h"
 #include "editor/widgets/theme.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -62,7 +62,7 @@ QString liveHint(const Document& document, const Selection& selection, const Run
     if (!place || !place->part) return {};
     if (place->part->is(Role::Layout) && !place->member)
         return PropertiesPanel::tr("Click one of its members in the 3D view to see its values.");
-    if (place->instance && !session.edits().isOfRun(std::string(firstWord(path))))
+    if (place->instance && !session.edits().isOfRun(robotNameIn(*session.results().experiment, path)))
         return PropertiesPanel::tr("Not in this run: new or renamed since it started.");
     return {};
 }

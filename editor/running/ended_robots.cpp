@@ -6,7 +6,7 @@
 #include "editor/running/run_edits.h"
 #include "editor/widgets/name_list.h"
 #include "editor/widgets/strings.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "model/outline.h"
 #include "model/passive_objects.h"
 
@@ -14,6 +14,16 @@ namespace trundle {
 namespace {
 
 constexpr int kMaxNamed = 3;
+
+/// "row.cart" of "row_3.cart", in a Repeat of the world.
+std::string allMembers(std::string_view robot) {
+    std::string all;
+    for (; firstWord(robot) != robot; robot = withoutFirstWord(robot)) {
+        const std::optional<MemberName> member = memberName(firstWord(robot));
+        all += std::string(member ? member->stem : firstWord(robot)) + ".";
+    }
+    return all + std::string(robot);
+}
 
 } // namespace
 
@@ -36,6 +46,7 @@ void EndedRobots::update() {
         m_byInstance[end.robot].push_back(&end);
         const Part* layout = layoutOfMember(*m_results.built->outline, end.robot);
         if (layout && layout->name != end.robot) m_byInstance[layout->name].push_back(&end);
+        if (const std::string all = allMembers(end.robot); all != end.robot) m_byInstance[all].push_back(&end);
     }
     Q_EMIT changed();
 }
@@ -45,9 +56,15 @@ const EndedRobots::Ends* EndedRobots::endsOf(std::string_view instance) const {
     return it != m_byInstance.end() && m_edits.isOfRun(it->first) ? &it->second : nullptr;
 }
 
+/// The start of the path that names a robot, or members, of which one has ended.
+std::string_view EndedRobots::instanceIn(std::string_view path) const {
+    return shortestStart(path, [this](std::string_view start) { return m_byInstance.contains(start); });
+}
+
 bool EndedRobots::hasEnded(std::string_view path) const {
-    const Ends* ends = endsOf(firstWord(path));
-    return ends && ends->front()->robot == firstWord(path);
+    const std::string_view robot = instanceIn(path);
+    const Ends* ends = endsOf(robot);
+    return ends && ends->front()->robot == robot;
 }
 
 QString EndedRobots::namesOf(const Ends& ends) {
@@ -68,7 +85,7 @@ QString EndedRobots::label(std::string_view instance) const {
 }
 
 QString EndedRobots::explanation(std::string_view path) const {
-    const std::string instance(firstWord(path));
+    const std::string instance(instanceIn(path));
     const Ends* ends = endsOf(instance);
     if (!ends) return {};
     const End& first = *ends->front();

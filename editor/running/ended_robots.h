@@ -49,6 +49,7 @@ private:
     };
     using Ends = std::vector<const End*>;
     [[nodiscard]] const Ends* endsOf(std::string_view instance) const;
+    [[nodiscard]] std::string_view instanceIn(std::string_view path) const;
     [[nodiscard]] static QString namesOf(const Ends& ends);
 
     const RunResults& m_results;

@@ -2,7 +2,7 @@
 
 #include "editor/running/run_edits.h"
 #include "editor/widgets/theme.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
@@ -27,7 +27,7 @@ void RunValues::begin() {
 const std::vector<LiveValue>& RunValues::of(const std::string& path) const {
     static const std::vector<LiveValue> kNone;
     if (!m_objects || !m_results.snapshot) return kNone;
-    const bool here = path.empty() || m_edits.isOfRun(std::string(firstWord(path)));
+    const bool here = path.empty() || m_edits.isOfRun(robotNameIn(*m_results.built->experiment, path));
     return here ? m_objects->read(path, *m_results.snapshot) : kNone;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/sensors/true_values.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "model/object_numbers.h"
 #include "run/logs/signal_columns.h"
 
@@ -142,9 +142,10 @@ SensorDevice deviceOf(const RunResults& run, const RobotSpec& robot, const Compo
 } // namespace
 
 std::optional<SensorDevice> sensorDeviceAt(const RunResults& run, const std::string& path) {
-    const RobotSpec* robot = run.robot(std::string(firstWord(path)));
+    const std::string owner = run.experiment ? robotNameIn(*run.experiment, path) : std::string();
+    const RobotSpec* robot = run.robot(owner);
     if (!robot || !robot->config || !run.layout) return std::nullopt;
-    const std::string_view name = withoutFirstWord(path);
+    const std::string_view name = std::string_view(path).substr(std::min(path.size(), owner.size() + 1));
     const ComponentSpec* spec = nullptr;
     for (const ControllerSpec& controller : robot->controllers)
         if (controller.name == name) spec = &controller;

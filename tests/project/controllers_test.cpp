@@ -52,6 +52,24 @@ private Q_SLOTS:
         QVERIFY2(left.contains("Walker legs") && !left.contains("arm"), qPrintable(left));
     }
 
+    /// Robots in a Repeat of the world are one row, which members are found by; scenery in a Grid has none.
+    void listsRobotsInARepeat() {
+        const auto loaded = m_fixture.open(kModules + kScene +
+                                           "Repeat row { Count=3 Pos=$(index),0,0 Robot cart { Config=Cart Walker brain { } } }\n"
+                                           "Grid walls { Config=Wall Count=2 Spacing=9 }\n");
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+        const std::vector<ControlledRobot> robots = controlledRobots(*loaded);
+        QCOMPARE(robots.size(), std::size_t(1));
+        QCOMPARE(robots[0].path + " " + robots[0].kind, std::string("row.cart Walker"));
+        QCOMPARE(robots[0].members, std::size_t(3));
+        QCOMPARE(robotsAmong(*loaded, {"row_2.cart.chassis", "row.cart", "walls_0"}), (std::vector<std::string>{"row.cart"}));
+        const auto after = [&](const Result<EditPlan>& plan) { return QString::fromStdString(m_fixture.text(loaded, plan)); };
+        const QString assigned = after(planAssign(*loaded, {"row.cart"}, kindOf(*loaded, "LinearMotion")));
+        QVERIFY2(assigned.contains("LinearMotion brain {"), qPrintable(assigned));
+        const QString left = after(planUnassign(*loaded, {"row.cart"}));
+        QVERIFY2(!left.contains("Walker"), qPrintable(left));
+    }
+
     void choicesAreTheLoadedOnesThenThoseOfModules() {
         const auto loaded = m_fixture.open("#loadModule walker\n" + kScene);
         Kind shipped = kindOf(*loaded, "Walker");

@@ -30,7 +30,7 @@ struct Bench {
     LiveSnapshot snapshot;
     std::unique_ptr<LiveObjects> objects;
 
-    Bench() {
+    explicit Bench(const std::string& name = "robot0") {
         auto config = std::make_shared<RobotConfigSpec>();
         BodySpec chassis, wheel;
         chassis.name = "chassis";
@@ -45,22 +45,22 @@ struct Bench {
         config->joints = {axle};
         config->devices = {{"Motor", "motor", {}, {}, {}}};
         RobotSpec robot;
-        robot.name = "robot0";
+        robot.name = name;
         robot.config = config;
         robot.controllers = {{{"Driver", "brain", {}, {}, {}}, {}}};
         experiment->robots = {robot};
         (void)planRobot(*layout, experiment->robots[0]);
-        layout->add("robot0/motor/voltage", "V", SignalType::Real, SignalDirection::Command);
-        layout->add("robot0/motor/current", "A", SignalType::Real, SignalDirection::Output);
-        layout->add("robot0/motor/count", "", SignalType::Integer, SignalDirection::Output);
-        layout->add("robot0/motor/hot", "", SignalType::Boolean, SignalDirection::Output);
-        layout->add("robot0/motor/ranges", "m", SignalType::Real, SignalDirection::Output, 360);
-        layout->add("robot0/motor/six", "m", SignalType::Real, SignalDirection::Output, 6); // the most that is shown whole
-        layout->add("robot0/motor/odometry", "", SignalType::Real, SignalDirection::Output, 3);
-        layout->add("robot0/brain/charge", "J", SignalType::Real, SignalDirection::Output);
+        layout->add(name + "/motor/voltage", "V", SignalType::Real, SignalDirection::Command);
+        layout->add(name + "/motor/current", "A", SignalType::Real, SignalDirection::Output);
+        layout->add(name + "/motor/count", "", SignalType::Integer, SignalDirection::Output);
+        layout->add(name + "/motor/hot", "", SignalType::Boolean, SignalDirection::Output);
+        layout->add(name + "/motor/ranges", "m", SignalType::Real, SignalDirection::Output, 360);
+        layout->add(name + "/motor/six", "m", SignalType::Real, SignalDirection::Output, 6); // the most that is shown whole
+        layout->add(name + "/motor/odometry", "", SignalType::Real, SignalDirection::Output, 3);
+        layout->add(name + "/brain/charge", "J", SignalType::Real, SignalDirection::Output);
         if (!registry->add(motorKind())) qFatal("no kind");
         block = std::make_shared<SignalBlock>(*layout);
-        for (const char* path : {"robot0/pose", "robot0/chassis/pose", "robot0/wheel/pose"}) set(path, 1, 3);
+        for (const char* path : {"/pose", "/chassis/pose", "/wheel/pose"}) set((name + path).c_str(), 1, 3);
         snapshot.block = block;
         objects = std::make_unique<LiveObjects>(experiment, layout, registry);
     }
@@ -97,6 +97,17 @@ private Q_SLOTS:
         QCOMPARE(b.read("robot0"), std::string("position = 1.250, -0.500, 0.000 m; HPR = 90.00, 0.00, 0.00 °; speed = 0.500 m/s; "
                                                "velocity = 0.300, 0.400, 0.000 m/s; angular rate = 0.000, 0.000, 2.000 rad/s; "
                                                "charge = 1500 J"));
+    }
+
+    /// A member of a Repeat in the world has a name of several words.
+    void aMemberOfARepeatIsFoundByItsName() {
+        Bench b("row_3.cart");
+        b.set("row_3.cart/pose", 1.25, 0);
+        b.set("row_3.cart/motor/current", 0.5);
+        QVERIFY(b.read("row_3.cart").starts_with("position = 1.250, 0.000, 0.000 m"));
+        QVERIFY(b.read("row_3.cart.motor").find("current = 0.500 A") != std::string::npos);
+        QVERIFY(b.read("row_3.cart.chassis.hull").starts_with("position = 0.100, 0.000, 0.000 m"));
+        QVERIFY(b.read("row_3").empty() && b.read("row_2.cart").empty());
     }
 
     void aGeomIsWhereItsBodyCarriesIt() {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "project/edits/module_lines.h"
 #include "schema/value_words.h"
 
@@ -15,7 +15,21 @@ const Part* instanceAt(const LoadedProject& loaded, std::string_view path) {
     if (!part) part = layoutOfMember(*loaded.outline, path);
     if (!part || !(part->is(Role::Instance) || part->is(Role::Layout))) return nullptr;
     const auto isMoving = [&](const RobotSpec& robot) { return robot.scenery && robot.range == part->range; };
-    return part->kind->name != "Static" || std::ranges::any_of(loaded.experiment->robots, isMoving) ? part : nullptr;
+    const Part* config = part->is(Role::Layout) ? configOf(loaded, *part) : nullptr;
+    const bool isScenery = part->kind->name == "Static" || (config && config->kind->name == "StaticConfig");
+    return !isScenery || std::ranges::any_of(loaded.experiment->robots, isMoving) ? part : nullptr;
+}
+
+/// The instance that a path is of or in, and its path in the text: "swarm" of "swarm_3", "row.cart" of "row_3.cart.chassis".
+std::pair<const Part*, std::string> instanceIn(const LoadedProject& loaded, std::string_view path) {
+    const std::string_view start = shortestStart(path, [&](std::string_view name) { return instanceAt(loaded, name) != nullptr; });
+    const Part* part = start.empty() ? nullptr : instanceAt(loaded, start);
+    std::string name = part ? part->name : std::string();
+    if (firstWord(start) != start)
+        eachInWorld(*loaded.outline, [&](const Part& each, const std::string& at) {
+            if (&each == part) name = at;
+        });
+    return {part, std::move(name)};
 }
 
 /// Whether every valid value of the old property is valid for the new one and means the same.
@@ -47,8 +61,7 @@ std::string replacement(const LoadedProject& loaded, const Part& robot, const Pa
 /// "robot0" and its first controller, or "robot0.brain".
 const Part* controllerAt(const Part& robot, std::string_view target) {
     const std::vector<const Part*> all = controllersOf(robot);
-    const std::string_view name = withoutFirstWord(target);
-    const auto named = std::ranges::find(all, name, &Part::name);
+    const auto named = std::ranges::find(all, lastWord(target), &Part::name);
     return named != all.end() ? *named : all.empty() ? nullptr : all.front();
 }
 
@@ -67,34 +80,38 @@ void join(EditPlan& plan, EditPlan more) {
 
 } // namespace
 
+bool ControlledRobot::isAmong(const std::vector<std::string>& targets) const {
+    return std::ranges::any_of(targets, [this](const std::string& each) { return each == path || each == target(); });
+}
+
 std::vector<ControlledRobot> controlledRobots(const LoadedProject& loaded) {
     std::vector<ControlledRobot> robots;
-    for (const Part* part : loaded.outline->world.all()) {
-        if (!instanceAt(loaded, part->name)) continue;
+    eachInWorld(*loaded.outline, [&](const Part& found, const std::string& path) {
+        const Part* part = instanceAt(loaded, path);
+        if (part != &found) return;
         const std::vector<const Part*> controllers = controllersOf(*part);
-        ControlledRobot robot{part->name, {}, {}, 1, controllers.size()};
-        if (part->is(Role::Layout))
-            robot.members = static_cast<std::size_t>(std::ranges::count_if(loaded.experiment->robots, [&](const RobotSpec& r) {
-                return layoutOfMember(*loaded.outline, r.name) == part && !loaded.outline->world.find(r.name);
-            }));
+        ControlledRobot robot{path, {}, {}, 1, controllers.size()};
+        if (part->is(Role::Layout) || path != part->name)
+            robot.members = static_cast<std::size_t>(std::ranges::count_if(
+                loaded.experiment->robots, [&](const RobotSpec& r) { return r.range == part->range && r.name != path; }));
         if (controllers.empty()) robots.push_back(robot);
         for (const Part* controller : controllers) {
             robot.kind = controller->kind->name;
             robot.controller = controller->name;
             robots.push_back(robot);
         }
-    }
+    });
     return robots;
 }
 
 std::vector<std::string> robotsAmong(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     std::vector<std::string> robots;
     for (const std::string& path : paths) {
-        const Part* part = instanceAt(loaded, std::string(firstWord(path)));
+        const auto [part, name] = instanceIn(loaded, path);
         if (!part) continue;
         const std::vector<const Part*> controllers = controllersOf(*part);
-        const auto chosen = std::ranges::find(controllers, withoutFirstWord(path), &Part::name);
-        std::string robot = controllers.size() > 1 && chosen != controllers.end() ? part->name + "." + (*chosen)->name : part->name;
+        const auto chosen = std::ranges::find(controllers, lastWord(path), &Part::name);
+        std::string robot = controllers.size() > 1 && chosen != controllers.end() ? name + "." + (*chosen)->name : name;
         if (std::ranges::find(robots, robot) == robots.end()) robots.push_back(std::move(robot));
     }
     return robots;
@@ -117,18 +134,18 @@ Result<EditPlan> planAssign(const LoadedProject& loaded, const std::vector<std::
     if (robots.empty()) return Error{Code::UnknownReference, "no robot is selected"};
     EditPlan plan;
     for (const std::string& name : robots) {
-        const Part* robot = instanceAt(loaded, firstWord(name));
+        const auto [robot, path] = instanceIn(loaded, name);
         if (!robot) return Error{Code::UnknownReference, name + " is no robot"};
         if (const Part* old = controllerAt(*robot, name)) {
             if (old->kind->name == controller.name) continue;
             plan.edits[old->file].push_back({old->range, replacement(loaded, *robot, *old, controller)});
-            plan.selects.push_back(robot->name + "." + (old->block->name ? old->name : "brain"));
+            plan.selects.push_back(path + "." + (old->block->name ? old->name : "brain"));
             continue;
         }
         std::string text = templateOf(loaded, controller, robot->name);
         const std::size_t open = text.find('{');
         if (open != std::string::npos) text = controller.name + " brain " + text.substr(open);
-        Result<EditPlan> one = planInsert(loaded, robot->name, text);
+        Result<EditPlan> one = planInsert(loaded, path, text);
         if (!one) return one.error();
         join(plan, std::move(one).value());
     }
@@ -141,14 +158,14 @@ Result<EditPlan> planAssign(const LoadedProject& loaded, const std::vector<std::
 Result<EditPlan> planUnassign(const LoadedProject& loaded, const std::vector<std::string>& robots) {
     std::vector<std::string> paths;
     for (const std::string& name : robots)
-        if (const Part* robot = instanceAt(loaded, firstWord(name)))
-            if (const Part* controller = controllerAt(*robot, name)) paths.push_back(robot->name + "." + controller->name);
+        if (const auto [robot, path] = instanceIn(loaded, name); robot)
+            if (const Part* controller = controllerAt(*robot, name)) paths.push_back(path + "." + controller->name);
     if (paths.empty())
         return Error{Code::UnknownReference, robots.empty() ? "no robot is selected" : "there is no controller to remove"};
     Result<EditPlan> plan = planRemove(loaded, paths);
     if (plan) { // the user may assign another controller next
         plan.value().selects.clear();
-        for (const std::string& name : robots) plan.value().selects.emplace_back(firstWord(name));
+        for (const std::string& name : robots) plan.value().selects.push_back(instanceIn(loaded, name).second);
     }
     return plan;
 }

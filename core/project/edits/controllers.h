@@ -15,6 +15,8 @@ struct ControlledRobot {
     std::size_t members = 1, controllers = 0; ///< that it has in all
     /// "robot0", or "robot0.brain" if it has several: how the functions below name it.
     [[nodiscard]] std::string target() const { return controllers > 1 ? path + "." + controller : path; }
+    /// Whether it, or its robot as a whole, is among those.
+    [[nodiscard]] bool isAmong(const std::vector<std::string>& targets) const;
 };
 /// One for each controller, and one for each robot without.
 [[nodiscard]] std::vector<ControlledRobot> controlledRobots(const LoadedProject& loaded);

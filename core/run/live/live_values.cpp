@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "run/logs/signal_columns.h"
 
 namespace trundle {
@@ -14,13 +14,6 @@ constexpr std::uint32_t kMaxNumbers = 6; // of a signal that are all shown: a ra
 template <class Range> auto* named(Range& range, std::string_view name) {
     const auto it = std::ranges::find_if(range, [&](const auto& item) { return item.name == name; });
     return it == range.end() ? nullptr : &*it;
-}
-
-/// Removes the first word, up to a dot, and returns it.
-std::string_view takeWord(std::string_view& path) {
-    const std::string_view word = firstWord(path);
-    path = withoutFirstWord(path);
-    return word;
 }
 
 Pose poseAt(const LiveSnapshot& snapshot, std::uint32_t offset) {
@@ -46,7 +39,8 @@ LiveObject::LiveObject(const ExperimentSpec& experiment, const SignalLayout& lay
 
 void LiveObject::bind(const ExperimentSpec& experiment, const SignalLayout& layout, const Registry& registry,
                       std::string_view path) {
-    const std::string first(takeWord(path));
+    const std::string first = robotNameIn(experiment, path);
+    path = path.size() > first.size() ? path.substr(first.size() + 1) : std::string_view();
     const RobotSpec* robot = named(experiment.robots, first);
     if (!robot && path.empty()) // a joint, spring or region between robots
         return addSignals(layout, first + "/", named(experiment.regions, first) ? registry.find("Region") : nullptr);

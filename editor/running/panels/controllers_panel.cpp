@@ -244,18 +244,14 @@ std::vector<std::string> ControllersPanel::chosenRobots() const {
 std::vector<std::string> ControllersPanel::controlledMembers() const {
     std::vector<std::string> names;
     const RunResults& results = m_session.results();
-    for (const RobotSpec& robot : results.experiment ? results.experiment->robots : std::vector<RobotSpec>()) {
-        const Part* layout = layoutOfMember(*results.built->outline, robot.name);
-        for (const ControlledRobot& row : m_listed)
-            if (const ControllerSpec* controller = row.path == (layout ? layout->name : robot.name) && isChosen(row) ? controllerIn(robot, row) : nullptr)
+    const std::vector<std::string> chosen = chosenRobots();
+    for (const ControlledRobot& row : m_listed) {
+        if (!row.isAmong(chosen)) continue;
+        for (const RobotSpec& robot : results.experiment ? results.experiment->robots : std::vector<RobotSpec>())
+            if (const ControllerSpec* controller = isRobotOf(m_session, robot.name, row) ? controllerIn(robot, row) : nullptr)
                 names.push_back(robot.name + "/" + controller->name);
     }
     return names;
-}
-
-bool ControllersPanel::isChosen(const ControlledRobot& robot) const {
-    const std::vector<std::string> chosen = chosenRobots();
-    return std::ranges::any_of(chosen, [&](const std::string& target) { return target == robot.path || target == robot.target(); });
 }
 
 const ModuleInfo* ControllersPanel::currentModule() const {
@@ -380,15 +376,18 @@ void ControllersPanel::showNumbers() {
 
 /// The first chosen robot that has a controller.
 const ControlledRobot* ControllersPanel::chosenController() const {
-    const auto found = std::ranges::find_if(m_listed, [&](const ControlledRobot& robot) { return !robot.kind.empty() && isChosen(robot); });
+    const std::vector<std::string> chosen = chosenRobots();
+    const auto found = std::ranges::find_if(
+        m_listed, [&](const ControlledRobot& robot) { return !robot.kind.empty() && robot.isAmong(chosen); });
     return found == m_listed.end() ? nullptr : &*found;
 }
 
 /// Sets or resets the property of the controllers' blocks, as one edit.
 void ControllersPanel::isolate(bool alone) {
     std::vector<ValueEdit> values;
+    const std::vector<std::string> chosen = chosenRobots();
     for (const ControlledRobot& robot : m_listed)
-        if (!robot.kind.empty() && isChosen(robot))
+        if (!robot.kind.empty() && robot.isAmong(chosen))
             values.push_back({robot.path + "." + robot.controller + ".Isolation", alone ? "robot" : "module"});
     if (values.empty()) return Q_EMIT refused(tr("Select a robot with a controller."));
     (void)m_document.structure().setValues(alone ? tr("Isolate Controller") : tr("Share the Process of the Module"), values);
@@ -433,7 +432,7 @@ void ControllersPanel::showButtons() {
     if (m_choosing) return;
     const QSignalBlocker quiet(m_robots);
     for (int i = 0; i < m_robots->topLevelItemCount(); ++i)
-        m_robots->topLevelItem(i)->setSelected(isChosen(m_listed[static_cast<std::size_t>(i)]));
+        m_robots->topLevelItem(i)->setSelected(m_listed[static_cast<std::size_t>(i)].isAmong(robots));
 }
 
 void ControllersPanel::showEvent(QShowEvent* event) {

@@ -59,7 +59,6 @@ private:
     void loadByDialog();
     [[nodiscard]] const ModuleInfo* currentModule() const;
     [[nodiscard]] std::vector<std::string> chosenRobots() const;
-    [[nodiscard]] bool isChosen(const ControlledRobot& robot) const;
     [[nodiscard]] std::vector<std::string> controlledMembers() const;
 
     Document& m_document;

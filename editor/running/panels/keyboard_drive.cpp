@@ -8,7 +8,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/widgets/actions.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
@@ -77,7 +77,7 @@ void KeyboardDrive::steer() {
     const std::string selected = m_selection.current();
     const auto experiment = m_session.results().experiment;
     const bool onlyOne = experiment && experiment->robots.size() == 1; // the only robot is driven whatever is selected
-    const std::string robot = onlyOne ? experiment->robots.front().name : std::string(firstWord(selected));
+    const std::string robot = onlyOne ? experiment->robots.front().name : experiment ? robotNameIn(*experiment, selected) : std::string();
     if (!m_session.robots().drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
                                   scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
         m_down.clear();

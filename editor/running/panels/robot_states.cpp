@@ -6,6 +6,7 @@
 
 #include "editor/running/session.h"
 #include "editor/widgets/strings.h"
+#include "model/robot_path.h"
 #include "project/edits/controllers.h"
 
 namespace trundle {
@@ -48,7 +49,7 @@ ControllerState stoppedState(const std::vector<const StoppedController*>& stoppe
 } // namespace
 
 bool isRobotOf(const RunSession& session, const std::string& built, const ControlledRobot& robot) {
-    if (built == robot.path) return true;
+    if (built == robot.path || isNamedBy(built, robot.path)) return true;
     const Part* layout = session.results().built ? layoutOfMember(*session.results().built->outline, built) : nullptr;
     return layout && layout->name == robot.path;
 }

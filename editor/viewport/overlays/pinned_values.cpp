@@ -166,7 +166,7 @@ std::optional<QPointF> spotOf(const ToolView& view, const std::string& path) {
     const ViewportScene& world = view.context().world;
     if (path.empty()) return std::nullopt;
     std::vector<ObjectRef> objects = world.objectsOf(path);
-    if (objects.empty()) objects = world.objectsOf(std::string(firstWord(path)));
+    for (std::string owner = path; objects.empty() && !owner.empty();) objects = world.objectsOf(owner = std::string(withoutLastWord(owner)));
     if (objects.size() != 1 || world.isHidden(objects.front())) return std::nullopt;
     const Bounds bounds = world.objects()->boundsOf(objects.front(), view.shownPoses());
     const Vec3 point = bounds.empty() ? world.objects()->poseOf(objects.front(), view.shownPoses()).position : bounds.centre();

@@ -1,0 +1,36 @@
+#pragma once
+// Robots in paths: the name of a member of a Repeat in the world has several words, "row_3.cart".
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "model/dotted_path.h"
+#include "model/experiment_spec.h"
+
+namespace trundle {
+
+/// The shortest start of a path, in whole words, for which `is(start)` holds; empty if there is none.
+template <class Is> std::string_view shortestStart(std::string_view path, const Is& is) {
+    for (std::size_t end = firstWord(path).size(); end > 0 && end <= path.size();
+         end = std::min(path.find('.', end + 1), path.size())) {
+        if (is(path.substr(0, end))) return path.substr(0, end);
+        if (end == path.size()) break;
+    }
+    return {};
+}
+
+/// The name of the robot that a path is of, "row_3.cart" of "row_3.cart.leftMotor"; its first word if it is of none.
+inline std::string robotNameIn(const ExperimentSpec& experiment, std::string_view path) {
+    const auto isRobot = [&](std::string_view name) { return std::ranges::find(experiment.robots, name, &RobotSpec::name) != experiment.robots.end(); };
+    const std::string_view robot = shortestStart(path, isRobot);
+    return std::string(robot.empty() ? firstWord(path) : robot);
+}
+
+/// Whether a robot has this name, or is one of the members that it names: "row_3.cart" of "row.cart", "swarm_3" of "swarm".
+inline bool isNamedBy(std::string_view robot, std::string_view name) {
+    const auto rest = restBehind(name, robot);
+    return rest && rest->empty();
+}
+
+} // namespace trundle
