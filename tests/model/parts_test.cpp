@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "model/mass_properties.h"
+#include "model/resolve/part_expansion.h"
 #include "model/resolve/resolve_steps.h"
 #include "model_fixture.h"
 
@@ -378,7 +379,8 @@ private Q_SLOTS:
             ResolveContext context(*r.outline, sample::assets(), reported, out);
             resolveMaterials(context);
             resolveSurfaces(context);
-            resolveInstances(context);
+            PartExpansion world(context);
+            resolveInstances(context, world);
             return reported.hasErrors() || out.robots.at(0).config->bodies.size() != std::size_t(count) + 1 ? 0 : context.reads;
         };
         const std::size_t one = readsOf(1), many = readsOf(1001);

@@ -31,7 +31,7 @@ private Q_SLOTS:
         QCOMPARE(r.experiment->robots[2].name, std::string("row_2.cart"));
         QCOMPARE(r.experiment->robots[2].pose.position, Vec3(0.5, 4, 1));
         QCOMPARE(r.config(2).bodies[0].mass.mass, 3.0);
-        QVERIFY(r.experiment->robots[1].controller.has_value());
+        QCOMPARE(r.experiment->robots[1].controllers.size(), std::size_t(1));
         QCOMPARE(r.experiment->statics.size(), std::size_t(3));
         QCOMPARE(r.experiment->statics[1].name, std::string("row_1.post"));
         QCOMPARE(r.experiment->statics[1].pose.position, Vec3(1, 2, 1));
