@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-enum class Tree { Chain, Star, Random };
+enum class JointTree { Chain, Star, Random };
 
 /// Bodies in a tree of hinges, motors with a limit, and contacts with friction on some of the bodies; random positions.
 struct Island {
@@ -28,10 +28,10 @@ struct Island {
     std::vector<int> normals;
     std::vector<std::vector<int>> joints; ///< rows
 
-    Island(Tree tree, int bodies, int motors, int contacts, std::uint32_t seed) : m_random(seed) {
+    Island(JointTree tree, int bodies, int motors, int contacts, std::uint32_t seed) : m_random(seed) {
         for (int child = 1; child < bodies; ++child) {
-            const int parent = tree == Tree::Chain  ? child - 1
-                               : tree == Tree::Star ? 0
+            const int parent = tree == JointTree::Chain  ? child - 1
+                               : tree == JointTree::Star ? 0
                                                     : static_cast<int>(m_random() % unsigned(child));
             joints.emplace_back();
             for (int k = 0; k < 5; ++k) joints.back().push_back(addRow(child, parent, -kInfinity, kInfinity, -1));
@@ -161,9 +161,9 @@ private Q_SLOTS:
         QTest::addColumn<int>("tree");
         QTest::addColumn<int>("bodies");
         for (const int bodies : {1, 2, 3, 7, 8, 20, 60}) {
-            QTest::addRow("chain of %d", bodies) << int(Tree::Chain) << bodies;
-            QTest::addRow("star of %d", bodies) << int(Tree::Star) << bodies;
-            QTest::addRow("tree of %d", bodies) << int(Tree::Random) << bodies;
+            QTest::addRow("chain of %d", bodies) << int(JointTree::Chain) << bodies;
+            QTest::addRow("star of %d", bodies) << int(JointTree::Star) << bodies;
+            QTest::addRow("tree of %d", bodies) << int(JointTree::Random) << bodies;
         }
     }
     void solvesIslands() {
@@ -171,7 +171,7 @@ private Q_SLOTS:
         QFETCH(int, bodies);
         int settled = 0;
         for (std::uint32_t seed = 0; seed < 20; ++seed) {
-            const Island island(Tree(tree), bodies, 4, 1 + bodies / 8, seed);
+            const Island island(JointTree(tree), bodies, 4, 1 + bodies / 8, seed);
             bool solved = false;
             const std::vector<double> x = solutionOf(island, solved);
             QVERIFY(solved);
@@ -237,7 +237,7 @@ private Q_SLOTS:
     void fillsLittleInTrees() {
         int filled = 0, filledAsTheyCome = 0;
         for (std::uint32_t seed = 0; seed < 30; ++seed) {
-            const Island island(Tree::Random, 30, 0, 0, seed);
+            const Island island(JointTree::Random, 30, 0, 0, seed);
             const auto rows = static_cast<unsigned>(island.right.size()), words = (rows + 63) / 64;
             std::vector<unsigned> mixed(rows);
             for (unsigned i = 0; i < rows; ++i) mixed[i] = i;
@@ -263,7 +263,7 @@ private Q_SLOTS:
 
     /// Rows that contradict each other are left to ODE.
     void refusesWhatIsSingular() {
-        Island island(Tree::Star, 3, 0, 0, 1);
+        Island island(JointTree::Star, 3, 0, 0, 1);
         island.matrix.row(3) = island.matrix.row(2);
         island.matrix.col(3) = island.matrix.col(2);
         bool solved = true;
@@ -274,7 +274,7 @@ private Q_SLOTS:
     /// So are rows with nothing on the diagonal, in islands of any size.
     void refusesZeroOnTheDiagonal() {
         for (const int bodies : {3, 60}) {
-            Island island(Tree::Chain, bodies, 0, 0, 1);
+            Island island(JointTree::Chain, bodies, 0, 0, 1);
             island.matrix(0, 0) = 0;
             bool solved = true;
             (void)solutionOf(island, solved);
