@@ -132,10 +132,15 @@ Throw planFor(const LoadedProject& loaded, RandomNumbers& rng, const std::vector
     }
 }
 
-/// `turn`: which object gets its turn; nothing: any.
+/// `turn`: which kind of object gets its turn; nothing: any object.
 Throw throwPlan(const LoadedProject& loaded, RandomNumbers& rng, std::optional<std::size_t> turn = std::nullopt) {
     const std::vector<std::string> paths = pathsOf(loaded);
-    const std::string path = turn && !paths.empty() ? paths[*turn % paths.size()] : rng.of(paths);
+    std::map<std::string, std::vector<std::string>> byKind;
+    for (const std::string& path : paths)
+        if (const auto place = turn ? placeOf(loaded, path) : std::nullopt; place && place->part && place->part->kind)
+            byKind[place->part->kind->name].push_back(path);
+    const auto kind = [&] { return std::next(byKind.begin(), static_cast<std::ptrdiff_t>(*turn % byKind.size())); };
+    const std::string path = byKind.empty() ? rng.of(paths) : rng.of(kind()->second);
     Throw thrown = planFor(loaded, rng, paths, path);
     thrown.path = path;
     return thrown;
@@ -200,7 +205,7 @@ private Q_SLOTS:
                                                : static_cast<unsigned>(file.size() * 7 + style.size());
         RandomNumbers rng(seed);
         for (int i = 0; i < count; ++i) {
-            const Throw thrown = file == "parts_kit" ? throwPlan(*loaded, rng, std::size_t(i) * 11) : throwPlan(*loaded, rng);
+            const Throw thrown = file == "parts_kit" ? throwPlan(*loaded, rng, std::size_t(i)) : throwPlan(*loaded, rng);
             if (!thrown.plan.ok()) {
                 QVERIFY2(!thrown.plan.error().message.empty(), thrown.what.c_str());
                 continue;
