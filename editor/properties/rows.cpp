@@ -54,7 +54,16 @@ public:
 private:
     void add(std::string id, const QString& section, FieldValue value, const Kind* kind) {
         const std::string name = value.property ? value.property->name : std::string(lastWord(value.path));
-        m_listed.push_back({std::move(id), toQString(name), section, std::move(value), kind, m_object.config()});
+        const Part* config = id == "In" && m_object.isInstance() ? holder() : m_object.config();
+        m_listed.push_back({std::move(id), toQString(name), section, std::move(value), kind, config});
+    }
+
+    /// The config that a Part is placed in, whose bodies its In may name.
+    [[nodiscard]] const Part* holder() const {
+        const std::optional<ObjectLocation> place = placeOf(*m_loaded, m_object.path());
+        const std::vector<const Part*> above = place ? place->above : std::vector<const Part*>();
+        const auto config = std::find_if(above.rbegin(), above.rend(), [](const Part* part) { return part->is(Role::Config); });
+        return config == above.rend() ? nullptr : *config;
     }
 
     void addProperties(ObjectValues& object, const std::string& prefix, const QString& section) {

@@ -21,7 +21,7 @@ LiveLines faultLines(const std::vector<Diagnostic>& warnings, const LiveSnapshot
     for (const Diagnostic& warning : warnings) {
         if (warning.code != Code::BlowUp && warning.code != Code::ControllerFailed) continue;
         const int severity = warning.severity == Severity::Error ? TRUNDLE_ERROR : TRUNDLE_WARNING;
-        const std::vector<std::string>* backtrace = nullptr;
+        std::vector<std::string> backtrace;
         LiveLine line{snapshot ? snapshot->time : 0, {}, severity, codeName(warning.code) + ": " + warning.message};
         for (const RobotEnd& end : snapshot ? snapshot->ended : std::vector<RobotEnd>())
             if (end.fault.range == warning.range) {
@@ -32,10 +32,10 @@ LiveLines faultLines(const std::vector<Diagnostic>& warnings, const LiveSnapshot
             if (stopped.place == warning.range) {
                 line.time = stopped.time;
                 line.who = experiment.robots[stopped.robot].name;
-                backtrace = warning.severity == Severity::Error ? &stopped.fault.backtrace : nullptr;
+                if (warning.severity == Severity::Error) backtrace = stopped.fault.backtrace;
             }
         lines.lines.push_back(line);
-        for (const std::string& frame : backtrace ? *backtrace : std::vector<std::string>())
+        for (const std::string& frame : backtrace)
             lines.lines.push_back({line.time, line.who, severity, "  " + frame});
     }
     return lines;

@@ -186,6 +186,7 @@ std::vector<const CameraModel*> ViewportScene::camerasOf(const std::string& path
 
 bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, std::size_t body,
                              const std::string& component) const {
+    if (path.empty()) return false;
     // Splits "seeker.eye" or "RobotConfig.Seeker.eye" into the robot or config and the component.
     const bool byConfig = firstWord(path) == "RobotConfig" || firstWord(path) == "StaticConfig";
     const std::string_view local = byConfig ? withoutFirstWord(path) : path;
