@@ -9,7 +9,9 @@ namespace trundle {
 std::vector<const Part*> configsWithoutInstances(const LoadedProject& loaded) {
     std::vector<const Part*> described;
     const Outline& outline = *loaded.outline;
-    if (std::ranges::any_of(outline.parts, [](const auto& part) { return isPlaced(*part); })) return described;
+    bool isAnyPlaced = std::ranges::any_of(outline.parts, [](const auto& part) { return isPlaced(*part); });
+    eachInWorld(outline, [&](const Part& part, const std::string&) { isAnyPlaced = isAnyPlaced || isPlaced(part); });
+    if (isAnyPlaced) return described;
     for (const Part* config : outline.configs.all())
         if (config->file == 0 && config->kind->name != "PartConfig") described.push_back(config);
     return described;
