@@ -10,7 +10,7 @@
 
 namespace trundle {
 
-/// The shortest start of a path, in whole words, for which `is(start)` holds; empty if there is none.
+/// The shortest start of a path, in whole words, for which `is(start)` holds; else empty.
 template <class Is> std::string_view shortestStart(std::string_view path, const Is& is) {
     for (std::size_t end = firstWord(path).size(); end > 0 && end <= path.size();
          end = std::min(path.find('.', end + 1), path.size())) {

@@ -32,7 +32,7 @@ qsizetype firstPathStep(const ObjectValues& object, const QStringList& words) {
     return byKind ? 2 : 1;
 }
 
-/// The Repeat at the top level of which the path names a member: the text has one block for all of them. Empty: there is none.
+/// The Repeat at the top level of which the path names a member: the text has one block for all of them. Empty: it names none.
 QString repeatOf(const ObjectValues& object) {
     const auto place = placeOf(object.loaded(), object.shownPath());
     if (!place) return {};

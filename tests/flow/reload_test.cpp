@@ -100,7 +100,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("isolation");
         for (const char* isolation : {"none", "module", "robot"}) QTest::newRow(isolation) << QByteArray(isolation);
     }
-    /// A library, then a file in Python, then the library again, then nobody: the robot stays where it is.
+    /// A library, then a file in Python, then the library again, then no controller: the robot stays where it is.
     void anotherControllerTakesThePlace() {
         QFETCH(QByteArray, isolation);
         QVERIFY(QDir(m_folder.path()).mkpath("mine"));

@@ -51,7 +51,7 @@ Vec3 JointHandles::onCircle(double angle, bool second) const {
     return m_joint.spec().anchor + kCirclePart * m_length * (std::cos(angle) * zero + std::sin(angle) * across);
 }
 
-/// The value of a stop, or where its handle is if there is none.
+/// The value of a stop, or else where its handle is.
 double JointHandles::shownStop(const JointStop& stop) const {
     if (const auto value = m_joint.stop(stop)) return *value;
     const auto other = m_joint.stop({!stop.isHigh, stop.isSecond});
