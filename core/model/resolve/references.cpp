@@ -195,7 +195,7 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
 }
 
 std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& record, const PartFrame& frame) {
-    Record own = record; // the config that a Part names is none of the names in a config
+    Record own = record; // without the config that a Part names, which is not looked up in a config
     for (std::size_t i = 0; i < own.values.size(); ++i)
         if (own.kind->properties[i].name != "In") own.values[i].reset();
     const ResolvedValue* value = own.find("In");
