@@ -19,11 +19,11 @@ namespace {
 
 constexpr double kReach = 400, kReachInRadii = 60; // m, of the floor
 
-osg::ref_ptr<osg::Group> shapesOf(const std::vector<GeomSpec>& geoms, const ExperimentSpec& experiment, const Look& look,
+osg::ref_ptr<osg::Group> shapesOf(const std::vector<GeomSpec>& geoms, const ExperimentSpec& experiment, const SceneShading& look,
                                   Pictures& pictures) {
     static std::map<const void*, osg::ref_ptr<osg::Group>> known;
     osg::ref_ptr<osg::Group>& node = known[&geoms];
-    if (!node) node = makeGeomNode(geoms, experiment.materials, look, pictures);
+    if (!node) node = makeGeomNode(geoms, experiment.materials, {}, look, pictures);
     return node;
 }
 
@@ -37,7 +37,7 @@ struct BareView::Parts {
     BodyPoses poses;
     std::unique_ptr<EglContext> egl;
     osg::ref_ptr<GraphicsContext> context;
-    Look look;
+    SceneShading look;
     Pictures pictures;
     osg::ref_ptr<osg::Group> root = new osg::Group;
     std::vector<osg::ref_ptr<osg::MatrixTransform>> bodies;
@@ -77,7 +77,7 @@ struct BareView::Parts {
     void surround(const ExperimentSpec& experiment, osg::Group& solid, const Bounds& about) {
         const SceneUniforms uniforms;
         osg::StateSet& state = *root->getOrCreateStateSet();
-        Look::applyTo(state, uniforms);
+        SceneShading::applyTo(state, uniforms);
         const Lighting lighting = lightingOf(experiment);
         lighting.applyTo(state);
         const double reach = std::max(kReach, kReachInRadii * about.radius());
