@@ -20,12 +20,13 @@ DriveStatistics::DriveStatistics(const World& world) {
                 return world.layout().find(robots[i].name + "/" + device.name + "/" + signal);
             };
             const SignalEntry* pose = find("pose");
+            if (!pose || pose->count != 3) continue;
             const SignalEntry* commands[] = {find("linearVelocity"), find("angularVelocity"), find("linearAmount"),
                                              find("angularAmount")};
             const SignalEntry* sequence = find("sequence");
             const SignalEntry* done = find("done");
             if (find("lateralVelocity")) continue; // its way is not that of its heading
-            if (!pose || pose->count != 3 || !sequence || !done || std::ranges::count(commands, nullptr) > 0) continue;
+            if (!sequence || !done || std::ranges::count(commands, nullptr) > 0) continue;
             const std::uint32_t p = pose->offset;
             Drive drive;
             drive.totals.robot = i;

@@ -123,7 +123,10 @@ std::string stoppedRows(const Runner& runner, const ExperimentSpec& experiment) 
 
 std::string solverRows(const World& world) {
     std::string text;
-    if (world.experiment().settings.engine == EngineChoice::Wheeled) text += row("engine", "wheeled");
+    const bool wheeled = world.experiment().settings.engine == EngineChoice::Wheeled;
+    const std::string threads = world.threads() > 1 ? std::to_string(world.threads()) + " threads" : "";
+    if (wheeled) text += row("engine", "wheeled" + (threads.empty() ? "" : ", " + threads));
+    else if (!threads.empty()) text += row("engine", threads);
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)
         text += row("solver", counted(world.quickTicks(), "tick") + " solved by the quick solver (" +

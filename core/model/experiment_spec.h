@@ -103,6 +103,7 @@ struct SettingsSpec {
     EngineChoice engine = EngineChoice::General;
     SourceRange engineRange; ///< of its value; unknown if it is the default
     int iterations = 20;
+    int threads = 0; ///< that compute the motion; 0: as many as the machine has, where the work is worth it
     double errorReduction = 0.8; ///< error reduction parameter of joints, per tick
     std::string isolation = "none", title, description;
 };

@@ -92,6 +92,7 @@ public:
 
     [[nodiscard]] virtual std::uint64_t ticks() const = 0;
     [[nodiscard]] double time() const { return static_cast<double>(ticks()) * experiment().settings.tick; }
+    [[nodiscard]] virtual unsigned threads() const { return 1; } ///< that compute the motion; no result depends on it
     /// Ticks solved by the quick solver: all with Solver = quick, those with large clusters with auto, and those the exact solver
     /// failed on.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;

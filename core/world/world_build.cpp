@@ -1,4 +1,8 @@
 #include "world/built_world.h"
+
+#include <algorithm>
+#include <thread>
+
 #include "world/validate.h"
 #include "world/wheeled/wheeled.h"
 
@@ -6,12 +10,22 @@ namespace trundle {
 
 namespace {
 
+constexpr unsigned kMostByItself = 8; // threads
+
 /// With the engine that fits it.
 std::shared_ptr<const ExperimentSpec> withEngine(std::shared_ptr<const ExperimentSpec> experiment) {
     if (experiment->settings.engine != EngineChoice::Auto) return experiment;
     auto chosen = std::make_shared<ExperimentSpec>(*experiment);
     chosen->settings.engine = fitsWheeled(*experiment, nullptr) ? EngineChoice::Wheeled : EngineChoice::General;
     return chosen;
+}
+
+/// Few robots are done before other threads have begun.
+int threadsFor(const ExperimentSpec& experiment) {
+    constexpr std::size_t kWorth = 32;
+    if (experiment.settings.threads > 0) return experiment.settings.threads;
+    if (experiment.robots.size() < kWorth) return 1;
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, kMostByItself));
 }
 
 } // namespace
@@ -22,7 +36,7 @@ std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experi
     if (!isBuildable(*experiment, diagnostics)) return nullptr;
     experiment = withEngine(std::move(experiment));
     const SettingsSpec& s = experiment->settings;
-    const EngineSettings settings{s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get()};
+    const EngineSettings settings{s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get(), threadsFor(*experiment)};
     auto engine = s.engine == EngineChoice::Wheeled ? makeWheeledEngine(settings) : makeOdeEngine(settings);
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);

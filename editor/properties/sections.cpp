@@ -22,7 +22,7 @@ const Section kCommon[] = {
 };
 const Section kSettings[] = {
     {QT_TRANSLATE_NOOP("QObject", "Time"), {"Tick", "Duration", "Seed"}},
-    {QT_TRANSLATE_NOOP("QObject", "Physics"), {"Engine", "Gravity", "Solver", "Iterations", "ErrorReduction", "NoContact"}},
+    {QT_TRANSLATE_NOOP("QObject", "Physics"), {"Engine", "Gravity", "Solver", "Iterations", "Threads", "ErrorReduction", "NoContact"}},
     {QT_TRANSLATE_NOOP("QObject", "About"), {"Title", "Description"}},
 };
 

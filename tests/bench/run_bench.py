@@ -135,6 +135,27 @@ def engines(programs, options):
     return []
 
 
+def threads(programs, options):
+    """The same crowd on one thread and on two, by the clock on the wall, without start and load: for a machine that does nothing else."""
+    rows = []
+    for count in [100] if options.quick else [100, 1000]:
+        progress(f"threads, {count} robots")
+        seconds = crowded_seconds(count, options.quick)
+        for engine in ["general", "wheeled"]:
+            text = f"Engine = {engine}\n" + experiments.crowd(count, seconds).replace("Solver = exact", "Solver = auto")
+            paths = {n: programs.write(f"threads{n}", f"Threads = {n}\n" + text) for n in [1, 2]}
+            values = interleaved(options.repetitions, {n: lambda n=n: programs.run(paths[n]) for n in [1, 2]})
+            if {run["state_hash"] for runs in values.values() for run in runs} != {values[1][0]["state_hash"]}:
+                raise Failed("the results depend on the number of threads")
+            factors = {n: [run["real_time_factor"] for run in runs] for n, runs in values.items()}
+            rows.append([engine, count, seconds] + [f"{median(factors[n]):.3g}" for n in [1, 2]] +
+                        [round(pairs_ratio(factors[2], factors[1]), 2)])
+    header = ["engine", "robots", "simulated [s]", "one thread [x real time]", "two threads", "two / one"]
+    report.write_csv(os.path.join(RESULTS, "threads.csv"), header, rows)
+    report.put_table(PAGE, "threads", header, rows)
+    return []
+
+
 def crowds(programs, options):
     """Moving robots against real-time factor and memory (the thesis's Tables 4.5 and 4.7)."""
     rows = []
@@ -278,7 +299,7 @@ def rays(programs, options):
     return ray_tables.measure(programs, options, RESULTS, PAGE)
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "engines": engines, "crowds": crowds,
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "engines": engines, "threads": threads, "crowds": crowds,
             "controllers": controllers, "radios": radios, "rays": rays}
 
 

@@ -85,7 +85,7 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QStringList expected{"ticks",          "simulated_s", "wall_s",        "real_time_factor",
                          "peak_memory_kb", "state_hash",  "quick_ticks",   "interrupted",
                          "robots",         "diagnostics", "rescued_ticks", "finished",
-                         "objects",        "ended",       "stopped",       "engine"};
+                         "objects",        "ended",       "stopped",       "engine",      "threads"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);

@@ -1,4 +1,5 @@
-// The numbers of a run stay what they are: state hashes of shipped experiments and of worlds with every part of the physics, as constants.
+// The numbers of a run stay what they are: state hashes of shipped experiments and of worlds with every part of the physics, as constants,
+// and the same for any number of threads.
 //
 // A change that is not meant to change results keeps all of them. One that is (a device, a joint, a solver) changes some; then the new ones
 // come here, and RESULTS.md says what became different. They hold for ODE and C library of Debian 12 on x86-64 with AVX2 and FMA: other
@@ -62,14 +63,16 @@ const World kWorlds[] = {
      "  Body right { Pos=0,-0.06,0.05 Box pad { Size=0.06,0.02,0.06 Mass=0.1 Surface=rubber } }\n"
      "  Body arm { Pos=0.1,0,0.5 HPR=0,30,0 Box beam { Size=0.2,0.02,0.02 Mass=0.3 } }\n"
      "  Slider rail { Parent=world Child=palm Axis=0,0,1 Friction=2 }\n  Slider openLeft { Parent=palm Child=left Axis=0,1,0 }\n"
-     "  Slider openRight { Parent=palm Child=right Axis=0,-1,0 }\n  Hinge elbow { Parent=palm Child=arm Anchor=0,0,0.5 Axis=0,1,0 }\n"
+     "  Slider openRight { Parent=palm Child=right Axis=0,-1,0 }\n  Hinge elbow { Parent=palm Child=arm Anchor=0,0,0.5 "
+     "Axis=0,1,0 }\n"
      "  LinearMotor hoist { Joint=rail MaxForce=15 MaxSpeed=0.05 TimeConstant=0.5 }\n"
      "  Servo bend { Joint=elbow MaxTorque=0.2 MaxSpeed=2 }\n"
      "  Gripper hand { Left=openLeft Right=openRight Force=10 }\n}\n"
      "RobotConfig Load { Body body { Box box { Size=0.04,0.1,0.06 Mass=0.5 Surface=rubber } } }\n"
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
      "3", "8850068cf647f313"},
-    {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n", "8", "cf91192eb18b0214"},
+    {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n",
+     "8", "cf91192eb18b0214"},
     {"robots that crowd, a crate and a ball, on wheels", nullptr,
      "Engine=wheeled\nRobotConfig Crate { Body b { Box g { Size=0.12,0.1,0.08 Mass=0.3 Surface=plastic Material=red } } }\n"
      "RobotConfig Ball { Body b { Sphere g { Radius=0.05 Mass=0.2 Surface=rubber Material=red } } }\n"
@@ -77,19 +80,23 @@ const World kWorlds[] = {
      "Robot crate { Config=Crate Pos=0.25,0.25,0.04 }\nRobot ball { Config=Ball Pos=-0.25,0.25,0.05 }\n",
      "8", "a8ff8753c967415f"},
     {"quick solver, long ticks", nullptr,
-     "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
+     "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot "
+     "Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
      "6", "dd17cd70565e61c4"},
     {"a pile, chains, a hull", nullptr,
      "Grid a { Config=Crate Count=3,3 Spacing=0.11 Pos=0,0,0.1 }\nGrid b { Config=Ball Count=3,3 Spacing=0.12 Pos=0.02,0,0.4 }\n"
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"
-     "Grid d { Config=Chain Count=2,2 Spacing=0.8,0.4 Pos=0,1,0.5 HPR=20,30,0 }\nRobot w { Config=Wedge Pos=-1,-1,0.5 HPR=30,40,50 }\n",
+     "Grid d { Config=Chain Count=2,2 Spacing=0.8,0.4 Pos=0,1,0.5 HPR=20,30,0 }\nRobot w { Config=Wedge Pos=-1,-1,0.5 "
+     "HPR=30,40,50 }\n",
      "2", "24ceec077b1a834f"},
     {"springs and stops", nullptr,
      "RobotConfig Cart { Body hull { Pos=0,0,0.25 Box g { Size=0.5,0.3,0.1 Mass=4 Surface=plastic Material=red } }\n"
-     "  Repeat corner { Count=2,2 Pos=$(0.4*index - 0.2),$(0.36*index2 - 0.18),0 Body wheel { Pos=0,0,0.1 Cylinder tyre { Radius=0.1 Length=0.04 HPR=0,0,90 Mass=0.4 Surface=rubber Material=black } }\n"
+     "  Repeat corner { Count=2,2 Pos=$(0.4*index - 0.2),$(0.36*index2 - 0.18),0 Body wheel { Pos=0,0,0.1 Cylinder tyre { "
+     "Radius=0.1 Length=0.04 HPR=0,0,90 Mass=0.4 Surface=rubber Material=black } }\n"
      "    Suspension strut { Parent=hull Child=wheel Axis=0,0,1 Axis2=0,1,0 Stiffness=800 Damping=30 Travel=0.05 } }\n"
      "  Body mast { Pos=0,0,0.5 Box g { Size=0.02,0.02,0.3 Mass=0.1 Surface=plastic Material=red } }\n"
-     "  Hinge flex { Parent=hull Child=mast Anchor=0,0,0.35 Axis=1,0,0 Stiffness=3 Damping=0.01 LowStop=-20deg HighStop=20deg } }\n"
+     "  Hinge flex { Parent=hull Child=mast Anchor=0,0,0.35 Axis=1,0,0 Stiffness=3 Damping=0.01 LowStop=-20deg HighStop=20deg } "
+     "}\n"
      "Grid g { Config=Cart Count=2,2 Spacing=0.8 Pos=0,0,0.1 HPR=20,4,3 }\n",
      "3", "61db386ee4a8f411"},
 };
@@ -114,18 +121,32 @@ private Q_SLOTS:
     }
     void staysTheSame() {
         QFETCH(int, index);
-        const World& world = kWorlds[index];
+        const auto hash = [&] { return hashOf(kWorlds[index], 1); };
+        QCOMPARE(hash(), hasConstants() ? QByteArray(kWorlds[index].hash) : hash());
+    }
+
+    void isTheSameOnAnyThreads_data() { staysTheSame_data(); }
+    void isTheSameOnAnyThreads() {
+        QFETCH(int, index);
+        const QByteArray one = hasConstants() ? QByteArray(kWorlds[index].hash) : hashOf(kWorlds[index], 1);
+        for (const int threads : {2, 3, 4}) QCOMPARE(hashOf(kWorlds[index], threads), one);
+    }
+
+private:
+    [[nodiscard]] QByteArray hashOf(const World& world, int threads) const {
         QString file = m_folder.filePath("world.sim");
         if (world.file) file = configPath(QStringLiteral("experiments/") + world.file);
         else {
             const QByteArray text = world.text;
-            QVERIFY(writeFile(file, (text.contains("SimpleRobot") ? kDriving : text.contains("#import") ? "" : kShapes) + text));
+            if (!writeFile(file, (text.contains("SimpleRobot") ? kDriving : text.contains("#import") ? "" : kShapes) + text))
+                return {};
         }
-        const auto hash = [&] {
-            const QStringList run{"run", file, "--hash", "--quiet", "--duration", world.seconds, "--log-dir", m_folder.filePath("logs")};
-            return cli(run).out.split(' ').value(1);
-        };
-        QCOMPARE(hash(), hasConstants() ? QByteArray(world.hash) : hash());
+        const QStringList run{"run",        file,
+                              "--hash",     "--quiet",
+                              "--duration", world.seconds,
+                              "--log-dir",  m_folder.filePath("logs"),
+                              "--set",      "Threads=" + QString::number(threads)};
+        return cli(run).out.split(' ').value(1);
     }
 };
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 
 #include <link.h>
+#include <pthread.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -54,6 +57,31 @@ private:
     int m_count = 0;
 };
 
+/// What of the calling thread's stack is in use.
+bool isOnStack(const char* byte) {
+    thread_local const char* const end = [] {
+        pthread_attr_t attributes;
+        void* from = nullptr;
+        std::size_t size = 0;
+        if (pthread_getattr_np(pthread_self(), &attributes) != 0) return static_cast<const char*>(nullptr);
+        const bool found = pthread_attr_getstack(&attributes, &from, &size) == 0;
+        pthread_attr_destroy(&attributes);
+        return found ? static_cast<const char*>(from) + size : nullptr;
+    }();
+    return byte >= static_cast<const char*>(__builtin_frame_address(0)) && byte < end;
+}
+
+/// The memory that malloc takes from the end of the program's data; it grows and shrinks at its end only.
+bool isOnHeap(const char* byte) {
+    static const char* const begin = [] {
+        std::ifstream maps("/proc/self/maps");
+        for (std::string line; std::getline(maps, line);)
+            if (line.ends_with("[heap]")) return reinterpret_cast<const char*>(std::strtoull(line.c_str(), nullptr, 16));
+        return static_cast<const char*>(nullptr);
+    }();
+    return begin && byte >= begin && byte < static_cast<const char*>(sbrk(0));
+}
+
 struct Span {
     std::size_t length = 0;
     bool terminated = false;
@@ -63,8 +91,9 @@ struct Span {
 Span spanOf(const char* text, std::size_t longest) {
     static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     static const ProgramImage program;
+    const auto canRead = [](const char* byte) { return program.has(byte) || isOnStack(byte) || isOnHeap(byte) || isReadable(byte); };
     Span span;
-    while (span.length < longest && (program.has(text + span.length) || isReadable(text + span.length))) {
+    while (span.length < longest && canRead(text + span.length)) {
         const std::size_t toItsEnd = page - reinterpret_cast<std::uintptr_t>(text + span.length) % page;
         const std::size_t count = std::min(toItsEnd, longest - span.length), found = strnlen(text + span.length, count);
         span.length += found;

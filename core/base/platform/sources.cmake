@@ -27,4 +27,5 @@ set(BASE_PLATFORM_SOURCES
   platform/standard_descriptors.cpp
   platform/thread_priority.cpp
   platform/user_folder.cpp
-  platform/wait_word.cpp)
+  platform/wait_word.cpp
+  platform/work_team.cpp)

@@ -44,6 +44,8 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
     d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"),
             "Exact, quick, or chosen by the size of the largest cluster of contacts.");
     d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");
+    d.field("Threads", &SettingsFields::threads, whole(0, 64),
+            "Threads that compute the motion; 0 = as many as the machine has, where there is work for them. The results do not depend on it.");
     d.field("ErrorReduction", &SettingsFields::errorReduction, number().within(0.05, 0.95),
             "Share of what a joint gapes that one tick closes (ODE's ERP). Less makes joints softer.");
     d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"),

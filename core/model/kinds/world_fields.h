@@ -18,7 +18,7 @@ struct SettingsFields {
     double seed = 1; ///< integer, below 2^53
     Triple gravity{0, 0, -9.81};
     std::string solver = "auto", engine = "general";
-    int iterations = 20;
+    int iterations = 20, threads = 0;
     double errorReduction = 0.8;
     std::optional<std::string> isolation;
     std::string title, description;

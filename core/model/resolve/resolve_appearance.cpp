@@ -48,6 +48,7 @@ SettingsSpec resolveSettings(ResolveContext& context) {
     s.engine = f.engine == "wheeled" ? EngineChoice::Wheeled : f.engine == "auto" ? EngineChoice::Auto : EngineChoice::General;
     s.engineRange = record.rangeOf("Engine", {});
     s.iterations = f.iterations;
+    s.threads = f.threads;
     s.errorReduction = f.errorReduction;
     s.isolation = f.isolation.value_or("");
     s.title = f.title;

@@ -33,6 +33,7 @@ struct LiveSnapshot {
     std::shared_ptr<const std::vector<LiveContact>> contacts; ///< null unless enabled
     std::uint64_t tick = 0, quickTicks = 0;
     EngineChoice engine = EngineChoice::General;
+    unsigned threads = 1; ///< of the engine
     double time = 0;           ///< s, simulated
     double realTimeFactor = 0; ///< over about the last second; 0 while paused
     double stepMs = 0;         ///< mean wall time per tick since the previous snapshot

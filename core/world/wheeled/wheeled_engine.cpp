@@ -11,7 +11,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kFarthest = 1e5; // m
+constexpr std::size_t kUnitsAtOnce = 32; // by one thread
+constexpr double kFarthest = 1e5;        // m
 constexpr double kFastest = 200;  // m/s
 constexpr double kFastestTurn = 1e4;
 constexpr double kLeastUpright = 0.94; // cosine of 20 degrees: a robot that is bumped may lift a wheel for a moment
@@ -22,7 +23,7 @@ Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings
     return std::unique_ptr<Engine>(std::make_unique<WheeledEngine>(settings));
 }
 
-WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(settings)) {
+WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(settings)), m_team(static_cast<unsigned>(m_settings.threads)) {
     m_objects.surfaces = m_settings.surfaces;
     m_objects.weight = -m_settings.gravity.z();
 }
@@ -175,8 +176,10 @@ std::optional<EngineFault> WheeledEngine::step(double h) {
         if (unit.isMovable() && !unit.isVehicle()) moveOn(m_objects.units[i], h);
     }
     endFaulty();
-    for (std::uint32_t i = 0; i < m_objects.units.size(); ++i)
-        if (m_objects.units[i].isMovable()) publishStates(m_objects, i);
+    m_team.share(m_objects.units.size(), kUnitsAtOnce, [this](unsigned, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (m_objects.units[i].isMovable()) publishStates(m_objects, static_cast<std::uint32_t>(i));
+    });
     m_list.clear(h);
     m_rays.markMoved();
     return m_fault;

@@ -41,6 +41,7 @@ public:
     [[nodiscard]] EngineContact contact(std::size_t index) const override { return m_list.at(static_cast<std::uint32_t>(index)); }
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override { return m_list.of(geom.index); }
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
+    [[nodiscard]] unsigned threads() const override { return m_team.size(); }
     [[nodiscard]] EngineSolves solves() const override { return {}; }
     [[nodiscard]] EngineSweeps sweeps() const override { return {}; }
     [[nodiscard]] ActorFaultReport faults() const override { return {m_ended, {}}; }
@@ -73,7 +74,8 @@ private:
     std::vector<KnownShape> m_shapes;
     std::vector<Motion> m_motions;
     UnitContacts m_contacts{m_objects};
-    IslandSolver m_solver{m_objects, m_contacts};
+    WorkTeam m_team;
+    IslandSolver m_solver{m_objects, m_contacts, m_team};
     ContactList m_list{m_objects, m_contacts};
     WheeledRays m_rays{m_objects};
     std::vector<EngineFault> m_ended;

@@ -44,4 +44,6 @@ void abandon(void* threading) {
 
 std::uint64_t odeMessages() { return t_messages; }
 
+void addOdeMessages(std::uint64_t count) { t_messages += count; }
+
 } // namespace trundle

@@ -19,5 +19,7 @@ void prepareThread();
 void abandon(void* threading);
 /// Number of messages ODE has issued on this thread ("LCP internal error"); each means a singular system.
 [[nodiscard]] std::uint64_t odeMessages();
+/// Counts messages of other threads, which worked for this one.
+void addOdeMessages(std::uint64_t count);
 
 } // namespace trundle

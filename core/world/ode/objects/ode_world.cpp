@@ -5,6 +5,8 @@
 namespace trundle {
 
 OdeWorld::OdeWorld(const EngineSettings& settings) : m_id(dWorldCreate()) {
+    if (settings.threads > 1) m_team = std::make_unique<WorkTeam>(static_cast<unsigned>(settings.threads));
+    if (m_team && m_team->size() == 1) m_team.reset();
     makeThreading();
     dWorldSetGravity(m_id, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());
     dWorldSetCFM(m_id, kWorldCfm); // before any joint: joints copy these at birth
@@ -17,19 +19,28 @@ OdeWorld::OdeWorld(const EngineSettings& settings) : m_id(dWorldCreate()) {
 
 OdeWorld::~OdeWorld() {
     OdeDeleter<dWorldDestroy>()(m_id);
-    if (!m_threading) return;
     if (m_abandoned) abandon(m_threading); // its list of jobs was left half done, and its destructor would abort over that
-    else OdeDeleter<dThreadingFreeImplementation>()(m_threading);
+    else if (m_threading) OdeDeleter<dThreadingFreeImplementation>()(m_threading);
 }
 
 void OdeWorld::makeThreading() {
+    if (m_team) {
+        auto islands = std::make_unique<IslandThreads>(*m_team);
+        islands->giveTo(m_id); // the world returns what it has of the one before
+        m_islands = std::move(islands);
+        return;
+    }
     m_threading = dThreadingAllocateSelfThreadedImplementation();
     if (m_threading) dWorldSetStepThreadingImplementation(m_id, dThreadingImplementationGetFunctions(m_threading), m_threading);
 }
 
 void OdeWorld::replaceThreading() {
-    abandon(m_threading);
+    if (m_threading) abandon(m_threading);
     makeThreading();
+}
+
+void OdeWorld::share(bool shared) {
+    if (m_team) dWorldSetStepIslandsProcessingMaxThreadCount(m_id, shared ? dTHREADING_THREAD_COUNT_UNLIMITED : 1);
 }
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// ODE's world, with a threading implementation of its own: ODE's default one is shared by all worlds.
+// ODE's world, with threads of its own: ODE's default implementation of them is shared by all worlds.
 
 #include <memory>
 
@@ -7,6 +7,7 @@
 
 #include "world/engine.h"
 #include "world/ode/objects/ode_fault.h"
+#include "world/ode/objects/island_threads.h"
 
 namespace trundle {
 
@@ -22,12 +23,17 @@ public:
     void replaceThreading();
     /// The same where the world is not stepped again.
     void abandonThreading() { m_abandoned = true; }
+    /// Whether the next steps are shared by all threads, which is worth it for many islands.
+    void share(bool shared);
+    [[nodiscard]] unsigned threads() const { return m_team ? m_team->size() : 1; }
 
 private:
     void makeThreading();
 
     dWorldID m_id = nullptr;
-    dThreadingImplementationID m_threading = nullptr;
+    std::unique_ptr<WorkTeam> m_team;            ///< with more than one thread
+    std::unique_ptr<IslandThreads> m_islands;    ///< of the team
+    dThreadingImplementationID m_threading = nullptr; ///< without a team: ODE's for the calling thread
     bool m_abandoned = false;
 };
 

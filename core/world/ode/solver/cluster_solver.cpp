@@ -19,6 +19,7 @@ constexpr std::uint32_t kMaxStumbles = 100;
 constexpr int kMaxRepeats = 3;
 constexpr int kWhipSteps = 8;
 constexpr double kWhip = 2e-4; // m that a joint is off
+constexpr std::size_t kWorthSharing = 16; // clusters, by all threads
 constexpr int kShortSteps = 8; // measured: a stack of ten boxes stands with 4
 
 } // namespace
@@ -66,6 +67,7 @@ void ClusterSolver::seed() const { seedOrders(randomBits(m_settings.seed, 0, m_t
 void ClusterSolver::stepAllQuickly(double h) {
     seed();
     m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
+    m_world.share(false); // its random numbers are of the thread
     dWorldQuickStep(m_world.id(), h);
     m_drift.shiftBack(m_objects.bodies);
 }
@@ -88,6 +90,7 @@ bool ClusterSolver::tryExactly(double h) {
 
 void ClusterSolver::stepExactly(double h, SolverPlan& plan) {
     save();
+    m_world.share(m_objects.actors.size() >= kWorthSharing);
     BodyClusters& clusters = plan.clusters();
     for (const std::uint32_t name : plan.iterated())
         for (const std::uint32_t body : clusters.bodies(name)) dBodyDisable(m_objects.bodies[body].id);
@@ -280,6 +283,7 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
     m_quick.insert(m_quick.end(), bodies.begin(), bodies.end());
     for (const std::uint32_t body : bodies) dBodyEnable(m_objects.bodies[body].id);
     seed();
+    m_world.share(false); // its random numbers are of the thread
     for (int k = 0; k < kShortSteps; ++k) {
         for (std::size_t i = 0; i < m_iterated.size(); ++i) m_rows.add(m_moved[i], part, m_group.get(), &m_felt[i]);
         for (const std::uint32_t body : bodies) {
@@ -307,6 +311,7 @@ void ClusterSolver::save() {
 void ClusterSolver::restore(std::uint32_t body) const { setRawState(m_objects.bodies[body], m_saved[body]); }
 
 void ClusterSolver::enableOnly(BodyClusters& clusters, std::span<const std::uint32_t> names) {
+    m_world.share(names.size() >= kWorthSharing);
     for (const std::uint32_t name : names)
         for (const std::uint32_t body : clusters.bodies(name)) dBodyEnable(m_objects.bodies[body].id);
 }

@@ -1,0 +1,64 @@
+#pragma once
+// Threads that do one piece of work after another together.
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+#include "base/platform/wait_word.h"
+
+namespace trundle {
+
+/// Between two runs its threads wait for a moment without sleeping, since the next one is usually near. Used by one thread at a time.
+class WorkTeam {
+public:
+    /// `workers`: with the thread that calls run(). Where the system gives fewer threads it is smaller.
+    explicit WorkTeam(unsigned workers);
+    WorkTeam(const WorkTeam&) = delete;
+    WorkTeam& operator=(const WorkTeam&) = delete;
+    ~WorkTeam();
+
+    [[nodiscard]] unsigned size() const { return static_cast<unsigned>(m_threads.size()) + 1; }
+
+    /// Calls work(worker) on the first `workers` of the team at the same time, and returns when all have returned. 0 is the calling
+    /// thread. `work` must not throw.
+    template <class Work> void run(unsigned workers, Work&& work) {
+        runAll(
+            workers, [](void* w, unsigned worker) { (*static_cast<std::remove_reference_t<Work>*>(w))(worker); }, &work);
+    }
+    /// Calls part(worker, begin, end) for ranges of [0, count), each handed to whoever is free next.
+    template <class Part> void share(std::size_t count, std::size_t range, Part&& part) {
+        const std::size_t ranges = (count + range - 1) / range;
+        if (size() == 1 || ranges < 2) {
+            if (count > 0) part(0u, std::size_t{0}, count);
+            return;
+        }
+        std::atomic<std::size_t> next{0};
+        run(static_cast<unsigned>(std::min<std::size_t>(size(), ranges)), [&](unsigned worker) {
+            for (std::size_t i = next.fetch_add(1); i < ranges; i = next.fetch_add(1))
+                part(worker, i * range, std::min(count, (i + 1) * range));
+        });
+    }
+
+private:
+    using Function = void (*)(void* work, unsigned worker);
+    struct alignas(64) Post { ///< of one thread; padded, so that threads that poll do not disturb each other
+        WaitWord round{0};
+        std::atomic<bool> sleeps{false};
+    };
+    void runAll(unsigned workers, Function function, void* work);
+    void serve(Post& post, unsigned worker);
+
+    std::vector<std::unique_ptr<Post>> m_posts;
+    std::vector<std::thread> m_threads;
+    Function m_function = nullptr;
+    void* m_work = nullptr;
+    std::atomic<unsigned> m_busy{0};
+    bool m_ended = false; ///< written before a round begins
+};
+
+} // namespace trundle
