@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <trundle/abi.h>
 
+#include "base/platform/memory.h"
 #include "base/spelling.h"
 #include "cli/messages.h"
 #include "cli/standard_streams.h"
@@ -96,8 +97,9 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const std::exception& problem) { // for example out of memory: other exceptions do not leave the libraries
-        trundle::printProblem(problem.what());
-        if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(argc > 1 ? argv[1] : "", problem.what()));
+        const std::string reason = trundle::reasonOf(problem);
+        trundle::printProblem(reason);
+        if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(argc > 1 ? argv[1] : "", reason));
         return trundle::kExitText;
     }
 }

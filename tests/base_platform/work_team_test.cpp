@@ -36,7 +36,8 @@ private Q_SLOTS:
         WorkTeam team(4);
         std::vector<int> done(4);
         for (int round = 1; round <= 30; ++round) {
-            const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(round % 3); // longer than it polls, and shorter
+            const auto until =
+                std::chrono::steady_clock::now() + std::chrono::milliseconds(round % 3); // longer than it polls, and shorter
             while (std::chrono::steady_clock::now() < until) {}
             team.run(4, [&](unsigned worker) { ++done[worker]; });
             QCOMPARE(done, std::vector<int>(4, round));

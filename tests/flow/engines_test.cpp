@@ -1,20 +1,35 @@
 // Engine = wheeled through the program: shipped experiments do what they do in the general engine, what does not fit is refused at its
 // place, and auto chooses.
 
+#include <QThread>
+
 #include "flow/cli.h"
 
 namespace {
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TRUNDLE_SANITIZED
+#endif
+#endif
+#ifdef TRUNDLE_SANITIZED
+constexpr bool kSanitized = true; // the shadow memory of sanitizers exceeds any limit
+#else
+constexpr bool kSanitized = false;
+#endif
+
 QJsonObject run(const QString& experiment, const QString& engine, const QString& seconds, const QStringList& more = {}) {
     QTemporaryDir logs;
-    const Outcome outcome = cli(QStringList{"run", configPath("experiments/" + experiment), "--set", "Engine=" + engine, "--duration", seconds,
-                                            "--json", "--log-dir", logs.path()} +
+    const Outcome outcome = cli(QStringList{"run", configPath("experiments/" + experiment), "--set", "Engine=" + engine,
+                                            "--duration", seconds, "--json", "--log-dir", logs.path()} +
                                 more);
     if (outcome.code != 0) qWarning("%s", shown(outcome).constData());
     return QJsonDocument::fromJson(outcome.out).object();
 }
 
-QJsonArray poseOf(const QJsonObject& run, const QString& robot) { return run["robots"].toObject()[robot].toObject()["pos"].toArray(); }
+QJsonArray poseOf(const QJsonObject& run, const QString& robot) {
+    return run["robots"].toObject()[robot].toObject()["pos"].toArray();
+}
 
 double apart(const QJsonArray& a, const QJsonArray& b) {
     return std::hypot(a[0].toDouble() - b[0].toDouble(), a[1].toDouble() - b[1].toDouble());
@@ -77,9 +92,10 @@ private Q_SLOTS:
 
     /// Of robots that wander and bump, the numbers of contacts and of metres are alike, not the paths.
     void bumpsAlike() {
-        const QByteArray text = "#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule controllers/bump_and_turn\n"
-                                "Static arena { Config=MediumArena }\nRobot r { Config=SimpleRobot Pos=0.3,0.2,0 BumpAndTurn b { Speed=0.3 } }\n"
-                                "PoseLog log { Robot=r Interval=0.1 File=path.csv }\n";
+        const QByteArray text =
+            "#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule controllers/bump_and_turn\n"
+            "Static arena { Config=MediumArena }\nRobot r { Config=SimpleRobot Pos=0.3,0.2,0 BumpAndTurn b { Speed=0.3 } }\n"
+            "PoseLog log { Robot=r Interval=0.1 File=path.csv }\n";
         const QString file = write(text);
         const int seeds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 100 : 8;
         double metres[2] = {0, 0}, turns[2] = {0, 0};
@@ -87,14 +103,12 @@ private Q_SLOTS:
             for (int seed = 1; seed <= seeds; ++seed) {
                 QTemporaryDir logs;
                 const Outcome outcome =
-                    cli({"run", file, "--set", engine ? "Engine=wheeled" : "Engine=general", "--seed", QString::number(1000 + seed),
-                         "--duration", "60", "--quiet", "--log-dir", logs.path()});
+                    cli({"run", file, "--set", engine ? "Engine=wheeled" : "Engine=general", "--seed",
+                         QString::number(1000 + seed), "--duration", "60", "--quiet", "--log-dir", logs.path()});
                 QVERIFY2(outcome.code == 0, shown(outcome));
                 const QList<QByteArray> lines = contentOf(logs.filePath("path.csv")).split('\n');
                 const QList<QByteArray> names = lines[0].split(',');
-                const auto column = [&](const char* name) {
-                    return names.indexOf(QByteArray(name));
-                };
+                const auto column = [&](const char* name) { return names.indexOf(QByteArray(name)); };
                 const auto x = column("x [m]"), y = column("y [m]"), heading = column("heading [deg]");
                 QVERIFY2(x >= 0 && y >= 0 && heading >= 0, lines[0]);
                 for (qsizetype i = 2; i + 1 < lines.size(); ++i) {
@@ -117,8 +131,8 @@ private Q_SLOTS:
     void sameHash() {
         QSet<QByteArray> hashes;
         for (int i = 0; i < 2; ++i)
-            hashes << cli({"run", configPath("experiments/swarm.sim"), "--set", "Engine=wheeled", "--duration", "3", "--quiet", "--hash",
-                           "--log-dir", m_folder.path()})
+            hashes << cli({"run", configPath("experiments/swarm.sim"), "--set", "Engine=wheeled", "--duration", "3", "--quiet",
+                           "--hash", "--log-dir", m_folder.path()})
                           .out;
         QVERIFY(hashes.size() == 1 && hashes.begin()->startsWith("state-hash"));
     }
@@ -130,6 +144,30 @@ private Q_SLOTS:
         QVERIFY2(outcome.err.contains("research_base.sim:") && outcome.err.contains("the Slider rail"), shown(outcome));
         QCOMPARE(run("collect.sim", "auto", "0.1")["engine"].toString(), "general");
         QCOMPARE(run("swarm.sim", "auto", "0.1")["engine"].toString(), "wheeled");
+    }
+
+    void takesThreadsForManyRobots() {
+        const auto threads = [](const QString& experiment, const QStringList& more) {
+            return run(experiment, "general", "0.1", more)["threads"].toInt();
+        };
+        QCOMPARE(threads("swarm.sim", {}), std::clamp(QThread::idealThreadCount(), 1, 8));
+        QCOMPARE(threads("linear_motion.sim", {}), 1);
+        QCOMPARE(threads("linear_motion.sim", {"--set", "Threads=3"}), 3);
+        QCOMPARE(run("swarm.sim", "wheeled", "0.1", {"--set", "Threads=5"})["threads"].toInt(), 5);
+    }
+
+    void reportsThatMemoryIsShort() {
+        if (kSanitized) return;
+        const QString file =
+            write("#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nStatic floor { Config=OpenFloor }\n"
+                  "Grid crowd { Config=SimpleRobot Count=90,90 Spacing=1 }\n");
+        const Outcome outcome =
+            callProgram("/bin/sh", {"-c", "ulimit -v 300000; exec \"$0\" run \"$1\" --duration 0.1 --json", programPath(), file});
+        QVERIFY2(outcome.code == 1, shown({outcome.code, outcome.out.left(2000), outcome.err.left(2000)}));
+        QVERIFY2(outcome.err.contains("there is not enough memory") && !outcome.err.contains("bad_alloc"),
+                 outcome.err.right(2000));
+        const QJsonArray messages = QJsonDocument::fromJson(outcome.out).object()["diagnostics"].toArray();
+        QVERIFY2(messages.last().toObject()["message"].toString().contains("there is not enough memory"), outcome.out.left(2000));
     }
 };
 

@@ -1,6 +1,7 @@
 #include "base/platform/memory.h"
 
 #include <fstream>
+#include <new>
 #include <string>
 
 namespace trundle {
@@ -13,6 +14,11 @@ std::uint64_t peakMemoryKb() {
         if (word == "VmHWM:" && status >> kb) return kb;
     }
     return 0;
+}
+
+std::string reasonOf(const std::exception& exception) {
+    if (!dynamic_cast<const std::bad_alloc*>(&exception)) return exception.what();
+    return "there is not enough memory: the system gives no more to this program, which has had " + std::to_string(peakMemoryKb() / 1024) + " MB";
 }
 
 } // namespace trundle

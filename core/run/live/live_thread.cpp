@@ -5,6 +5,7 @@
 
 #include <trundle/abi.h>
 
+#include "base/platform/memory.h"
 #include "base/platform/recent_runs.h"
 #include "radio/medium.h"
 
@@ -33,7 +34,7 @@ void LiveThread::go(RunnerMaker maker) {
         if (m_runner) loop();
         m_guest.leave();
         end();
-    } catch (const std::exception& e) { fail(e.what()); } catch (...) {
+    } catch (const std::exception& e) { fail(reasonOf(e)); } catch (...) {
         fail("something was thrown that is no std::exception");
     }
     m_guest.leave();
