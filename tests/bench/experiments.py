@@ -28,7 +28,7 @@ def crowd(count, seconds, tick=0.01):
     """`count` shipped robots, one per square metre, wandering in a walled room of at least 4 m x 4 m."""
     columns, rows = pattern(count)
     x, y = max(columns, 4), max(rows, 4)
-    return f"""Tick = {tick}   Duration = {seconds}   Solver = exact
+    return f"""Tick = {tick}   Duration = {seconds}   Solver = exact   Threads = 1
 #import robots/simple_robot.sim
 #import common/materials.sim
 #import common/surfaces.sim
@@ -66,7 +66,7 @@ def small_crowd(count, seconds):
   Hinge {0}Axle {{ Parent=chassis Child={0} Axis=0,1,0 }}
   RotaryMotor {0}Motor {{ Joint={0}Axle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 GearRatio=30 MaxVoltage=12 }}
 """
-    return f"""Tick = 0.01   Duration = {seconds}   Solver = exact
+    return f"""Tick = 0.01   Duration = {seconds}   Solver = exact   Threads = 1
 #import common/materials.sim
 #import common/surfaces.sim
 #loadModule controllers/random_drive
@@ -141,7 +141,7 @@ def seen(count, width, height):
     """`count` shipped robots that wander in a walled room, all of them in view of a camera on a tower beside it."""
     columns, rows = pattern(count)
     room = _room(0.7 * columns + 0.6, 0.7 * rows + 0.6)
-    return f"""Tick = 0.01   Duration = 1000   Solver = exact
+    return f"""Tick = 0.01   Duration = 1000   Solver = exact   Threads = 1
 #import robots/simple_robot.sim
 #import common/materials.sim
 #import common/surfaces.sim
@@ -163,7 +163,7 @@ def camera_robots(count, width, height, seeing, seconds):
     """`count` robots that look for a red ball, each with a camera of its own that takes ten pictures a second, or none."""
     columns, rows = pattern(count)
     brain = "BlobFollow brain { Speed=0.2 KeepEvery=0 UpdatePeriod=0.1 }" if seeing else "RandomDrive brain { Speed=0.2 }"
-    return f"""Tick = 0.01   Duration = {seconds}   Solver = exact
+    return f"""Tick = 0.01   Duration = {seconds}   Solver = exact   Threads = 1
 #import robots/camera_robot.sim
 #import arenas/colour_yard.sim
 #loadModule controllers/blob_follow

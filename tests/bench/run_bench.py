@@ -118,7 +118,7 @@ def engines(programs, options):
         columns, lines = experiments.pattern(count)
         seconds = crowded_seconds(count, options.quick)
         ticks = round(100 * seconds)
-        text = experiments.crowd(count, seconds)
+        text = experiments.crowd(count, seconds).replace("Solver = exact", "Solver = auto")
         paths = {name: programs.write(f"{name}{count}", f"Engine = {name}\n" + text) for name in ["general", "wheeled"]}
         values = interleaved(options.repetitions, {"general": lambda: programs.tick_cost(paths["general"], ticks, count)[0],
                                                    "wheeled": lambda: programs.tick_cost(paths["wheeled"], ticks, count)[0],
@@ -143,7 +143,7 @@ def threads(programs, options):
         seconds = crowded_seconds(count, options.quick)
         for engine in ["general", "wheeled"]:
             text = f"Engine = {engine}\n" + experiments.crowd(count, seconds).replace("Solver = exact", "Solver = auto")
-            paths = {n: programs.write(f"threads{n}", f"Threads = {n}\n" + text) for n in [1, 2]}
+            paths = {n: programs.write(f"threads{n}", text.replace("Threads = 1", f"Threads = {n}")) for n in [1, 2]}
             values = interleaved(options.repetitions, {n: lambda n=n: programs.run(paths[n]) for n in [1, 2]})
             if {run["state_hash"] for runs in values.values() for run in runs} != {values[1][0]["state_hash"]}:
                 raise Failed("the results depend on the number of threads")
