@@ -5,8 +5,7 @@
 // contacts computed, a uniform grid for pairs of robots, ODE's colliders only for boxes and tyres that may touch, dWorldStep.
 // Data: one array of robots; contacts are made in the order of robots.
 //
-// It uses Trundle's random numbers and ramps (same seed), so that both follow the same paths until the first collision and
-// have similar contact counts after it: `x` and `y` of the first robot and the contacts per robot and tick are printed for comparison.
+// Both follow the same paths until the first collision and have similar contact counts after it: `x` and `y` of the first robot and the contacts per robot and tick are printed for comparison.
 //
 //   bare_ode -n 100 -t 20 -h 0.01 [-nx 10 -ny 10]     prints one line: rtf=... us_per_robot_tick=... contacts_per_robot=... x=... y=... kb=...
 
@@ -24,39 +23,22 @@
 
 #include <ode/ode.h>
 
-#include "base/rng.h"
+#include "bench/crowd.h"
 
 namespace {
 
-// The robot, in metres and kilograms; positions in the config frame, whose origin lies on the floor.
-constexpr double kAxleX = 0.06, kTrack = 0.25, kWheelRadius = 0.05, kWheelWidth = 0.03, kWheelMass = 0.15;
-constexpr double kHullMass = 2.0, kSliderMass = 0.05, kBumperMass = 0.05, kSliderRadius = 0.02;
-constexpr std::array<double, 3> kHullSize{0.30, 0.20, 0.10}, kHullAt{0, 0, 0.09};
-constexpr std::array<double, 3> kBumperSize{0.02, 0.30, 0.04}, kBumperAt{0.16, 0, 0.07};
-constexpr std::array<double, 3> kSliderAt{-0.12, 0, 0.02};
-constexpr double kReach = 0.235; // distance from the centre of the chassis to its farthest corner, tyres included
+using namespace crowd;
 
 // Settings of Trundle.
-constexpr double kStiffness = 2e5, kDamping = 1100, kServoTorque = 3.6;
-constexpr double kPlasticFriction = 0.2, kTyreFriction = 1.0;
+constexpr double kStiffness = 2e5, kDamping = 1100;
 constexpr int kMaxOfRobots = 2, kMaxOfWalls = 4;
-
-// Commands: RandomDrive with its defaults, limited by the ramps of the drive.
-constexpr double kSpeed = 0.3, kTurnRate = 1.0, kPeriod = 1.0, kAcceleration = 1.0, kTurnAcceleration = 4.0;
-constexpr std::uint64_t kSeed = 1;
 
 struct Robot {
     dBodyID chassis = nullptr;
     std::array<dBodyID, 2> wheels{};
     std::array<dJointID, 2> hinges{};
     std::array<dGeomID, 4> geoms{}; // hull, bumper, tyres: can touch walls and other robots
-    double aimSpeed = 0, aimTurn = 0, speed = 0, turn = 0;
-    std::uint64_t pathHash = 0; // seed of the robot's random numbers
-};
-
-struct Options {
-    int count = 100, columns = 0, rows = 0;
-    double seconds = 20, tick = 0.01;
+    Drive drive;
 };
 
 class BareWorld {
@@ -69,12 +51,11 @@ public:
         dWorldSetERP(m_world, 0.8);
         dWorldSetContactMaxCorrectingVel(m_world, 0.1);
         dWorldSetContactSurfaceLayer(m_world, 0);
-        m_halfX = std::max(options.columns, 4) / 2.0;
-        m_halfY = std::max(options.rows, 4) / 2.0;
+        m_halfX = halfRoom(options.columns);
+        m_halfY = halfRoom(options.rows);
         m_walls = {wall(0, m_halfY + 0.05, 2 * m_halfX + 0.2, 0.1), wall(0, -m_halfY - 0.05, 2 * m_halfX + 0.2, 0.1),
                    wall(m_halfX + 0.05, 0, 0.1, 2 * m_halfY), wall(-m_halfX - 0.05, 0, 0.1, 2 * m_halfY)};
-        for (int i = 0; i < options.count; ++i)
-            addRobot(i % options.columns - (options.columns - 1) / 2.0, i / options.columns - (options.rows - 1) / 2.0);
+        for (int i = 0; i < options.count; ++i) addRobot(startOf(i, options));
         m_columns = static_cast<int>(2 * m_halfX / (2 * kReach)) + 2;
         m_rows = static_cast<int>(2 * m_halfY / (2 * kReach)) + 2;
         m_cells.resize(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows));
@@ -124,8 +105,9 @@ private:
         dMassAdd(&total, &part);
     }
 
-    void addRobot(double x, double y) {
-        Robot robot;
+    void addRobot(std::array<double, 2> at) {
+        const auto [x, y] = at;
+        Robot robot{.drive = Drive(m_robots.size())};
         dMass total, part;
         dMassSetZero(&total);
         dMassSetBoxTotal(&part, kHullMass, kHullSize[0], kHullSize[1], kHullSize[2]);
@@ -145,7 +127,6 @@ private:
         robot.geoms[0] = chassisBox(robot.chassis, kHullSize, kHullAt);
         robot.geoms[1] = chassisBox(robot.chassis, kBumperSize, kBumperAt);
         for (int side = 0; side < 2; ++side) addWheel(robot, side, x, y);
-        robot.pathHash = trundle::fnv1a64("crowd_" + std::to_string(m_robots.size()));
         m_robots.push_back(robot);
     }
 
@@ -182,32 +163,11 @@ private:
     }
 
     void think() {
-        const double now = static_cast<double>(m_ticks) * m_options.tick;
-        const bool change = now >= m_changes * kPeriod;
-        if (change) ++m_changes;
         for (Robot& robot : m_robots) {
-            if (change) {
-                robot.aimSpeed = kSpeed * draw(robot, 0, -0.25, 1);
-                robot.aimTurn = kTurnRate * draw(robot, 1, -1, 1);
-            }
-            ramp(robot);
-            dJointSetHingeParam(robot.hinges[0], dParamVel, (robot.speed - robot.turn * kTrack / 2) / kWheelRadius);
-            dJointSetHingeParam(robot.hinges[1], dParamVel, (robot.speed + robot.turn * kTrack / 2) / kWheelRadius);
+            robot.drive.think(m_ticks, m_options.tick);
+            const std::array<double, 2> rates = robot.drive.wheelRates();
+            for (std::size_t side = 0; side < 2; ++side) dJointSetHingeParam(robot.hinges[side], dParamVel, rates[side]);
         }
-    }
-
-    [[nodiscard]] double draw(const Robot& robot, std::uint64_t index, double low, double high) const {
-        return low + (high - low) *
-                         trundle::toUnit(trundle::randomBits(kSeed, robot.pathHash, static_cast<std::uint64_t>(m_ticks), index));
-    }
-
-    // Speed and turn rate reach their targets at the same time.
-    void ramp(Robot& robot) const {
-        const double speedUp = robot.aimSpeed - robot.speed, turnUp = robot.aimTurn - robot.turn;
-        const double time = std::max(std::fabs(speedUp) / kAcceleration, std::fabs(turnUp) / kTurnAcceleration);
-        const double part = time <= m_options.tick ? 1 : m_options.tick / time;
-        robot.speed += part * speedUp;
-        robot.turn += part * turnUp;
     }
 
     // The first friction axis lies along `slide`; without one, along the slip.
@@ -333,42 +293,12 @@ private:
     int m_columns = 0, m_rows = 0;
     double m_halfX = 0, m_halfY = 0;
     long m_ticks = 0, m_contactCount = 0;
-    double m_changes = 0;
 };
-
-long peakKb() {
-    std::FILE* file = std::fopen("/proc/self/status", "r");
-    char line[256];
-    long kb = 0;
-    while (file != nullptr && std::fgets(line, sizeof line, file) != nullptr) (void)std::sscanf(line, "VmHWM: %ld", &kb);
-    if (file != nullptr) std::fclose(file);
-    return kb;
-}
-
-Options parse(int argc, char** argv) {
-    Options options;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        const std::string key = argv[i];
-        const double value = std::atof(argv[i + 1]);
-        if (key == "-n") options.count = static_cast<int>(value);
-        else if (key == "-nx") options.columns = static_cast<int>(value);
-        else if (key == "-ny") options.rows = static_cast<int>(value);
-        else if (key == "-t") options.seconds = value;
-        else if (key == "-h") options.tick = value;
-        else {
-            std::fprintf(stderr, "bare_ode: what is %s?\n", key.c_str());
-            std::exit(2);
-        }
-    }
-    if (options.columns <= 0) options.columns = static_cast<int>(std::ceil(std::sqrt(options.count)));
-    if (options.rows <= 0) options.rows = (options.count + options.columns - 1) / options.columns;
-    return options;
-}
 
 } // namespace
 
 int main(int argc, char** argv) {
-    const Options options = parse(argc, argv);
+    const Options options = parse("bare_ode", argc, argv);
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
     int outside = 0;

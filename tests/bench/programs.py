@@ -18,7 +18,7 @@ class Failed(Exception):
 class Programs:
     def __init__(self, build, folder):
         self.cli = os.path.join(build, "bin", "trundle-cli")
-        self.bare = os.path.join(build, "bench", "bare_ode")
+        self.bare = {name: os.path.join(build, "bench", f"bare_{name}") for name in ["ode", "mujoco"]}
         self.trundle = os.path.join(build, "bin", "trundle")
         self.camera_bench = os.path.join(build, "bench", "camera_bench")
         self.window_bench = os.path.join(build, "bench", "window_bench")
@@ -41,8 +41,8 @@ class Programs:
         _output([self.cli, *arguments])
         return time.perf_counter() - start
 
-    def bare_run(self, count, columns, rows, seconds):
-        words = [self.bare, "-n", str(count), "-nx", str(columns), "-ny", str(rows), "-t", str(seconds)]
+    def bare_run(self, count, columns, rows, seconds, engine="ode"):
+        words = [self.bare[engine], "-n", str(count), "-nx", str(columns), "-ny", str(rows), "-t", str(seconds)]
         return {key: float(value) for key, value in re.findall(r"(\w+)=(\S+)", _output(words))}
 
     def tick_cost(self, path, ticks, robots):
@@ -54,11 +54,11 @@ class Programs:
         whole, memory = run(ticks / 100)
         return 1e6 * (whole - run(0.01)[0]) / (ticks - 1) / robots, memory
 
-    def bare_cost(self, count, columns, rows, ticks):
+    def bare_cost(self, count, columns, rows, ticks, engine="ode"):
         """The same of the bare loop, and its contacts per robot and tick."""
         def run(duration):
             with processor_time() as time_taken:
-                answer = self.bare_run(count, columns, rows, duration)
+                answer = self.bare_run(count, columns, rows, duration, engine)
             return time_taken[0], answer
         whole, answer = run(ticks / 100)
         return 1e6 * (whole - run(0.01)[0]) / (ticks - 1) / count, answer["kb"], answer["contacts_per_robot"]

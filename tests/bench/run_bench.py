@@ -23,6 +23,7 @@ from programs import Failed, Programs, interleaved, median, progress
 HERE = os.path.dirname(os.path.abspath(__file__))
 RESULTS = os.path.join(HERE, "results")
 PAGE = os.path.join(HERE, "RESULTS.md")
+MOST_OF_MUJOCO = 100  # robots; its memory grows with the square of the contacts
 AXLE_X = 0.06  # of the shipped robot's axle in its config frame, m
 
 
@@ -111,7 +112,7 @@ def beside_peer(programs, options):
 
 
 def engines(programs, options):
-    """Both engines and the bare loop on the same crowd, by processor time; 60 s at 100 robots, so that many of them crowd at walls."""
+    """Both engines and the bare loops on the same crowd, by processor time; 60 s at 100 robots, so that many of them crowd at walls."""
     rows = []
     for count in [1, 10, 100] if options.quick else [1, 10, 100, 1000]:
         progress(f"engines, {count} robots")
@@ -120,16 +121,20 @@ def engines(programs, options):
         ticks = round(100 * seconds)
         text = experiments.crowd(count, seconds).replace("Solver = exact", "Solver = auto")
         paths = {name: programs.write(f"{name}{count}", f"Engine = {name}\n" + text) for name in ["general", "wheeled"]}
-        values = interleaved(options.repetitions, {"general": lambda: programs.tick_cost(paths["general"], ticks, count)[0],
-                                                   "wheeled": lambda: programs.tick_cost(paths["wheeled"], ticks, count)[0],
-                                                   "bare": lambda: programs.bare_cost(count, columns, lines, ticks)[0]})
+        sides = {"general": lambda: programs.tick_cost(paths["general"], ticks, count)[0],
+                 "wheeled": lambda: programs.tick_cost(paths["wheeled"], ticks, count)[0],
+                 "ode": lambda: programs.bare_cost(count, columns, lines, ticks)[0]}
+        if count <= MOST_OF_MUJOCO and os.path.exists(programs.bare["mujoco"]):
+            sides["mujoco"] = lambda: programs.bare_cost(count, columns, lines, ticks, "mujoco")[0]
+        values = interleaved(options.repetitions, sides)
         cost = {name: median(value) for name, value in values.items()}
         factor = {name: 1e6 * 0.01 / count / value for name, value in cost.items()}
         ratio = pairs_ratio(values["general"], values["wheeled"])
-        rows.append([count, seconds] + [round(cost[name], 2) for name in ["general", "wheeled", "bare"]] +
-                    [f"{factor[name]:.3g}" for name in ["general", "wheeled", "bare"]] + [round(ratio, 1)])
-    header = ["robots", "simulated [s]", "general [us per robot and tick]", "wheeled [us]", "bare ODE [us]", "general [x real time]",
-              "wheeled [x real time]", "bare ODE [x real time]", "wheeled / general, speed"]
+        names = ["general", "wheeled", "ode", "mujoco"]
+        rows.append([count, seconds] + [round(cost[name], 2) if name in cost else "-" for name in names] +
+                    [f"{factor[name]:.3g}" if name in cost else "-" for name in names] + [round(ratio, 1)])
+    header = ["robots", "simulated [s]", "general [us per robot and tick]", "wheeled [us]", "bare ODE [us]", "bare MuJoCo [us]", "general [x real time]",
+              "wheeled [x real time]", "bare ODE [x real time]", "bare MuJoCo [x real time]", "wheeled / general, speed"]
     report.write_csv(os.path.join(RESULTS, "engines.csv"), header, rows)
     report.put_table(PAGE, "engines", header, rows)
     return []
