@@ -221,6 +221,51 @@ private Q_SLOTS:
                          entry.path.c_str());
     }
 
+    /// Threads change no bit, whatever has to be solved again, and by whom.
+    void isTheSameOnAnyThreads_data() {
+        QTest::addColumn<QString>("trouble");
+        for (const char* trouble : {"jam", "pile", "knot", "swing"}) QTest::newRow(trouble) << QString(trouble);
+    }
+    void isTheSameOnAnyThreads() {
+        QFETCH(QString, trouble);
+        const auto scene = [&](int threads) {
+            Scene all = r0Scene();
+            all.spec->settings.threads = threads;
+            all.scenery({plane("floor", {}, 1)});
+            for (int i = 0; i < 20; ++i) // some meet
+                all.robot("robot" + std::to_string(i), at(-3 + 0.45 * (i % 5), -3 - 0.4 * (i / 5), 0, degrees(37 * i, 0, 0)),
+                          r0());
+            addTrouble(all, trouble);
+            return all.build();
+        };
+        auto one = scene(1);
+        std::vector<decltype(one)> others;
+        for (const int threads : {2, 3, 5}) {
+            others.push_back(scene(threads));
+            QCOMPARE(others.back()->threads(), static_cast<unsigned>(threads));
+        }
+        const auto tick = [&](World& world) {
+            steer(world, 20);
+            for (int r = 0; trouble == "jam" && r < 16; ++r)
+                for (const char* motor : {"/leftMotor", "/rightMotor"})
+                    command(world, "jam" + std::to_string(r) + motor, 8, 0, 5.4);
+            return world.tick().ok();
+        };
+        for (int i = 0; i < 200; ++i) {
+            QVERIFY(tick(*one));
+            for (auto& other : others) {
+                QVERIFY(tick(*other));
+                QCOMPARE(other->stateHash(), one->stateHash());
+            }
+        }
+        if (trouble == "knot") QVERIFY(one->rescuedTicks() > 100);
+        if (trouble == "pile") QVERIFY(one->quickTicks() > 0);
+        for (auto& other : others) {
+            QCOMPARE(other->rescuedTicks(), one->rescuedTicks());
+            QCOMPARE(other->quickTicks(), one->quickTicks());
+        }
+    }
+
     /// Reading contacts, energy and hash does not change the state.
     void observingChangesNothing() {
         auto a = crowd(3, 6).build(), b = crowd(3, 6).build();
