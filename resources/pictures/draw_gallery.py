@@ -18,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SIZE = "640x360"
 # Of each robot: how far away (m) the eye is, and how high what it looks at. One that is not named is shown whole from farther away.
-ROBOTS = {"soccer_robot": (0.58, 0.062), "simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01), "lidar_robot": (0.62, 0.1), "round_robot": (0.24, 0.026), "research_base": (1.4, 0.1), "tractor": (1.1, 0.1), "rover": (1.9, 0.25)}
+ROBOTS = {"soccer_robot": (0.58, 0.062), "simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01), "lidar_robot": (0.62, 0.1), "round_robot": (0.24, 0.026), "research_base": (1.4, 0.1), "tractor": (1.1, 0.1), "rover": (1.9, 0.25), "car": (1.15, 0.09)}
 # Of each sample: after how many seconds, from where and what is in the middle (m).
 SAMPLES = {
     "camera_swarm": ("2", "-2.6,-2.4,1.5", "0.1,0.1,0"),

@@ -73,6 +73,25 @@ private Q_SLOTS:
         QVERIFY(!hashIn(folder, "ring.sim", kWorld + ring).isEmpty());
     }
 
+    /// Grids of robots and of scenery in a Repeat.
+    void gridsInARepeatMoveLikeTheirCopies() {
+        const QString grids = "Grid @na { Config=SimpleRobot Count=2 Spacing=0.5 Pos=@x,0,0 LinearMotion brain { Distance=0.3 "
+                              "Speed=$(0.1+0.05*index) } }\n"
+                              "Grid @np { Config=Post Count=2 Spacing=0.5 Pos=@x,-0.75,0 h=$(0.2+0.1*index) }\n";
+        QString copies;
+        for (int i = 0; i < 3; ++i)
+            copies += QString(grids).replace("@n", "row" + QString::number(i)).replace("@x", QString::number(2 * i));
+        QTemporaryDir folder;
+        const QString once = hashIn(
+            folder, "once.sim",
+            kWorld + ("Repeat row { Count=3 Pos=$(2*index),0,0\n" + QString(grids).replace("@n", "").replace("@x", "0") + "}\n"));
+        QVERIFY(!once.isEmpty());
+        const QString byHand = hashIn(folder, "hand.sim", kWorld + copies);
+        QVERIFY(!byHand.isEmpty());
+        QVERIFY(once != hashIn(folder, "other.sim", kWorld + QString(copies).replace("Pos=4,0,0", "Pos=4,0.1,0")));
+        QCOMPARE(once, byHand);
+    }
+
     void aGridOfSceneryStopsRobotsLikeItsCopies() {
         QString copies;
         const char* const places[] = {"0.25,-0.25,0", "0.75,-0.25,0", "0.25,0.25,0", "0.75,0.25,0"};
