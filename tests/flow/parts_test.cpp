@@ -79,7 +79,7 @@ QString limb(const QString& n, const QString& on, const std::array<int, 3>& sign
     const auto angles = [&](double heading, double pitch, double roll) {
         return triple(signs[0] * signs[1] * heading, signs[0] * signs[2] * pitch, signs[1] * signs[2] * roll);
     };
-    const QString stops = isReversed ? "LowStop=-80 HighStop=30 RestPosition=-20" : "LowStop=-30 HighStop=80 RestPosition=20";
+    const QString stops = isReversed ? "LowStop=-80 HighStop=30 RestAngle=-20" : "LowStop=-30 HighStop=80 RestAngle=20";
     return "Body " + n + "A { Pos=" + place(0.1, 0.05, 0.3) + " HPR=" + angles(10, 20, 30) +
            " Box b { Size=0.1,0.05,0.02 Pos=" + place(0.02, 0.01, 0.03) + " HPR=" + angles(5, -15, 25) +
            " Mass=0.4 Material=red Surface=roller } }\n" + "Body " + n + "B { Pos=" + place(0.2, 0.1, 0.3) +

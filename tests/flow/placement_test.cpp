@@ -92,6 +92,20 @@ private Q_SLOTS:
         QCOMPARE(once, byHand);
     }
 
+    /// What is warned of in a Repeat is one text: it is reported for one member.
+    void aWarningIsThereOnceForAllMembers() {
+        QTemporaryDir folder;
+        const QString text = "Repeat row { Count=4 Pos=0,$(2*index),0\n  Robot a { Config=Crate Pos=0,0,0.05 }\n  Robot b { "
+                             "Config=Crate Pos=0.3,0,0.05 }\n  Hinge pin { Parent=a.b Child=b.b Anchor=0,0,1 Axis=0,1,0 } }\n";
+        QVERIFY(writeFile(folder.filePath("row.sim"), (kWorld + text).toUtf8()));
+        const Outcome check = cli({"check", folder.filePath("row.sim"), "--json"});
+        QStringList warnings;
+        for (const QJsonValue& found : QJsonDocument::fromJson(check.out).array())
+            if (found["code"] == QString("E307")) warnings << found["message"].toString();
+        QVERIFY2(warnings.size() == 2, shown(check)); // of both bodies
+        QVERIFY2(warnings[0].contains("the Anchor of row_0.pin is") && warnings[1].contains("row_0.b.b"), shown(check));
+    }
+
     void aGridOfSceneryStopsRobotsLikeItsCopies() {
         QString copies;
         const char* const places[] = {"0.25,-0.25,0", "0.75,-0.25,0", "0.25,0.25,0", "0.75,0.25,0"};

@@ -104,11 +104,11 @@ private Q_SLOTS:
 
     /// Its own values count by the Repeat, those of its members by itself.
     void gridsAreInRepeats() {
-        const Resolved r =
-            world("Repeat row { Count=2 Pos=0,$(10*index),0 Param k = $index\n"
-                  "  Grid g { Config=Cart Count=$(2+index) Spacing=2 Pos=$(5*index),0,0 m=$(1 + 10*k + index) } }\n"
-                  "PoseLog one { Robot=row_1.g_2 }\nPoseLog all { Robot=row.g }\n"
-                  "Fixed f { Parent=row_0.g_0.b Child=row_0.g_1.b }\n");
+        const Resolved r = world("Repeat row { Count=2 Pos=0,$(10*index),0 Param k = $index\n"
+                                 "  Grid g { Config=Cart Count=$(2+index) Spacing=2 Pos=$(5*index),0,0 m=$(1 + 10*k + index) }\n"
+                                 "  Region pool { Size=1,1,1 Robots=g } }\n"
+                                 "PoseLog one { Robot=row_1.g_2 }\nPoseLog all { Robot=row.g }\n"
+                                 "Fixed f { Parent=row_0.g_0.b Child=row_0.g_1.b }\n");
         QCOMPARE(messagesOf(r), QString());
         QCOMPARE(r.experiment->robots.size(), std::size_t(5));
         const RobotSpec& last = r.experiment->robots[4];
@@ -119,6 +119,7 @@ private Q_SLOTS:
         QCOMPARE(r.experiment->logs[0].find("Robot")->value.texts, (std::vector<std::string>{"row_1.g_2"}));
         QCOMPARE(r.experiment->logs[1].find("Robot")->value.texts.size(), std::size_t(5));
         QCOMPARE(r.experiment->robots[std::size_t(r.experiment->joints[0].childRobot)].name, std::string("row_0.g_1"));
+        QCOMPARE(r.experiment->regions[1].robots, (std::vector<std::size_t>{2, 3, 4}));
         QCOMPARE(layoutMemberIn(*r.outline, "row_1.g_2.b.hull").name, std::string_view("row_1.g_2"));
         QCOMPARE(layoutMemberIn(*r.outline, "row_1.g_2").all(), std::string_view("row_1.g"));
         QVERIFY(!layoutMemberIn(*r.outline, "row_1.g").layout);
