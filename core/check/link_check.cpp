@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "check/checks.h"
 #include "check/extent.h"
@@ -24,7 +25,9 @@ double distanceTo(const BodySpec& body, const Vec3& point, double& size) {
 } // namespace
 
 void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
+    std::set<SourceRange> reported; // of a Repeat one member
     for (const Link<JointSpec>& link : experiment.joints) {
+        const bool isReported = reported.contains(link.spec.nameRange);
         if (link.spec.type == JointType::Fixed || link.spec.type == JointType::Slider) continue; // they have no point
         for (const auto& [robotIndex, bodyIndex] :
              {std::pair(link.parentRobot, link.spec.parent), {link.childRobot, link.spec.child}}) {
@@ -33,7 +36,8 @@ void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
             const BodySpec& body = robot.config->bodies[static_cast<std::size_t>(bodyIndex)];
             double size = 0;
             const double far = distanceTo(body, (robot.pose * body.pose).inverse() * link.spec.anchor, size);
-            if (far <= std::max(kLeastFar, kFar * size)) continue;
+            if (isReported || far <= std::max(kLeastFar, kFar * size)) continue;
+            reported.insert(link.spec.nameRange);
             diagnostics.warning(Code::BadJoint, link.spec.nameRange,
                                 "the Anchor of " + link.spec.name + " is " + lengthText(far) + " away from " + robot.name + "." +
                                     body.name + "; it is a point in the world at the start, where both bodies should meet");

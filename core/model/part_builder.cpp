@@ -32,7 +32,11 @@ std::string lowerFirst(std::string word) {
 } // namespace
 
 void PartBuilder::findFragment(const BlockView& top) {
-    const auto isInner = [&](const SourceBlock& block) { return block.file != 0 || belongsInside(*block.block); };
+    const auto isInner = [&](const SourceBlock& block) {
+        const Kind* kind = m_registry.find(block.block->type.text);
+        const bool isPlaced = kind && (kind->role == Role::Instance || kind->role == Role::Layout) && allows(nullptr, *kind);
+        return block.file == 0 ? belongsInside(*block.block) : !isPlaced; // a joint joins robots that are imported
+    };
     const auto isOwn = [](const auto& what) { return what.file == 0; };
     m_isFragment = std::ranges::any_of(top.blocks, isOwn) && std::ranges::all_of(top.blocks, isInner) &&
                    std::ranges::none_of(top.assignments.all(), isOwn);
@@ -194,6 +198,10 @@ void PartBuilder::misplaced(const Part& part, const Part* parent) {
         legal, [](const std::string& place) { return place.empty() || place == "Repeat" || place == "Ring"; });
     std::string text =
         part.block->type.text + " is allowed " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
+    if (!m_config && parent && parent->isRepeat() && (part.is(Role::Log) || part.is(Role::Look)))
+        text += "; write it outside of that: there " + parent->name + ".NAME means what all members have, " + parent->name +
+                "_0.NAME that of one";
+    if (!parent && part.kind->name == "Gear") text += ": it couples two joints of one robot, not of two";
     m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);
 }
 

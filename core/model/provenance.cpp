@@ -5,6 +5,7 @@
 #include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/params.h"
+#include "model/robot_path.h"
 #include "model/set_targets.h"
 
 namespace trundle {
@@ -103,8 +104,10 @@ std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view 
     }
     const Part* part = nullptr;
     std::size_t used = 1;
-    if (const Part* layout = layoutOfMember(outline, words[0]); layout && !outline.world.find(words[0])) part = layout;
-    else {
+    if (const LayoutMember member = layoutMemberIn(outline, path); member.layout) {
+        part = member.layout;
+        used = DottedPath(member.name).words().size();
+    } else {
         const PathStart start = startOfPath(outline, words);
         part = start.part;
         used = start.words;

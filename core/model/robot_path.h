@@ -7,6 +7,7 @@
 
 #include "model/dotted_path.h"
 #include "model/experiment_spec.h"
+#include "model/outline.h"
 
 namespace trundle {
 
@@ -25,6 +26,28 @@ inline std::string robotNameIn(const ExperimentSpec& experiment, std::string_vie
     const auto isRobot = [&](std::string_view name) { return std::ranges::find(experiment.robots, name, &RobotSpec::name) != experiment.robots.end(); };
     const std::string_view robot = shortestStart(path, isRobot);
     return std::string(robot.empty() ? firstWord(path) : robot);
+}
+
+/// The Grid or Scatter of which a path begins with a member, "swarm_12.chassis", in a Repeat "row_3.swarm_12.chassis".
+struct LayoutMember {
+    const Part* layout = nullptr; ///< nullptr: the path begins with something else
+    std::string_view name;        ///< "row_3.swarm_12"
+    [[nodiscard]] std::string_view all() const { return memberName(name)->stem; } ///< "row_3.swarm"
+};
+inline LayoutMember layoutMemberIn(const Outline& outline, std::string_view path) {
+    LayoutMember member;
+    member.name = shortestStart(path, [&](std::string_view name) {
+        return !outline.world.find(name) && (member.layout = layoutOfMember(outline, name));
+    });
+    return member;
+}
+
+/// What is in a Repeat, a Grid or Scatter also by the name of a member; nullptr if there is nothing.
+inline const Part* inRepeat(const Part& repeat, std::string_view word) {
+    const std::optional<MemberName> member = memberName(word);
+    if (const Part* part = repeat.find(word); part || !member) return part;
+    const Part* layout = repeat.find(member->stem);
+    return layout && layout->is(Role::Layout) ? layout : nullptr;
 }
 
 /// Whether a robot has this name, or is one of the members that it names: "row_3.cart" of "row.cart", "swarm_3" of "swarm".

@@ -2,6 +2,7 @@
 
 #include "base/spelling.h"
 #include "model/config_blocks.h"
+#include "model/robot_path.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -55,6 +56,11 @@ private:
                 continue;
             }
             if (at->is(Role::Instance) || at->is(Role::Layout)) break; // the rest is the path of an override
+            if (const Part* layout = at->isRepeat() ? inRepeat(*at, path[i].text) : nullptr)
+                return (void)m_diagnostics.error(Code::ReplaceBySingles, {m_set->file, path[i].range},
+                                                 path[i].text + " is a member of " + layout->title() + ", which is in " +
+                                                     at->title() + ": members have no text of their own; set " + layout->name +
+                                                     " for all of them");
             return noSuch({m_set->file, path[i].range}, at->title() + " has no " + path[i].text, namesIn(*at), path[i].text);
         }
         const std::string& key = path.back().text;

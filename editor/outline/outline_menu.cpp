@@ -59,7 +59,7 @@ void OutlinePanel::addObjectActions(QMenu& menu, const std::string& path) {
     if (place && place->instance && configOf(*m_document.loaded(), *place->instance))
         add(menu, "outline.config", QStringLiteral("kind-robotconfig"), tr("&Edit Its Config"),
             [this, path] { editConfig(path); });
-    if (place && place->instance && place->instance->is(Role::Layout))
+    if (place && place->instance && place->instance->is(Role::Layout) && place->around.empty())
         add(menu, "outline.singles", QStringLiteral("array"), tr("Replace by &Single Robots"),
             [this, path] { (void)m_edits.replaceBySingles(path); });
     if (place && place->part && place->part->kind && place->part->kind->name == "Camera")

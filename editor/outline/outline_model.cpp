@@ -107,13 +107,13 @@ std::string OutlineModel::keyOf(const QModelIndex& index) const {
     return key;
 }
 
-/// The path with the names of Repeats instead of those of their members, which have one row.
+/// The path with the names of Repeats, and of Grids and Scatters in them, instead of those of their members, which have one row.
 static std::string withoutMembers(const ObjectLocation& place, const std::string& path) {
     std::string all;
     const DottedPath dotted(path);
     for (const std::string& word : dotted.words()) {
         const auto isMember = [&](const auto& m) {
-            return m.first->isRepeat() && word == m.first->name + "_" + std::to_string(m.second);
+            return (m.first->isRepeat() || !place.around.empty()) && word == m.first->name + "_" + std::to_string(m.second);
         };
         const auto it = std::ranges::find_if(place.members, isMember);
         all = pathInside(all, it == place.members.end() ? word : it->first->name);

@@ -39,8 +39,8 @@ OutlineGroup plainGroupOf(const Part& part) {
     if (!part.usable || !part.kind) return OutlineGroup::Misplaced;
     switch (part.kind->role) {
     case Role::Instance: return part.kind->name == "Static" ? OutlineGroup::Scenery : OutlineGroup::Robots;
+    case Role::Repeat: // without blocks
     case Role::Layout: return OutlineGroup::Robots;
-    case Role::Repeat: return part.parts.empty() ? OutlineGroup::Robots : plainGroupOf(part.parts.front());
     case Role::Joint: return OutlineGroup::Joints;
     case Role::Region: return OutlineGroup::Regions;
     case Role::Look: return OutlineGroup::Looks;
@@ -122,6 +122,7 @@ OutlineRows::OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMod
 }
 
 OutlineGroup OutlineRows::groupOf(const Part& part) const {
+    if (part.isRepeat() && !part.parts.empty()) return groupOf(part.parts.front());
     const Part* config = configOf(*m_loaded, part);
     const OutlineGroup group = holdsScenery(part, config) ? OutlineGroup::Scenery : plainGroupOf(part);
     return group == OutlineGroup::Robots && isPassive(part, config) ? OutlineGroup::Objects : group;

@@ -109,7 +109,9 @@ void ObjectHeader::showOne(const ObjectValues& object) {
     m_name->setValue(experiment ? tr("Experiment") : toQString(part->name));
     m_kind->setText(faint(experiment ? QString() : toQString(part->block->type.text).toHtmlEscaped()));
     m_kind->setToolTip(m_help);
-    m_singles->setVisible(part && part->is(Role::Layout) && object.isInstance());
+    const auto place = placeOf(object.loaded(), object.path());
+    const bool isInRepeat = place && !place->around.empty();
+    m_singles->setVisible(part && part->is(Role::Layout) && object.isInstance() && !isInRepeat);
     showPath(object);
     showConfig(object);
 }

@@ -25,6 +25,11 @@ std::string allMembers(std::string_view robot) {
     return all + std::string(robot);
 }
 
+/// "swarm" of "swarm_3", "row.swarm" of "row_0.swarm_3"; empty if it is in no Grid or Scatter.
+std::string layoutOf(const Outline& outline, const std::string& robot) {
+    return layoutOfMember(outline, robot) ? std::string(memberName(allMembers(robot))->stem) : std::string();
+}
+
 } // namespace
 
 EndedRobots::EndedRobots(const RunResults& results, const RunEdits& edits, QObject* parent)
@@ -44,8 +49,8 @@ void EndedRobots::update() {
     }
     for (const End& end : m_ends) {
         m_byInstance[end.robot].push_back(&end);
-        const Part* layout = layoutOfMember(*m_results.built->outline, end.robot);
-        if (layout && layout->name != end.robot) m_byInstance[layout->name].push_back(&end);
+        const std::string layout = layoutOf(*m_results.built->outline, end.robot);
+        if (!layout.empty() && layout != end.robot) m_byInstance[layout].push_back(&end);
         if (const std::string all = allMembers(end.robot); all != end.robot) m_byInstance[all].push_back(&end);
     }
     Q_EMIT changed();

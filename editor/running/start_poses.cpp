@@ -52,7 +52,7 @@ StartPoses startPoses(const LoadedProject& loaded, const std::function<std::opti
             if (leftOut.empty() || leftOut.back() != name) leftOut.append(name);
             continue;
         }
-        if (layout) {
+        if (layout && !isInRepeat) {
             all.refusal = trPoses("%1 moved: members of a Grid or Scatter have no start pose of their own. Replace %2 by single "
                                   "instances first.")
                               .arg(QString::fromStdString(robot.name), name);
@@ -60,7 +60,10 @@ StartPoses startPoses(const LoadedProject& loaded, const std::function<std::opti
             return all;
         }
         if (isInRepeat) {
-            all.refusal = trPoses("%1 moved: what is in a Repeat has no start pose of its own.").arg(name);
+            all.refusal =
+                trPoses("%1 moved: the members of a Repeat share one text, so one of them has no start pose of its own. Write %1 "
+                        "outside of the Repeat, or have its Pos depend on index.")
+                    .arg(QString::fromStdString(robot.name));
             all.values.clear();
             return all;
         }

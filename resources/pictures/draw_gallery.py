@@ -17,8 +17,8 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SIZE = "640x360"
-# Of each robot: how far away (m) the eye is, and how high what it looks at. One that is not named is shown whole from farther away.
-ROBOTS = {"soccer_robot": (0.58, 0.062), "simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01), "lidar_robot": (0.62, 0.1), "round_robot": (0.24, 0.026), "research_base": (1.4, 0.1), "tractor": (1.1, 0.1), "rover": (1.9, 0.25)}
+# Of each robot: how far away (m) the eye is, how high what it looks at, and how far ahead of the origin. One that is not named is shown whole from farther away.
+ROBOTS = {"soccer_robot": (0.58, 0.062), "simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01), "lidar_robot": (0.62, 0.1), "round_robot": (0.24, 0.026), "research_base": (1.4, 0.1), "tractor": (1.1, 0.1), "rover": (1.9, 0.25), "car": (1.2, 0.08, 0.165)}
 # Of each sample: after how many seconds, from where and what is in the middle (m).
 SAMPLES = {
     "camera_swarm": ("2", "-2.6,-2.4,1.5", "0.1,0.1,0"),
@@ -45,8 +45,9 @@ def text(folder, name, config):
         return f"#import arenas/{name}.sim\nStatic it {{ Config={config} }}\n"
     lines = ["#import arenas/open_floor.sim", f"#import robots/{name}.sim", "Static floor { Config=OpenFloor }", f"Robot it {{ Config={config} }}"]
     if name in ROBOTS:
-        far, high = ROBOTS[name]
-        lines.append(f"View shown {{ Eye={0.66 * far:g},{-0.62 * far:g},{high + 0.42 * far:g} Target=0.01,0,{high:g} FieldOfView=40 }}")
+        far, high, *ahead = ROBOTS[name]
+        middle = ahead[0] if ahead else 0.01
+        lines.append(f"View shown {{ Eye={0.66 * far + (ahead[0] if ahead else 0):g},{-0.62 * far:g},{high + 0.42 * far:g} Target={middle:g},0,{high:g} FieldOfView=40 }}")
     return "\n".join(lines) + "\n"
 
 

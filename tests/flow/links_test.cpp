@@ -95,7 +95,7 @@ private Q_SLOTS:
         QTest::newRow("member") << "Ball j { Parent=swarm_7.body Child=lower.body }"
                                 << "Parent names swarm_7.body";
         QTest::newRow("gear") << "Gear g { Joint=a Other=b Ratio=1 }"
-                              << "Gear is allowed in";
+                              << "not at the top level: it couples two joints of one robot, not of two";
         QTest::newRow("suspension") << "Suspension s { Parent=world Child=lower.body }"
                                     << "a Suspension needs a body as its Parent";
     }

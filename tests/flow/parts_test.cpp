@@ -66,6 +66,32 @@ QString side(const QString& n, const QString& s) {
     return text;
 }
 
+const char* const kStand = "RobotConfig Kit { Body base { Box foot { Size=0.1,0.1,0.1 Mass=5 Material=grey Surface=plastic } }\n"
+                           "Fixed hold { Parent=world Child=base }\n";
+
+/// A limb, or its mirror image: places by the signs of their axes, angles by the product of the two others.
+QString limb(const QString& n, const QString& on, const std::array<int, 3>& signs, bool isReversed) {
+    const auto triple = [](double x, double y, double z) {
+        const auto text = [](double v) { return QString::number(v == 0 ? 0.0 : v); };
+        return text(x) + u',' + text(y) + u',' + text(z);
+    };
+    const auto place = [&](double x, double y, double z) { return triple(signs[0] * x, signs[1] * y, signs[2] * z); };
+    const auto angles = [&](double heading, double pitch, double roll) {
+        return triple(signs[0] * signs[1] * heading, signs[0] * signs[2] * pitch, signs[1] * signs[2] * roll);
+    };
+    const QString stops = isReversed ? "LowStop=-80 HighStop=30 RestAngle=-20" : "LowStop=-30 HighStop=80 RestAngle=20";
+    return "Body " + n + "A { Pos=" + place(0.1, 0.05, 0.3) + " HPR=" + angles(10, 20, 30) +
+           " Box b { Size=0.1,0.05,0.02 Pos=" + place(0.02, 0.01, 0.03) + " HPR=" + angles(5, -15, 25) +
+           " Mass=0.4 Material=red Surface=roller } }\n" + "Body " + n + "B { Pos=" + place(0.2, 0.1, 0.3) +
+           " HPR=" + angles(-20, 5, 40) + " Sphere s { Radius=0.03 Pos=" + place(0.01, 0.02, 0) +
+           " Mass=0.2 Material=red Surface=rubber } }\n" + "Hinge " + n + "J { Parent=" + on + " Child=" + n +
+           "A Anchor=" + place(0.05, 0.02, 0.25) + " Axis=0,1,0 " + stops + " Stiffness=0.4 Damping=0.01 }\n" + "Slider " + n +
+           "K { Parent=" + n + "A Child=" + n + "B Axis=" + place(0.6, 0.8, 0) +
+           " LowStop=-0.05 HighStop=0.02 Stiffness=50 Damping=0.5 RestPosition=0.01 }\n" + "Spring " + n + "S { Parent=" + on +
+           " Child=" + n + "B Anchor=" + place(0, 0.1, 0.5) + " Anchor2=" + place(0.2, 0.1, 0.32) +
+           " Length=0.2 Stiffness=20 Damping=0.1 }\n";
+}
+
 QByteArray hashOf(const Outcome& run) {
     for (const QByteArray& line : (run.out + "\n" + run.err).split('\n'))
         if (line.contains("hash")) return line.simplified();
@@ -95,6 +121,47 @@ private Q_SLOTS:
         QVERIFY2(b.code == 0, b.err);
         QVERIFY2(!hashOf(a).isEmpty(), a.out + a.err);
         QCOMPARE(hashOf(a), hashOf(b));
+    }
+
+    void mirrorImagesMoveLikeTheirCopies_data() {
+        QTest::addColumn<QString>("mirrors"); // from inside
+        for (const char* mirrors : {"x", "y", "z", "yx", "zxy", "xx"}) QTest::newRow(mirrors) << QString(mirrors);
+    }
+    /// A limb on a hinge with stops, a sprung slider and a spring, mirrored along each axis, and in mirrored parts.
+    void mirrorImagesMoveLikeTheirCopies() {
+        QFETCH(QString, mirrors);
+        std::array<int, 3> signs{1, 1, 1};
+        bool isReversed = false; // the hinge about y: its positive sense stays that about +y
+        QString parts = "PartConfig Limb {\n" + limb("", "$on", signs, false) + "}\n", inner = "Limb", name = "p";
+        for (const QChar axis : mirrors) {
+            signs[std::size_t(axis.unicode() - 'x')] *= -1;
+            isReversed = isReversed != (axis != u'y');
+            const bool isLast = name.size() == mirrors.size();
+            const QString part = "Part p { Config=" + inner + " Mirror=" + axis + " on=" + (isLast ? "base" : "$on") + " }\n";
+            if (isLast) parts += kStand + part + "}\n";
+            else {
+                inner = "Outer" + QString::number(name.size());
+                parts += "PartConfig " + inner + " { " + part + "}\n";
+                name += "p";
+            }
+        }
+        const QString image = signs[0] * signs[1] * signs[2] < 0 ? "-45" : "45";
+        const QString hand = "Surface image { Friction=0.2 Friction2=0.9 FrictionHeading=" + image + " }\n" + kStand +
+                             limb(name, "base", signs, isReversed).replace("Surface=roller", "Surface=image") + "}\n";
+        const QString robot = "Robot r { Config=Kit Pos=0,0,0.5 }\n";
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("parts.sim"), (kHead + parts + robot).toUtf8()));
+        QVERIFY(writeFile(folder.filePath("hand.sim"), (kHead + hand + robot).toUtf8()));
+        QVERIFY(
+            writeFile(folder.filePath("other.sim"), (kHead + QString(hand).replace("Mass=0.4", "Mass=0.41") + robot).toUtf8()));
+        const Outcome a = cli({"run", folder.filePath("parts.sim"), "--hash"}),
+                      b = cli({"run", folder.filePath("hand.sim"), "--hash"}),
+                      other = cli({"run", folder.filePath("other.sim"), "--hash"});
+        QVERIFY2(a.code == 0, a.err);
+        QVERIFY2(b.code == 0, b.err);
+        QVERIFY2(!hashOf(a).isEmpty(), a.out + a.err);
+        QCOMPARE(hashOf(a), hashOf(b));
+        QVERIFY(hashOf(a) != hashOf(other));
     }
 
     /// A conveyor of 50 driven rollers, written once, with values that depend on the number.

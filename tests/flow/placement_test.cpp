@@ -73,6 +73,39 @@ private Q_SLOTS:
         QVERIFY(!hashIn(folder, "ring.sim", kWorld + ring).isEmpty());
     }
 
+    /// Grids of robots and of scenery in a Repeat.
+    void gridsInARepeatMoveLikeTheirCopies() {
+        const QString grids = "Grid @na { Config=SimpleRobot Count=2 Spacing=0.5 Pos=@x,0,0 LinearMotion brain { Distance=0.3 "
+                              "Speed=$(0.1+0.05*index) } }\n"
+                              "Grid @np { Config=Post Count=2 Spacing=0.5 Pos=@x,-0.75,0 h=$(0.2+0.1*index) }\n";
+        QString copies;
+        for (int i = 0; i < 3; ++i)
+            copies += QString(grids).replace("@n", "row" + QString::number(i)).replace("@x", QString::number(2 * i));
+        QTemporaryDir folder;
+        const QString once = hashIn(
+            folder, "once.sim",
+            kWorld + ("Repeat row { Count=3 Pos=$(2*index),0,0\n" + QString(grids).replace("@n", "").replace("@x", "0") + "}\n"));
+        QVERIFY(!once.isEmpty());
+        const QString byHand = hashIn(folder, "hand.sim", kWorld + copies);
+        QVERIFY(!byHand.isEmpty());
+        QVERIFY(once != hashIn(folder, "other.sim", kWorld + QString(copies).replace("Pos=4,0,0", "Pos=4,0.1,0")));
+        QCOMPARE(once, byHand);
+    }
+
+    /// What is warned of in a Repeat is one text: it is reported for one member.
+    void aWarningIsThereOnceForAllMembers() {
+        QTemporaryDir folder;
+        const QString text = "Repeat row { Count=4 Pos=0,$(2*index),0\n  Robot a { Config=Crate Pos=0,0,0.05 }\n  Robot b { "
+                             "Config=Crate Pos=0.3,0,0.05 }\n  Hinge pin { Parent=a.b Child=b.b Anchor=0,0,1 Axis=0,1,0 } }\n";
+        QVERIFY(writeFile(folder.filePath("row.sim"), (kWorld + text).toUtf8()));
+        const Outcome check = cli({"check", folder.filePath("row.sim"), "--json"});
+        QStringList warnings;
+        for (const QJsonValue& found : QJsonDocument::fromJson(check.out).array())
+            if (found["code"] == QString("E307")) warnings << found["message"].toString();
+        QVERIFY2(warnings.size() == 2, shown(check)); // of both bodies
+        QVERIFY2(warnings[0].contains("the Anchor of row_0.pin is") && warnings[1].contains("row_0.b.b"), shown(check));
+    }
+
     void aGridOfSceneryStopsRobotsLikeItsCopies() {
         QString copies;
         const char* const places[] = {"0.25,-0.25,0", "0.75,-0.25,0", "0.25,0.25,0", "0.75,0.25,0"};

@@ -1,7 +1,7 @@
 // Repeat and Ring at the top level, Grid and Scatter of scenery: each member is what its blocks say for its number.
 #include <QTest>
 
-#include "model/outline.h"
+#include "model/robot_path.h"
 #include "model_fixture.h"
 
 using namespace trundle;
@@ -102,6 +102,47 @@ private Q_SLOTS:
         QCOMPARE(r.config(2).bodies[0].mass.mass, 4.0);
     }
 
+    /// Its own values count by the Repeat, those of its members by itself.
+    void gridsAreInRepeats() {
+        const Resolved r = world("Repeat row { Count=2 Pos=0,$(10*index),0 Param k = $index\n"
+                                 "  Grid g { Config=Cart Count=$(2+index) Spacing=2 Pos=$(5*index),0,0 m=$(1 + 10*k + index) }\n"
+                                 "  Region pool { Size=1,1,1 Robots=g } }\n"
+                                 "PoseLog one { Robot=row_1.g_2 }\nPoseLog all { Robot=row.g }\n"
+                                 "Fixed f { Parent=row_0.g_0.b Child=row_0.g_1.b }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->robots.size(), std::size_t(5));
+        const RobotSpec& last = r.experiment->robots[4];
+        QCOMPARE(last.name, std::string("row_1.g_2"));
+        QCOMPARE(last.pose.position, Vec3(7, 10, 0));
+        QCOMPARE(r.config(4).bodies[0].mass.mass, 13.0);
+        QCOMPARE(r.config(1).bodies[0].mass.mass, 2.0);
+        QCOMPARE(r.experiment->logs[0].find("Robot")->value.texts, (std::vector<std::string>{"row_1.g_2"}));
+        QCOMPARE(r.experiment->logs[1].find("Robot")->value.texts.size(), std::size_t(5));
+        QCOMPARE(r.experiment->robots[std::size_t(r.experiment->joints[0].childRobot)].name, std::string("row_0.g_1"));
+        QCOMPARE(r.experiment->regions[1].robots, (std::vector<std::size_t>{2, 3, 4}));
+        QCOMPARE(layoutMemberIn(*r.outline, "row_1.g_2.b.hull").name, std::string_view("row_1.g_2"));
+        QCOMPARE(layoutMemberIn(*r.outline, "row_1.g_2").all(), std::string_view("row_1.g"));
+        QVERIFY(!layoutMemberIn(*r.outline, "row_1.g").layout);
+        QCOMPARE(int(provenanceOf(*r.outline, "row_1.g_2.Spacing")->origin), int(Origin::Instance));
+    }
+
+    /// Each member has places of its own, clear of the scenery that is there.
+    void scattersAreInRepeats() {
+        const Resolved r =
+            world("Repeat row { Count=2 Pos=0,$(10*index),0 HPR=$(90*index),0,0 Static post { Config=Post Pos=1,0,0 }\n"
+                  "  Scatter s { Config=Cart Count=4 Area=0,-2,4,2 Heading=0 } }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->robots.size(), std::size_t(8));
+        const Pose second{Vec3(0, 10, 0), rotationFromHpr({90 * M_PI / 180, 0, 0})};
+        for (std::size_t i = 0; i < 8; ++i) {
+            const Vec3 at = r.experiment->robots[i].pose.position;
+            const Vec3 local = i < 4 ? at : Vec3(second.inverse() * at);
+            QVERIFY(local.x() > 0 && local.x() < 4 && std::abs(local.y()) < 2);
+            QVERIFY((local - Vec3(1, 0, 0)).norm() > 0.5);
+        }
+        QVERIFY((second.inverse() * r.experiment->robots[4].pose.position - r.experiment->robots[0].pose.position).norm() > 1e-6);
+    }
+
     void gridsAndScattersOfScenery() {
         const Resolved r = world("Grid crate { Config=Post Count=2,2 Spacing=1 h=$(1+index2) }\n"
                                  "Scatter bush { Config=Post Count=5 Area=-3,-3,3,3 h=$(1+index) }\n"
@@ -134,8 +175,16 @@ private Q_SLOTS:
             "RobotConfig K { Body c { Mass=1 Box h { Size=1,1,1 Material=g Surface=s } } Repeat r { Count=2 Robot x { "
             "Config=Cart } } }\n",
             "E302 Robot is allowed at the top level, not in a Repeat of a RobotConfig\n", "Robot");
-        row("a grid", "Repeat row { Count=2 Grid g { Config=Cart Count=2 Spacing=1 } }\n",
-            "E302 Grid is allowed at the top level, not in a Repeat at the top level\n", "Grid");
+        row("a log", "Repeat row { Count=2 Robot cart { Config=Cart } PoseLog way { Robot=cart } }\n",
+            "E302 PoseLog is allowed at the top level, not in a Repeat at the top level; write it outside of that: there "
+            "row.NAME "
+            "means what all members have, row_0.NAME that of one\n",
+            "PoseLog");
+        row("a name in a grid", "Repeat row { Count=2 Grid g { Config=Cart Count=2 Spacing=1 } Robot g_1 { Config=Cart } }\n",
+            "E303 the name row_0.g_1 belongs to a member of Grid g\n", "g_1");
+        row("a full scatter", "Repeat row { Count=2 Scatter s { Config=Cart Count=20 Area=-0.1,-0.1,0.1,0.1 } }\n",
+            "E317 no free place for member 1 of Scatter s after 10000 tries; make Area larger, or Count or MinDistance smaller\n",
+            "s");
         row("a name", "Repeat row { Count=2 Robot cart { Config=Cart } }\nRobot row_1 { Config=Cart }\n",
             "E303 the name row_1 belongs to a member of Repeat row\n", "row_1");
         row("a value", "Repeat row { Count=3 Robot cart { Config=Cart m=$(2-index) } }\n", "E203 Mass is 0, it must be above 0\n",

@@ -241,7 +241,7 @@ private Q_SLOTS:
 
     void editsAllKindsOfParts() {
         for (const char* kind : {"PartConfig", "Part", "Repeat", "Ring", "RobotConfig", "StaticConfig", "Grid", "Region",
-                                 "Spring", "Latch", "Robot", "Static", "Body", "Slider"})
+                                 "Spring", "Gear", "Latch", "Robot", "Static", "Body", "Slider"})
             QVERIFY2(m_edited[kind] > 0, kind);
     }
 

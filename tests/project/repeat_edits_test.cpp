@@ -50,6 +50,52 @@ private Q_SLOTS:
         QCOMPARE(messages(*m_loaded), std::string());
     }
 
+    /// What is selected by the name of a member is still after a rename, also in the world.
+    void pathsOfMembersFollowRenames() {
+        const std::string world = kKit + "Repeat row { Count=2 Pos=0,$(9*index),0\n Robot cart { Config=Kit }\n"
+                                         " Grid herd { Config=Kit Count=2 Spacing=3 Pos=4,0,0 } }\n";
+        const auto before = m_fixture.open(world);
+        QCOMPARE(messages(*before), std::string());
+        for (const auto& [path, now, from, to] : std::vector<std::array<std::string, 4>>{
+                 {"row_1.cart", "row_1.wagon", "Robot cart", "Robot wagon"},
+                 {"row.cart.hub.hull", "line.cart.hub.hull", "Repeat row", "Repeat line"},
+                 {"row_1.cart.roller_3.rim", "row_1.cart.wheel_3.rim", "Repeat roller", "Repeat wheel"},
+                 {"row_0.herd_1.hub", "row_0.flock_1.hub", "Grid herd", "Grid flock"},
+                 {"row_0.herd_1", "row_0.herd_1", "Robot cart", "Robot wagon"}}) {
+            std::string text = world;
+            text.replace(text.find(from), from.size(), to);
+            if (from == "Repeat roller") text.replace(text.find("roller_1"), 6, "wheel");
+            const auto after = m_fixture.open(text);
+            QCOMPARE(messages(*after), std::string());
+            QCOMPARE(pathAfterEdit(*before, *after, path).value_or("none"), now);
+        }
+    }
+
+    /// A Grid in a Repeat of the world: its members lead to it, a rename follows them.
+    void gridsInRepeatsOfTheWorld() {
+        const auto loaded =
+            m_fixture.open(kKit + "Repeat row { Count=2 Pos=0,$(9*index),0\n"
+                                  " Grid herd { Config=Kit Count=2 Spacing=3 Pos=4,0,0 } }\n"
+                                  "SignalLog s { Signals=\"row_1.herd_0/e/count\" }\nPoseLog p { Robot=row_0.herd_1 }\n"
+                                  "PoseLog all { Robot=row.herd }\nFixed f { Parent=world Child=row_1.herd_1.hub }\n");
+        QCOMPARE(messages(*loaded), std::string());
+        for (const char* path : {"row_1.herd_0", "row.herd_0", "row_1.herd_0.hub.hull", "row.herd", "row_1.herd.hub"}) {
+            const auto place = placeOf(*loaded, path);
+            QVERIFY2(place && place->instance && place->instance->name == "herd", path);
+            QCOMPARE(place->member, std::string(path).find("herd_") != std::string::npos);
+        }
+        QVERIFY(!placeOf(*loaded, "row_1.herd_2"));
+        QVERIFY(!placeOf(*loaded, "row_2.herd_0"));
+        QCOMPARE(ObjectValues(loaded, "row_1.herd_0").property("Spacing")->path, std::string("row_1.herd.Spacing"));
+        const std::string renamed = m_fixture.text(loaded, planRename(*loaded, "row_1.herd", "flock"));
+        QVERIFY2(renamed.find("herd") == std::string::npos && renamed.find("\"row_1.flock_0/e/count\"") != std::string::npos &&
+                     renamed.find("Robot=row_0.flock_1") != std::string::npos &&
+                     renamed.find("Child=row_1.flock_1.hub") != std::string::npos,
+                 renamed.c_str());
+        QCOMPARE(m_fixture.text(loaded, planReplaceBySingles(*loaded, "row.herd")),
+                 std::string("refused: row.herd is in Repeat row: its members would be written once for all of that"));
+    }
+
     void pathsLeadToMembers() {
         for (const char* path : {"a.roller_4.rim.t", "a.roller.rim.t", "RobotConfig.Kit.roller_4.rim.t"}) {
             const auto place = placeOf(*m_loaded, path);

@@ -42,8 +42,8 @@ void addModelKinds(Registry& registry) {
     const std::vector<std::string> inWorld{"", "Repeat", "Ring"};
     kinds.add<RobotFields>("Robot", Role::Instance, inWorld);
     kinds.add<StaticFields>("Static", Role::Instance, inWorld);
-    kinds.add<GridFields>("Grid", Role::Layout, {""});
-    kinds.add<ScatterFields>("Scatter", Role::Layout, {""});
+    kinds.add<GridFields>("Grid", Role::Layout, inWorld);
+    kinds.add<ScatterFields>("Scatter", Role::Layout, inWorld);
     kinds.add<LightFields>("Light", Role::Look, inWorld, true);
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
     kinds.add<ViewFields>("View", Role::Look, {""}, true);

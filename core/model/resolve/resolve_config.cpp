@@ -193,7 +193,10 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
     });
     const bool hasUses =
         std::ranges::any_of(config.parts, [](const Part& part) { return part.isRepeat() || (part.isPartUse() && !part.config); });
-    if (!bodies && !hasUses && !context.brokenText(config.range)) {
+    const Part* base = &config;
+    while (base->config) base = base->config;
+    const bool isBaseMissing = base->assignments.find("Config"); // reported: unknown, or a circle
+    if (!bodies && !hasUses && !isBaseMissing && !context.brokenText(config.range)) {
         context.diagnostics.error(Code::MissingRequired, config.nameRange(),
                                   config.title() + " needs a Body: the first one carries the robot's pose");
     }

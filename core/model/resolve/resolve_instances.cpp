@@ -172,7 +172,7 @@ private:
             all.push_back(describe(expanded, i, "StaticConfig"));
             if (!all[i].config || !resolveScenery(part, all[i])) return;
         }
-        const std::vector<Pose> poses = posesOf(part, all);
+        const std::vector<Pose> poses = posesOf(expanded, all);
         for (std::size_t i = 0; i < poses.size(); ++i) {
             const Described& d = all.size() > 1 ? all[i] : all[0];
             const std::string name = memberName(expanded, i);
@@ -266,7 +266,7 @@ private:
             all.push_back(describe(expanded, i, "RobotConfig"));
             if (!all[i].config || !resolveMember(part, all[i])) return;
         }
-        const std::vector<Pose> poses = posesOf(part, all);
+        const std::vector<Pose> poses = posesOf(expanded, all);
         for (std::size_t i = 0; i < poses.size(); ++i) {
             const Described& d = all.size() > 1 ? all[i] : all[0];
             const std::string name = memberName(expanded, i);
@@ -275,7 +275,8 @@ private:
         }
     }
 
-    std::vector<Pose> posesOf(const Part& part, const std::vector<Described>& all) {
+    std::vector<Pose> posesOf(const ExpandedPart& expanded, const std::vector<Described>& all) {
+        const Part& part = *expanded.part;
         const Record& record = all[0].record;
         if (part.kind->name == "Grid") return gridPoses(m_context, part, record);
         if (!part.is(Role::Layout)) {
@@ -287,7 +288,7 @@ private:
             const RobotDisc disc = d.scenery ? discOf(d.scenery->geoms, d.scenery->moving.get()) : discOf(*d.spec);
             if (&d == &all[0] || disc.radius > largest.radius) largest = disc;
         }
-        return scatterPoses(m_context, part, record, largest);
+        return scatterPoses(m_context, expanded, record, largest);
     }
 
     ResolveContext& m_context;

@@ -69,7 +69,9 @@ std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Rec
     return poses;
 }
 
-std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record, const RobotDisc& disc) {
+std::vector<Pose> scatterPoses(ResolveContext& context, const ExpandedPart& expanded, const Record& record,
+                               const RobotDisc& disc) {
+    const Part& part = *expanded.part;
     const ScatterFields f = fieldsFrom<ScatterFields>(record);
     if (!(f.area[0] < f.area[2]) || !(f.area[1] < f.area[3])) {
         context.diagnostics.error(Code::OutOfRange, record.rangeOf("Area", part.nameRange()),
@@ -84,7 +86,7 @@ std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const 
         }
     }
     const std::uint64_t seed = f.seed > 0 ? static_cast<std::uint64_t>(f.seed) : context.out.settings.seed;
-    const std::uint64_t path = fnv1a64(part.name);
+    const std::uint64_t path = fnv1a64(expanded.name());
     const auto members = static_cast<std::uint64_t>(f.count);
     PointGrid spread(f.minDistance.value_or(2 * disc.radius));
     std::vector<Pose> poses;
@@ -94,7 +96,7 @@ std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const 
             const auto unit = [&](std::uint64_t k) { return toUnit(randomBits(seed, path, member, attempt * 3 + k)); };
             const Vec3 local(f.area[0] + unit(0) * (f.area[2] - f.area[0]), f.area[1] + unit(1) * (f.area[3] - f.area[1]), 0);
             if (!spread.roomAt(local.x(), local.y())) continue;
-            const Vec3 at = origin * local;
+            const Vec3 place = origin * local, at = expanded.placed({place, Quat::Identity()}).position;
             const bool clear = std::none_of(obstacles.begin(), obstacles.end(), [&](const Footprint& o) {
                 return o.meets({at.x(), at.y()}, disc.radius, at.z() + disc.low, at.z() + disc.high);
             });
@@ -102,7 +104,7 @@ std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const 
             found = true;
             spread.add(local.x(), local.y());
             const double heading = f.heading.value_or((unit(2) * 2 - 1) * std::numbers::pi);
-            poses.push_back({at, (origin.rotation * rotationFromHpr({heading, 0, 0})).normalized()});
+            poses.push_back({place, (origin.rotation * rotationFromHpr({heading, 0, 0})).normalized()});
         }
         if (found) continue;
         context.diagnostics.error(Code::PlacementFailed, part.nameRange(),

@@ -1,10 +1,10 @@
 // What is between robots: joints and springs at the top level, regions, pairs that do not touch each other.
 #include <algorithm>
 
-#include "model/dotted_path.h"
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
 #include "model/resolve/resolve_steps.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 
@@ -174,10 +174,11 @@ std::vector<std::size_t> robotsOf(const ResolveContext& context, const std::vect
     return robots;
 }
 
-/// The robot that a name in a member of a Repeat means: its own one, or one around it.
+/// The robot, Grid or Scatter that a name in a member of a Repeat means: its own one, or one around it.
 std::string robotMeant(const ResolveContext& context, const std::string& name, const PartFrame& frame) {
     for (const PartFrame* at = &frame; at; at = at->outer)
-        if (std::ranges::find(context.out.robots, at->prefix + name, &RobotSpec::name) != context.out.robots.end())
+        if (std::ranges::any_of(context.out.robots,
+                                [meant = at->prefix + name](const RobotSpec& r) { return isNamedBy(r.name, meant); }))
             return at->prefix + name;
     return name;
 }

@@ -69,9 +69,10 @@ void checkRadios(ResolveContext& context);
 /// Robots, statics, grids and scatters, in text order.
 void resolveInstances(ResolveContext& context, PartExpansion& world);
 
-/// The poses of a layout's members. Empty, with a diagnostic (E317), on failure.
+/// The poses of a layout's members, in the world or in the member of a Repeat that it is in. Empty, with a diagnostic (E317), on
+/// failure.
 [[nodiscard]] std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Record& record);
-[[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record,
+[[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const ExpandedPart& expanded, const Record& record,
                                              const RobotDisc& disc);
 
 } // namespace trundle

@@ -23,9 +23,23 @@ const Siblings& spaceOf(const Outline& outline, const Part& part) {
     return (space ? *space : outline.world).all();
 }
 
-const Part* named(const Siblings& siblings, const std::string& name) {
+const Part* named(const Siblings& siblings, std::string_view name) {
     const auto found = std::ranges::find(siblings, name, &Part::name);
     return found == siblings.end() ? nullptr : *found;
+}
+
+/// What a word of a path means: a block, or a Repeat, Grid or Scatter by the name of a member.
+const Part* meant(const Siblings& siblings, std::string_view word) {
+    const std::optional<MemberName> member = memberName(word);
+    const Part* part = named(siblings, word);
+    if (part || !member) return part;
+    part = named(siblings, member->stem);
+    return part && (part->isRepeat() || part->is(Role::Layout)) ? part : nullptr;
+}
+
+/// The word with the new name: of "roller_3" that of its Repeat, with the number.
+std::string renamed(std::string_view word, const Part& before, const Part& after) {
+    return after.name + std::string(word.substr(std::min(word.size(), before.name.size())));
 }
 
 /// The part of `after` that `part` of `before` has become.
@@ -40,36 +54,30 @@ const Part* counterpart(const Siblings& before, const Siblings& after, const Par
 
 std::optional<std::string> pathAfterEdit(const LoadedProject& before, const LoadedProject& after, const std::string& path) {
     if (path.empty()) return path;
+    const auto there = [&](std::string now) { return placeOf(after, now) ? std::optional(std::move(now)) : std::nullopt; };
     const auto place = placeOf(before, path);
-    if (!place || !place->part) return placeOf(after, path) ? std::optional(path) : std::nullopt;
-    if (!place->around.empty()) return placeOf(after, path) ? std::optional(path) : std::nullopt;
-    const Part* top = topOf(*place);
-    const bool isReached = top == place->instance && !place->within.empty();
-    if (place->member) return placeOf(after, path) ? std::optional(path) : std::nullopt; // its name comes from its Grid
-    const Part* topNow = counterpart(spaceOf(*before.outline, *top), spaceOf(*after.outline, *top), *top);
-    if (!topNow) return std::nullopt;
-    // "robot0" or "RobotConfig.Rover", then the names of the inner blocks.
-    const bool hasSpace = top != place->instance && firstWord(path) != top->name;
-    std::string now = hasSpace ? pathInside(firstWord(path), topNow->name) : topNow->name;
+    if (!place || !place->part) return there(path);
+    const Part* from = place->around.empty() ? topOf(*place) : place->around.front();
+    const Part* to = counterpart(spaceOf(*before.outline, *from), spaceOf(*after.outline, *from), *from);
+    if (!to) return std::nullopt;
+    // "robot0", "row_3" or "RobotConfig.Rover", then the names of the inner blocks.
+    const bool hasSpace = before.outline->spaceOf(*from->kind) != &before.outline->world;
+    std::string now = hasSpace ? pathInside(firstWord(path), to->name) : renamed(firstWord(path), *from, *to);
     std::string_view rest = withoutFirstWord(hasSpace ? withoutFirstWord(path) : path);
-    const Part* from = isReached ? configOf(before, *top) : top;
-    const Part* to = isReached ? configOf(after, *topNow) : topNow;
     while (!rest.empty()) {
-        const std::string name(firstWord(rest));
+        const bool isOwn = meant(innerOf(*from), firstWord(rest)); // a controller; what is in a Repeat
+        if (isPlaced(*from) && !isOwn) from = configOf(before, *from), to = configOf(after, *to);
         const Siblings all = from ? innerOf(*from) : Siblings{};
-        const Part* part = named(all, name);
-        if (!part || !to) { // for example the controller, which is in the instance
-            now = pathInside(now, rest);
-            return placeOf(after, now) ? std::optional(now) : std::nullopt;
-        }
+        const Part* part = meant(all, firstWord(rest));
+        if (!part || !to) return there(pathInside(now, rest));
         const Part* partNow = counterpart(all, innerOf(*to), *part);
         if (!partNow) return std::nullopt;
-        now = pathInside(now, partNow->name);
+        now = pathInside(now, renamed(firstWord(rest), *part, *partNow));
         rest = withoutFirstWord(rest);
-        from = part->config ? part->config : part;
-        to = partNow->config ? partNow->config : partNow;
+        from = part;
+        to = partNow;
     }
-    return now;
+    return there(now);
 }
 
 } // namespace trundle

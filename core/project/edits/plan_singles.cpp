@@ -10,6 +10,9 @@ Result<EditPlan> planReplaceBySingles(const LoadedProject& loaded, const std::st
     const std::optional<ObjectLocation> place = placeOf(loaded, path);
     const Part* layout = place ? place->instance : nullptr;
     if (!layout || !layout->is(Role::Layout)) return Error{Code::NoSuchPath, path + " is no Grid or Scatter"};
+    if (!place->around.empty())
+        return Error{Code::ReplaceBySingles,
+                     path + " is in " + place->around.back()->title() + ": its members would be written once for all of that"};
     Diagnostics said;
     reportReplaceBySingles({layout, layout->name, layout->nameRange()}, *loaded.outline, *loaded.experiment, said);
     if (said.all().empty() || said.all()[0].fixes.empty())

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "model/config_blocks.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/object_location.h"
 #include "project/objects/reference_space.h"
@@ -257,16 +257,15 @@ private:
     const Part* startInWorld(const ValueWord& said, const ValueContext& place, const std::string& key, std::size_t& size) {
         const ValueWord first = said.piece(0, firstWord(said.text).size());
         const Part* at = nullptr;
-        for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && !at; ++it) at = (*it)->find(first.text);
+        for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && !at; ++it) at = inRepeat(**it, first.text);
         if (!at) at = m_outline.world.find(first.text);
         if (!at) at = layoutOfMember(m_outline, first.text);
         if (!at) return nullptr;
-        const bool isMember = at->is(Role::Layout) && first.text != at->name;
-        add(*at, isMember ? first.piece(0, at->name.size()).range : nameRange(*at, first), {}, place, key);
+        add(*at, nameRange(*at, first), {}, place, key);
         size = first.text.size();
         for (SourceRange before = first.range; at->isRepeat() && size < said.text.size();) {
             const ValueWord next = said.piece(size + 1, firstWord(said.text.substr(size + 1)).size());
-            const Part* inner = at->find(next.text);
+            const Part* inner = inRepeat(*at, next.text);
             if (!inner) return nullptr;
             add(*inner, nameRange(*inner, next), before, place, key);
             before = next.range;
@@ -287,9 +286,10 @@ private:
              said.piece(before, size - before).range);
     }
 
-    /// Of "roller_3", a member of a Repeat, the name of the Repeat.
+    /// Of "roller_3", a member of a Repeat, Grid or Scatter, the name of that.
     static SourceRange nameRange(const Part& part, const ValueWord& word) {
-        return part.isRepeat() && word.text != part.name ? word.piece(0, part.name.size()).range : word.range;
+        return (part.isRepeat() || part.is(Role::Layout)) && word.text != part.name ? word.piece(0, part.name.size()).range
+                                                                                    : word.range;
     }
 
     /// Every word of "left.wheel.tyre" names something.
@@ -319,8 +319,9 @@ private:
         const ValueWord first = said.piece(0, slash);
         std::vector<const Part*> meant;
         std::size_t size = 0;
-        const bool isThere = m_outline.world.find(first.text) ||
-                             std::ranges::any_of(place.repeats, [&](const Part* r) { return r->find(firstWord(first.text)); });
+        const bool isThere =
+            m_outline.world.find(firstWord(first.text)) ||
+            std::ranges::any_of(place.repeats, [&](const Part* r) { return inRepeat(*r, firstWord(first.text)); });
         if (const Part* part = isThere ? startInWorld(first, place, key, size) : nullptr) {
             if (size == first.text.size()) meant = {part};
         } else if (const std::size_t bar = first.text.rfind('_');

@@ -3,6 +3,7 @@
 #include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/provenance.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 
@@ -55,15 +56,27 @@ void findPart(ObjectLocation& place, std::span<const std::string> words) {
     for (; place.instance && used < words.size(); ++used) place.within = pathInside(place.within, words[used]);
 }
 
+/// Whether the experiment has what a path names: "row_1.swarm_3", or of all members of a Repeat "row.swarm_3".
+bool isInExperiment(const LoadedProject& loaded, std::string_view path) {
+    const ExperimentSpec& e = *loaded.experiment;
+    const auto isMeant = [&](const auto& one) { return isNamedBy(one.name, path); };
+    return std::ranges::any_of(e.robots, isMeant) || std::ranges::any_of(e.statics, isMeant);
+}
+
 /// From a Repeat at the top level to what is in it; returns the number of words that this takes. No part: it leads nowhere.
-std::size_t enterRepeats(const std::vector<std::string>& words, ObjectLocation& place) {
+std::size_t enterRepeats(const LoadedProject& loaded, const std::vector<std::string>& words, ObjectLocation& place) {
     std::size_t used = 0;
+    std::string path;
     while (place.part) {
         const Part& at = *place.part;
-        if (at.isRepeat() && at.name != words[used]) place.members.emplace_back(&at, memberName(words[used])->index);
+        path = pathInside(path, words[used]);
+        if ((at.isRepeat() || place.member) && at.name != words[used])
+            place.members.emplace_back(&at, memberName(words[used])->index);
         if (++used == words.size() || !at.isRepeat()) break;
         place.around.push_back(&at);
-        place.part = at.find(words[used]);
+        place.part = inRepeat(at, words[used]);
+        place.member = place.part && place.part != at.find(words[used]);
+        if (place.member && !isInExperiment(loaded, pathInside(path, words[used]))) place.part = nullptr;
     }
     return used;
 }
@@ -71,7 +84,7 @@ std::size_t enterRepeats(const std::vector<std::string>& words, ObjectLocation& 
 /// Finds the block of the world, or at the top level, that a path begins with; returns the number of words it takes.
 std::size_t findTop(const LoadedProject& loaded, const std::vector<std::string>& words, ObjectLocation& place) {
     const Outline& outline = *loaded.outline;
-    if ((place.part = outline.world.find(words[0]))) return enterRepeats(words, place);
+    if ((place.part = outline.world.find(words[0]))) return enterRepeats(loaded, words, place);
     const Kind* kind = words.size() > 1 ? outline.registry().find(words[0]) : nullptr;
     const NameSpace* space = kind ? outline.spaceOf(*kind) : nullptr;
     const Part* part = space ? space->find(words[1]) : nullptr;

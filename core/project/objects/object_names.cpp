@@ -4,7 +4,7 @@
 
 #include "lang/characters.h"
 #include "model/config_blocks.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -88,8 +88,9 @@ std::string UsedNames::holder(const std::string& name) const {
         return world && kind && m_loaded.outline->spaceOf(*kind) ? "a kind of block" : "";
     }
     if (const Part* part = m_parent->find(name)) return part->title();
+    if (const Part* layout = m_parent->isRepeat() ? inRepeat(*m_parent, name) : nullptr) return "a member of " + layout->title();
     for (const Part& part : m_parent->parts)
-        if (m_kind && m_kind->role == Role::Repeat && isMemberOf(part.name, name))
+        if (m_kind && (m_kind->role == Role::Repeat || m_kind->role == Role::Layout) && isMemberOf(part.name, name))
             return part.title() + ", as a member would be called";
     if (const Part* part = beside(name)) return part->title();
     if (m_parent->is(Role::Config) && m_parent->param(name)) return "Param " + name;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "model/config_blocks.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "project/objects/object_location.h"
 #include "project/objects/value_text.h"
 #include "schema/value_words.h"
@@ -37,10 +37,9 @@ ObjectValues::ObjectValues(std::shared_ptr<const LoadedProject> loaded, std::str
     : m_loaded(std::move(loaded)), m_path(path), m_shownPath(std::move(path)) {
     const Outline& outline = *m_loaded->outline;
     if (m_path.empty()) m_kind = m_loaded->registry->find("settings");
-    const std::string first(firstWord(m_path));
-    if (const Part* layout = m_path.empty() || outline.world.find(first) ? nullptr : layoutOfMember(outline, first)) {
+    if (const LayoutMember member = layoutMemberIn(outline, m_path); member.layout) {
         m_member = true;
-        m_path.replace(0, first.size(), layout->name); // edits apply to the whole Grid or Scatter
+        m_path = std::string(member.all()) + m_path.substr(member.name.size()); // edits apply to the whole Grid or Scatter
     }
     if (auto place = placeOf(*m_loaded, m_path)) m_place = std::move(*place);
     m_scopes = std::make_unique<PathScopes>(*m_loaded, m_place);

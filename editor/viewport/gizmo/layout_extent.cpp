@@ -21,7 +21,8 @@ double rounded(double value, double step) { return step * std::round(value / ste
 } // namespace
 
 std::optional<LayoutExtent> LayoutExtent::of(const LoadedProject& loaded, const ObjectLocation& place, const TextOf& textOf) {
-    if (!place.part || !place.part->is(Role::Layout) || place.member || !place.within.empty()) return std::nullopt;
+    if (!place.part || !place.part->is(Role::Layout) || place.member || !place.within.empty() || !place.around.empty())
+        return std::nullopt;
     LayoutExtent extent;
     extent.m_pose = poseAt(loaded, place);
     if (const std::vector<double> area = numbersOf(loaded, place, "Area"); area.size() == 4) {

@@ -105,13 +105,15 @@ void TransformSelection::take(const std::string& path) {
     const bool hasPlace = place && (place->member || (place->part && place->part->kind && place->part->kind->find("Pos")));
     if (!hasPlace) return; // a whole config has no pose
     if (place->member) {
-        m_layout = place->instance ? place->instance->name : std::string();
+        m_layout = memberName(path) ? std::string(memberName(path)->stem) : std::string();
         m_refusal =
             tr("%1 is a member of %2, which sets its pose.").arg(QString::fromStdString(path), QString::fromStdString(m_layout));
         return;
     }
     if (place->part && holdsFrame(place->part)) return takePart(path, *place, object);
     const bool isAllOfRepeat = !place->around.empty() && place->members.empty(); // they have one text
+    if (isAllOfRepeat && place->part->is(Role::Layout))
+        return takeLayout(std::string(memberName(m_objects->pathOf(object))->stem));
     if (isAllOfRepeat && m_objects->pathOf(object) != path) return take(m_objects->pathOf(object));
     if (place->instance && place->within.empty() && !world.find(path)) return takeLayout(path);
     if (world.isLocked(object)) return void(m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path)));
@@ -154,15 +156,16 @@ void TransformSelection::addSizes(const std::string& path) {
 
 void TransformSelection::takeLayout(const std::string& path) {
     const auto place = placeOf(*m_context.document.loaded(), path);
+    const DescribedFrame described = describedFrame(*m_context.document.loaded(), *place); // in a Repeat that of the member
     Item item{path,
               std::nullopt,
+              {},
+              described.pose,
               poseAt(*m_context.document.loaded(), *place),
-              Pose{},
-              {},
-              {},
+              described,
               textOf(path + ".Pos"),
               textOf(path + ".HPR")};
-    item.local = item.world;
+    item.world = item.frame * item.local;
     m_items.push_back(std::move(item));
 }
 

@@ -1,5 +1,6 @@
 #include "editor/viewport/overlays/overlays.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QPainter>
@@ -21,6 +22,7 @@
 #include "editor/viewport/radio/radio_legend.h"
 #include "editor/widgets/theme.h"
 #include "lang/number_text.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
@@ -101,14 +103,25 @@ bool hasHandles(const ToolView& view) {
     return edits && !view.context().world.isRunning() && view.context().selection.paths().size() == 1;
 }
 
+} // namespace
+
+bool isSelected(const ToolView& view, std::string_view name) {
+    return std::ranges::any_of(view.context().selection.paths(), [&](const std::string& path) { return isNamedBy(name, path); });
+}
+
+namespace {
+
 /// Those between robots move with their child.
 void paintLinks(QPainter& painter, const ToolView& view, bool all) {
     const ViewportScene& world = view.context().world;
     const ExperimentSpec& experiment = world.objects()->experiment();
     for (const auto& link : experiment.joints) {
-        const bool selected = view.context().selection.contains(link.spec.name);
+        const bool selected = isSelected(view, link.spec.name);
         const auto robot = std::uint32_t(link.childRobot), body = std::uint32_t(link.spec.child);
-        if ((!all && !selected) || (selected && hasHandles(view)) || !experiment.robots[robot].config || world.isHidden({ObjectKind::Robot, robot})) continue;
+        const bool hasOwnHandles = view.context().selection.contains(link.spec.name) && hasHandles(view);
+        if ((!all && !selected) || hasOwnHandles || !experiment.robots[robot].config ||
+            world.isHidden({ObjectKind::Robot, robot}))
+            continue;
         const Pose start = experiment.robots[robot].pose * experiment.robots[robot].config->bodies[body].pose;
         const Pose now = world.objects()->poseOf({ObjectKind::Body, robot, body}, view.shownPoses());
         paintJoint(painter, view, link.spec, now * start.inverse(), selected);
@@ -127,9 +140,10 @@ void paintJoints(QPainter& painter, const ToolView& view, bool all) {
         for (const JointSpec& joint : config.joints) {
             if (joint.child < 0 || std::size_t(joint.child) >= config.bodies.size()) continue;
             // Selected joints are always shown, including those selected in their config.
-            const bool selected = selection.contains(robots[r].name + "." + joint.name) ||
-                                  selection.contains("RobotConfig." + config.name + "." + joint.name);
-            if ((!all && !selected) || (selected && hasHandles(view))) continue;
+            const std::string name = robots[r].name + "." + joint.name;
+            const bool isChosen = selection.contains(name) || selection.contains("RobotConfig." + config.name + "." + joint.name);
+            const bool selected = isChosen || isSelected(view, name);
+            if ((!all && !selected) || (isChosen && hasHandles(view))) continue;
             const auto child = std::uint32_t(joint.child);
             const Pose toWorld =
                 world.objects()->poseOf({ObjectKind::Body, r, child}, view.shownPoses()) * config.bodies[child].pose.inverse();

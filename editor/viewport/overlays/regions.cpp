@@ -10,6 +10,7 @@
 #include "editor/viewport/context/label.h"
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/overlays/overlays.h"
 
 namespace trundle {
 namespace {
@@ -40,7 +41,7 @@ void paintRegions(QPainter& painter, const ToolView& view) {
     for (std::size_t i = 0; i < regions.size() && i < kMostRegions; ++i) {
         const auto corners = cornersOf(view, regions[i]);
         if (!corners) continue;
-        QColor colour = view.context().selection.contains(regions[i].name) ? ToolView::outlineColour() : kOpen;
+        QColor colour = isSelected(view, regions[i].name) ? ToolView::outlineColour() : kOpen;
         painter.setPen(QPen(colour, 1.4, Qt::DashLine));
         QColor fill = colour;
         fill.setAlpha(22);

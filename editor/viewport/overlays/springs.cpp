@@ -8,6 +8,7 @@
 #include "editor/document/selection.h"
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/overlays/overlays.h"
 
 namespace trundle {
 namespace {
@@ -58,7 +59,7 @@ void paintLinkedSprings(QPainter& painter, const ToolView& view) {
             return world.objects()->poseOf({ObjectKind::Body, r, b}, view.shownPoses()) * (start.inverse() * point);
         };
         paintCoil(painter, view, link.spec, shown(link.parentRobot, link.spec.parent, link.spec.anchor),
-                  shown(link.childRobot, link.spec.child, link.spec.anchor2), view.context().selection.contains(link.spec.name));
+                  shown(link.childRobot, link.spec.child, link.spec.anchor2), isSelected(view, link.spec.name));
     }
 }
 
@@ -80,7 +81,7 @@ void paintSprings(QPainter& painter, const ToolView& view) {
                    (config.bodies[index].pose.inverse() * point);
         };
         for (const SpringSpec& spring : config.springs) {
-            const bool selected = selection.contains(robots[r].name + "." + spring.name) ||
+            const bool selected = isSelected(view, robots[r].name + "." + spring.name) ||
                                   selection.contains("RobotConfig." + config.name + "." + spring.name);
             paintCoil(painter, view, spring, shown(spring.parent, spring.anchor), shown(spring.child, spring.anchor2), selected);
         }

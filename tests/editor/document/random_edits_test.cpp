@@ -35,8 +35,12 @@ RobotConfig Rover {
   Ring bolt { In=mast Count=3 Radius=0.05 Pos=0,0,0.2 Body head { Sphere ball { Radius=0.01 Mass=0.01 } } Fixed nail { Parent=mast Child=head } }
   Spring strap { Parent=chassis Child=roller_0.rim Stiffness=10 Damping=0.1 }
   Latch magnet { Body=chassis Pos=0.15,0,0.1 }
+  Gear belt { Joint=left.axle Other=roller_0.pin Ratio=1 }
 }
 RobotConfig TallRover { Config=Rover chassis.hull.Mass=3 } // a variant
+StaticConfig Post { Param h = 1 Box wood { Size=0.1,0.1,$h Pos=0,0,$(h/2) } }
+Repeat fence { Count=2 Pos=$(9 + index),0,0 Static post { Config=Post h=$(1 + index) } Grid pile { Config=Post Count=2 Spacing=1 Pos=0,3,0 } }
+Region goal { Pos=0,0,0.2 Size=0.4,0.4,0.4 }
 )";
 
 class RandomEdits {
@@ -118,6 +122,11 @@ private:
                                            {"robot0.bolt_2.head.ball.Mass", number},
                                            {"robot1.strap.Stiffness", number},
                                            {"RobotConfig.Rover.magnet.MaxForce", number},
+                                           {"RobotConfig.Rover.belt.Ratio", number},
+                                           {"fence.Count", std::to_string(below(4) + 1)},
+                                           {"fence_1.post.h", number},
+                                           {"fence_0.pile_1.Spacing", number},
+                                           {"goal.Size", number + ",1,1"},
                                            {"RobotConfig.TallRover.roller.rim.ball.Mass", number}});
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
@@ -265,7 +274,8 @@ private Q_SLOTS:
             return std::ranges::any_of(m_valuesSet,
                                        [&](const std::string& path) { return path.find(name) != std::string::npos; });
         };
-        for (const char* name : {"left.", "roller", "bolt", "mast", "strap", "magnet", "TallRover", "PartConfig"})
+        for (const char* name :
+             {"left.", "roller", "bolt", "mast", "strap", "magnet", "belt", "TallRover", "PartConfig", "fence", "pile", "goal"})
             QVERIFY2(isOf(name), name);
         QVERIFY2(m_structures > m_edits / 50, qPrintable(QString::number(m_structures)));
     }

@@ -45,6 +45,23 @@ private Q_SLOTS:
         QVERIFY(w.at("robot0.roller.rim").isValid());
     }
 
+    /// A Grid in a Repeat of the world is one row there; the path of each of its members leads to it.
+    void gridInARepeatIsOneRow() {
+        OutlineFixture w;
+        QVERIFY(w.open("RobotConfig Kit { Body hub { Box hull { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+                       "StaticConfig Post { Box b { Size=0.1,0.1,1 } }\n"
+                       "Repeat row { Count=2 Pos=$(9*index),0,0 Grid herd { Config=Kit Count=3 Spacing=1 } }\n"
+                       "Repeat fence { Count=2 Pos=$(9*index),5,0 Grid posts { Config=Post Count=3 Spacing=1 } }\n"));
+        QCOMPARE(w.errors(), QString());
+        const QModelIndex herd = w.at("row.herd");
+        QVERIFY(herd.isValid());
+        QCOMPARE(w.model().rowAt(herd)->detail, std::string("3 Kit"));
+        for (const char* path : {"row_1.herd_2", "row.herd_0", "row_0.herd"}) QCOMPARE(w.at(path), herd);
+        QCOMPARE(w.at("row_1.herd_2.hub.hull"), w.at("row.herd.hub.hull"));
+        QVERIFY(w.at("row.herd.hub.hull").isValid());
+        QVERIFY(w.at("fence").parent() != w.at("row").parent()); // among the scenery
+    }
+
     /// What a variant has from another config is below it, too, and below its robots.
     void variantHasAll() {
         OutlineFixture w;

@@ -234,6 +234,11 @@ private Q_SLOTS:
         QCOMPARE(m_window->panel->world().objectsOf("fence").size(), std::size_t(4));
         QCOMPARE(m_window->panel->world().objectsOf("fence.cart.c").size(), std::size_t(4));
         QCOMPARE(m_window->panel->world().objectsOf("row_1").size(), std::size_t(1));
+        open("RobotConfig Kit { Body c { Box b { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+             "Ring fence { Count=4 Radius=0.5 Pos=0,0,0.2 Grid herd { Config=Kit Count=2 Spacing=0.3 } }\n");
+        take("fence.herd", "tool.move"); // at the place of its first member
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.5, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Spacing=0.3 Pos=0,0,0.1 }"), m_window->text().constData());
     }
 
     /// A body moves along with the one that it is placed in, and its own numbers are in that one's frame.
