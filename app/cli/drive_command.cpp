@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/render_library.h"
 #include "base/clean_text.h"
 #include "base/platform/read_file.h"
 #include "cli/console.h"
@@ -16,6 +17,7 @@
 #include "cli/subcommands.h"
 #include "lang/diagnostic_text.h"
 #include "project/loading/modules.h"
+#include "remote/remote_devices.h"
 #include "remote/remote_world.h"
 #include "run/logs/log_kinds.h"
 
@@ -90,6 +92,8 @@ private:
     std::unique_ptr<Application> m_application;
     DriveArguments m_arguments;
     std::shared_ptr<CallMonitor> m_calls = std::make_shared<CallMonitor>();
+    RemoteWorld* m_world = nullptr; ///< of the runner
+    std::shared_ptr<RemoteRadios> m_radios;
     std::optional<RunGuard> m_guard; // declared before the runner, whose destructor runs module code
     LoadedProject m_loaded;
     std::unique_ptr<Progress> m_progress;
@@ -157,6 +161,16 @@ RunOptions DriveCommand::runOptions() {
         if (m_progress) m_progress->line(lines);
         else writeMessage(lines);
     };
+    options.pictures = [this](const ExperimentSpec& experiment,
+                              const SignalLayout& layout) -> Result<std::unique_ptr<ImageSource>> {
+        const std::string& folder = m_application->locations().modules;
+        return std::unique_ptr<ImageSource>(std::make_unique<RemoteImages>(
+            m_world->link(), [&experiment, &layout, folder] { return openImageSource(folder, experiment, layout); }));
+    };
+    options.replaceOutputs = [this](ControllerOutputs& outputs) {
+        outputs.radios = m_radios;
+        outputs.objectName = [this](std::uint32_t number) { return m_world->link().objectName(number); };
+    };
     options.replaceWorld = [this](std::unique_ptr<World> world, Diagnostics& diagnostics) {
         return connect(std::move(world), diagnostics);
     };
@@ -180,6 +194,8 @@ std::unique_ptr<World> DriveCommand::connect(std::unique_ptr<World> described, D
     }
     auto world = std::make_unique<RemoteWorld>(std::move(described), std::move(link).value());
     warnOfMissing(world->missing(), world->time());
+    m_world = world.get();
+    m_radios = std::make_shared<RemoteRadios>(*world);
     return world;
 }
 

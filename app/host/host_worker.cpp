@@ -145,9 +145,7 @@ void HostWorker::start(WireReader& in) {
     const MonitoredCall call(*m_calls, controller.target, "setup");
     const SlotImages images{static_cast<double*>(m_sensors.data()) + controller.record.offset,
                             static_cast<double*>(m_commands.data()) + controller.record.offset};
-    ControllerOutputs outputs = makeHostOutputs(*this, number, controller.radios);
-    if (controller.record.robot.controllers.size() == 1) outputs.claim = nullptr;
-    done(controller.instance->start(controller.record.layout, images, std::move(outputs)));
+    done(controller.instance->start(controller.record.layout, images, makeHostOutputs(*this, number, controller.radios)));
 }
 
 void HostWorker::update(WireReader& in) {

@@ -38,8 +38,8 @@ struct ControllerOutputs {
     std::function<void(int log, std::string_view bytes)> writeLog;
     std::function<void(const std::string& reason)> finish; ///< requests the end of the run after this tick
     std::function<void(const std::string& text)> gaveUp;   ///< fail() was called; the call under way returns its error
-    /// Called for each command, by its path, that the controller gets at. Fails if it is that of another controller. Null: the
-    /// robot has no other one, and all its commands are this one's.
+    /// Called for each command, by its path, that the controller gets at. Fails if it is that of another controller. Null: all
+    /// commands of the robot are this one's.
     std::function<Status(const std::string& command)> claim;
     std::shared_ptr<RadioAccess> radios;                   ///< null: none
     // Cameras of the robot, by name.

@@ -2,11 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/clean_text.h"
 #include "base/spelling.h"
 
 namespace trundle {
+namespace {
+
+/// Not finite if it is no such number; true and false count as 1 and 0.
+double finiteNumber(const nlohmann::json& value) {
+    if (value.is_boolean()) return value.get<bool>() ? 1 : 0;
+    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
 
 const nlohmann::json* Arguments::find(const std::string& name, bool required) {
     m_expected.push_back(name);
@@ -75,16 +85,20 @@ std::vector<double> Arguments::numbers(const std::string& name, std::size_t size
     return all;
 }
 
-std::vector<std::pair<std::string, double>> Arguments::values(const std::string& name) {
+std::vector<std::pair<std::string, std::vector<double>>> Arguments::values(const std::string& name) {
     const nlohmann::json* value = find(name, false);
-    std::vector<std::pair<std::string, double>> all;
+    std::vector<std::pair<std::string, std::vector<double>>> all;
     if (!value) return all;
     if (!value->is_object()) setProblem(name + " must be an object");
     else
-        for (const auto& [path, number] : value->items()) {
-            const bool valid = (number.is_number() && std::isfinite(number.get<double>())) || number.is_boolean();
-            if (!valid) setProblem("the value of " + cleanLine(path) + " must be a finite number");
-            else all.emplace_back(path, number.is_boolean() ? (number.get<bool>() ? 1.0 : 0.0) : number.get<double>());
+        for (const auto& [path, given] : value->items()) {
+            std::vector<double> numbers;
+            if (given.is_array())
+                for (const nlohmann::json& each : given) numbers.push_back(finiteNumber(each));
+            else numbers.push_back(finiteNumber(given));
+            if (numbers.empty() || !std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+                setProblem("the value of " + cleanLine(path) + " must be a finite number, or an array of them");
+            else all.emplace_back(path, std::move(numbers));
         }
     return all;
 }

@@ -25,8 +25,8 @@ public:
     [[nodiscard]] std::vector<std::string> texts(const std::string& name);
     /// `size` finite numbers.
     [[nodiscard]] std::vector<double> numbers(const std::string& name, std::size_t size);
-    /// An object whose members are finite numbers, in the order of their names; empty if it is missing.
-    [[nodiscard]] std::vector<std::pair<std::string, double>> values(const std::string& name);
+    /// An object whose members are finite numbers or arrays of them, in the order of their names; empty if it is missing.
+    [[nodiscard]] std::vector<std::pair<std::string, std::vector<double>>> values(const std::string& name);
 
     void setProblem(std::string problem);
     /// What is wrong: a mistake, or a member that was not read. Empty if nothing is.

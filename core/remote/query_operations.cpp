@@ -1,7 +1,9 @@
 #include "remote/query_operations.h"
 
 #include <algorithm>
+#include <set>
 
+#include "model/object_numbers.h"
 #include "remote/device_views.h"
 
 namespace trundle {
@@ -12,6 +14,16 @@ namespace {
 
 template <class T> std::string_view bytesOf(const std::vector<T>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// [[number, name]] of the objects in an image.
+Json namesOf(const CameraImage& image, const ExperimentSpec& experiment) {
+    const std::vector<std::string> names = objectNames(experiment);
+    const std::set<std::uint32_t> numbers(image.objects.begin(), image.objects.end());
+    Json all = Json::array();
+    for (const std::uint32_t number : numbers)
+        if (number > 0 && number < names.size()) all.push_back({number, names[number]});
+    return all;
 }
 
 } // namespace
@@ -207,6 +219,7 @@ Reply QueryOperations::image() {
                      {"pixels", image.pixels.size()},
                      {"depth", image.depth.size() * sizeof(float)},
                      {"objects", image.objects.size() * sizeof(std::uint32_t)}};
+    if (!image.objects.empty()) reply.members["names"] = namesOf(image, m_run.world().experiment());
     reply.bytes = bytesOf(image.pixels);
     reply.bytes += bytesOf(image.depth);
     reply.bytes += bytesOf(image.objects);

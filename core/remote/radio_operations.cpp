@@ -41,7 +41,12 @@ Reply RadioOperations::receive() {
     RadioPacket packet;
     reply.members["received"] = at.medium->receive(at.number, packet);
     if (reply.members["received"] == false) return reply;
-    reply.members.update({{"time", packet.time}, {"rssi", packet.rssi}, {"lqi", packet.lqi}, {"from", packet.from}, {"to", packet.to}});
+    reply.members.update({{"time", packet.time},
+                          {"rssi", packet.rssi},
+                          {"lqi", packet.lqi},
+                          {"from", packet.from},
+                          {"to", packet.to},
+                          {"sequence", packet.sequence}});
     reply.bytes.assign(packet.bytes.begin(), packet.bytes.end());
     return reply;
 }

@@ -15,14 +15,13 @@ void RemoteWorld::join() {
     for (const SignalEntry& entry : layout().entries()) {
         const auto found = std::ranges::find(m_link->signals(), entry.path, &RobotLink::Signal::path);
         const bool isCommand = entry.direction == SignalDirection::Command;
-        // The protocol sets commands of one number.
-        const bool isThere = found != m_link->signals().end() && found->count == entry.count && (!isCommand || entry.count == 1);
+        const bool isThere = found != m_link->signals().end() && found->count == entry.count;
         if (!isThere || (found->direction == "command") != isCommand) {
             // What the controller publishes is an output without a device.
             if (entry.direction != SignalDirection::Truth && !isPublished(entry.path)) m_missing.push_back(entry.path);
             continue;
         }
-        if (isCommand) m_commands.push_back({entry.offset, found->offset, entry.path, m_link->values()[found->offset]});
+        if (isCommand) m_commands.push_back({entry.offset, found->offset, entry.path, std::vector<double>(entry.count)});
         if (isCommand) continue;
         m_read.push_back({entry.offset, found->offset, entry.count});
         if (entry.path == robot + "/pose") m_pose = &entry;
@@ -42,15 +41,17 @@ void RemoteWorld::takeValues() {
     for (const Span& span : m_read)
         std::ranges::copy(m_link->values().subspan(span.there, span.count),
                           slots.begin() + static_cast<std::ptrdiff_t>(span.here));
-    for (CommandOf& command : m_commands) // a drive commands its motors
-        slots[command.here] = command.known = m_link->values()[command.there];
+    for (CommandOf& command : m_commands) { // a drive commands its motors
+        std::ranges::copy(m_link->values().subspan(command.there, command.known.size()), command.known.begin());
+        std::ranges::copy(command.known, slots.begin() + static_cast<std::ptrdiff_t>(command.here));
+    }
 }
 
 Status RemoteWorld::tick() {
-    std::vector<std::pair<std::string, double>> changes;
+    std::vector<std::pair<std::string, std::vector<double>>> changes;
     for (const CommandOf& command : m_commands) {
-        const double now = block().slots()[command.here];
-        if (now != command.known) changes.emplace_back(command.path, now);
+        const auto now = block().slots().subspan(command.here, command.known.size());
+        if (!std::ranges::equal(now, command.known)) changes.emplace_back(command.path, std::vector(now.begin(), now.end()));
     }
     if (const Status stepped = m_link->step(changes); !stepped) return stepped;
     BlockHeader& header = block().header();

@@ -18,6 +18,7 @@ public:
 
     /// Outputs and commands of the text that the robot does not have: outputs stay as they are at the start, commands have no effect.
     [[nodiscard]] const std::vector<std::string>& missing() const { return m_missing; }
+    [[nodiscard]] RobotLink& link() { return *m_link; }
 
     [[nodiscard]] Status tick() override;
     [[nodiscard]] std::uint64_t ticks() const override { return m_ticks; }
@@ -51,7 +52,7 @@ private:
         std::size_t here;
         std::size_t there;
         std::string path;
-        double known; ///< at the other end
+        std::vector<double> known; ///< at the other end
     };
     void join();
     [[nodiscard]] bool isPublished(const std::string& path) const;

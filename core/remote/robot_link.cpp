@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kWait(100); ///< until a cancellation is seen
 constexpr std::size_t kReadSize = 64u << 10;
+constexpr std::uint64_t kMostPixels = 1u << 16; ///< along a side
 
 /// The member of a reply that may be missing or of another type, as the other end may be any program.
 template <class T> std::optional<T> memberOf(const nlohmann::ordered_json& object, const char* name) {
@@ -24,6 +25,12 @@ template <class T> std::optional<T> memberOf(const nlohmann::ordered_json& objec
         if (!found->is_boolean()) return std::nullopt;
     } else if (!found->is_number()) return std::nullopt;
     return found->template get<T>();
+}
+
+/// One number as such, as drivers of the first version of the protocol need it.
+nlohmann::ordered_json jsonOf(const std::vector<double>& numbers) {
+    if (numbers.size() == 1) return numbers[0];
+    return numbers;
 }
 
 } // namespace
@@ -83,16 +90,71 @@ RobotLink::~RobotLink() {
     m_options.seconds = std::min(m_options.seconds, 1.0);
     Json zeros = Json::object();
     for (const Signal& signal : m_signals)
-        if (signal.direction == "command") zeros[signal.path] = 0;
+        if (signal.direction == "command") zeros[signal.path] = jsonOf(std::vector<double>(signal.count));
     if (!zeros.empty() && !request({{"op", "command"}, {"signals", std::move(zeros)}})) return;
     if (m_hasController) (void)request({{"op", "hold"}, {"robot", m_options.robot}, {"held", false}});
 }
 
-Status RobotLink::step(const std::vector<std::pair<std::string, double>>& commands) {
+Status RobotLink::step(const std::vector<std::pair<std::string, std::vector<double>>>& commands) {
     Json members{{"op", "step"}, {"ticks", 1}, {"subscription", m_subscription}};
-    for (const auto& [path, value] : commands) members["signals"][path] = value;
+    for (const auto& [path, numbers] : commands) members["signals"][path] = jsonOf(numbers);
     const Result<Json> reply = request(std::move(members));
     return reply ? takeValues() : reply.error();
+}
+
+Result<CameraImage> RobotLink::image(const std::string& camera) {
+    const Result<Json> reply = request({{"op", "image"}, {"camera", camera}});
+    if (!reply) return Error{Code::PictureFailed, reply.error().message};
+    const auto size = [&](const char* name) { return memberOf<std::uint64_t>(reply.value(), name).value_or(0); };
+    CameraImage image;
+    const std::uint64_t width = size("width"), height = size("height"), pixels = size("pixels"), depth = size("depth"),
+                        objects = size("objects");
+    const std::uint64_t area = width <= kMostPixels && height <= kMostPixels ? width * height : 0;
+    const bool isWhole = area > 0 && pixels == 3 * area && (depth == 0 || depth == area * sizeof(float)) &&
+                         (objects == 0 || objects == area * sizeof(std::uint32_t)) && m_bytes.size() == pixels + depth + objects;
+    if (!isWhole) return broken("its image of " + camera + " cannot be read");
+    image.width = static_cast<std::uint32_t>(width);
+    image.height = static_cast<std::uint32_t>(height);
+    image.tick = size("tick");
+    image.time = memberOf<double>(reply.value(), "time").value_or(0);
+    auto take = [at = m_bytes.data()](auto& elements, std::uint64_t bytes) mutable {
+        elements.resize(bytes / sizeof elements[0]);
+        if (bytes > 0) std::memcpy(elements.data(), at, bytes);
+        at += bytes;
+    };
+    take(image.pixels, pixels);
+    take(image.depth, depth);
+    take(image.objects, objects);
+    if (const auto names = reply.value().find("names"); names != reply.value().end() && names->is_array())
+        for (const Json& named : *names)
+            if (named.is_array() && named.size() == 2 && named[0].is_number_unsigned() && named[1].is_string())
+                m_objects[named[0].get<std::uint32_t>()] = named[1].get<std::string>();
+    return image;
+}
+
+std::string RobotLink::objectName(std::uint32_t number) const {
+    const auto found = m_objects.find(number);
+    return found == m_objects.end() ? std::string() : found->second;
+}
+
+Status RobotLink::sendPacket(const std::string& radio, std::string_view bytes, std::uint32_t to, double powerDbm) {
+    const Result<Json> reply = request({{"op", "send"}, {"device", radio}, {"to", to}, {"power", powerDbm}}, bytes);
+    return reply ? Status() : reply.error();
+}
+
+Result<std::optional<RadioPacket>> RobotLink::receivePacket(const std::string& radio) {
+    const Result<Json> reply = request({{"op", "receive"}, {"device", radio}});
+    if (!reply) return reply.error();
+    if (memberOf<bool>(reply.value(), "received") != true) return std::optional<RadioPacket>();
+    RadioPacket packet;
+    packet.time = memberOf<double>(reply.value(), "time").value_or(0);
+    packet.rssi = memberOf<double>(reply.value(), "rssi").value_or(0);
+    packet.lqi = memberOf<int>(reply.value(), "lqi").value_or(0);
+    packet.from = memberOf<std::uint32_t>(reply.value(), "from").value_or(0);
+    packet.to = memberOf<std::uint32_t>(reply.value(), "to").value_or(0);
+    packet.sequence = memberOf<std::uint8_t>(reply.value(), "sequence").value_or(0);
+    packet.bytes.assign(m_bytes.begin(), m_bytes.end());
+    return std::optional(std::move(packet));
 }
 
 Status RobotLink::takeValues() {
@@ -101,11 +163,11 @@ Status RobotLink::takeValues() {
     return {};
 }
 
-Result<RobotLink::Json> RobotLink::request(Json members) {
+Result<RobotLink::Json> RobotLink::request(Json members, std::string_view data) {
     Json message{{"id", ++m_number}};
     message.update(members);
     std::string bytes;
-    appendFrame(bytes, message.dump(-1, ' ', false, Json::error_handler_t::replace));
+    appendFrame(bytes, message.dump(-1, ' ', false, Json::error_handler_t::replace), data);
     m_waited = 0;
     if (const Status sent = send(bytes); !sent) return sent.error();
     return replyTo(m_number);

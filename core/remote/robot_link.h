@@ -3,7 +3,9 @@
 // resources/guide/remote.md, for one robot.
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,7 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/platform/socket.h"
+#include "radio/radio_state.h"
 #include "remote/frame.h"
+#include "signals/camera_image.h"
 
 namespace trundle {
 
@@ -39,14 +43,22 @@ public:
     [[nodiscard]] const std::vector<Signal>& signals() const { return m_signals; }
     [[nodiscard]] std::span<const double> values() const { return m_values; }
     /// Sends commands by path, waits until a tick has passed there, and reads all signals.
-    [[nodiscard]] Status step(const std::vector<std::pair<std::string, double>>& commands);
+    [[nodiscard]] Status step(const std::vector<std::pair<std::string, std::vector<double>>>& commands);
+    /// The current image of the camera "robot0/eye"; its tick is that of the other end.
+    [[nodiscard]] Result<CameraImage> image(const std::string& camera);
+    /// The name of an object in the images so far; empty if it is unknown.
+    [[nodiscard]] std::string objectName(std::uint32_t number) const;
+    /// Of the radio "robot0/radio": queues a packet there. Fails if it is refused.
+    [[nodiscard]] Status sendPacket(const std::string& radio, std::string_view bytes, std::uint32_t to, double powerDbm);
+    /// The oldest packet in its buffer; none: it is empty.
+    [[nodiscard]] Result<std::optional<RadioPacket>> receivePacket(const std::string& radio);
 
 private:
     using Json = nlohmann::ordered_json;
     RobotLink(Socket socket, RobotLinkOptions options) : m_socket(std::move(socket)), m_options(std::move(options)) {}
     [[nodiscard]] Status begin();
     /// The reply to a request; the bytes behind it are in m_bytes.
-    [[nodiscard]] Result<Json> request(Json members);
+    [[nodiscard]] Result<Json> request(Json members, std::string_view data = {});
     [[nodiscard]] Result<Json> replyTo(std::uint64_t number);
     [[nodiscard]] Status send(std::string_view bytes);
     [[nodiscard]] Status receive();
@@ -62,6 +74,7 @@ private:
     std::uint64_t m_subscription = 0;
     std::vector<Signal> m_signals;
     std::vector<double> m_values;
+    std::map<std::uint32_t, std::string> m_objects; ///< their names
     bool m_taken = false, m_hasController = false;
 };
 

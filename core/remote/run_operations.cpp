@@ -14,10 +14,10 @@ constexpr double kFastest = 1000;
 } // namespace
 
 /// All or none.
-Status RunOperations::setAll(const std::vector<std::pair<std::string, double>>& values) {
-    for (const auto& [path, value] : values)
-        if (Status wrong = m_run.checkSignal(path); !wrong) return wrong;
-    for (const auto& [path, value] : values) (void)m_run.setSignal(path, value);
+Status RunOperations::setAll(const SignalValues& values) {
+    for (const auto& [path, numbers] : values)
+        if (Status wrong = m_run.checkSignal(path, numbers.size()); !wrong) return wrong;
+    for (const auto& [path, numbers] : values) (void)m_run.setSignal(path, numbers);
     return {};
 }
 
@@ -25,7 +25,7 @@ Reply RunOperations::commandDevice(const std::string& path) {
     const ComponentSpec* device = deviceAt(m_run.world().experiment(), path);
     if (!device) return Reply::failed("no_such_path", "there is no device " + shortenedMessage(path));
     const DeviceView* view = viewOf(device->kind);
-    std::vector<std::pair<std::string, double>> writes;
+    SignalValues writes;
     std::string names;
     for (const ViewCommand& each : view ? view->commands : std::span<const ViewCommand>()) {
         const std::string name(each.name);
@@ -34,7 +34,7 @@ Reply RunOperations::commandDevice(const std::string& path) {
         const std::vector<double> value = each.size == 1 ? std::vector{m_arguments.number(name)} : m_arguments.numbers(name, each.size);
         for (const ViewWrite& write : each.writes)
             writes.emplace_back(path + "/" + std::string(write.signal),
-                                write.element < 0 ? write.constant : value[static_cast<std::size_t>(write.element)]);
+                                std::vector{write.element < 0 ? write.constant : value[static_cast<std::size_t>(write.element)]});
     }
     if (auto wrong = m_request.mistake()) return *wrong;
     if (writes.empty())

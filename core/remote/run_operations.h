@@ -21,7 +21,8 @@ public:
 
 private:
     [[nodiscard]] Reply commandDevice(const std::string& path);
-    [[nodiscard]] Status setAll(const std::vector<std::pair<std::string, double>>& values);
+    using SignalValues = std::vector<std::pair<std::string, std::vector<double>>>; ///< by path
+    [[nodiscard]] Status setAll(const SignalValues& values);
 
     const RequestContext& m_request;
     ServedRun& m_run;

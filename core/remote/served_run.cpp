@@ -85,7 +85,7 @@ const RobotSpec* ServedRun::robot(const std::string& name) const {
     return found == robots.end() ? nullptr : &*found;
 }
 
-Status ServedRun::checkSignal(const std::string& path) const {
+Status ServedRun::checkSignal(const std::string& path, std::size_t count) const {
     if (!exists()) return noRun();
     const SignalLayout& layout = m_built.runner->world().layout();
     const SignalEntry* entry = layout.find(path);
@@ -95,8 +95,10 @@ Status ServedRun::checkSignal(const std::string& path) const {
             if (each.direction == SignalDirection::Command && robotOf(each.path) == robotOf(path)) names.push_back(each.path);
         return Error{Code::NoSuchPath, "there is no signal " + shortenedMessage(path) + meant(path, names)};
     }
-    if (entry->direction != SignalDirection::Command || entry->count != 1)
-        return Error{Code::WrongPlace, path + " is measured, not commanded"};
+    if (entry->direction != SignalDirection::Command) return Error{Code::WrongPlace, path + " is measured, not commanded"};
+    if (entry->count != count)
+        return Error{Code::WrongPlace, path + " has " + std::to_string(entry->count) +
+                                           (entry->count == 1 ? " number, not " : " numbers, not ") + std::to_string(count)};
     return checkOwner(path);
 }
 
@@ -108,9 +110,10 @@ Status ServedRun::checkOwner(const std::string& path) const {
     return {};
 }
 
-Status ServedRun::setSignal(const std::string& path, double value) {
-    if (Status wrong = checkSignal(path); !wrong) return wrong;
-    m_commands["signal " + path] = SignalCommand{path, value};
+Status ServedRun::setSignal(const std::string& path, const std::vector<double>& values) {
+    if (Status wrong = checkSignal(path, values.size()); !wrong) return wrong;
+    for (std::uint32_t i = 0; i < values.size(); ++i)
+        m_commands["signal " + path + " " + std::to_string(i)] = SignalCommand{path, values[i], i};
     return {};
 }
 

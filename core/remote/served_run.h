@@ -64,10 +64,10 @@ public:
 
     // Commands for the coming tick: of several that set the same, the last counts. They fail without effect.
     /// Fails for the robot of a controller that is not held: that writes the commands of its robot.
-    [[nodiscard]] Status setSignal(const std::string& path, double value);
+    [[nodiscard]] Status setSignal(const std::string& path, const std::vector<double>& values);
     /// Fails if the robot of a path "other/radio" has a controller that is not held.
     [[nodiscard]] Status checkOwner(const std::string& path) const;
-    [[nodiscard]] Status checkSignal(const std::string& path) const;
+    [[nodiscard]] Status checkSignal(const std::string& path, std::size_t count) const;
     [[nodiscard]] Status hold(const std::string& robot, bool held);
     [[nodiscard]] Status place(const std::string& robot, const Pose& pose);
     [[nodiscard]] Status push(const std::string& body, const Vec3& force, const Vec3& point);

@@ -1,6 +1,7 @@
 #pragma once
 // Commands from outside a run, such as pushes, poses and values. Each is stamped with its tick and recorded.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -20,10 +21,11 @@ struct PlaceCommand {
     std::string robot;
     Pose pose;
 };
-/// Writes one command signal, such as "robot0/base/linearVelocity".
+/// Writes one number of a command signal, such as "robot0/base/linearVelocity".
 struct SignalCommand {
     std::string path;
     double value = 0;
+    std::uint32_t element = 0; ///< which one, of a signal with several
 };
 /// While a robot is held, its controllers are not called: commands come from elsewhere.
 struct HoldCommand {
@@ -54,10 +56,11 @@ struct StopCommand {
     std::string robot, controller; ///< the name of one; empty: all
 };
 
-/// Another controller takes the place of one of a robot, or of none, and begins with its setup; poses and time stay. What it publishes has
-/// signals only where the one that the run began with has published the same; the rest has none until the next run.
+/// Another controller takes the place of one of a robot, or comes beside those that it has, and begins with its setup; poses and time stay. What
+/// it publishes has signals only where the one that the run began with has published the same; the rest has none until the next run. One
+/// whose ports claim a command of another controller is stopped (E319). Until the next run, one that came is called after the others.
 struct SwapCommand {
-    std::string robot, controller;    ///< the name of the old one; empty: the robot has none
+    std::string robot, controller;    ///< the name of the old one; empty: one more
     std::optional<ControllerSpec> to; ///< none: the old one leaves
     std::string library;              ///< path of the module with its kind
 };

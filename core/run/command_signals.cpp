@@ -8,10 +8,10 @@ namespace trundle {
 Status setSignal(World& world, const SignalCommand& signal) {
     const SignalEntry* entry = world.layout().find(signal.path);
     if (!entry) return Error{Code::NoSuchPath, "there is no signal " + signal.path};
-    if (entry->direction != SignalDirection::Command || entry->count != 1)
+    if (entry->direction != SignalDirection::Command || signal.element >= entry->count)
         return Error{Code::WrongPlace, signal.path + " is no command"};
     if (!std::isfinite(signal.value)) return Error{Code::OutOfRange, "the value for " + signal.path + " is not a finite number"};
-    world.block().slots()[entry->offset] = signal.value;
+    world.block().slots()[entry->offset + signal.element] = signal.value;
     return {};
 }
 

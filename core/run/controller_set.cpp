@@ -27,6 +27,20 @@ std::string slowText(const ControllerSpec& controller, double seconds, double bu
            " ms; its Budget is " + numberText(1e3 * budget) + " ms";
 }
 
+/// A robot with one more controller, and its index: behind all that it has or had in this run, whose indices stay theirs.
+std::pair<std::shared_ptr<RobotSpec>, std::size_t> viewForOneMore(const RobotSpec& robot,
+                                                                  const std::vector<RunningController>& controllers) {
+    auto view = std::make_shared<RobotSpec>(robot);
+    std::size_t index = 0;
+    for (const RunningController& each : controllers)
+        if (each.view->name == robot.name && each.controller >= index) {
+            view->controllers = each.view->controllers;
+            index = each.controller + 1;
+        }
+    view->controllers.resize(index + 1);
+    return {std::move(view), index};
+}
+
 } // namespace
 
 void ControllerSet::start(const BackendFactory& backends, Diagnostics& diagnostics) {
@@ -74,32 +88,32 @@ void ControllerSet::remove(RunningController& controller) {
     setItsCommandsToZero(controller);
     forgetStop(controller);
     controller.backend.reset(); // before the robot that its outputs refer to
-    controller.claimed.clear();
+    m_claims.forget(controller.robot, indexOf(controller));
     controller.removed = true;
 }
 
 Status ControllerSet::apply(const SwapCommand& swap) {
     const auto robot = std::ranges::find(experiment().robots, swap.robot, &RobotSpec::name);
     if (robot == experiment().robots.end()) return Error{Code::NoSuchPath, "there is no robot " + swap.robot};
-    const std::vector<RunningController*> all = controllersOf(swap.robot), old = controllersOf(swap.robot, swap.controller);
-    if (swap.controller.empty() ? !all.empty() : old.empty())
-        return Error{Code::NoSuchPath, swap.robot + (all.empty() ? " has no controller " + swap.controller : " has a controller already")};
+    RunningController* old = swap.controller.empty() ? nullptr : controllerOf(swap.robot, swap.controller);
+    if (!old && !swap.controller.empty()) return Error{Code::NoSuchPath, swap.robot + " has no controller " + swap.controller};
     if (!swap.to) {
+        if (!old) return Error{Code::NoSuchPath, "no controller of " + swap.robot + " is named"};
         m_context.say(swap.robot, TRUNDLE_INFO, "the controller " + swap.controller + " was removed");
-        remove(*old.front());
+        remove(*old);
         return {};
     }
-    auto view = std::make_shared<RobotSpec>(old.empty() ? *robot : *old.front()->view);
-    const std::size_t index = old.empty() ? 0 : old.front()->controller;
-    if (old.empty()) view->controllers = {*swap.to};
-    else view->controllers[index] = *swap.to;
-    const bool held = !old.empty() && old.front()->held;
-    const std::size_t place = old.empty() ? m_controllers.size() : static_cast<std::size_t>(old.front() - m_controllers.data());
-    if (Status made = add(static_cast<std::size_t>(robot - experiment().robots.begin()), std::move(view), index, swap.library,
-                          old.empty() ? nullptr : old.front());
+    if (const RunningController* same = controllerOf(swap.robot, swap.to->name); same && same != old)
+        return Error{Code::DuplicateName, swap.robot + " has a controller " + swap.to->name + " already"};
+    auto [view, index] =
+        old ? std::pair(std::make_shared<RobotSpec>(*old->view), old->controller) : viewForOneMore(*robot, m_controllers);
+    view->controllers[index] = *swap.to;
+    const std::size_t place = old ? indexOf(*old) : m_controllers.size();
+    if (Status made =
+            add(static_cast<std::size_t>(robot - experiment().robots.begin()), std::move(view), index, swap.library, old);
         !made)
         return made;
-    m_controllers[place].held = held;
+    m_controllers[place].held = m_held.contains(swap.robot);
     if (startAgain(m_controllers[place])) {
         m_controllers[place].cost.restarts = 0;
         m_context.say(swap.robot, TRUNDLE_INFO, "the controller " + swap.to->name + " is " + swap.to->kind + " now");
@@ -109,29 +123,28 @@ Status ControllerSet::apply(const SwapCommand& swap) {
 }
 
 ControllerOutputs ControllerSet::outputsOf(std::size_t controller) {
-    m_controllers[controller].claimed.clear();
+    m_claims.forget(m_controllers[controller].robot, controller);
     const RobotSpec& robot = *m_controllers[controller].view;
     ControllerOutputs outputs = m_context.outputsFor(robot, m_controllers[controller].spec());
-    if (robot.controllers.size() > 1)
-        outputs.claim = [this, controller](const std::string& command) { return claim(controller, command); };
+    outputs.claim = [this, controller](const std::string& command) { return claim(controller, command); };
     return outputs;
 }
 
 Status ControllerSet::claim(std::size_t controller, const std::string& command) {
-    RunningController& own = m_controllers[controller];
-    const SignalEntry* entry = m_context.world.layout().find(command);
-    for (const RunningController& other : m_controllers)
-        if (&other != &own && other.robot == own.robot && std::ranges::find(other.claimed, entry) != other.claimed.end())
-            return Error{Code::MultipleControllers, own.spec().name + " and " + other.spec().name + " both command " + command +
-                                                        ": each controller of a robot needs commands of its own"};
-    if (std::ranges::find(own.claimed, entry) == own.claimed.end()) own.claimed.push_back(entry);
-    return {};
+    const RunningController& own = m_controllers[controller];
+    const std::size_t owner = m_claims.claim(own.robot, m_context.world.layout().find(command), controller);
+    if (owner == controller) return {};
+    return Error{Code::MultipleControllers, own.spec().name + " and " + m_controllers[owner].spec().name + " both command " +
+                                                command + ": each controller of a robot needs commands of its own"};
 }
 
+/// Those of a robot's only controller are all that the robot has.
 void ControllerSet::setItsCommandsToZero(const RunningController& controller) {
-    if (controller.view->controllers.size() == 1) return setCommandsToZero(m_context.world, *controller.view);
-    for (const SignalEntry* entry : controller.claimed)
-        std::fill_n(m_context.world.block().slots().begin() + entry->offset, entry->count, 0.0);
+    const auto isOther = [&](const RunningController& c) {
+        return &c != &controller && !c.removed && c.robot == controller.robot;
+    };
+    if (std::ranges::none_of(m_controllers, isOther)) return setCommandsToZero(m_context.world, *controller.view);
+    m_claims.setToZero(controller.robot, indexOf(controller), m_context.world.block());
 }
 
 std::vector<RunningController*> ControllerSet::controllersOf(const std::string& robot, const std::string& name) {
@@ -141,8 +154,15 @@ std::vector<RunningController*> ControllerSet::controllersOf(const std::string& 
     return found;
 }
 
-/// Ignored for a robot without a controller.
+RunningController* ControllerSet::controllerOf(const std::string& robot, const std::string& name) {
+    const std::vector<RunningController*> found = controllersOf(robot, name);
+    return found.empty() ? nullptr : found.front();
+}
+
+/// Also holds for controllers that come later.
 Status ControllerSet::apply(const HoldCommand& hold) {
+    if (hold.held) m_held.insert(hold.robot);
+    else m_held.erase(hold.robot);
     for (RunningController* controller : controllersOf(hold.robot)) controller->held = hold.held;
     return {};
 }
@@ -202,8 +222,8 @@ bool ControllerSet::startAgain(RunningController& controller) {
     controller.called = controller.slow = false;
     ++controller.cost.restarts;
     const MonitoredCall call(m_context.calls, controller.target, "setup");
-    const Status started = controller.backend->start(m_context.world.layout(), m_context.world.block(),
-                                                     outputsOf(static_cast<std::size_t>(&controller - m_controllers.data())));
+    const Status started =
+        controller.backend->start(m_context.world.layout(), m_context.world.block(), outputsOf(indexOf(controller)));
     if (started || controller.backend->fault()) return started.ok(); // the fault is reported by stopFaulty()
     m_stopped.push_back({controller.robot, controller.spec().name, controller.spec().nameRange, m_context.world.time(), {started.error().message, {}, {}, true}});
     m_context.say(controller.view->name, TRUNDLE_ERROR, started.error().message);
@@ -251,7 +271,7 @@ Status ControllerSet::apply(const ReloadCommand& reload) {
         if (!isMeant(controller)) continue;
         const MonitoredCall call(m_context.calls, controller.target, "load");
         if (const Status done = controller.backend->renew(m_requests); done) {
-            controller.claimed.clear(); // another one's new code may have its commands
+            m_claims.forget(controller.robot, indexOf(controller)); // another one's new code may have its commands
             renewed.push_back(&controller);
         } else if (said.insert(controller.spec().kind + done.error().message).second) {
             m_context.say(controller.view->name, TRUNDLE_ERROR,
@@ -260,7 +280,7 @@ Status ControllerSet::apply(const ReloadCommand& reload) {
     }
     for (RunningController* controller : renewed) {
         const std::string library = controller->backend->module();
-        if (startFrom(*controller, states[static_cast<std::size_t>(controller - m_controllers.data())]))
+        if (startFrom(*controller, states[indexOf(*controller)]))
             m_context.say(controller->view->name, TRUNDLE_INFO,
                           "the controller " + controller->spec().name + " has the new code of " + library);
     }

@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "run/command.h"
+#include "run/command_claims.h"
 #include "run/running_controller.h"
 
 namespace trundle {
@@ -51,7 +53,11 @@ private:
     void forgetStop(const RunningController& controller);
     /// Those of a robot; with a name, that one.
     [[nodiscard]] std::vector<RunningController*> controllersOf(const std::string& robot, const std::string& name = {});
+    [[nodiscard]] RunningController* controllerOf(const std::string& robot, const std::string& name);
     [[nodiscard]] ControllerOutputs outputsOf(std::size_t controller);
+    [[nodiscard]] std::size_t indexOf(const RunningController& controller) const {
+        return static_cast<std::size_t>(&controller - m_controllers.data());
+    }
     Status claim(std::size_t controller, const std::string& command);
     void setItsCommandsToZero(const RunningController& controller);
     [[nodiscard]] bool isStopped(const RunningController& controller) const;
@@ -67,6 +73,8 @@ private:
     Context m_context;
     std::vector<RunningController> m_controllers;
     std::vector<StoppedController> m_stopped;
+    std::set<std::string> m_held; ///< robots
+    CommandClaims m_claims;
     BackendFactory m_backends;
     std::uint64_t m_requests = 0; ///< to load new code
     bool m_ending = false;

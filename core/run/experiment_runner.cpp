@@ -98,6 +98,7 @@ ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot, const Con
     };
     m_pictures.addTo(outputs, robot.name);
     if (Medium* medium = m_world->medium()) outputs.radios = radiosOf(*medium);
+    if (m_options.replaceOutputs) m_options.replaceOutputs(outputs);
     return outputs;
 }
 

@@ -36,6 +36,8 @@ struct RunOptions {
     bool measuresControllers = false;   ///< see Runner::controllerCosts()
     /// Puts another world in place of the one that was built; null, with an error in the diagnostics: there is no run.
     std::function<std::unique_ptr<World>(std::unique_ptr<World> built, Diagnostics& diagnostics)> replaceWorld;
+    /// Puts other radios, or names of objects, in place of those of the world, for each controller.
+    std::function<void(ControllerOutputs& outputs)> replaceOutputs;
     std::shared_ptr<void> keeps;        ///< released after controllers and devices: the libraries with their code
 };
 

@@ -23,7 +23,6 @@ struct RunningController {
     bool called = false, held = false, removed = false;
     bool due = false, slow = false; ///< in this tick; an update took longer than the budget
     ControllerCost cost;
-    std::vector<const SignalEntry*> claimed; ///< its commands, if its robot has other controllers; else they all are
 
     /// Announces an update.
     void prepare(std::uint64_t tick, double time) { backend->prepare(tick, time, sinceLast(time)); }

@@ -1,5 +1,8 @@
 // Several controllers on one robot, each with commands of its own: in the program, in host processes, in Python.
+#include "app/application.h"
 #include "flow/cli.h"
+
+using namespace trundle;
 
 namespace {
 
@@ -39,6 +42,31 @@ class SnakeHalf(trundle.Controller):
         self.port.set_voltage(self.voltage)
 )";
 
+double commanded(Runner& runner, const std::string& path) {
+    const World& world = runner.world();
+    const SignalEntry* entry = world.layout().find(path);
+    return entry ? world.block().slots()[entry->offset] : -1;
+}
+
+/// An experiment that runs in this program.
+struct Running {
+    std::shared_ptr<const LoadedProject> loaded;
+    std::unique_ptr<Runner> runner;
+    std::shared_ptr<QStringList> console = std::make_shared<QStringList>();
+
+    [[nodiscard]] bool tick(int ticks) {
+        for (int i = 0; i < ticks; ++i)
+            if (!runner->tick().ok()) return false;
+        return true;
+    }
+    /// The command that gives the robot the controller of this name in `from`.
+    static SwapCommand comes(const Running& from, const char* name) {
+        for (const ControllerSpec& controller : from.loaded->experiment->robots.at(0).controllers)
+            if (controller.name == name) return {"r", "", controller, from.loaded->registry->find(controller.kind)->module};
+        return {};
+    }
+};
+
 } // namespace
 
 class SeveralControllersTest : public QObject {
@@ -57,6 +85,27 @@ class SeveralControllersTest : public QObject {
             return {};
         return cli({"run", path, "--json", "--quiet", "--modules", kHalves, "--modules", m_folder.path(), "--log-dir",
                     m_folder.filePath("logs")});
+    }
+    Running start(const QByteArray& controllers, const QByteArray& isolation) {
+        static const std::unique_ptr<Application> application = makeApplication(findLocations(), Isolation::None);
+        const QString path = m_folder.filePath("running.sim");
+        OpenOptions options;
+        options.modules = {kHalves.toStdString(), m_folder.path().toStdString()};
+        if (!writeFile(m_folder.filePath("snake.py"), kPython)) return {};
+        if (!writeFile(path, "Isolation = " + isolation + "\n" + kTwoWheels + "#loadModule halves\n#loadModule snake.py\n" +
+                                 "Robot r { Config=TwoWheels " + controllers + " }\n"))
+            return {};
+        auto opened = application->open(path.toStdString(), options);
+        if (!opened) return {};
+        Running made{opened.value(), nullptr};
+        RunOptions run;
+        run.console = [lines = made.console](double, const std::string& who, int, const std::string& text) {
+            lines->append(QString::fromStdString(who + ": " + text));
+        };
+        Diagnostics problems;
+        made.runner = application->makeRunner(*made.loaded, std::move(run), problems);
+        for (const Diagnostic& problem : problems.all()) qWarning("%s", problem.message.c_str());
+        return made;
     }
     static QJsonObject jsonOf(const Outcome& outcome) { return QJsonDocument::fromJson(outcome.out).object(); }
     static QString hashOf(const Outcome& outcome) { return jsonOf(outcome)["state_hash"].toString(); }
@@ -141,6 +190,63 @@ private Q_SLOTS:
         QVERIFY2(stopped.size() == 1, shown(faulty));
         QCOMPARE(stopped[0]["controller"].toString(), QString("right"));
         QVERIFY2(stopped[0]["reason"].toString().startsWith("the controller Half right of r"), shown(faulty));
+    }
+
+    void anotherOneComesDuringTheRun_data() {
+        QTest::addColumn<QByteArray>("first");
+        QTest::addColumn<QByteArray>("second");
+        QTest::addColumn<QByteArray>("isolation");
+        for (const char* isolation : {"none", "module", "robot"}) {
+            QTest::addRow("C++ and C++, %s", isolation) << QByteArray("Half") << QByteArray("Half") << QByteArray(isolation);
+            QTest::addRow("C++ and Python, %s", isolation)
+                << QByteArray("Half") << QByteArray("SnakeHalf") << QByteArray(isolation);
+            QTest::addRow("Python and C++, %s", isolation)
+                << QByteArray("SnakeHalf") << QByteArray("Half") << QByteArray(isolation);
+            QTest::addRow("Python and Python, %s", isolation)
+                << QByteArray("SnakeHalf") << QByteArray("SnakeHalf") << QByteArray(isolation);
+        }
+    }
+    /// It drives at once, each has its own commands, and one that claims those of another is stopped while the others continue.
+    void anotherOneComesDuringTheRun() {
+        QFETCH(QByteArray, first);
+        QFETCH(QByteArray, second);
+        QFETCH(QByteArray, isolation);
+        const QByteArray left = first + " left { Motor=leftMotor Voltage=4 } ",
+                         right = second + " right { Motor=rightMotor Voltage=2 } ",
+                         rival = second + " rival { Motor=leftMotor Voltage=1 } ";
+        Running both = start(left + right, isolation), withRival = start(left + right + rival, "none"),
+                one = start(left, isolation);
+        QVERIFY(both.runner && !withRival.runner && withRival.loaded && one.runner && both.tick(200));
+        one.runner->command(Running::comes(both, "right"));
+        QVERIFY2(one.tick(200), qPrintable(one.console->join('\n')));
+        QCOMPARE(one.console->filter("r: the controller right is " + second + " now").size(), qsizetype(1));
+        QCOMPARE(one.runner->world().stateHash(), both.runner->world().stateHash()); // it came before the first tick
+        QCOMPARE(one.runner->controllerCosts().size(), std::size_t(2));
+
+        one.runner->command(Running::comes(withRival, "rival"));
+        QVERIFY(one.tick(50));
+        QCOMPARE(one.runner->stoppedControllers().size(), std::size_t(1));
+        const StoppedController stopped = one.runner->stoppedControllers().front();
+        QCOMPARE(stopped.controller, std::string("rival"));
+        QVERIFY2(stopped.fault.reason.starts_with("rival and left both command r/leftMotor/"), stopped.fault.reason.c_str());
+        QCOMPARE(commanded(*one.runner, "r/leftMotor/voltage"), 4.0);
+        QCOMPARE(commanded(*one.runner, "r/rightMotor/voltage"), 2.0);
+
+        one.runner->command(SwapCommand{"r", "left", {}, {}});
+        QVERIFY(one.tick(1));
+        QCOMPARE(commanded(*one.runner, "r/leftMotor/voltage"), 0.0);
+        QCOMPARE(commanded(*one.runner, "r/rightMotor/voltage"), 2.0);
+        one.runner->command(RestartCommand{"r", "rival"}); // now the command is free
+        QVERIFY(one.tick(2));
+        QVERIFY(one.runner->stoppedControllers().empty());
+        QCOMPARE(commanded(*one.runner, "r/leftMotor/voltage"), 1.0);
+        QCOMPARE(commanded(*one.runner, "r/rightMotor/voltage"), 2.0);
+        one.runner->command(Running::comes(both, "left"));
+        one.runner->command(Running::comes(both, "right"));
+        QVERIFY(one.tick(1));
+        QCOMPARE(one.console->filter("command refused: r has a controller right already").size(), qsizetype(1));
+        QCOMPARE(one.runner->stoppedControllers().size(), std::size_t(1)); // left: rival has its command
+        QCOMPARE(commanded(*one.runner, "r/leftMotor/voltage"), 1.0);
     }
 
     void eachDrawsItsOwnRandomNumbers() {

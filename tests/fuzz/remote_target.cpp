@@ -23,6 +23,7 @@ RobotConfig Cart {
   TouchSensor bumper { Geom=chassis.hull }
   Camera eye { Body=chassis }
   Transceiver radio { Body=chassis }
+  Led lamp { Body=chassis }
 }
 StaticConfig Floor { Plane ground { } }
 Static floor { Config=Floor }
@@ -62,9 +63,38 @@ private:
 
 /// A value that a member of a request may have, or must not.
 Json randomValue(Choices& choices, int depth = 0) {
-    static const Json values[] = {
-        0, 1, 2, 3, -1, 0.5, -1e300, 1e308, 1'000'000'000, 18446744073709551615ull, true, false, nullptr, "", "r", "s", "r/base", "r/motor", "r/eye", "r/radio", "s/radio",
-        "r/bumper", "r/chassis", "r/motor/voltage", "r/encoder/count", "r/*", "*", "?/*", "r/motor/*", "\xf0\x9f\xa4\x96", "0123456789abcdef"};
+    static const Json values[] = {0,
+                                  1,
+                                  2,
+                                  3,
+                                  -1,
+                                  0.5,
+                                  -1e300,
+                                  1e308,
+                                  1'000'000'000,
+                                  18446744073709551615ull,
+                                  true,
+                                  false,
+                                  nullptr,
+                                  "",
+                                  "r",
+                                  "s",
+                                  "r/base",
+                                  "r/motor",
+                                  "r/eye",
+                                  "r/radio",
+                                  "s/radio",
+                                  "r/bumper",
+                                  "r/chassis",
+                                  "r/motor/voltage",
+                                  "r/lamp/color",
+                                  "r/encoder/count",
+                                  "r/*",
+                                  "*",
+                                  "?/*",
+                                  "r/motor/*",
+                                  "\xf0\x9f\xa4\x96",
+                                  "0123456789abcdef"};
     if (depth < 3 && choices.chance(3)) {
         Json array = Json::array();
         for (std::uint32_t i = choices.pick(5); i-- > 0;) array.push_back(randomValue(choices, depth + 1));

@@ -192,7 +192,11 @@ private Q_SLOTS:
             "there is no signal r/base/linearVelocty; did you mean r/base/linearVelocity?");
         row("output", R"({"op":"command","signals":{"r/leftEncoder/count":1}})", "refused", "r/leftEncoder/count is measured, not commanded");
         row("value", R"({"op":"command","signals":{"r/base/linearVelocity":null}})", "bad_request",
-            "the value of r/base/linearVelocity must be a finite number");
+            "the value of r/base/linearVelocity must be a finite number, or an array of them");
+        row("values", R"({"op":"command","signals":{"r/base/linearVelocity":[0.1,"x"]}})", "bad_request",
+            "the value of r/base/linearVelocity must be a finite number, or an array of them");
+        row("count", R"({"op":"command","signals":{"r/base/linearVelocity":[0.1,0.2]}})", "refused",
+            "r/base/linearVelocity has 1 number, not 2");
         row("interface", R"({"op":"command","device":"r/base","vel":[1]})", "bad_request", "vel must be an array of 2 finite numbers");
         row("no command", R"({"op":"command","device":"r/base"})", "bad_request",
             "a position2d of kind DifferentialDrive needs one of: vel");

@@ -218,7 +218,7 @@ void RunnerTest::anotherControllerTakesThePlace() {
     QCOMPARE(m_world->story, std::string("think step "));
     QCOMPARE(m_console.at(0), std::string("[0.02 ] command refused: broken.so is no library"));
     QVERIFY(swap("", "Third"));
-    QVERIFY(m_console.at(2).ends_with("command refused: robot0 has a controller already"));
+    QVERIFY(m_console.at(2).ends_with("command refused: robot0 has a controller mind already"));
 
     m_world->story.clear();
     QVERIFY(swap("mind", {}));

@@ -1,6 +1,5 @@
 // Method: before a request the values of the robots are copied into the host's images; afterwards only the slots that a controller
-// may write, commands of its robot and what it publishes, are copied back. Of a robot with several controllers each has the commands
-// that it claimed by its ports.
+// may write, what it publishes and the commands that its ports have claimed, are copied back.
 #include "control/host/host_group.h"
 
 #include <algorithm>
@@ -134,7 +133,6 @@ void HostGroup::copyOut(const Member& member) { member.slots.copyOut(m_host->com
 Status HostGroup::claim(Member& member, const std::string& command) {
     const SignalEntry* entry = command.starts_with(member.robot->name + "/") ? m_layout->find(command) : nullptr;
     if (!entry || entry->direction != SignalDirection::Command) return Error{Code::UnknownPort, "there is no command " + command};
-    if (member.robot->controllers.size() == 1) return {};
     const Status claimed = member.outputs.claim ? member.outputs.claim(command) : Status();
     if (claimed) member.slots.claim(*entry, m_block->slots(), m_host->commands());
     return claimed;

@@ -14,10 +14,8 @@ std::size_t MemberSlots::place(const RobotSpec& robot, const ControllerSpec& con
     m_count = entries.empty() ? 0 : entries.back().offset + entries.back().count - m_inBlock;
     m_written.clear();
     const std::string published = robot.name + "/" + controller.name + "/";
-    const bool isAlone = robot.controllers.size() == 1;
     for (const SignalEntry& entry : entries) {
-        const bool isCommand = isAlone && entry.direction == SignalDirection::Command;
-        if (!isCommand && !entry.path.starts_with(published)) continue;
+        if (!entry.path.starts_with(published)) continue;
         if (!m_written.empty() && m_written.back().inBlock + m_written.back().count == entry.offset)
             m_written.back().count += entry.count;
         else m_written.push_back({entry.offset, m_inImage + entry.offset - m_inBlock, entry.count});

@@ -8,8 +8,8 @@
 
 namespace trundle {
 
-/// The slots of one controller in the images of its host: it reads all of its robot, and writes what it publishes and its commands. Those
-/// are all commands of a robot without other controllers, else the ones that it claims.
+/// The slots of one controller in the images of its host: it reads all of its robot, and writes what it publishes and the commands that it
+/// claims.
 class MemberSlots {
 public:
     /// Places them behind `first` slots of the images. Returns the number of slots with them.

@@ -97,7 +97,10 @@ bool replaces(const decltype(Command::what)& later, const decltype(Command::what
     if (later.index() != earlier.index()) return false;
     if (const auto* push = std::get_if<PushCommand>(&later)) return push->body == std::get<PushCommand>(earlier).body;
     if (const auto* place = std::get_if<PlaceCommand>(&later)) return place->robot == std::get<PlaceCommand>(earlier).robot;
-    if (const auto* signal = std::get_if<SignalCommand>(&later)) return signal->path == std::get<SignalCommand>(earlier).path;
+    if (const auto* signal = std::get_if<SignalCommand>(&later)) {
+        const auto& before = std::get<SignalCommand>(earlier);
+        return signal->path == before.path && signal->element == before.element;
+    }
     return false;
 }
 

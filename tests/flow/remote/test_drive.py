@@ -1,6 +1,7 @@
 """One controller, three robots: simulated in the program, served over TCP by another one, and a robot on a serial line behind its driver."""
 
 import csv
+import hashlib
 import os
 import re
 import socket
@@ -47,6 +48,102 @@ class There(trundle.Controller):
         elif self.base.done():
             print(f"at {self.base.odometry().x:.3f}")
             self.finish("is there")
+'''
+
+
+# Robots with a lamp, a camera and a radio each. What they see and receive goes into a log.
+POSTS = """Tick = 0.02   Duration = 2   Seed = 7
+#import robots/simple_robot.sim
+#import arenas/open_floor.sim
+#loadModule there.py
+Static floor {{ Config=OpenFloor }}
+RadioMedium air {{ Model=log_distance Shadowing=4 Mac=csma Collisions=true }}
+RobotConfig Post {{
+  Body hull {{ Box box {{ Size=0.2,0.2,0.1 Pos=0,0,0.06 Mass=1 Material=red Surface=plastic }} }}
+  Led lamp {{ Body=hull Pos=0,0,0.12 }}
+  Camera eye {{ Body=hull Pos=0.12,0,0.1 Resolution=24,16 Mode={mode} }}
+  Transceiver radio {{ Body=hull Pos=0,0,0.15 }}
+}}
+Robot rover {{ Config=Post Talker brain {{ }} }}
+Robot other {{ Config=Post Pos=1,0.1,0 HPR=180,0,0 Answerer brain {{ }} }}
+SignalLog signals {{ Signals="rover/lamp/*","rover/radio/*" Interval=0.02 File=signals.csv }}
+"""
+TALKER = '''
+import hashlib
+import trundle
+
+
+class Answerer(trundle.Controller):
+    """Answers each packet to its sender."""
+
+    def setup(self, robot):
+        self.radio = robot.radio("radio")
+        self.lamp = robot.port("lamp")
+
+    def update(self, since_last):
+        self.lamp.set("color", 0.5 + 0.5 * (int(self.time / 0.3) % 2), 1)
+        while packet := self.radio.receive():
+            self.radio.send(b"re: " + packet.bytes, to=packet.sender)
+
+
+class Talker(trundle.Controller):
+    """Sends, changes the color of its lamp, and writes down what it sees and receives."""
+
+    def setup(self, robot):
+        self.radio, self.lamp, self.eye = robot.radio("radio"), robot.port("lamp"), robot.camera("eye")
+        self.log = self.open_log("seen.csv")
+        self.log.write(f"address {self.radio.address}\\n")
+
+    def update(self, since_last):
+        tick = round(self.time / 0.02)
+        if tick % 5 == 0:
+            self.radio.send(f"hello {tick}")
+        for element in range(3):
+            self.lamp.set("color", (tick % (7 + element)) / 10, element)
+        while packet := self.radio.receive():
+            self.log.write(f"{self.time} {packet}\\n")
+        if tick % 10 == 1:
+            picture = self.eye.capture()
+            what = hashlib.sha1(bytes(picture.pixels)).hexdigest(), picture.depths and hashlib.sha1(picture.depths.tobytes()).hexdigest()
+            names = sorted({self.eye.object_name(n) for n in bytes_of(picture.objects)}) if picture.objects else []
+            self.log.write(f"{self.time} {picture.time} {picture.width}x{picture.height} {what} {names} {picture.error}\\n")
+
+
+def bytes_of(objects):
+    return objects.cast("B").cast("I").tolist()
+'''
+DRIVER = '''
+import trundle
+
+
+class Post(trundle.Driver):
+    tick = 0.02
+    outputs = {"radio/address": 1, "radio/pending": 1, "eye/frame": 1}
+    commands = {"lamp/color": 3, "lamp/on": 1}
+
+    def start(self):
+        self.packets, self.colors = [trundle.Packet(b"first", -50.0, 100, 0.5, 9, 4)], []
+
+    def act(self, commands):
+        self.colors.append(commands["lamp/color"])
+
+    def sense(self):
+        return {"radio/address": 4, "radio/pending": len(self.packets)}
+
+    def image(self, camera):
+        return 2, 1, b"\\x01\\x02\\x03\\xff\\xfe\\xfd" if camera == "eye" else b""
+
+    def send(self, radio, data, to, power):
+        self.packets.append(trundle.Packet(data[::-1], -60.0, 90, 1.0, to, 4))
+
+    def receive(self, radio):
+        return self.packets.pop(0) if self.packets else None
+
+    def stop(self):
+        print("colors", *self.colors[:3], flush=True)
+
+
+Post("rover").main()
 '''
 
 
@@ -128,6 +225,36 @@ class DriveTest(unittest.TestCase):
         self.write("there.py", PYTHON)
         _, driven = self.served_as_simulated(self.experiment({"module": "there.py", "controller": "There brain { }"}), "--trust")
         self.assertIn("finished: is there", driven.stdout)
+
+    def test_lamps_pictures_and_packets_cross(self):
+        self.write("there.py", TALKER)
+        for mode in ("color", "depth", "segmentation"):
+            file = self.write("my.sim", POSTS.format(mode=mode))
+            simulated = self.run_cli("run", file, "--log-dir", self.logs("run"), "--trust")
+            with serve(file, "--trust") as server:
+                driven = self.drive(file, server.port, "--robot", "rover", "--log-dir", self.logs("drive"), "--trust")
+            self.assertNotIn("warning", simulated.stderr + driven.stderr)
+            seen = self.content("run", "seen.csv")
+            self.assertEqual(self.content("drive", "seen.csv"), seen)
+            self.assertGreater(seen.count("re: hello"), 5)
+            self.assertEqual(seen.count("24x16"), 10)
+            self.assertEqual("other/hull/box" in seen, mode == "segmentation", seen)
+            self.assertEqual(self.content("drive", "signals.csv"), self.content("run", "signals.csv"))
+            self.assertGreater(len(set(line.split(",", 1)[1] for line in self.content("run", "signals.csv").splitlines())), 20)
+
+    def test_a_driver_has_lamps_pictures_and_packets_too(self):
+        self.write("there.py", TALKER)
+        file = self.write("my.sim", POSTS.format(mode="color"))
+        program = self.write("driver.py", DRIVER)
+        with Process(sys.executable, program) as driver:
+            driven = self.drive(file, driver.port, "--robot", "rover", "--log-dir", self.logs("drive"), "--trust", "--duration", "0.5")
+        seen = self.content("drive", "seen.csv")
+        self.assertIn("address 4\n", seen)
+        self.assertIn("Packet(bytes=b'first', rssi=-50.0, lqi=100, time=0.5, sender=9, receiver=4)", seen)
+        self.assertIn("Packet(bytes=b'0 olleh', rssi=-60.0, lqi=90, time=1.0, sender=65535, receiver=4)", seen)
+        self.assertIn("2x1 ('" + hashlib.sha1(b"\x01\x02\x03\xff\xfe\xfd").hexdigest(), seen)
+        self.assertIn("colors (0.0, 0.0, 0.0) (0.1, 0.1, 0.1) (0.2, 0.2, 0.2)", driver.rest)
+        self.assertIn("does not have rover/lamp/lit", driven.stderr)
 
     def test_a_robot_on_a_serial_line(self):
         with Process(sys.executable, os.path.join(DRIVERS, "fake_robot.py")) as robot:

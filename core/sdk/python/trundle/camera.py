@@ -8,6 +8,8 @@ class Picture:
     """The image of a camera at one time, read-only, rows from the top. False if no image is available; `error` says why. Do not use
     it after the update that took it: copy what you keep."""
 
+    names = {}  # of objects, by number, in the pictures of a served run
+
     def __init__(self, width=0, height=0, time=0.0, pixels=b"", depth=b"", objects=b"", error=""):
         self.width, self.height, self.time, self.error = width, height, time, error
         self._pixels, self._depth, self._objects = pixels, depth, objects
@@ -33,7 +35,10 @@ class Picture:
     @property
     def array(self):
         """The pixels as a read-only NumPy array with the shape (height, width, 3). Needs NumPy."""
-        import numpy
+        try:
+            import numpy
+        except ImportError:
+            raise ImportError("Picture.array needs NumPy, which is not installed (python3-numpy); Picture.pixels does not") from None
         return numpy.frombuffer(self._pixels, numpy.uint8).reshape(self.height, self.width, 3)
 
     def at(self, x, y):

@@ -42,7 +42,7 @@ class Driver:
             MyRobot("rover").main()
 
     Names and units of signals are those of the devices in the text of the robot, `trundle-cli describe DifferentialDrive` lists them; a
-    command has one number. An exception in act or sense is the answer to the step, with its text."""
+    command of several numbers, such as "lamp/color": 3, comes as a tuple. An exception in act or sense is the answer to the step, with its text."""
 
     outputs = {}
     commands = {}
@@ -65,6 +65,19 @@ class Driver:
 
     def stop(self):
         """The client has gone: whatever moves has to stop."""
+
+    def image(self, camera):
+        """The current picture of a camera, by its device's name: width, height, and 3 * width * height bytes of red, green, blue by rows
+        from the top."""
+        raise Refused("no_such_path", f"there is no camera {self.robot}/{camera}")
+
+    def send(self, radio, data, to, power):
+        """Sends a packet (bytes) to an address, with so much power (dBm). The radio is a device with the outputs address and pending."""
+        raise Refused("no_such_path", f"there is no radio {self.robot}/{radio}")
+
+    def receive(self, radio):
+        """The oldest packet that has not been read, a trundle.Packet; None: there is none."""
+        raise Refused("no_such_path", f"there is no radio {self.robot}/{radio}")
 
     # --- serving ---
 
@@ -161,7 +174,7 @@ class _Session:
     def __init__(self, driver, stream, token):
         self.driver, self.frames, self.token = driver, _Frames(stream), token
         self.authorized = False
-        self.commands = dict.fromkeys(driver.commands, 0.0)
+        self.commands = {path: 0.0 if count == 1 else (0.0,) * count for path, count in driver.commands.items()}
         self.values = {path: [0.0] * count for path, count in driver.outputs.items()}
         self.subscriptions = {}
         self.ticks, self.next = 0, None
@@ -169,16 +182,16 @@ class _Session:
     def serve(self):
         try:
             while True:
-                message, _ = self.frames.receive()
+                message, data = self.frames.receive()
                 if not isinstance(message, dict):
                     break
-                self.answer(message)
+                self.answer(message, bytes(data))
         except (Disconnected, OSError, ValueError, UnicodeDecodeError):
             pass
         finally:
             self.driver.stop()
 
-    def answer(self, message):
+    def answer(self, message, data):
         number, operation = message.pop("id", None), message.pop("op", None)
         try:
             if not self.authorized and operation != "hello":
@@ -186,7 +199,7 @@ class _Session:
             handler = getattr(self, f"on_{operation}", None) if isinstance(operation, str) else None
             if not handler:
                 raise Refused("unknown_operation", f"a driver does not know {operation!r}")
-            members, data = handler(**message)
+            members, data = handler(**message, data=data) if operation == "send" else handler(**message)
         except Refused as refused:
             self.frames.send({"id": number, "ok": False, "error": refused.code, "message": str(refused)})
             if refused.code == "unauthorized":
@@ -215,17 +228,21 @@ class _Session:
         for path, value in signals.items():
             if not path.startswith(name) or path[len(name):] not in self.commands:
                 raise Refused("no_such_path", f"there is no command {path}")
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-                raise Refused("bad_request", f"{path} is a finite number")
+            numbers, count = value if isinstance(value, list) else [value], self.driver.commands[path[len(name):]]
+            if len(numbers) != count or not all(type(n) in (int, float) and math.isfinite(n) for n in numbers):
+                raise Refused("bad_request", f"{path} is {'a finite number' if count == 1 else f'{count} finite numbers'}")
         for path, value in signals.items():
-            self.commands[path[len(name):]] = float(value)
+            path = path[len(name):]
+            numbers = value if isinstance(value, list) else [value]
+            self.commands[path] = float(numbers[0]) if self.driver.commands[path] == 1 else tuple(float(n) for n in numbers)
 
     def data(self, subscription):
         if subscription not in self.subscriptions:
             raise Refused("no_such_path", "there is no such subscription")
         numbers = []
         for path in self.subscriptions[subscription]:
-            numbers += self.values[path] if path in self.values else [self.commands[path]]
+            value = self.values[path] if path in self.values else self.commands[path]
+            numbers += [value] if isinstance(value, float) else value
         return struct.pack(f"<{len(numbers)}d", *numbers)
 
     # --- requests ---
@@ -276,6 +293,28 @@ class _Session:
     def on_command(self, signals):
         self.set(signals)
         return {}, b""
+
+    def device(self, path):
+        if not path.startswith(self.driver.robot + "/"):
+            raise Refused("no_such_path", f"there is no device {path}")
+        return path[len(self.driver.robot) + 1:]
+
+    def on_image(self, camera):
+        width, height, pixels = self.driver.image(self.device(camera))
+        pixels = bytes(pixels)
+        if len(pixels) != 3 * width * height:
+            raise ValueError(f"an image of {width} x {height} has {3 * width * height} bytes, not {len(pixels)}")
+        return {"width": width, "height": height, **self.state(), "pixels": len(pixels), "depth": 0, "objects": 0}, pixels
+
+    def on_send(self, device, to=0xffff, power=1000.0, data=b""):
+        self.driver.send(self.device(device), data, to, power)
+        return {}, b""
+
+    def on_receive(self, device):
+        packet = self.driver.receive(self.device(device))
+        if packet is None:
+            return {"received": False}, b""
+        return {"received": True, "time": packet.time, "rssi": packet.rssi, "lqi": packet.lqi, "from": packet.sender, "to": packet.receiver}, packet.bytes
 
     def on_step(self, ticks=1, signals=None, subscription=None):
         """In real time: a step returns when its last tick is over. Who comes late does not get the lost time back."""

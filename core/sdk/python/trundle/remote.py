@@ -119,10 +119,13 @@ class _Outside:
 
     def __init__(self, remote, robot):
         self._remote, self._robot = remote, robot
+        self.names = {}
 
     def capture(self, camera):
         try:
-            return self._remote.image(f"{self._robot}/{camera}")
+            picture = self._remote.image(f"{self._robot}/{camera}")
+            self.names.update(picture.names)
+            return picture
         except RemoteError as refused:
             return Picture(error=str(refused))
 
@@ -130,7 +133,7 @@ class _Outside:
         return "images of a served run are not saved by it; take them with capture()"
 
     def object_name(self, number):
-        return ""
+        return self.names.get(number, "")
 
     def find_radio(self, path):
         return _Radio(path, int(self._remote[f"{path}/address"]))
@@ -274,8 +277,8 @@ class Remote:
         return values if path not in values else values[path]
 
     def __setitem__(self, path, value):
-        """Sets a command signal from the coming tick on."""
-        self._request("command", signals={path: value})
+        """Sets a command signal from the coming tick on: a number, or a sequence where it has several."""
+        self._request("command", signals={path: value if isinstance(value, (int, float)) else list(value)})
 
     def read(self, *patterns):
         """The values of all signals that match, * and ? being wildcards, as a dict."""
@@ -294,7 +297,9 @@ class Remote:
         reply, data = self._request("image", camera=camera)
         view = memoryview(data).toreadonly()
         pixels, depth = reply["pixels"], reply["pixels"] + reply["depth"]
-        return Picture(reply["width"], reply["height"], reply["time"], view[:pixels], view[pixels:depth], view[depth:])
+        picture = Picture(reply["width"], reply["height"], reply["time"], view[:pixels], view[pixels:depth], view[depth:])
+        picture.names = dict(reply.get("names", ()))
+        return picture
 
     # --- the simulation itself ---
 
@@ -416,7 +421,7 @@ class Remote:
             self._views = [memoryview(bytearray(8 * robot["slots"])).cast("d") for _ in range(3)]
         values, commands, _ = self._views
         entries = [Entry(s["path"], _TYPES[s["type"]], _DIRECTIONS[s["direction"]], s["count"], s["offset"]) for s in robot["signals"]]
-        self._slots += [(e.path, e.offset) for e in entries if e.direction == COMMAND]
+        self._slots += [(e.path, e.offset, e.count) for e in entries if e.direction == COMMAND]
         self._spans = _joined(sorted(self._spans + [(e.offset, e.count) for e in entries]))
         controller = robot["controller"] or {"name": "", "kind": ""}
         devices = [(d["kind"], d["name"], d["update_period"]) for d in robot["devices"]]
@@ -428,17 +433,19 @@ class Remote:
         if self._views is None:
             return
         _, commands, sent = self._views
-        changes = {path: commands[at] for path, at in self._slots if commands[at] != sent[at]}
+        changes = {path: commands[at] if count == 1 else commands[at:at + count].tolist() for path, at, count in self._slots
+                   if commands[at:at + count] != sent[at:at + count]}
         if changes:
             members["signals"] = changes
 
     def _send_changes(self, members):
         self._exchange("command", members, reads=False)
         _, commands, sent = self._views
-        for path, at in self._slots:
+        for path, first, count in self._slots:
             if path in members["signals"]:
-                sent[at] = commands[at]
-                self._pending[at] = self._tick
+                for at in range(first, first + count):
+                    sent[at] = commands[at]
+                    self._pending[at] = self._tick
 
     def _exchange(self, operation, members, reads=True):
         """A request whose reply has the values of all watched robots."""
@@ -447,8 +454,8 @@ class Remote:
         try:
             reply, data = self._request(operation, **members)
         except RemoteError:
-            for _, at in self._slots:  # what was refused is not sent again
-                self._views[1][at] = self._views[2][at]
+            for _, at, count in self._slots:  # what was refused is not sent again
+                self._views[1][at:at + count] = self._views[2][at:at + count]
             raise
         if reads and self._watch is not None:
             self._take_values(data)

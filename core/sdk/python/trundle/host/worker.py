@@ -73,8 +73,7 @@ class _Running:
         self.robot = robot
         self.title = f"the controller {self.kind}{f' {name}' if len(controllers) > 1 else ''} of {robot}"
         self.outside = Outside(link, number, self.title, seed, f"{robot}/{name}" if index else robot)
-        claim = self.outside.claim if len(controllers) > 1 else None
-        self.image = Image(robot, name, self.kind, devices, entries, sensors, commands, claim, published)
+        self.image = Image(robot, name, self.kind, devices, entries, sensors, commands, self.outside.claim, published)
         self.instance = None
 
     def failed(self, how, why):

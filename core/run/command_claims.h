@@ -1,0 +1,34 @@
+#pragma once
+// Which controller has which commands of its robot: those that its ports have asked for.
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+
+#include "signals/block.h"
+#include "signals/layout.h"
+
+namespace trundle {
+
+class CommandClaims {
+public:
+    /// The controller that has the command, which is this one if none had it.
+    [[nodiscard]] std::size_t claim(std::size_t robot, const SignalEntry* command, std::size_t controller) {
+        return m_claims[robot].try_emplace(command, controller).first->second;
+    }
+    /// Its commands are free for others.
+    void forget(std::size_t robot, std::size_t controller) {
+        std::erase_if(m_claims[robot], [controller](const auto& claim) { return claim.second == controller; });
+    }
+    void setToZero(std::size_t robot, std::size_t controller, SignalBlock& block) const {
+        const auto claims = m_claims.find(robot);
+        if (claims == m_claims.end()) return;
+        for (const auto& [command, owner] : claims->second)
+            if (owner == controller) std::fill_n(block.slots().begin() + command->offset, command->count, 0.0);
+    }
+
+private:
+    std::map<std::size_t, std::map<const SignalEntry*, std::size_t>> m_claims; ///< by robot
+};
+
+} // namespace trundle
