@@ -46,6 +46,17 @@ void ScenePainter::polygon(std::span<const Vec3> corners) const {
     m_painter.drawPolygon(shown);
 }
 
+void ScenePainter::path(std::span<const Vec3> points, const std::vector<bool>& ends) const {
+    QList<QLineF> shown;
+    std::optional<ImagePoint> last;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto at = depthOf(points[i]) < kLeastDepth ? std::nullopt : project(m_view, m_width, m_height, points[i]);
+        if (at && last && i > 0 && !ends[i - 1]) shown << QLineF(last->x, last->y, at->x, at->y);
+        last = at;
+    }
+    m_painter.drawLines(shown);
+}
+
 void ScenePainter::dots(std::span<const Vec3> points, const QColor& colour, double pixels) const {
     QList<QRectF> shown;
     shown.reserve(qsizetype(points.size()));

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <vector>
 
 #include <QColor>
 #include <QLineF>
@@ -18,6 +19,8 @@ public:
     ScenePainter(QPainter& painter, const ToolView& view);
     /// With the painter's pen and brush.
     void polygon(std::span<const Vec3> corners) const;
+    /// From each point to the next, with the painter's pen, except after points that are marked as an end. As many ends as points.
+    void path(std::span<const Vec3> points, const std::vector<bool>& ends) const;
     /// A square dot at each point in front of the camera.
     void dots(std::span<const Vec3> points, const QColor& colour, double pixels) const;
     /// Drawn over a slightly wider dark line.

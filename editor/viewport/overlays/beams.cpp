@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMaxSensors = 200, kMaxSelectedSensors = 40;
 constexpr std::uint32_t kMaxBeamLines = 64; // beams in a layer that are drawn as lines too
+constexpr double kSurfaceGap = 0.2;         // of the distance
 constexpr int kConeSides = 24;
 constexpr double kMaxReadingAge = 2; // s; an older reading is drawn where its sensor is now
 const QColor kBeam(226, 68, 92);
@@ -39,23 +40,38 @@ struct DrawnSensor {
     }
     [[nodiscard]] bool hits(std::size_t beam) const { return beam < distances.size() && distances[beam] < sensor.maxRange; }
 
+    /// Two beams side by side met different surfaces.
+    [[nodiscard]] bool isApart(double a, double b) const {
+        return std::abs(a - b) > kSurfaceGap * std::min(a, b) + 0.01 * sensor.maxRange;
+    }
+
     void fan() const {
-        std::vector<Vec3> echoes, area;
+        std::vector<Vec3> echoes, area, surface;
+        std::vector<bool> ends;
+        const bool many = sensor.beams > kMaxBeamLines;
         for (std::uint32_t layer = 0; layer < sensor.layers; ++layer) {
             area.clear();
+            surface.clear();
+            ends.clear();
             if (!sensor.closed) area.push_back(eye.position);
             for (std::uint32_t i = 0; i < sensor.beams; ++i) {
                 const std::size_t beam = std::size_t(layer) * sensor.beams + i;
                 const Vec3 end = eye * (distance(beam) * sensor.directions[beam]);
                 area.push_back(end);
+                if (many) {
+                    surface.push_back(end);
+                    ends.push_back(i + 1 == sensor.beams || isApart(distance(beam), distance(beam + 1)));
+                }
                 if (hits(beam)) echoes.push_back(end);
                 if (sensor.beams <= kMaxBeamLines) pen.line(eye.position, end, translucent(colour, 150), 1);
             }
-            painter.setPen(QPen(translucent(colour, sensor.layers > 1 ? 60 : 130), 1));
+            const QPen outline(translucent(colour, sensor.layers > 1 ? 60 : 130), 1);
+            painter.setPen(many ? QPen(Qt::NoPen) : outline);
             painter.setBrush(translucent(colour, std::max(6, 34 / int(sensor.layers))));
-            const bool many = sensor.beams > kMaxBeamLines; // a smooth outline of hundreds of corners takes milliseconds
-            painter.setRenderHint(QPainter::Antialiasing, !many);
+            painter.setRenderHint(QPainter::Antialiasing, !many); // hundreds of smooth corners take milliseconds
             pen.polygon(area);
+            painter.setPen(outline);
+            if (many) pen.path(surface, ends); // long lines to and from the sensor show nothing and take as long
             painter.setRenderHint(QPainter::Antialiasing);
         }
         pen.dots(echoes, colour, 3);
