@@ -222,34 +222,42 @@ private:
         const auto found = m_robots.find(running.name);
         if (found == m_robots.end()) return;
         const RobotSpec& now = *found->second;
-        if (!swapControllers(index, now))
-            for (std::size_t i = 0; i < running.controllers.size(); ++i) {
-                const ControllerSpec& controller = running.controllers[i];
-                const auto same = std::ranges::find(now.controllers, controller.name, &ControllerSpec::name);
-                if (same == now.controllers.end()) continue;
-                if (const auto values = differences(controller, *same); !values.empty())
-                    addConsoleLine(running.name + "/" + controller.name, changed().robots[index].controllers[i], values);
-            }
+        controllers(index, now);
         if (running.config && now.config && running.config != now.config) devices(index, now);
     }
 
-    /// A robot's controllers may be replaced one by one; the first may come, and each may go. Other changes of their number wait for a
-    /// reset: which commands are a lone controller's own is known of several only.
-    bool swapControllers(std::size_t index, const RobotSpec& now) {
-        const std::vector<ControllerSpec>& was = m_running.robots[index].controllers;
-        const bool isOneForOne = was.size() == now.controllers.size();
-        const bool isFirst = was.empty() && now.controllers.size() == 1;
-        if (!isOneForOne && !isFirst && !now.controllers.empty()) return false;
-        bool any = false;
-        for (std::size_t i = 0; i < std::max(was.size(), now.controllers.size()); ++i) {
-            const ControllerSpec* from = i < was.size() ? &was[i] : nullptr;
-            const ControllerSpec* to = i < now.controllers.size() ? &now.controllers[i] : nullptr;
-            if (from && to && !isReplaced(m_running.robots[index].name, *from, *to)) continue;
-            swap(m_running.robots[index], from, to);
+    /// Controllers are compared by name. Of the others each new one takes the place of an old one, in their order; what is left goes or
+    /// comes. Those that go are first: their commands are free for others.
+    void controllers(std::size_t index, const RobotSpec& now) {
+        const RobotSpec& running = m_running.robots[index];
+        const auto isNew = [&](const ControllerSpec& is) { return !named(running.controllers, is.name); };
+        const auto newOnes = static_cast<std::size_t>(std::ranges::count_if(now.controllers, isNew));
+        std::vector<const ControllerSpec*> gone;
+        for (const ControllerSpec& was : running.controllers)
+            if (!named(now.controllers, was.name)) gone.push_back(&was);
+        bool any = !gone.empty();
+        for (; gone.size() > newOnes; gone.pop_back()) swap(running, gone.back(), nullptr);
+        std::vector<ControllerSpec> result;
+        auto next = gone.begin();
+        for (const ControllerSpec& is : now.controllers) {
+            const ControllerSpec* was = named(running.controllers, is.name);
+            if (was && !isReplaced(running.name, *was, is)) {
+                const std::vector<LiveValue> values = differences(*was, is);
+                addConsoleLine(running.name + "/" + is.name, result.emplace_back(*was), values);
+                any = any || !values.empty();
+                continue;
+            }
+            if (!was && next != gone.end()) was = *next++;
+            swap(running, was, &is);
+            result.push_back(is);
             any = true;
         }
-        if (any) changed().robots[index].controllers = now.controllers;
-        return any;
+        if (any) changed().robots[index].controllers = std::move(result);
+    }
+
+    static const ControllerSpec* named(const std::vector<ControllerSpec>& controllers, const std::string& name) {
+        const auto found = std::ranges::find(controllers, name, &ControllerSpec::name);
+        return found != controllers.end() ? &*found : nullptr;
     }
 
     /// Of one that came during the run every value is followed: its next edit replaces it again.

@@ -21,27 +21,30 @@ class PythonTest : public QObject {
     Q_OBJECT
 
     QTemporaryDir m_folder;
-    QByteArray m_trace; ///< of the sound robots beside one that does nothing bad
+    QByteArray m_trace, m_otherTrace; ///< of the sound robots beside one that does nothing bad, and of the one of another module
 
     QString at(const QString& name) const { return m_folder.filePath(name); }
-    QString experiment(const QByteArray& settings) {
+    /// `isolation` of the robot that is bad; with "module" it shares its process with `second`, which is not logged then.
+    QString experiment(const QByteArray& settings, const QByteArray& isolation = "robot") {
         const QString path = at("sick.sim");
         const bool written = writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
                                              "#loadModule controllers/linear_motion\n#loadModule sick.py\n"
                                              "Static floor { Config=OpenFloor }\n"
                                              "Robot good { Config=SimpleRobot LinearMotion brain { } }\n"
-                                             "Robot bad { Config=SimpleRobot Pos=0,2,0 Sick brain { Isolation=robot " +
-                                                 settings +
+                                             "Robot bad { Config=SimpleRobot Pos=0,2,0 Sick brain { Isolation=" +
+                                                 isolation + " " + settings +
                                                  " } }\n"
                                                  "Robot second { Config=SimpleRobot Pos=0,-2,0 Sound brain { Isolation=none } }\n"
-                                                 "PoseLog path { Robot=good }\nPoseLog other { Robot=second }\n");
+                                                 "PoseLog path { Robot=good }\nPoseLog other { Robot=" +
+                                                 (isolation == "module" ? "good" : "second") + " }\n");
         return written ? path : QString();
     }
     Outcome run(const QString& path, const QStringList& more = {}) {
         QDir(at("logs")).removeRecursively();
         return cli(QStringList{"run", path, "--json", "--quiet", "--modules", kSick, "--log-dir", at("logs")} + more);
     }
-    QByteArray trace() const { return contentOf(at("logs/path.csv")) + contentOf(at("logs/other.csv")); }
+    QByteArray trace() const { return contentOf(at("logs/path.csv")); }
+    QByteArray otherTrace() const { return contentOf(at("logs/other.csv")); }
     /// An experiment with a module of this text beside it.
     QString withModule(const QByteArray& python, const QByteArray& block = "Mine brain { }") {
         const bool written = writeFile(at("mine.py"), python) &&
@@ -57,7 +60,8 @@ private Q_SLOTS:
         const Outcome outcome = run(experiment({}));
         QVERIFY2(outcome.code == 0, shown(outcome));
         m_trace = trace();
-        QCOMPARE(m_trace.count('\n'), 2 * 102);
+        m_otherTrace = otherTrace();
+        QCOMPARE(m_trace.count('\n') + m_otherTrace.count('\n'), 2 * 102);
     }
 
     void givesTheSameStateAsInCpp_data() {
@@ -84,6 +88,29 @@ private Q_SLOTS:
         QVERIFY2(outcome.code == 0, shown(outcome).right(4000));
         QVERIFY(python["ticks"].toInt() >= 1000);
         for (const char* key : {"ticks", "state_hash", "finished", "robots"}) QCOMPARE(python[key], cpp[key]);
+    }
+
+    /// Ten robots that meet and turn away, in C++ and Python, inside the program and in any process.
+    void tenRobotsGiveOneState() {
+        QString first;
+        for (const char* isolation : {"none", "module", "robot"})
+            for (const char* module : {"controllers/braitenberg", "python/braitenberg.py"}) {
+                const bool written =
+                    writeFile(at("ten.sim"),
+                              QByteArray("Tick = 0.01  Seed = 3  Isolation = ") + isolation +
+                                  "\n#import robots/round_robot.sim\n#import arenas/medium_arena.sim\n#loadModule " + module +
+                                  "\nLight sun { Intensity=0 }\nLight lamp { Mode=lamp Pos=1,0.4,0.12 Intensity=0.15 }\n"
+                                  "Static arena { Config=MediumArena }\nGrid g { Config=RoundRobot Count=5,2 Spacing=0.5 "
+                                  "Braitenberg brain { Vehicle=explorer Speed=0.2 Reference=100 } }\n");
+                QVERIFY(written);
+                const bool isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
+                const Outcome outcome = run(at("ten.sim"), {"--duration", isLong ? "100" : "4"});
+                QVERIFY2(outcome.code == 0, shown(outcome).right(4000));
+                QCOMPARE(jsonOf(outcome)["ticks"].toInt(), isLong ? 10'000 : 400);
+                const QString hash = jsonOf(outcome)["state_hash"].toString();
+                if (first.isEmpty()) first = hash;
+                QCOMPARE(hash, first);
+            }
     }
 
     /// The kinds of a module in Python and of one in C++ are described alike.
@@ -224,8 +251,17 @@ void PythonTest::everyFaultStaysInItsProcess_data() {
     QTest::addColumn<QByteArray>("settings");
     QTest::addColumn<QByteArray>("said"); ///< part of the reason; empty: it is not stopped
     QTest::addColumn<QByteArray>("line"); ///< of sick.py, which the reason names
-    const auto row = [](const char* action, const QByteArray& said, const QByteArray& line = {}, const QByteArray& more = {}) {
-        QTest::newRow(action) << "Action=" + QByteArray(action) + " " + more << said << line;
+    QTest::addColumn<QByteArray>("isolation");
+    const bool isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
+    auto add = [isLong, rows = 0](const char* name, const QByteArray& settings, const QByteArray& said,
+                                  const QByteArray& line) mutable {
+        const char* const one = ++rows % 3 == 0 ? "module" : "robot";
+        for (const char* isolation : {"robot", "module"})
+            if (isLong || isolation == QByteArray(one))
+                QTest::addRow("%s, %s", name, isolation) << settings << said << line << QByteArray(isolation);
+    };
+    const auto row = [&](const char* action, const QByteArray& said, const QByteArray& line = {}, const QByteArray& more = {}) {
+        add(action, "Action=" + QByteArray(action) + " " + more, said, line);
     };
     const QByteArray failed = "the controller Sick of bad failed: ", crashed = "crashed in update: ";
     row("divide", failed + "ZeroDivisionError: division by zero, in divide at sick.py:", "return 1 / 0");
@@ -241,18 +277,19 @@ void PythonTest::everyFaultStaysInItsProcess_data() {
     for (const char* action : {"loop", "sleep", "print_without_end"})
         row(action, "did not return from update within 1.0 s and was stopped, in " + QByteArray(action) + " at sick.py:", {}, "Budget=20");
     for (const char* action : {"thread", "thread_fails", "close_all", "change_folder", "nothing"}) row(action, {});
-    QTest::newRow("eat memory") << QByteArray("Action=eat_memory") << failed + "MemoryError, in " << QByteArray("range(1000)");
-    QTest::newRow("write sensor") << QByteArray("Phase=\"write sensor\"") << failed + "TypeError: cannot modify read-only memory"
-                                  << QByteArray("_sensors[0] = ");
-    QTest::newRow("overwrite commands") << QByteArray("Phase=\"overwrite commands\"") << QByteArray() << QByteArray();
+    add("eat memory", "Action=eat_memory", failed + "MemoryError, in ", "range(1000)");
+    add("write sensor", "Phase=\"write sensor\"", failed + "TypeError: cannot modify read-only memory", "_sensors[0] = ");
+    add("overwrite commands", "Phase=\"overwrite commands\"", {}, {});
 }
 
 void PythonTest::everyFaultStaysInItsProcess() {
     QFETCH(QByteArray, settings);
     QFETCH(QByteArray, said);
     QFETCH(QByteArray, line);
-    const Outcome outcome = run(experiment(settings));
+    QFETCH(QByteArray, isolation);
+    const Outcome outcome = run(experiment(settings, isolation));
     QCOMPARE(trace(), m_trace);
+    if (isolation == "robot") QCOMPARE(otherTrace(), m_otherTrace);
     QVERIFY2(outcome.code == (said.isEmpty() ? 0 : 4), shown(outcome).left(4000));
     QCOMPARE(jsonOf(outcome)["ticks"].toInt(), 100);
     const QJsonArray stopped = jsonOf(outcome)["stopped"].toArray();

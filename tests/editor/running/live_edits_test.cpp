@@ -122,7 +122,18 @@ private Q_SLOTS:
         row("none", "Walker brain { Speed=1 } }", "}", "w: brain becomes none");
         row("a first one", "Robot robot1 { Config=Cart }", "Robot robot1 { Config=Cart Walker own { } }",
             "robot1: none becomes Walker own of a module");
-        row("a second one", "Walker brain { Speed=1 }", "Walker brain { Speed=1 } LinearMotion arm { }", "", "w.arm");
+        row("a second one", "Walker brain { Speed=1 }", "Walker brain { Speed=1 } LinearMotion arm { }",
+            "w: none becomes LinearMotion arm of a module");
+        row("a second one before it", "Walker brain { Speed=1 }", "LinearMotion arm { } Walker brain { Speed=1 }",
+            "w: none becomes LinearMotion arm of a module");
+        row("a second one, and another value of the first", "Walker brain { Speed=1 }",
+            "Walker brain { Speed=2 } LinearMotion arm { }", "w: none becomes LinearMotion arm of a module", "w.brain.Speed");
+        row("the first of two goes", "Walker arm { } ", "", "two: arm becomes none");
+        row("the first of two goes, the second is another kind", "Walker arm { } Walker legs { }", "LinearMotion legs { }",
+            "two: arm becomes none|two: legs becomes LinearMotion legs of a module");
+        row("another order", "Walker arm { } Walker legs { }", "Walker legs { } Walker arm { }", "");
+        row("another name beside one", "Walker arm { } Walker legs { }", "Walker legs { } LinearMotion hand { }",
+            "two: arm becomes LinearMotion hand of a module");
         row("one of two", "Walker legs { }", "LinearMotion legs { }", "two: legs becomes LinearMotion legs of a module");
         row("of a Grid", "Walker each { }", "LinearMotion each { }",
             "g_0: each becomes LinearMotion each of a module|g_1: each becomes LinearMotion each of a module");
