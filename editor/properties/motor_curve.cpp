@@ -160,7 +160,13 @@ void MotorCurve::paintEvent(QPaintEvent*) {
     painter.setBrush(ink(Ink::Accent));
     painter.setPen(Qt::NoPen);
     for (const QPointF& end : {efforts.front(), efforts.back()}) painter.drawEllipse(end, 3.2, 3.2);
-    // Above: torque and current at stall in the colours of their lines. Below: the speeds.
+    paintFigures(painter);
+}
+
+/// Above: torque and current at stall in the colours of their lines. Below: the speeds.
+void MotorCurve::paintFigures(QPainter& painter) const {
+    const int line = fontMetrics().height();
+    const auto &stall = m_motor.samples.front(), &free = m_motor.samples.back();
     const QString effort = figureOf(stall.effort) + (m_motor.isLinear ? tr(" N") : tr(" Nm"));
     painter.setPen(ink(Ink::Accent));
     painter.drawText(QRectF(10, 2, width() - 20, line), Qt::AlignLeft, tr("Stall %1").arg(effort));

@@ -8,6 +8,8 @@
 #include <QString>
 #include <QWidget>
 
+class QPainter;
+
 namespace trundle {
 
 struct LoadedProject;
@@ -47,6 +49,8 @@ protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
+    void paintFigures(QPainter& painter) const;
+
     MotorCharacteristic m_motor;
 };
 
