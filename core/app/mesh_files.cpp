@@ -1,6 +1,7 @@
 #include "app/mesh_files.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -122,6 +123,33 @@ Result<std::string> bringMesh(const std::string& mesh, const std::string& folder
         return failed;
     }
     return (fs::path("meshes") / name / from.filename()).generic_string();
+}
+
+Result<std::vector<std::string>> writeHulls(const std::vector<TriangleMesh>& hulls, const std::string& mesh,
+                                            const std::string& folder) {
+    const fs::path inside = fs::path(mesh).parent_path(), project(folder);
+    const std::string stem = fs::path(mesh).stem().string();
+    const auto pathOf = [&](const std::string& name, std::size_t i) {
+        return inside / (name + "_part" + std::to_string(i + 1) + ".obj");
+    };
+    std::error_code ec;
+    std::string name = stem;
+    for (int number = 2; fs::exists(project / pathOf(name, 0), ec); ++number) name = stem + std::to_string(number);
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < hulls.size(); ++i) {
+        const fs::path file = pathOf(name, i);
+        std::ofstream out(project / file, std::ios::binary);
+        for (const auto& [x, y, z] : hulls[i].points) {
+            char line[100];
+            std::snprintf(line, sizeof line, "v %.6g %.6g %.6g\n", x, y, z);
+            out << line;
+        }
+        for (const auto& [a, b, c] : hulls[i].triangles) out << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+        out.close();
+        if (!out) return Error{Code::FileUnwritable, cleanLine((project / file).string()) + " cannot be written"};
+        files.push_back(file.generic_string());
+    }
+    return files;
 }
 
 } // namespace trundle

@@ -94,7 +94,7 @@ std::vector<LibraryItem> LibraryPanel::ownConfigs() {
         item.icon = QString::fromLatin1(movable ? "kind-object" : robot ? "kind-robot" : "kind-static");
         item.kind = robot ? "Robot" : "Static";
         item.text = item.kind + " " + (robot && !movable ? "robot0" : nameFor(config->name)) + " { Config=" + config->name +
-                    " Pos=0,0,0 HPR=0,0,0 }";
+                    " Pos=0,0,0 }";
         if (config->file == 0 && config->block->name && !m_ownPictures.contains(config->name))
             m_ownPictures.emplace(config->name, pictureOfConfig(*m_document.loaded()->trees[0], *config->block));
         if (const auto picture = m_ownPictures.find(config->name); picture != m_ownPictures.end()) item.picture = picture->second;

@@ -115,7 +115,7 @@ LibraryItem itemOf(const ConfigFile& file, const BlockItem& block) {
     item.kind = robot ? "Robot" : "Static";
     const std::string before = file.places ? copiedText(file, block) : std::string();
     item.text = before + item.kind + " " + (robot && !object ? "robot0" : nameFor(config)) + " { Config=" + config +
-                " Pos=0,0,0 HPR=0,0,0 }";
+                " Pos=0,0,0 }";
     if (!file.places) item.imports = {file.import};
     item.folder = file.folder;
     item.picture = (file.places ? before : "#import " + file.import + "\n") + item.kind + " shown { Config=" + config + " }" +

@@ -13,7 +13,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kCurveHeight = 148, kCurveSamples = 60;
+constexpr int kCurveHeight = 160, kCurveSamples = 60;
 
 /// Three significant digits.
 QString figureOf(double value) { return QString::number(value, 'g', 3); }
@@ -32,29 +32,49 @@ private:
     const ObjectLocation& m_place;
 };
 
+/// A RotaryMotor behind its gear.
+struct GearedMotor {
+    double kt, emf, resistance, gear, limit, efficiency, dry, viscous;
+
+    /// From rest to the speed without load; nothing if its friction holds it.
+    [[nodiscard]] std::vector<MotorCharacteristic::Sample> samplesAt(double voltage) const {
+        // Without load: kt (V - emf W) / R = dry + viscous W at the rotor.
+        const double noLoad = (kt * voltage / resistance - dry) / (kt * emf / resistance + viscous) / gear;
+        std::vector<MotorCharacteristic::Sample> samples;
+        if (!(noLoad > 0) || !std::isfinite(noLoad)) return samples;
+        for (int i = 0; i <= kCurveSamples; ++i) {
+            const double speed = noLoad * i / kCurveSamples;
+            const double current = std::min((voltage - gear * speed * emf) / resistance, limit);
+            const double inner = kt * current - dry - viscous * gear * speed; // N m at the rotor
+            samples.push_back({speed, efficiency * gear * inner, current});
+        }
+        return samples;
+    }
+};
+
 std::optional<MotorCharacteristic> rotaryMotor(const MotorValues& values) {
     const auto kt = values.find("TorqueConstant"), resistance = values.find("Resistance"), voltage = values.find("MaxVoltage");
     const auto speedConstant = values.find("SpeedConstant"), backEmf = values.find("BackEmfConstant");
     if (!kt || !resistance || !voltage || (!speedConstant && !backEmf)) return std::nullopt;
-    const double gear = values.number("GearRatio", 1), emf = backEmf ? *backEmf : 1 / *speedConstant;
-    const double limit = values.number("CurrentLimit", *voltage / *resistance), efficiency = values.number("Efficiency", 1);
-    const double dry = values.number("FrictionTorque", 0), viscous = values.number("ViscousFriction", 0);
-    const auto sample = [&](double speed) {
-        const double current = std::min((*voltage - gear * speed * emf) / *resistance, limit);
-        const double inner = *kt * current - dry - viscous * gear * speed; // N m at the rotor
-        return MotorCharacteristic::Sample{speed, efficiency * gear * inner, current};
-    };
-    // Without load: kt (V - emf W) / R = dry + viscous W at the rotor.
-    const double noLoad = (*kt * *voltage / *resistance - dry) / (*kt * emf / *resistance + viscous) / gear;
-    MotorCharacteristic made{{}, false, true, *voltage};
-    if (!(noLoad > 0) || !std::isfinite(noLoad)) return std::nullopt; // its friction holds it
-    for (int i = 0; i <= kCurveSamples; ++i) made.samples.push_back(sample(noLoad * i / kCurveSamples));
+    const GearedMotor motor{*kt,
+                            backEmf ? *backEmf : 1 / *speedConstant,
+                            *resistance,
+                            values.number("GearRatio", 1),
+                            values.number("CurrentLimit", *voltage / *resistance),
+                            values.number("Efficiency", 1),
+                            values.number("FrictionTorque", 0),
+                            values.number("ViscousFriction", 0)};
+    MotorCharacteristic made{motor.samplesAt(*voltage), {}, false, true, *voltage};
+    if (made.samples.empty()) return std::nullopt;
+    for (const double part : {0.25, 0.5, 0.75})
+        if (auto samples = motor.samplesAt(part * *voltage); !samples.empty())
+            made.parts.push_back({part * *voltage, std::move(samples)});
     return made;
 }
 
 std::optional<MotorCharacteristic> servoLine(std::optional<double> effort, std::optional<double> speed, bool isLinear) {
     if (!effort || !speed || !(*effort > 0) || !(*speed > 0)) return std::nullopt;
-    return MotorCharacteristic{{{0, *effort, 0}, {*speed, 0, 0}}, isLinear, false, 0};
+    return MotorCharacteristic{{{0, *effort, 0}, {*speed, 0, 0}}, {}, isLinear, false, 0};
 }
 
 } // namespace
@@ -91,7 +111,11 @@ QString MotorCurve::summary() const {
     const QString effort = figureOf(stall.effort) + (m_motor.isLinear ? tr(" N") : tr(" Nm"));
     const QString speed = figureOf(free.speed) + (m_motor.isLinear ? tr(" m/s") : tr(" rad/s"));
     if (!m_motor.hasCurrent) return tr("Stall %1; no load %2").arg(effort, speed);
-    return tr("Stall %1, %2 A; no load %3, %4 A").arg(effort, figureOf(stall.current), speed, figureOf(free.current));
+    QString text = tr("Stall %1, %2 A; no load %3, %4 A").arg(effort, figureOf(stall.current), speed, figureOf(free.current));
+    for (const auto& part : m_motor.parts)
+        text += tr("; at %1 V %2 Nm and %3 rad/s")
+                    .arg(figureOf(part.voltage), figureOf(part.samples.front().effort), figureOf(part.samples.back().speed));
+    return text;
 }
 
 void MotorCurve::paintEvent(QPaintEvent*) {
@@ -104,9 +128,9 @@ void MotorCurve::paintEvent(QPaintEvent*) {
     const auto &stall = m_motor.samples.front(), &free = m_motor.samples.back();
     double most = 0, mostCurrent = 0;
     for (const auto& s : m_motor.samples) most = std::max(most, s.effort), mostCurrent = std::max(mostCurrent, s.current);
-    const auto curve = [&](auto valueOf, double top) {
+    const auto curveOf = [&](const std::vector<MotorCharacteristic::Sample>& samples, auto valueOf, double top) {
         QPolygonF points;
-        for (const auto& s : m_motor.samples)
+        for (const auto& s : samples)
             points << QPointF(plot.left() + plot.width() * s.speed / free.speed,
                               plot.bottom() - plot.height() * std::max(0.0, valueOf(s)) / std::max(top, 1e-12));
         return points;
@@ -115,17 +139,34 @@ void MotorCurve::paintEvent(QPaintEvent*) {
     painter.drawLine(plot.bottomLeft(), plot.bottomRight());
     painter.drawLine(plot.bottomLeft(), plot.topLeft());
     painter.setBrush(Qt::NoBrush);
+    const auto effortOf = [](const auto& s) { return s.effort; };
+    for (const auto& part : m_motor.parts) {
+        QColor thin = ink(Ink::Accent);
+        thin.setAlphaF(0.55f);
+        painter.setPen(QPen(thin, 1));
+        const QPolygonF torque = curveOf(part.samples, effortOf, most);
+        painter.drawPolyline(torque);
+        painter.setPen(ink(Ink::Faint));
+        painter.drawText(torque.back() + QPointF(3, -3), tr("%1 V").arg(figureOf(part.voltage)));
+    }
     if (m_motor.hasCurrent) {
         painter.setPen(QPen(ink(Ink::Warning), 1.6, Qt::DashLine));
-        painter.drawPolyline(curve([](const auto& s) { return s.current; }, mostCurrent));
+        painter.drawPolyline(curveOf(
+            m_motor.samples, [](const auto& s) { return s.current; }, mostCurrent));
     }
-    const QPolygonF efforts = curve([](const auto& s) { return s.effort; }, most);
+    const QPolygonF efforts = curveOf(m_motor.samples, effortOf, most);
     painter.setPen(QPen(ink(Ink::Accent), 2));
     painter.drawPolyline(efforts);
     painter.setBrush(ink(Ink::Accent));
     painter.setPen(Qt::NoPen);
     for (const QPointF& end : {efforts.front(), efforts.back()}) painter.drawEllipse(end, 3.2, 3.2);
-    // Above: torque and current at stall in the colours of their lines. Below: the speeds.
+    paintFigures(painter);
+}
+
+/// Above: torque and current at stall in the colours of their lines. Below: the speeds.
+void MotorCurve::paintFigures(QPainter& painter) const {
+    const int line = fontMetrics().height();
+    const auto &stall = m_motor.samples.front(), &free = m_motor.samples.back();
     const QString effort = figureOf(stall.effort) + (m_motor.isLinear ? tr(" N") : tr(" Nm"));
     painter.setPen(ink(Ink::Accent));
     painter.drawText(QRectF(10, 2, width() - 20, line), Qt::AlignLeft, tr("Stall %1").arg(effort));

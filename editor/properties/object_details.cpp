@@ -99,8 +99,11 @@ ObjectDetails::Lines ObjectDetails::massLines(const std::string& path, const Loa
     Lines lines{{tr("Total mass"), tr("%1 kg").arg(QString::fromStdString(steppedNumber(mass.mass, 1e-3)))},
                 {tr("Centre"), inMetres(robot->pose.inverse() * mass.centre)},
                 {tr("Inertia"), inertiaText(mass)}};
-    if (const auto balance = balanceOf(objects, object->instance, poses))
-        lines.push_back({tr("On level ground"), QString::fromStdString(balanceText(*balance))});
+    const auto balance = balanceOf(objects, object->instance, poses);
+    if (balance) lines.push_back({tr("On level ground"), QString::fromStdString(balanceText(*balance))});
+    if (balance && balance->isStable())
+        lines.push_back(
+            {tr("Tips on slopes"), QString::fromStdString(tippingText(*balance, hprFromRotation(robot->pose.rotation).x()))});
     return lines;
 }
 

@@ -36,6 +36,29 @@ private Q_SLOTS:
         (void)write(QStringLiteral("cup/cup.mtl"), "newmtl a\r\nmap_Kd -s 1 1 1 paint.png\r\nbump textures\\dots.jpg\n");
     }
 
+    /// Beside their mesh, under free names, with their shares of the mass.
+    void hullsAreFilesOfTheirOwn() {
+        TriangleMesh hull;
+        hull.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.25}};
+        hull.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+        const std::string folder = m_folder.path().toStdString();
+        const auto first = writeHulls({hull, hull}, "cup/cup.obj", folder), second = writeHulls({hull}, "cup/cup.obj", folder);
+        QVERIFY(first.ok() && second.ok());
+        QCOMPARE(first.value(), std::vector<std::string>({"cup/cup_part1.obj", "cup/cup_part2.obj"}));
+        QCOMPARE(second.value(), std::vector<std::string>({"cup/cup2_part1.obj"}));
+        QFile file(m_folder.filePath(QStringLiteral("cup/cup_part1.obj")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0.25\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+        MeshPart part{.name = "cup", .file = "cup/cup.obj", .mass = 1};
+        part.shape = {.kind = CollisionShape::Kind::Hulls, .files = first.value(), .volumes = {1, 2}};
+        QCOMPARE(
+            meshGeomsText(part),
+            std::string("Mesh cup { File=cup/cup.obj Shape=none Material=grey Surface=wall }\n"
+                        "Convex cupPart1 { File=cup/cup_part1.obj Visible=false Mass=0.3333 Material=grey Surface=wall }\n"
+                        "Convex cupPart2 { File=cup/cup_part2.obj Visible=false Mass=0.6667 Material=grey Surface=wall }\n"));
+        QVERIFY(!writeHulls({hull}, "none/cup.obj", folder));
+    }
+
     void findsWhatAMeshRefersTo_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("text");

@@ -153,6 +153,23 @@ private Q_SLOTS:
         }
     }
 
+    /// What is there stays free, by the least distance.
+    void obstaclesStayClear() {
+        ObstacleField field;
+        field.seed = 5;
+        field.free = {{-2, 1, 0.4}};
+        field.occupied = {{0, -2, 0.1, 2}};
+        const auto placed = obstacleField(field);
+        QVERIFY(placed.ok());
+        QCOMPARE(placed.value().size(), std::size_t(12));
+        for (const FieldObstacle& o : placed.value()) {
+            const double radius = (o.isRound ? o.across : std::hypot(o.across, o.deep)) / 2;
+            QVERIFY(std::hypot(o.x + 2, o.y - 1) >= 0.4 + radius + field.apart);
+            QVERIFY(std::max(-o.x, o.x - 0.1) >= radius + field.apart);
+            QVERIFY(std::abs(o.x) + radius <= 3 && std::abs(o.y) + radius <= 2);
+        }
+    }
+
     void anObstacleFieldThatIsFull() {
         ObstacleField field;
         field.count = 500;

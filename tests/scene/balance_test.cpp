@@ -78,6 +78,28 @@ private Q_SLOTS:
         QVERIFY(std::abs(balance->margin + 0.1) < 1e-12);
     }
 
+    /// A box tips where its centre of mass is above its edge: tan = half of a side by half of the height.
+    void aBoxTipsAboutItsEdges() {
+        const auto balance = balanceOf(experimentOf({boxBody({0.4, 0.2, 0.6}, {1, 2, 0.3}, 1)}));
+        QVERIFY(balance);
+        QVERIFY(std::abs(balance->height - 0.3) < 1e-12);
+        QVERIFY(std::abs(tipAngle(*balance, {1, 0, 0}) - std::atan(2 / 3.)) < 1e-9);
+        QVERIFY(std::abs(tipAngle(*balance, {0, -3, 0}) - std::atan(1 / 3.)) < 1e-9);
+        QVERIFY(std::abs(tipAngle(*balance, {2, 1, 0}) - std::atan(std::hypot(0.2, 0.1) / 0.3)) < 1e-9); // the corner
+        QCOMPARE(leastTipAngle(*balance), tipAngle(*balance, {0, 1, 0}));
+        QCOMPARE(tippingText(*balance, 0), std::string("forward 34°, backward 34°, left 18°, right 18°; least 18°"));
+        QCOMPARE(tippingText(*balance, std::numbers::pi / 2),
+                 std::string("forward 18°, backward 18°, left 34°, right 34°; least 18°"));
+    }
+
+    void whatIsNotStableTipsOnAnySlope() {
+        const auto balance =
+            balanceOf(experimentOf({boxBody({0.2, 0.2, 0.1}, {0, 0, 0.05}, 1), boxBody({0.1, 0.1, 0.1}, {0.4, 0, 0.4}, 1)}));
+        QVERIFY(balance);
+        QCOMPARE(tipAngle(*balance, {1, 0, 0}), 0.0);
+        QCOMPARE(leastTipAngle(*balance), 0.0);
+    }
+
     void twoWheelsAreALine() {
         const auto wheel = [](double y) {
             BodySpec body;

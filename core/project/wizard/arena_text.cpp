@@ -4,14 +4,10 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <numbers>
-
-#include "base/rng.h"
 
 namespace trundle {
 namespace {
 
-constexpr int kTries = 2000; // of places for one obstacle
 constexpr const char* kFloorLine = "Plane floor { Material=concrete Surface=ground }\n";
 constexpr double kWall = 0.1, kHigh = 0.4; // m
 
@@ -38,9 +34,11 @@ std::string wallLine(const std::string& name, double x, double y, double along, 
                      tidy(x), tidy(y), tidy(along), tidy(across));
 }
 
-struct Obstacle {
-    double x = 0, y = 0, radius = 0; ///< of the circle around it, m
-};
+/// "room" of the config Room.
+std::string objectName(std::string config) {
+    config[0] = static_cast<char>(config[0] - 'A' + 'a');
+    return config;
+}
 
 } // namespace
 
@@ -57,15 +55,8 @@ std::string arenaText(const std::string& name, const FloorPlan& plan, double hei
 }
 
 Result<std::string> obstacleText(const std::string& name, const ObstacleField& f) {
-    const bool isRoom = f.length >= 1 && f.length <= 1000 && f.width >= 1 && f.width <= 1000;
-    if (!isRoom) return Error{Code::OutOfRange, "The room must be from 1 to 1000 m long and wide."};
-    if (f.count < 0 || f.count > 2000) return Error{Code::OutOfRange, "There can be up to 2000 obstacles."};
-    if (!(f.least >= 0.02 && f.least <= f.most && f.most <= 100 && f.apart >= 0 && f.apart <= 100))
-        return Error{Code::OutOfRange, "Obstacles are from 0.02 to 100 m across, and at most 100 m apart."};
-    std::uint64_t draws = 0;
-    const auto between = [&](double low, double high) {
-        return low + (high - low) * toUnit(randomBits(f.seed, fnv1a64("obstacles"), 0, draws++));
-    };
+    const Result<std::vector<FieldObstacle>> obstacles = obstacleField(f);
+    if (!obstacles) return obstacles.error();
     std::string text =
         arenaHead(arenaLine("%s: a room, %.4g m x %.4g m inside, with %d obstacles of the seed %llu. Its middle is "
                             "the origin, and free.",
@@ -74,35 +65,21 @@ Result<std::string> obstacleText(const std::string& name, const ObstacleField& f
     const double x = f.length / 2 + kWall / 2, y = f.width / 2 + kWall / 2;
     text += wallLine("north", 0, y, f.length + 2 * kWall, kWall) + wallLine("south", 0, -y, f.length + 2 * kWall, kWall) +
             wallLine("east", x, 0, kWall, f.width) + wallLine("west", -x, 0, kWall, f.width) + "\n";
-    std::vector<Obstacle> placed{{0, 0, 0.2}}; // a robot
-    for (int i = 1; i <= f.count; ++i) {
-        const bool isRound = between(0, 1) < 0.5;
-        const double across = between(f.least, f.most), deep = isRound ? across : between(f.least, across);
-        const double heading = isRound ? 0 : between(-90, 90), high = between(0.5, 1) * kHigh;
-        const double radius = isRound ? across / 2 : std::hypot(across, deep) / 2;
-        Obstacle at{0, 0, radius};
-        int tries = 0;
-        const auto isTaken = [&] {
-            return std::ranges::any_of(
-                placed, [&](const Obstacle& o) { return std::hypot(o.x - at.x, o.y - at.y) < o.radius + at.radius + f.apart; });
-        };
-        const double farX = f.length / 2 - radius, farY = f.width / 2 - radius;
-        do {
-            if (++tries > kTries || farX <= 0 || farY <= 0)
-                return Error{Code::PlacementFailed, "There is no room for " + std::to_string(f.count) +
-                                                        " obstacles: the room has " + std::to_string(i - 1) +
-                                                        ". Make it larger, or them fewer, smaller or closer."};
-            at.x = between(-farX, farX), at.y = between(-farY, farY);
-        } while (isTaken());
-        placed.push_back(at);
-        text += isRound
-                    ? arenaLine("  Cylinder drum%d { Pos=%.4g,%.4g,%.3g Radius=%.3g Length=%.3g Material=blue Surface=wall }\n",
-                                i, tidy(at.x), tidy(at.y), high / 2, across / 2, high)
-                    : arenaLine("  Box crate%d { Pos=%.4g,%.4g,%.3g Size=%.3g,%.3g,%.3g HPR=%.0f,0,0 Material=wood Surface=wall "
-                                "}\n",
-                                i, tidy(at.x), tidy(at.y), high / 2, across, deep, high, std::round(heading) + 0.0);
-    }
+    for (const FieldObstacle& obstacle : obstacles.value()) text += "  " + obstacleLine(obstacle);
     return text + "}\n";
+}
+
+std::string obstacleBlocksText(const std::string& name, const std::vector<FieldObstacle>& obstacles, bool hasFloor) {
+    std::string text = "StaticConfig " + name + " {\n";
+    if (hasFloor) text += std::string("  ") + kFloorLine;
+    for (const FieldObstacle& obstacle : obstacles) text += "  " + obstacleLine(obstacle);
+    return text + "}\nStatic " + objectName(name) + " { Config=" + name + " }\n";
+}
+
+std::string obstacleGeomsText(const std::vector<FieldObstacle>& obstacles, bool hasFloor) {
+    std::string text = hasFloor ? kFloorLine : "";
+    for (const FieldObstacle& obstacle : obstacles) text += obstacleLine(obstacle);
+    return text;
 }
 
 std::string roomText(const std::string& name, const RoomPlan& plan, const std::string& comment) {
@@ -111,21 +88,22 @@ std::string roomText(const std::string& name, const RoomPlan& plan, const std::s
     return text + "}\n";
 }
 
-std::string roomBlocksText(const std::string& name, const RoomPlan& plan, bool hasFloor) {
+std::string roomBlocksText(const std::string& name, const RoomPlan& plan, bool hasFloor, const std::array<double, 2>& place) {
     std::string text =
         "StaticConfig " + name + " {\n" + arenaLine("  Param height = %.6g   // m, of the walls\n\n", tidy(plan.height));
     if (hasFloor) text += std::string("  ") + kFloorLine;
     for (const RoomWall& w : plan.walls) text += wallLine(w.name, w.x, w.y, w.along, w.across);
-    std::string object = name;
-    object[0] = static_cast<char>(object[0] - 'A' + 'a');
-    return text + "}\nStatic " + object + " { Config=" + name + " }\n";
+    text += "}\nStatic " + objectName(name) + " { Config=" + name;
+    if (tidy(place[0]) != 0 || tidy(place[1]) != 0) text += arenaLine(" Pos=%.6g,%.6g,0", tidy(place[0]), tidy(place[1]));
+    return text + " }\n";
 }
 
-std::string roomBoxesText(const RoomPlan& plan, bool hasFloor) {
+std::string roomBoxesText(const RoomPlan& plan, bool hasFloor, const std::array<double, 2>& place) {
     std::string text = hasFloor ? kFloorLine : "";
     for (const RoomWall& w : plan.walls)
         text += arenaLine("Box %s { Pos=%.6g,%.6g,%.6g Size=%.6g,%.6g,%.6g Material=wood Surface=wall }\n", w.name.c_str(),
-                          tidy(w.x), tidy(w.y), tidy(plan.height / 2), tidy(w.along), tidy(w.across), tidy(plan.height));
+                          tidy(w.x + place[0]), tidy(w.y + place[1]), tidy(plan.height / 2), tidy(w.along), tidy(w.across),
+                          tidy(plan.height));
     return text;
 }
 

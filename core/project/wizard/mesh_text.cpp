@@ -1,11 +1,14 @@
 #include "project/wizard/mesh_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "project/wizard/floor_path.h"
 
 namespace trundle {
 namespace {
+
+constexpr double kLeastMass = 1e-4; // kg
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -20,9 +23,35 @@ std::string posText(const std::array<double, 3>& v) { return isZero(v) ? "" : " 
 
 std::string massText(const MeshPart& part) { return part.mass ? " Mass=" + tidyNumber(*part.mass) : ""; }
 
+std::string fileText(const std::string& file) {
+    const bool isPlain = std::ranges::all_of(
+        file, [](char c) { return isLetter(c) || isDigit(c) || c == '_' || c == '.' || c == '/' || c == '-'; });
+    return " File=" + (isPlain ? file : '"' + file + '"');
+}
+
+/// Each has its share of the mass.
+std::string hullsText(const MeshPart& part) {
+    double whole = 0, left = part.mass.value_or(0);
+    for (const double volume : part.shape.volumes) whole += volume;
+    std::string text;
+    for (std::size_t i = 0; i < part.shape.files.size(); ++i) {
+        text += "Convex " + part.name + "Part" + std::to_string(i + 1) + " {" + fileText(part.shape.files[i]) + " Visible=false";
+        if (part.mass) {
+            const bool isLast = i + 1 == part.shape.files.size();
+            const double share = std::round(*part.mass * part.shape.volumes[i] / whole * 1e4) / 1e4;
+            const double mass = std::max(kLeastMass, isLast ? left : share);
+            left -= mass;
+            text += " Mass=" + tidyNumber(mass);
+        }
+        text += " Material=grey Surface=" + part.surface + " }\n";
+    }
+    return text;
+}
+
 std::string shapeText(const MeshPart& part) {
     const CollisionShape& s = part.shape;
-    constexpr const char* kKinds[] = {"Box", "Cylinder", "Sphere", "Capsule", ""};
+    if (s.kind == CollisionShape::Kind::Hulls) return hullsText(part);
+    constexpr const char* kKinds[] = {"Box", "Cylinder", "Sphere", "Capsule"};
     std::string text = std::string(kKinds[static_cast<int>(s.kind)]) + " " + part.name + "Shape {" + posText(s.centre);
     const bool isRound = s.kind == CollisionShape::Kind::Cylinder || s.kind == CollisionShape::Kind::Capsule;
     if (isRound && s.axis == 0) text += " HPR=0,90,0";
@@ -53,9 +82,7 @@ std::string meshName(const std::string& file) {
 
 std::string meshGeomsText(const MeshPart& part) {
     const bool isHull = part.shape.kind == CollisionShape::Kind::Hull;
-    const bool isPlain = std::ranges::all_of(
-        part.file, [](char c) { return isLetter(c) || isDigit(c) || c == '_' || c == '.' || c == '/' || c == '-'; });
-    std::string text = "Mesh " + part.name + " { File=" + (isPlain ? part.file : '"' + part.file + '"');
+    std::string text = "Mesh " + part.name + " {" + fileText(part.file);
     if (part.scale != 1) text += " Scale=" + tidyNumber(part.scale);
     text += posText(part.origin);
     if (part.isYUp) text += " HPR=0,0,90";

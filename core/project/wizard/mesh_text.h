@@ -1,20 +1,23 @@
 #pragma once
-// A mesh of a file with a simple shape for its collisions, as text.
+// A mesh of a file with a simple shape or several hulls for its collisions, as text.
 
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace trundle {
 
 /// The shape that collides. Where it is and how large, in m, in the frame of the config or body.
 struct CollisionShape {
-    enum class Kind { Box, Cylinder, Sphere, Capsule, Hull };
-    Kind kind = Kind::Hull; ///< Hull: of the mesh itself, without numbers
+    enum class Kind { Box, Cylinder, Sphere, Capsule, Hull, Hulls };
+    Kind kind = Kind::Hull; ///< Hull: of the mesh itself, without numbers; Hulls: in files of their own
     std::array<double, 3> centre{};
     int axis = 2; ///< of a cylinder or capsule: 0 along x, 1 along y, 2 along z
     std::array<double, 3> size{};
     double radius = 0, length = 0;
+    std::vector<std::string> files; ///< of Hulls, as written
+    std::vector<double> volumes;    ///< m^3, of Hulls
 };
 
 struct MeshPart {

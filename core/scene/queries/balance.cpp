@@ -1,5 +1,6 @@
-// Needs: shapes and poses. Assumption: the ground is level and rigid, and so is the robot. Method: points of its shapes within a
-// tolerance of the lowest one support it; their convex hull by Andrew's monotone chain.
+// Needs: shapes and poses. Assumption: the ground is flat and rigid, and so is the robot. Method: points of its shapes within a
+// tolerance of the lowest one support it; their convex hull by Andrew's monotone chain. On a slope of the angle a the centre of mass, h above
+// the ground, is above the point that is h tan(a) further down: the robot tips where that leaves the hull.
 #include "scene/queries/balance.h"
 
 #include <algorithm>
@@ -126,6 +127,36 @@ std::string balanceText(const Balance& balance) {
     return text;
 }
 
+Vec3 edgeTowards(const Balance& balance, const Vec3& direction) {
+    const Vec3 along = Vec3(direction.x(), direction.y(), 0).normalized();
+    double reach = HUGE_VAL;
+    for (std::size_t i = 0; i < balance.polygon.size(); ++i) {
+        const Vec3 &a = balance.polygon[i], edge = balance.polygon[(i + 1) % balance.polygon.size()] - a;
+        const double towards = along.dot(Vec3(edge.y(), -edge.x(), 0)); // the edge's outward normal
+        if (towards > 1e-12) reach = std::min(reach, (a - balance.centre).dot(Vec3(edge.y(), -edge.x(), 0)) / towards);
+    }
+    return std::isfinite(reach) ? Vec3(balance.centre + reach * along) : balance.centre;
+}
+
+double tipAngle(const Balance& balance, const Vec3& direction) {
+    if (!balance.isStable()) return 0;
+    return std::atan2((edgeTowards(balance, direction) - balance.centre).norm(), balance.height);
+}
+
+double leastTipAngle(const Balance& balance) { return balance.isStable() ? std::atan2(balance.margin, balance.height) : 0; }
+
+std::string tippingText(const Balance& balance, double heading) {
+    std::string text;
+    const char* const names[] = {"forward", "left", "backward", "right"};
+    const auto degrees = [](double angle) { return std::to_string(std::lround(angle * 180 / std::numbers::pi)) + "°"; };
+    for (const int quarter : {0, 2, 1, 3}) {
+        const double angle = heading + quarter * std::numbers::pi / 2;
+        text += (text.empty() ? "" : ", ") + std::string(names[quarter]) + " " +
+                degrees(tipAngle(balance, {std::cos(angle), std::sin(angle), 0}));
+    }
+    return text + "; least " + degrees(leastTipAngle(balance));
+}
+
 std::optional<Balance> balanceOf(const ObjectIndex& objects, std::uint32_t robot, const BodyPoses& poses) {
     const RobotConfigSpec& config = *objects.experiment().robots[robot].config;
     if (std::ranges::any_of(config.joints, [](const JointSpec& joint) { return joint.parent == kWorldBody; }))
@@ -142,6 +173,7 @@ std::optional<Balance> balanceOf(const ObjectIndex& objects, std::uint32_t robot
     for (Vec3& p : points) p.z() = balance.level;
     balance.polygon = hullOf(std::move(points));
     balance.centre = {mass.centre.x(), mass.centre.y(), balance.level};
+    balance.height = mass.centre.z() - balance.level;
     balance.margin = marginOf(balance.polygon, balance.centre);
     return balance;
 }

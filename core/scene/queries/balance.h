@@ -27,9 +27,17 @@ struct Balance {
     double level = 0;          ///< m, z of the ground
     std::vector<Vec3> polygon; ///< the convex hull of what touches it, counter-clockwise; one or two points: it has no area
     Vec3 centre;               ///< of mass, on the ground
+    double height = 0;         ///< m, of the centre of mass above the ground
     double margin = 0;         ///< m, from the centre to the nearest edge; negative: outside, or the polygon has no area
     [[nodiscard]] bool isStable() const { return margin > 0; }
 };
+/// Where the line from the centre in a horizontal direction crosses the edge of the polygon. Only of a stable one.
+[[nodiscard]] Vec3 edgeTowards(const Balance& balance, const Vec3& direction);
+/// rad: on ground that goes down in this direction and is steeper than this, the robot turns over. It does not slide or roll. 0: it is not stable.
+[[nodiscard]] double tipAngle(const Balance& balance, const Vec3& direction);
+[[nodiscard]] double leastTipAngle(const Balance& balance); ///< rad, of all directions
+/// "forward 34°, backward 20°, left 31°, right 31°; least 18°", of a robot with this heading (rad). Only of a stable one.
+[[nodiscard]] std::string tippingText(const Balance& balance, double heading);
 /// "Stable: 32 mm to the edge", "Falls over: 5 mm beyond the edge".
 [[nodiscard]] std::string balanceText(const Balance& balance);
 /// Nothing for a robot that is joined to the world, or has no mass or no colliding shapes.

@@ -1,6 +1,5 @@
 #include "editor/shell/commands/arena_commands.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <QDir>
@@ -8,39 +7,57 @@
 #include <QFileInfo>
 
 #include "editor/document/document.h"
-#include "editor/document/structure_edits.h"
 #include "editor/shell/dialogs/heights_dialog.h"
 #include "editor/shell/dialogs/maze_dialog.h"
+#include "editor/shell/dialogs/obstacles_dialog.h"
 #include "editor/shell/dialogs/room_dialog.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/tools/scenery_target.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/strings.h"
-#include "project/edits/plans.h"
 #include "project/wizard/arena_text.h"
 #include "project/wizard/heights_text.h"
+#include "scene/queries/object_index.h"
 
 namespace trundle {
+namespace {
+
+constexpr double kFlat = 0.01, kHighest = 0.4; // m; what is lower is a mark on the floor, what is higher is above the obstacles
+
+/// The proposed field, with the robots and the scenery that is there. The middle is free if there is no robot.
+ObstacleField fieldAmong(const ObjectIndex& objects) {
+    ObstacleField field;
+    const BodyPoses poses = startPoses(objects.experiment());
+    const auto occupy = [&](const Bounds& bounds) {
+        if (bounds.empty() || bounds.high.z() < kFlat || bounds.low.z() > kHighest) return;
+        field.occupied.push_back({bounds.low.x(), bounds.low.y(), bounds.high.x(), bounds.high.y()});
+    };
+    for (const ObjectRef& object : objects.instances()) {
+        if (const StaticSpec* fixed = objects.staticOf(object)) {
+            for (std::uint32_t g = 0; fixed->geoms && g < fixed->geoms->size(); ++g)
+                occupy(objects.boundsOf({ObjectKind::StaticGeom, object.instance, 0, g}, poses));
+            continue;
+        }
+        occupy(objects.boundsOf(object, poses));
+        field.free.clear();
+    }
+    return field;
+}
+
+} // namespace
 
 ArenaCommands::ArenaCommands(QWidget& window, Actions& actions, Document& document, const ViewportScene& world,
                              Locations locations)
     : QObject(&window), m_window(window), m_document(document), m_world(world), m_locations(std::move(locations)) {
     connect(&actions.at("arena.room"), &QAction::triggered, this, &ArenaCommands::askRoom);
     connect(&actions.at("arena.maze"), &QAction::triggered, this, &ArenaCommands::askMaze);
+    connect(&actions.at("arena.obstacles"), &QAction::triggered, this, &ArenaCommands::askObstacles);
     connect(&actions.at("arena.heights"), &QAction::triggered, this, &ArenaCommands::askHeights);
-}
-
-bool ArenaCommands::needsFloor() const {
-    return std::ranges::none_of(m_world.objects()->experiment().statics, [](const StaticSpec& fixed) {
-        return fixed.geoms && std::ranges::any_of(*fixed.geoms, [](const GeomSpec& geom) {
-                   return geom.shape == GeomShape::Plane || geom.shape == GeomShape::Heightfield;
-               });
-    });
 }
 
 void ArenaCommands::askRoom() {
     if (!canHaveScenery(m_document)) return;
-    auto* dialog = new RoomDialog(needsFloor(), &m_window);
+    auto* dialog = new RoomDialog(!hasFloor(m_world), &m_window);
     connect(&m_document, &Document::opened, dialog, &QDialog::reject);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         if (dialog->plan()) insertRoom(tr("Insert Room"), "Room", *dialog->plan(), dialog->hasFloor());
@@ -50,10 +67,22 @@ void ArenaCommands::askRoom() {
 
 void ArenaCommands::askMaze() {
     if (!canHaveScenery(m_document)) return;
-    auto* dialog = new MazeDialog(needsFloor(), &m_window);
+    auto* dialog = new MazeDialog(!hasFloor(m_world), &m_window);
     connect(&m_document, &Document::opened, dialog, &QDialog::reject);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         if (dialog->plan()) insertRoom(tr("Insert Maze"), "Maze", *dialog->plan(), dialog->hasFloor());
+    });
+    dialog->open();
+}
+
+void ArenaCommands::askObstacles() {
+    if (!canHaveScenery(m_document)) return;
+    auto* dialog = new ObstaclesDialog(fieldAmong(*m_world.objects()), !hasFloor(m_world), &m_window);
+    connect(&m_document, &Document::opened, dialog, &QDialog::reject);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        if (!dialog->obstacles()) return;
+        insert(tr("Insert Obstacle Field"), obstacleBlocksText("Obstacles", *dialog->obstacles(), dialog->hasFloor()),
+               obstacleGeomsText(*dialog->obstacles(), dialog->hasFloor()));
     });
     dialog->open();
 }
@@ -63,17 +92,7 @@ void ArenaCommands::insertRoom(const QString& title, const std::string& name, co
 }
 
 void ArenaCommands::insert(const QString& title, const std::string& blocks, const std::string& insideConfig) {
-    const SceneryTarget target = sceneryTarget(m_document, m_world);
-    const auto plan = [path = target.path, text = target.path.empty() ? blocks : insideConfig](
-                          const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) -> Result<EditPlan> {
-        Result<EditPlan> plan = planInsert(loaded, renamed(path), text, {"common/materials.sim", "common/surfaces.sim"});
-        if (plan && path.empty()) { // the Static alone, not its config
-            std::vector<std::string>& selects = plan.value().selects;
-            selects.erase(selects.begin(), selects.end() - 1);
-        }
-        return plan;
-    };
-    (void)m_document.structure().apply(title, {target.path}, plan);
+    insertScenery(m_document, sceneryTarget(m_document, m_world), title, blocks, insideConfig);
 }
 
 void ArenaCommands::askHeights() {

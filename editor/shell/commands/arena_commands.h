@@ -1,5 +1,5 @@
 #pragma once
-// The commands that insert scenery which is made from numbers or a picture: a room, a maze, a height map.
+// The commands that insert scenery which is made from numbers or a picture: a room, a maze, obstacles, a height map.
 
 #include <array>
 #include <string>
@@ -28,8 +28,8 @@ public:
 private:
     void askRoom();
     void askMaze();
+    void askObstacles();
     void askHeights();
-    [[nodiscard]] bool needsFloor() const; ///< the scenery that is shown has none
     void insertRoom(const QString& title, const std::string& name, const RoomPlan& plan, bool hasFloor);
     void insertHeights(const QString& picture, const std::array<double, 3>& sizes);
     void insert(const QString& title, const std::string& blocks, const std::string& insideConfig);

@@ -42,7 +42,12 @@ void MeshCommands::ask() {
 void MeshCommands::insert(const MeshDialog& dialog, const std::string& body) {
     const Result<std::string> written = bringMesh(dialog.file().toStdString(), m_document.loaded()->projectFolder);
     if (!written) return Q_EMIT m_document.refused(toQString(written.error().message));
-    const MeshPart part = dialog.part(written.value());
+    MeshPart part = dialog.part(written.value());
+    if (const ConvexParts* several = dialog.hulls()) {
+        auto files = writeHulls(several->hulls, written.value(), m_document.loaded()->projectFolder);
+        if (!files) return Q_EMIT m_document.refused(toQString(files.error().message));
+        part.shape.files = std::move(files).value();
+    }
     const std::string parent = body.empty() ? sceneryTarget(m_document, m_world).path : body;
     const std::string text = parent.empty() ? meshSceneryText(part) : meshGeomsText(part);
     const auto plan = [parent, text](const LoadedProject& loaded,

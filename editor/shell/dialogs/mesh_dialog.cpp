@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -149,6 +150,7 @@ void MeshDialog::read() {
 void MeshDialog::place() {
     m_placed = {};
     m_fits.clear();
+    m_hulls.reset();
     if (m_mesh) {
         m_placed = *m_mesh;
         const double scale = m_unit->currentData().toDouble();
@@ -180,8 +182,39 @@ void MeshDialog::listShapes() {
         const double lead = fit.geom.shape == GeomShape::Convex ? kHullLead * bounds.radius() : 0;
         if (fit.mean + lead < m_fits[std::size_t(nearest)].mean) nearest = m_shape->count() - 1;
     }
+    if (!m_fits.empty() && m_fits.back().geom.shape == GeomShape::Convex) m_shape->addItem(tr("Several hulls"));
     m_shape->setEnabled(!m_fits.empty());
-    if (!m_fits.empty()) m_shape->setCurrentIndex(before >= 0 && before < int(m_fits.size()) ? before : nearest);
+    if (!m_fits.empty()) m_shape->setCurrentIndex(before >= 0 && before < m_shape->count() ? before : nearest);
+}
+
+bool MeshDialog::wantsHulls() const { return !m_fits.empty() && m_shape->currentIndex() == int(m_fits.size()); }
+
+const ConvexParts* MeshDialog::hulls() const { return wantsHulls() && m_hulls && !m_hulls->hulls.empty() ? &*m_hulls : nullptr; }
+
+/// Takes up to a few seconds, so it waits until it is chosen.
+void MeshDialog::computeHulls() {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    m_hulls = convexPartsOf(m_placed);
+    QGuiApplication::restoreOverrideCursor();
+    m_shape->setItemText(
+        m_shape->currentIndex(),
+        tr("%1 hulls: %2, mean %3").arg(QString::number(m_hulls->hulls.size()), length(m_hulls->largest), length(m_hulls->mean)));
+}
+
+void MeshDialog::showShapes() {
+    std::vector<GeomSpec> shapes;
+    if (const ConvexParts* several = hulls()) {
+        for (const TriangleMesh& hull : several->hulls) {
+            GeomSpec geom;
+            geom.shape = GeomShape::Convex;
+            geom.mesh = std::make_shared<const TriangleMesh>(hull);
+            shapes.push_back(std::move(geom));
+        }
+    } else if (const MeshFit* chosen = fit()) {
+        shapes.push_back(chosen->geom);
+    }
+    if (shapes.empty()) m_preview->setText(tr("z is up."));
+    else m_preview->show(m_placed, shapes);
 }
 
 const MeshFit* MeshDialog::fit() const {
@@ -192,9 +225,9 @@ const MeshFit* MeshDialog::fit() const {
 void MeshDialog::check() {
     QString fault = m_unreadable;
     if (fault.isEmpty() && m_isOfBody && !m_mass->value()) fault = m_mass->fault();
-    m_insert->setEnabled(fault.isEmpty() && fit());
-    if (const MeshFit* chosen = fit()) m_preview->show(m_placed, chosen->geom);
-    else m_preview->setText(tr("z is up."));
+    if (wantsHulls() && !m_hulls) computeHulls();
+    m_insert->setEnabled(fault.isEmpty() && (fit() || hulls()));
+    showShapes();
     m_result->show(fault.isEmpty() ? sentence() : fault, !fault.isEmpty());
 }
 
@@ -205,6 +238,10 @@ QString MeshDialog::sentence() const {
     const Vec3 size = bounds.size();
     QString text = tr("%1 triangles, %2 × %3 × %4.")
                        .arg(QString::number(m_placed.triangles.size()), length(size.x()), length(size.y()), length(size.z()));
+    if (const ConvexParts* several = hulls())
+        text +=
+            QLatin1Char(' ') + tr("Its surface is at most %1 away from those of %2 hulls that collide, on average %3.")
+                                   .arg(length(several->largest), QString::number(several->hulls.size()), length(several->mean));
     if (const MeshFit* chosen = fit())
         text += QLatin1Char(' ') + tr("Its surface is at most %1 away from the shape that collides, on average %2.")
                                        .arg(length(chosen->largest), length(chosen->mean));
@@ -222,6 +259,11 @@ MeshPart MeshDialog::part(const std::string& written) const {
     part.origin = m_origin;
     part.hasOwnLook = m_mesh && m_mesh->look;
     if (m_isOfBody) part.surface = "plastic", part.mass = m_mass->value();
+    if (const ConvexParts* several = hulls()) {
+        part.shape.kind = CollisionShape::Kind::Hulls;
+        part.shape.volumes = several->volumes;
+        return part;
+    }
     const GeomSpec& geom = fit()->geom;
     part.shape.kind = static_cast<CollisionShape::Kind>(m_shape->currentIndex());
     part.shape.centre = {geom.pose.position.x(), geom.pose.position.y(), geom.pose.position.z()};

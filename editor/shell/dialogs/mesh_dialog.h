@@ -1,10 +1,12 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include <QDialog>
 
 #include "app/locations.h"
 #include "project/wizard/mesh_text.h"
+#include "scene/shapes/convex_parts.h"
 #include "scene/shapes/mesh_fit.h"
 
 class QComboBox;
@@ -17,7 +19,7 @@ class AmountField;
 class MeshPreview;
 class ResultLabel;
 
-/// Asks for the file of a mesh, its unit and its up axis, and for the shape that collides; shows both, and how far they differ. Deletes
+/// Asks for the file of a mesh, its unit and its up axis, and for the shape or shapes that collide; shows all, and how far they differ. Deletes
 /// itself when it is closed.
 class MeshDialog final : public QDialog {
     Q_OBJECT
@@ -27,6 +29,8 @@ public:
 
     [[nodiscard]] QString file() const;                            ///< whole path
     [[nodiscard]] MeshPart part(const std::string& written) const; ///< for a file as it is written; valid when accepted
+    /// If several hulls are chosen; part() has their volumes, not yet their files.
+    [[nodiscard]] const ConvexParts* hulls() const;
 
 private:
     void makeLayout();
@@ -36,6 +40,9 @@ private:
     void listShapes();
     void check();
     [[nodiscard]] const MeshFit* fit() const;
+    [[nodiscard]] bool wantsHulls() const;
+    void computeHulls();
+    void showShapes();
     [[nodiscard]] QString sentence() const;
 
     const Locations m_locations;
@@ -45,6 +52,7 @@ private:
     TriangleMesh m_placed;                      ///< in m, z up, the middle of its base in the origin
     std::array<double, 3> m_origin{};           ///< of the file, in that frame
     std::vector<MeshFit> m_fits;
+    std::optional<ConvexParts> m_hulls; ///< of m_placed, once they are chosen
     QString m_unreadable;
     QLineEdit* m_file;
     QComboBox *m_unit, *m_up, *m_shape;

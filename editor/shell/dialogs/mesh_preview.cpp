@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QLineF>
 #include <QPainter>
 
 #include "editor/widgets/theme.h"
@@ -59,16 +60,23 @@ MeshPreview::MeshPreview(const char* name) {
     setWordWrap(true);
 }
 
-void MeshPreview::show(const TriangleMesh& mesh, const GeomSpec& shape) {
+void MeshPreview::show(const TriangleMesh& mesh, const std::vector<GeomSpec>& shapes) {
     const Mat3 axes = viewAxes();
     Bounds seen;
     for (const auto& point : mesh.points) seen.add(axes * Vec3(point.data()));
-    const ShapeMesh around = bareShapeOf(shape, {});
-    std::vector<QPointF> corners;
-    for (const Eigen::Vector3f& point : around.points) {
-        const Vec3 at = axes * (shape.pose * Vec3(point.cast<double>()));
-        seen.add(at);
-        corners.emplace_back(at.x(), -at.y());
+    QList<QLineF> edges;
+    for (const GeomSpec& shape : shapes) {
+        const ShapeMesh around = bareShapeOf(shape, {});
+        std::vector<QPointF> corners;
+        for (const Eigen::Vector3f& point : around.points) {
+            const Vec3 at = axes * (shape.pose * Vec3(point.cast<double>()));
+            seen.add(at);
+            corners.emplace_back(at.x(), -at.y());
+        }
+        for (std::size_t i = 0; i + 2 < around.indices.size(); i += 3)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const auto a = around.indices[i + k], b = around.indices[i + (k + 1) % 3]; a < b)
+                    edges << QLineF(corners[a], corners[b]);
     }
     if (seen.empty()) return;
     QPixmap picture(size() - QSize(kMeshMargin, kMeshMargin));
@@ -89,10 +97,7 @@ void MeshPreview::show(const TriangleMesh& mesh, const GeomSpec& shape) {
     QColor line = ink(Ink::Accent);
     line.setAlphaF(0.7f);
     p.setPen(pen(line, 1));
-    for (std::size_t i = 0; i + 2 < around.indices.size(); i += 3)
-        for (std::size_t k = 0; k < 3; ++k)
-            if (const auto a = around.indices[i + k], b = around.indices[i + (k + 1) % 3]; a < b)
-                p.drawLine(corners[a], corners[b]);
+    p.drawLines(edges);
     p.end();
     setPixmap(picture);
 }

@@ -5,13 +5,13 @@
 
 namespace trundle {
 
-/// A picture of a mesh from ahead and above, with the shape that collides as lines. z is up.
+/// A picture of a mesh from ahead and above, with the shapes that collide as lines. z is up.
 class MeshPreview final : public QLabel {
     Q_OBJECT
 public:
     explicit MeshPreview(const char* name);
 
-    void show(const TriangleMesh& mesh, const GeomSpec& shape);
+    void show(const TriangleMesh& mesh, const std::vector<GeomSpec>& shapes);
 };
 
 } // namespace trundle

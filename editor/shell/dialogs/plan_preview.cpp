@@ -60,6 +60,35 @@ void PlanPreview::showHeights(const HeightMap& map) {
                                                Qt::SmoothTransformation));
 }
 
+void PlanPreview::showObstacles(const ObstacleField& field, const std::vector<FieldObstacle>& obstacles) {
+    const double scale = (width() - 2. * kPlanMargin) / std::max(field.length, field.width);
+    QPixmap picture(size() - QSize(kPlanMargin, kPlanMargin));
+    picture.fill(themePalette().color(QPalette::Base));
+    QPainter p(&picture);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.translate(picture.width() / 2., picture.height() / 2.);
+    p.scale(scale, -scale);
+    p.setPen(Qt::NoPen);
+    p.setBrush(ink(Ink::Line));
+    for (const auto& [left, low, right, high] : field.occupied) p.drawRect(QRectF(left, low, right - left, high - low));
+    for (const auto& [x, y, radius] : field.free) p.drawEllipse(QPointF(x, y), radius, radius);
+    p.setBrush(ink(Ink::Text));
+    for (const FieldObstacle& o : obstacles) {
+        p.save();
+        p.translate(o.x, o.y);
+        p.rotate(o.heading);
+        const QRectF around(-o.across / 2, -o.deep / 2, o.across, o.deep);
+        if (o.isRound) p.drawEllipse(around);
+        else p.drawRect(around);
+        p.restore();
+    }
+    p.setBrush(Qt::NoBrush);
+    p.setPen(QPen(ink(Ink::Faint), 1 / scale, Qt::DashLine));
+    p.drawRect(QRectF(-field.length / 2, -field.width / 2, field.length, field.width));
+    p.end();
+    setPixmap(picture);
+}
+
 ResultLabel::ResultLabel(const char* name) {
     setObjectName(QLatin1String(name));
     setTextFormat(Qt::PlainText);

@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "base/triangle_mesh.h"
+#include "project/wizard/obstacle_field.h"
 #include "project/wizard/room_plan.h"
 
 namespace trundle {
@@ -21,6 +22,8 @@ public:
 
     void showWalls(const RoomPlan& plan);
     void showHeights(const HeightMap& map);
+    /// With what is there already in a paler colour.
+    void showObstacles(const ObstacleField& field, const std::vector<FieldObstacle>& obstacles);
 };
 
 /// What will be written, or in the colour of errors why nothing can be.

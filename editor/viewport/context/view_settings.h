@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-enum class Tool { Select, Move, Rotate, Scale, Measure, DrawWalls, DrawLine, Connect };
+enum class Tool { Select, Move, Rotate, Scale, Measure, DrawWalls, DrawLine, DrawRoom, Connect };
 /// Axes that the gizmo is aligned to.
 enum class AxesOf { World, Parent, Local };
 

@@ -15,6 +15,7 @@
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/gizmo/aim_shape.h"
 #include "editor/viewport/gizmo/direction_drag.h"
 #include "editor/viewport/gizmo/text_in_place.h"
 #include "lang/number_text.h"
@@ -24,7 +25,9 @@
 namespace trundle {
 namespace {
 
-constexpr double kAimPixels = 110, kAimHandle = 7, kAimReach = 10;
+constexpr double kAimPixels = 110, kAimHandle = 7, kRollHandle = 5, kAimReach = 10, kShapeReach = 5;
+constexpr double kRollAlong = 0.55, kRollUp = 0.32;   // where the handle of the roll is, as parts of the line
+constexpr double kLeastReach = 1e-3, kLongestPart = 0.7; // m; of the way to the camera
 constexpr double kAimDegrees = 180 / std::numbers::pi;
 const QColor kAimInk(120, 200, 255), kAimHot(255, 208, 60);
 
@@ -102,17 +105,43 @@ std::optional<QPointF> AimTool::spot() {
     return aimed ? m_view.camera().pixelOf(end(*aimed)) : std::nullopt;
 }
 
-bool AimTool::isOver(const QPointF& at) {
-    const auto spot = this->spot();
-    return spot && QLineF(*spot, at).length() < kAimReach;
+std::optional<Vec3> AimTool::rollEnd(const Aimed& aimed) const {
+    if (aimed.sight.x() < 0.5) return std::nullopt;
+    const double length = (end(aimed) - aimed.position()).norm();
+    return aimed.position() + kRollAlong * length * aimed.direction() +
+           kRollUp * length * (aimed.X_WB.rotation * (aimed.X_BD.rotation * Vec3::UnitZ()));
+}
+
+std::optional<QPointF> AimTool::rollSpot() {
+    const Aimed* aimed = this->aimed();
+    const auto roll = aimed ? rollEnd(*aimed) : std::nullopt;
+    return roll ? m_view.camera().pixelOf(*roll) : std::nullopt;
+}
+
+AimTool::Grip AimTool::gripAt(const QPointF& at) {
+    const Aimed* aimed = this->aimed();
+    if (!aimed) return {};
+    if (const auto spot = this->spot(); spot && QLineF(*spot, at).length() < kAimReach) return {Grip::Kind::Sight, end(*aimed)};
+    if (const auto roll = rollSpot(); roll && QLineF(*roll, at).length() < kAimReach) return {Grip::Kind::Roll, *rollEnd(*aimed)};
+    if (const auto point = pointUnder(m_view, aimShapeOf(m_view, aimed->path), at, kShapeReach))
+        if ((*point - aimed->position()).norm() > kLeastReach) return {Grip::Kind::Shape, *point};
+    return {};
 }
 
 bool AimTool::press(const Pointer& pointer) {
-    if (pointer.button != Qt::LeftButton || !isOver(pointer.at)) return false;
+    if (pointer.button != Qt::LeftButton) return false;
+    const Grip grip = gripAt(pointer.at);
+    if (grip.kind == Grip::Kind::None) return false;
     m_start = *aimed();
-    m_isHot = true;
+    m_grip = grip;
+    m_hot = grip.kind;
     m_wrote = false;
-    m_length = (end(*m_start) - m_start->position()).norm();
+    // What is far away turns on a sphere that the camera is outside of.
+    const ViewRay ray = m_view.camera().rayAt(pointer.at);
+    const Vec3 out = grip.point - m_start->position();
+    m_length = std::min(out.norm(), kLongestPart * (ray.origin - m_start->position()).norm());
+    m_gripped = grip.kind == Grip::Kind::Sight ? m_start->direction()
+                                               : directionsUnder(ray, m_start->position(), out.normalized(), m_length)[0];
     m_mergeKey = "aim " + std::to_string(m_view.context().document.revision());
     m_view.context().document.edits().endMerge();
     m_view.hints().setHint(tr("Esc cancels · Ctrl or Shift toggles snapping"));
@@ -120,17 +149,37 @@ bool AimTool::press(const Pointer& pointer) {
     return true;
 }
 
+/// What was gripped stays under the mouse.
+Quat AimTool::aimedRotation(const Pointer& pointer, bool snaps) const {
+    const Quat toBody = m_start->X_WB.rotation.conjugate();
+    auto directions = directionsUnder(m_view.camera().rayAt(pointer.at), m_start->position(), m_gripped, m_length);
+    for (Vec3& each : directions) each = toBody * (Quat::FromTwoVectors(m_gripped, each) * m_start->direction());
+    const Vec3 direction = snaps ? snappedDirection(directions, m_view.context().settings.rotationStep()) : directions[0];
+    const Quat& before = m_start->X_BD.rotation;
+    return m_start->sight.x() > 0.5 ? pointing(direction, hprFromRotation(before).z())
+                                    : Quat(Quat::FromTwoVectors(before * m_start->sight, direction) * before);
+}
+
+/// By the angle about the line of sight, as the mouse goes around it.
+Quat AimTool::rolledRotation(const Pointer& pointer, bool snaps) const {
+    const ViewRay ray = m_view.camera().rayAt(pointer.at);
+    const Vec3 axis = m_start->direction(), out = m_grip.point - m_start->position();
+    const Vec3 centre = m_start->position() + axis.dot(out) * axis, before = m_grip.point - centre;
+    const double towards = axis.dot(ray.direction);
+    Vec3 now = before;
+    if (std::abs(towards) > 0.05) now = ray.origin + axis.dot(centre - ray.origin) / towards * ray.direction - centre;
+    else now = directionsUnder(ray, centre, before.normalized(), before.norm())[0]; // seen from its side
+    const double turn = std::atan2(axis.dot(before.cross(now)), before.dot(now));
+    const Vec3 hpr = hprFromRotation(m_start->X_BD.rotation * Quat(Eigen::AngleAxisd(turn, Vec3::UnitX())));
+    const double step = snaps ? m_view.context().settings.rotationStep() / kAimDegrees : 0;
+    const Vec3 kept = hprFromRotation(m_start->X_BD.rotation);
+    return rotationFromHpr({kept.x(), kept.y(), step > 0 ? step * std::round(hpr.z() / step) : hpr.z()});
+}
+
 void AimTool::drag(const Pointer& pointer) {
     if (!m_start) return;
-    const ViewSettings& settings = m_view.context().settings;
-    const bool snaps = settings.snaps() != bool(pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier));
-    auto directions = directionsUnder(m_view.camera().rayAt(pointer.at), m_start->position(), m_start->direction(), m_length);
-    for (Vec3& each : directions) each = m_start->X_WB.rotation.conjugate() * each; // in the body
-    const Vec3 direction = snaps ? snappedDirection(directions, settings.rotationStep()) : directions[0];
-    const Quat& before = m_start->X_BD.rotation;
-    const bool looksAlongX = m_start->sight.x() > 0.5;
-    const Quat turned = looksAlongX ? pointing(direction, hprFromRotation(before).z())
-                                    : Quat(Quat::FromTwoVectors(before * m_start->sight, direction) * before);
+    const bool snaps = m_view.context().settings.snaps() != bool(pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier));
+    const Quat turned = m_grip.kind == Grip::Kind::Roll ? rolledRotation(pointer, snaps) : aimedRotation(pointer, snaps);
     const Status done = turnTo(turned, snaps ? 1e-4 : 0.1);
     if (!done) m_view.hints().setHint(QString::fromStdString(done.error().message));
     if (const Aimed* now = aimed()) m_view.hints().setHovered({}, label(*now));
@@ -154,6 +203,7 @@ Status AimTool::turnTo(const Quat& rotation, double fine) {
 QString AimTool::label(const Aimed& aimed) const {
     const Vec3 hpr = degreesOf(aimed.X_BD.rotation);
     const auto shown = [](double degrees) { return QString::fromStdString(steppedNumber(degrees, 0.1)); };
+    if (m_hot == Grip::Kind::Roll) return tr("Roll %1°").arg(shown(hpr.z()));
     return tr("Heading %1°, pitch %2°").arg(shown(hpr.x()), shown(hpr.y()));
 }
 
@@ -172,32 +222,43 @@ void AimTool::cancel() {
 }
 
 bool AimTool::hover(const Pointer& pointer) {
-    const bool isHot = isOver(pointer.at);
-    if (isHot != m_isHot) m_view.widget().update();
-    m_isHot = isHot;
-    if (isHot) m_view.hints().setHovered({}, label(*aimed()));
-    return isHot;
+    const Grip::Kind hot = gripAt(pointer.at).kind;
+    if (hot != m_hot) m_view.widget().update();
+    m_hot = hot;
+    if (hot != Grip::Kind::None) m_view.hints().setHovered({}, label(*aimed()));
+    return hot != Grip::Kind::None;
 }
 
 void AimTool::leave() {
-    if (!m_isHot || m_start) return;
-    m_isHot = false;
+    if (m_hot == Grip::Kind::None || m_start) return;
+    m_hot = Grip::Kind::None;
     m_view.widget().update();
 }
 
 void AimTool::paint(QPainter& painter) {
     const Aimed* aimed = this->aimed();
     if (!aimed) return;
-    const QColor colour = m_isHot ? kAimHot : kAimInk;
     const ScenePainter scene(painter, m_view);
-    scene.line(aimed->position(), end(*aimed), colour, m_isHot ? 2.6 : 1.8);
-    const auto at = m_view.shownPixelOf(end(*aimed));
-    if (!at) return;
-    painter.setPen(QPen(QColor(10, 12, 16, 200), 1.2));
-    painter.setBrush(colour);
-    painter.drawEllipse(*at, kAimHandle, kAimHandle);
-    painter.setBrush(QColor(10, 12, 16, 200));
-    painter.drawEllipse(*at, 1.6, 1.6);
+    if (m_hot == Grip::Kind::Shape)
+        for (const auto& [from, to] : aimShapeOf(m_view, aimed->path)) scene.line(from, to, kAimHot, 1.4);
+    const bool isSight = m_hot == Grip::Kind::Sight;
+    scene.line(aimed->position(), end(*aimed), isSight ? kAimHot : kAimInk, isSight ? 2.6 : 1.8);
+    const auto paintHandle = [&](const Vec3& point, bool isHot, double radius) {
+        const auto at = m_view.shownPixelOf(point);
+        if (!at) return;
+        painter.setPen(QPen(QColor(10, 12, 16, 200), 1.2));
+        painter.setBrush(isHot ? kAimHot : kAimInk);
+        painter.drawEllipse(*at, radius, radius);
+        painter.setBrush(QColor(10, 12, 16, 200));
+        painter.drawEllipse(*at, 1.6, 1.6);
+    };
+    if (const auto roll = rollEnd(*aimed)) {
+        const bool isRoll = m_hot == Grip::Kind::Roll;
+        const double along = (*roll - aimed->position()).dot(aimed->direction());
+        scene.line(aimed->position() + along * aimed->direction(), *roll, isRoll ? kAimHot : kAimInk, isRoll ? 2.2 : 1.4);
+        paintHandle(*roll, isRoll, kRollHandle);
+    }
+    paintHandle(end(*aimed), isSight, kAimHandle);
 }
 
 } // namespace trundle

@@ -12,8 +12,8 @@ namespace trundle {
 
 class ToolView;
 
-/// Turns the selected sensor, camera or antenna about its position, by the end of the line along which it looks or sends. Writes HPR; the
-/// roll stays. A drag is one undo entry; Esc cancels it.
+/// Turns the selected sensor, camera or antenna about its position, by the end of the line along which it looks or sends, or by its frustum,
+/// beams or lobe; a handle beside the line rolls it about that. Writes HPR. A drag is one undo entry; Esc cancels it.
 class AimTool final : public QObject, public ViewTool {
     Q_OBJECT
 public:
@@ -27,8 +27,9 @@ public:
     void leave() override;
     void paint(QPainter& painter) override;
 
-    /// Screen position of the handle, if it is visible.
+    /// Screen position of a handle, if it is visible.
     [[nodiscard]] std::optional<QPointF> spot();
+    [[nodiscard]] std::optional<QPointF> rollSpot();
 
 private:
     /// The selected device: where it is and where it looks.
@@ -42,15 +43,27 @@ private:
     };
     [[nodiscard]] std::optional<Aimed> selected() const;
     [[nodiscard]] const Aimed* aimed();
+    /// What the mouse has hold of.
+    struct Grip {
+        enum class Kind { None, Sight, Shape, Roll };
+        Kind kind = Kind::None;
+        Vec3 point = Vec3::Zero(); ///< in W
+    };
     [[nodiscard]] Vec3 end(const Aimed& aimed) const;
-    [[nodiscard]] bool isOver(const QPointF& at);
+    [[nodiscard]] std::optional<Vec3> rollEnd(const Aimed& aimed) const; ///< of a device that looks along its x
+    [[nodiscard]] Grip gripAt(const QPointF& at);
+    [[nodiscard]] Quat aimedRotation(const Pointer& pointer, bool snaps) const; ///< in the body
+    [[nodiscard]] Quat rolledRotation(const Pointer& pointer, bool snaps) const;
     Status turnTo(const Quat& rotation, double fine);
     [[nodiscard]] QString label(const Aimed& aimed) const;
 
     ToolView& m_view;
     std::optional<Aimed> m_aimed, m_start; ///< m_start: during a drag, as before it
-    bool m_known = false, m_isHot = false, m_wrote = false;
-    double m_length = 0.1; ///< m, of the line when the drag began
+    bool m_known = false, m_wrote = false;
+    Grip::Kind m_hot = Grip::Kind::None;
+    Grip m_grip;                    ///< during a drag
+    Vec3 m_gripped = Vec3::UnitX(); ///< the direction to what was gripped, as the mouse points at it; unit vector in W
+    double m_length = 0.1;          ///< m, from the device to what was gripped
     std::string m_mergeKey;
 };
 

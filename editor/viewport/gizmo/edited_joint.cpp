@@ -50,6 +50,8 @@ std::optional<EditedJoint> EditedJoint::selected(const ViewContext& context) {
     joint.m_anchorText = textInPlace(loaded, path + ".Anchor");
     joint.m_lowText = textInPlace(loaded, path + ".LowStop");
     joint.m_highText = textInPlace(loaded, path + ".HighStop");
+    joint.m_swingText = textInPlace(loaded, path + ".SwingStop");
+    joint.m_travelText = textInPlace(loaded, path + ".Travel");
     return joint;
 }
 
@@ -186,6 +188,19 @@ Status EditedJoint::setStop(Document& document, const JointStop& which, double v
                                                         : m_lowText,
                                          {&before, 1}, {&after, 1}, isLength ? "m" : "deg", fine);
     return document.structure().setValues(titleOf("Set stop of %1", m_path), {{m_path + key, text}}, mergeKey);
+}
+
+Status EditedJoint::setSwing(Document& document, double value, double fine, const std::string& mergeKey) const {
+    const double before = kPerRad * m_spec.swingStop.value_or(HUGE_VAL), after = kPerRad * value;
+    return document.structure().setValues(
+        titleOf("Set swing of %1", m_path),
+        {{m_path + ".SwingStop", withNumbers(m_swingText, {&before, 1}, {&after, 1}, "deg", fine)}}, mergeKey);
+}
+
+Status EditedJoint::setTravel(Document& document, double value, double fine, const std::string& mergeKey) const {
+    return document.structure().setValues(
+        titleOf("Set travel of %1", m_path),
+        {{m_path + ".Travel", withNumbers(m_travelText, {&m_spec.travel, 1}, {&value, 1}, "m", fine)}}, mergeKey);
 }
 
 } // namespace trundle

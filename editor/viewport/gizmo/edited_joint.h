@@ -48,6 +48,8 @@ public:
     /// The axes of a Universal stay at a right angle.
     Status setAxis(Document& document, const Vec3& axis, bool second, const std::string& mergeKey) const;
     Status setStop(Document& document, const JointStop& which, double value, double fine, const std::string& mergeKey) const;
+    Status setSwing(Document& document, double value, double fine, const std::string& mergeKey) const;  ///< of a Ball
+    Status setTravel(Document& document, double value, double fine, const std::string& mergeKey) const; ///< of a Suspension
 
 private:
     EditedJoint() = default;
@@ -65,7 +67,8 @@ private:
     DescribedFrame m_described;
     std::vector<Vec3> m_points;
     Vec3 m_childCentre = Vec3::Zero();
-    std::string m_anchorText, m_lowText, m_highText; ///< as written where they are edited; empty: not written
+    std::string m_anchorText, m_lowText, m_highText, m_swingText,
+        m_travelText; ///< as written where they are edited; empty: not written
 };
 
 } // namespace trundle

@@ -16,10 +16,12 @@
 namespace trundle {
 namespace {
 
-constexpr double kArrowPixels = 88, kCirclePart = 0.66; // the circle of the stops, as part of the arrow
+constexpr double kArrowPixels = 88;
 constexpr double kHandlePixels = 6.5, kReachPixels = 10;
+constexpr double kFreeTravel = 0.4;                // where the handle of a travel without an end is, as part of the arrow
 constexpr double kFreeStop = std::numbers::pi / 2; // where the handle of an angle without a stop is, to each side
-const QColor kJointInk(214, 92, 214), kSecondInk(110, 170, 250), kHotInk(255, 208, 60), kHandleRim(10, 12, 16, 200);
+const QColor kJointInk(214, 92, 214), kSecondInk(110, 170, 250), kHotInk(255, 208, 60), kHandleRim(10, 12, 16, 200),
+    kStopInk(255, 190, 90);
 
 QString trHandle(const char* text) { return QCoreApplication::translate("JointHandles", text); }
 QString shownNumber(double value, double step) { return QString::fromStdString(steppedNumber(value, step)); }
@@ -37,6 +39,25 @@ JointHandles::JointHandles(const EditedJoint& joint, const ToolView& view, bool 
         add({JointHandle::Kind::Axis, {false, second}}, joint.spec().anchor + m_length * joint.axis(second));
     }
     if (joint.canMoveAnchor()) add({JointHandle::Kind::Anchor, {}}, joint.spec().anchor);
+    addLimits();
+}
+
+/// Of a Ball how far it swings, of a Suspension how far it travels to both sides.
+void JointHandles::addLimits() {
+    const JointSpec& spec = m_joint.spec();
+    if (spec.type == JointType::Ball)
+        add({JointHandle::Kind::Swing, {}}, onCone(spec.swingStop.value_or(kFreeStop), 0), spec.swingStop.has_value());
+    if (spec.type != JointType::Suspension) return;
+    const double travel = spec.travel > 0 ? spec.travel : kFreeTravel * m_length;
+    for (const bool isHigh : {false, true})
+        add({JointHandle::Kind::Travel, {isHigh, false}}, spec.anchor + (isHigh ? travel : -travel) * spec.axis, spec.travel > 0);
+}
+
+Vec3 JointHandles::onCone(double swing, double around) const {
+    const Vec3& axis = m_joint.axis(false);
+    const Vec3 zero = m_joint.zeroDirection(axis);
+    const Vec3 out = std::cos(around) * zero + std::sin(around) * axis.cross(zero);
+    return m_joint.spec().anchor + kCirclePart * m_length * (std::cos(swing) * axis + std::sin(swing) * out);
 }
 
 void JointHandles::add(const JointHandle& handle, const Vec3& p_C, bool isSet) {
@@ -101,6 +122,12 @@ QString JointHandles::label(const JointHandle& handle) const {
         return m_joint.turns() ? QStringLiteral("%1 %2°").arg(name, shownNumber(*value * 180 / std::numbers::pi, 0.1))
                                : QStringLiteral("%1 %2 m").arg(name, shownNumber(*value, 1e-4));
     }
+    case JointHandle::Kind::Swing:
+        return joint.swingStop ? QStringLiteral("SwingStop %1°").arg(shownNumber(*joint.swingStop * 180 / std::numbers::pi, 0.1))
+                               : trHandle("No %1: drag to set it").arg(QLatin1String("SwingStop"));
+    case JointHandle::Kind::Travel:
+        return joint.travel > 0 ? QStringLiteral("Travel %1 m").arg(shownNumber(joint.travel, 1e-4))
+                                : trHandle("No %1: drag to set it").arg(QLatin1String("Travel"));
     case JointHandle::Kind::None: break;
     }
     return {};
@@ -154,8 +181,35 @@ void JointHandles::paintArc(QPainter& painter, bool second, double low, double h
                    Qt::DashLine);
 }
 
+void JointHandles::paintCone(QPainter& painter) const {
+    constexpr int kSides = 48;
+    if (!m_joint.spec().swingStop) return;
+    const ScenePainter scene(painter, m_view);
+    std::vector<Vec3> rim;
+    for (int i = 0; i < kSides; ++i)
+        rim.push_back(m_joint.X_WC() * onCone(*m_joint.spec().swingStop, 2 * std::numbers::pi * i / kSides));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 190, 90, 40));
+    scene.polygon(rim);
+    const Vec3 apex = m_joint.X_WC() * m_joint.spec().anchor;
+    for (int i = 0; i < kSides; ++i) {
+        scene.line(rim[std::size_t(i)], rim[std::size_t(i + 1) % kSides], kStopInk, 1.8);
+        if (i % (kSides / 8) == 0) scene.line(apex, rim[std::size_t(i)], kStopInk, 1);
+    }
+}
+
+void JointHandles::paintTravel(QPainter& painter) const {
+    const JointSpec& spec = m_joint.spec();
+    const double travel = spec.travel > 0 ? spec.travel : kFreeTravel * m_length;
+    ScenePainter(painter, m_view)
+        .line(m_joint.X_WC() * (spec.anchor - travel * spec.axis), m_joint.X_WC() * (spec.anchor + travel * spec.axis), kStopInk,
+              3, spec.travel > 0 ? Qt::SolidLine : Qt::DotLine);
+}
+
 void JointHandles::paint(QPainter& painter, const JointHandle& hot) const {
     if (m_spots.empty()) return;
+    if (m_joint.spec().type == JointType::Ball) paintCone(painter);
+    if (m_joint.spec().type == JointType::Suspension) paintTravel(painter);
     for (const bool second : {false, true}) {
         if (second && !m_joint.hasSecondAxis()) continue;
         if (m_joint.hasStops(second)) paintRange(painter, second);
@@ -163,7 +217,8 @@ void JointHandles::paint(QPainter& painter, const JointHandle& hot) const {
     }
     for (const Spot& spot : m_spots) {
         const bool isHot = hot == spot.handle;
-        const QColor own = spot.handle.kind == JointHandle::Kind::Stop     ? QColor(255, 190, 90)
+        const bool isLimit = spot.handle.kind != JointHandle::Kind::Axis && spot.handle.kind != JointHandle::Kind::Anchor;
+        const QColor own = isLimit                                         ? kStopInk
                            : spot.handle.stop.isSecond                     ? kSecondInk
                            : spot.handle.kind == JointHandle::Kind::Anchor ? QColor(245, 246, 248)
                                                                            : kJointInk;
@@ -171,7 +226,7 @@ void JointHandles::paint(QPainter& painter, const JointHandle& hot) const {
         painter.setPen(QPen(spot.isSet ? kHandleRim : colour, spot.isSet ? 1.2 : 2));
         painter.setBrush(spot.isSet ? QBrush(colour) : QBrush(QColor(24, 27, 31, 150)));
         const double r = kHandlePixels;
-        if (spot.handle.kind == JointHandle::Kind::Stop)
+        if (isLimit)
             painter.drawPolygon(
                 QPolygonF{spot.at + QPointF(0, -r), spot.at + QPointF(r, 0), spot.at + QPointF(0, r), spot.at + QPointF(-r, 0)});
         else painter.drawEllipse(spot.at, r, r);

@@ -1,5 +1,5 @@
 #pragma once
-// The handles of a joint on the screen: its anchor, its axes and its stops.
+// The handles of a joint on the screen: its anchor, its axes, its stops, the cone of a Ball, the travel of a Suspension.
 
 #include <optional>
 #include <vector>
@@ -16,15 +16,17 @@ namespace trundle {
 class ToolView;
 
 struct JointHandle {
-    enum class Kind { None, Anchor, Axis, Stop };
+    enum class Kind { None, Anchor, Axis, Stop, Swing, Travel };
     Kind kind = Kind::None;
-    JointStop stop; ///< of a Stop; of an Axis, `isSecond`
+    JointStop stop; ///< of a Stop; of an Axis, `isSecond`; of a Travel, `isHigh`
     bool operator==(const JointHandle&) const = default;
     explicit operator bool() const { return kind != Kind::None; }
 };
 
 class JointHandles {
 public:
+    static constexpr double kCirclePart = 0.66; ///< radius of the circle of the stops and of the cone, as part of the arrow
+
     /// `asShown`: on the image that is shown; otherwise for the present camera.
     JointHandles(const EditedJoint& joint, const ToolView& view, bool asShown);
 
@@ -46,11 +48,15 @@ private:
     };
     void add(const JointHandle& handle, const Vec3& p_C, bool isSet = true);
     void addStops(bool second);
+    void addLimits();
+    [[nodiscard]] Vec3 onCone(double swing, double around) const; ///< in C; rad
     [[nodiscard]] Vec3 onCircle(double angle, bool second) const; ///< in C
     [[nodiscard]] double shownStop(const JointStop& stop) const;
     void paintAxis(QPainter& painter, bool second, bool isHot) const;
     void paintRange(QPainter& painter, bool second) const;
     void paintArc(QPainter& painter, bool second, double low, double high) const;
+    void paintCone(QPainter& painter) const;
+    void paintTravel(QPainter& painter) const;
 
     const EditedJoint& m_joint;
     const ToolView& m_view;

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kSnapPixels = 11; // to a point of a body
 constexpr double kFineLength = 1e-4, kFineDegrees = 0.1;
-constexpr double kFarthestDrag = 1000; // m
+constexpr double kFarthestDrag = 1000;                                      // m
+constexpr double kLeastSwing = std::numbers::pi / 180, kLeastTravel = 1e-3; // rad, m; 0 would be no stop
 
 double stepped(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }
 
@@ -173,6 +174,30 @@ double JointTool::draggedStop(const Pointer& pointer, double& fine) {
                                  : std::clamp(value, -most, other.value_or(most));
 }
 
+/// Between the axis and what is under the pointer, on the sphere of the handle.
+double JointTool::draggedSwing(const Pointer& pointer, double& fine) const {
+    const Pose& X_WC = m_start->X_WC();
+    const Vec3 axis = X_WC.rotation * m_start->axis(false), zero = X_WC.rotation * m_start->zeroDirection(m_start->axis(false));
+    const double before = m_start->spec().swingStop.value_or(std::numbers::pi / 2);
+    const Vec3 direction =
+        directionsUnder(m_view.camera().rayAt(pointer.at), X_WC * m_start->spec().anchor,
+                        std::cos(before) * axis + std::sin(before) * zero, JointHandles::kCirclePart * m_length)[0];
+    const bool isSnapping = snaps(pointer);
+    const double step = isSnapping ? std::min(5.0, m_view.context().settings.rotationStep()) * std::numbers::pi / 180 : 0;
+    fine = isSnapping ? 1e-4 : kFineDegrees;
+    return std::clamp(stepped(std::acos(std::clamp(axis.dot(direction), -1.0, 1.0)), step), kLeastSwing, std::numbers::pi);
+}
+
+double JointTool::draggedTravel(const Pointer& pointer, double& fine) const {
+    const Pose& X_WC = m_start->X_WC();
+    const bool isSnapping = snaps(pointer);
+    const double step = isSnapping ? std::min(0.005, m_view.context().settings.moveStep()) : 0;
+    fine = isSnapping ? 1e-6 : kFineLength;
+    const double along =
+        alongLine(m_view.camera().rayAt(pointer.at), X_WC * m_start->spec().anchor, X_WC.rotation * m_start->axis(false));
+    return std::clamp(stepped(m_dragged.stop.isHigh ? along : -along, step), kLeastTravel, kFarthestDrag);
+}
+
 void JointTool::drag(const Pointer& pointer) {
     if (!m_start) return;
     Document& document = m_view.context().document;
@@ -189,6 +214,16 @@ void JointTool::drag(const Pointer& pointer) {
     case JointHandle::Kind::Stop: {
         const double value = draggedStop(pointer, fine);
         report(m_start->setStop(document, m_dragged.stop, value, fine, m_mergeKey));
+        break;
+    }
+    case JointHandle::Kind::Swing: {
+        const double swing = draggedSwing(pointer, fine);
+        report(m_start->setSwing(document, swing, fine, m_mergeKey));
+        break;
+    }
+    case JointHandle::Kind::Travel: {
+        const double travel = draggedTravel(pointer, fine);
+        report(m_start->setTravel(document, travel, fine, m_mergeKey));
         break;
     }
     case JointHandle::Kind::None: return;

@@ -9,7 +9,7 @@
 
 namespace trundle {
 
-/// Moves the anchor of the selected joint, turns its axes and sets its stops with handles. A drag is one undo entry; Esc cancels it; a
+/// Moves the anchor of the selected joint, turns its axes and sets its stops, swing and travel with handles. A drag is one undo entry; Esc cancels it; a
 /// double click on an axis reverses it.
 class JointTool final : public QObject, public ViewTool {
     Q_OBJECT
@@ -35,6 +35,8 @@ private:
     [[nodiscard]] Vec3 draggedAnchor(const Pointer& pointer, double& fine) const; ///< in C
     [[nodiscard]] Vec3 draggedAxis(const Pointer& pointer) const;
     [[nodiscard]] double draggedStop(const Pointer& pointer, double& fine);
+    [[nodiscard]] double draggedSwing(const Pointer& pointer, double& fine) const;  ///< rad
+    [[nodiscard]] double draggedTravel(const Pointer& pointer, double& fine) const; ///< m
     [[nodiscard]] double angleAt(const ViewRay& ray, const Vec3& axis) const;
     void report(const Status& done);
 

@@ -20,6 +20,8 @@ namespace {
 
 constexpr std::size_t kMostCentres = 300, kMostShown = 40; // robots
 constexpr int kEllipseSteps = 48;
+constexpr double kTipPixels = 18,
+                 kLeastTipPixels = 24; // of the labels from the edge; of the polygon's half that has room for them
 const QColor kInertiaInk(90, 190, 255), kStable(70, 200, 110), kUnstable(240, 90, 80), kMassDark(20, 22, 26);
 
 QString trMass(const char* text) { return QCoreApplication::translate("MassOverlay", text); }
@@ -86,7 +88,25 @@ std::vector<ObjectRef> massesToShow(const ToolView& view) {
     return shown;
 }
 
-void paintBalance(QPainter& painter, const ToolView& view, const Balance& balance, double height) {
+/// At the edge in each direction, the slope on which the robot turns over.
+void paintTipping(QPainter& painter, const ToolView& view, const Balance& balance, const Quat& rotation) {
+    const ScenePainter scene(painter, view);
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
+        Vec3 direction = rotation * axis;
+        direction.z() = 0;
+        if (direction.norm() < 1e-3) continue;
+        const Vec3 edge = edgeTowards(balance, direction);
+        scene.line(balance.centre, edge, kStable, 1, Qt::DotLine);
+        const QString angle = figure(tipAngle(balance, direction) * 180 / std::numbers::pi, 1) + QStringLiteral("°");
+        const auto from = view.shownPixelOf(balance.centre), at = view.shownPixelOf(edge);
+        if (!from || !at) continue;
+        const QPointF out = *at - *from;
+        const double length = std::hypot(out.x(), out.y());
+        if (length > kLeastTipPixels) paintLabel(painter, *at + out * (kTipPixels / length), angle);
+    }
+}
+
+void paintBalance(QPainter& painter, const ToolView& view, const Balance& balance, const Quat& rotation) {
     const QColor colour = balance.isStable() ? kStable : kUnstable;
     const ScenePainter scene(painter, view);
     std::vector<Vec3> polygon = balance.polygon;
@@ -100,7 +120,8 @@ void paintBalance(QPainter& painter, const ToolView& view, const Balance& balanc
     }
     for (std::size_t i = 0; i < polygon.size(); ++i) scene.line(polygon[i], polygon[(i + 1) % polygon.size()], colour, 2);
     scene.dots(polygon, colour, 6);
-    scene.line(balance.centre, balance.centre + height * Vec3::UnitZ(), QColor(245, 246, 248), 1, Qt::DashLine);
+    scene.line(balance.centre, balance.centre + balance.height * Vec3::UnitZ(), QColor(245, 246, 248), 1, Qt::DashLine);
+    if (balance.isStable()) paintTipping(painter, view, balance, rotation);
     const auto at = view.shownPixelOf(balance.centre);
     if (!at) return;
     painter.setPen(QPen(kMassDark, 1.2));
@@ -143,7 +164,10 @@ void paintSupport(QPainter& painter, const ToolView& view) {
     for (const std::uint32_t r : shownRobots(world, kMostShown)) {
         const auto balance = balanceOf(*world.objects(), r, view.shownPoses());
         if (!balance) continue;
-        paintBalance(painter, view, *balance, massOf(*world.objects(), r, view.shownPoses()).centre.z() - balance->level);
+        const Pose& first = world.objects()->experiment().robots[r].config->bodies.front().pose;
+        const Quat rotation =
+            world.objects()->poseOf({ObjectKind::Body, r, 0}, view.shownPoses()).rotation * first.rotation.conjugate();
+        paintBalance(painter, view, *balance, rotation);
     }
 }
 

@@ -45,7 +45,7 @@ std::optional<FloorSnap> DrawTool::cornerAt(const Pointer& pointer) const {
     const ViewSettings& settings = m_view.context().settings;
     const bool isToggled = pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
     const bool snaps = settings.snaps() != isToggled;
-    if (snaps && !m_drawing.isTyped()) {
+    if (snaps && m_drawing.typed().empty()) {
         std::vector<FloorPoint> ends = m_drawing.ends();
         if (m_drawing.corners().size() > 1) ends.insert(ends.begin(), m_drawing.corners().begin(), m_drawing.corners().end() - 1);
         for (const FloorPoint& end : ends)
@@ -101,7 +101,7 @@ bool DrawTool::needsKey(const QKeyEvent& event) const {
     }
     if (!isUnderWay() || event.text().size() != 1) return false;
     const QChar c = event.text()[0];
-    return c.isDigit() || c == u'.' || c == u',' || c == u'-' || m_drawing.isTyped();
+    return c.isDigit() || c == u'.' || c == u',' || c == u'-' || !m_drawing.typed().empty();
 }
 
 bool DrawTool::key(QKeyEvent& event) {
@@ -118,7 +118,7 @@ bool DrawTool::key(QKeyEvent& event) {
 
 /// With a typed number the corner is placed there, without one the path ends.
 void DrawTool::enter() {
-    if (!m_drawing.isTyped()) return m_drawing.finish();
+    if (m_drawing.typed().empty()) return m_drawing.finish();
     update();
     if (m_next && (m_drawing.typedLength() || m_drawing.typedAngle())) m_drawing.add(m_next->point);
 }
@@ -133,14 +133,9 @@ QString DrawTool::readOut() const {
     if (!m_next || m_drawing.corners().empty()) return {};
     const FloorPoint& last = m_drawing.corners().back();
     const double length = std::hypot(m_next->point[0] - last[0], m_next->point[1] - last[1]);
-    const auto shown = [&](bool angle, const QString& measured) {
-        const std::string& typed = m_drawing.typedText(angle);
-        const bool isActive = m_drawing.isTyped() && m_drawing.typesAngle() == angle;
-        if (typed.empty() && !isActive) return measured;
-        return QString::fromStdString(typed) + (isActive ? QStringLiteral("▏") : QString());
-    };
-    return shown(false, number(length, 1e-3) + tr(" m")) + QStringLiteral("   ") +
-           shown(true, number(headingBetween(last, m_next->point), 0.1) + QStringLiteral("°"));
+    const TypedNumbers& typed = m_drawing.typed();
+    return typed.shown(false, number(length, 1e-3) + tr(" m")) + QStringLiteral("   ") +
+           typed.shown(true, number(headingBetween(last, m_next->point), 0.1) + QStringLiteral("°"));
 }
 
 void DrawTool::showStatus() {

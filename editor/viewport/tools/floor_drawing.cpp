@@ -1,9 +1,7 @@
 #include "editor/viewport/tools/floor_drawing.h"
 
-#include <charconv>
 #include <cmath>
 
-#include "base/units.h"
 #include "editor/document/document.h"
 #include "editor/document/structure_edits.h"
 #include "editor/viewport/context/view_settings.h"
@@ -14,20 +12,6 @@ namespace trundle {
 namespace {
 
 constexpr double kSameCorner = 1e-4; // m
-constexpr std::size_t kLongest = 24; // of a typed number
-
-std::optional<double> numberIn(const std::string& text, const char* unit) {
-    double value = 0;
-    std::string number = text;
-    for (char& c : number)
-        if (c == ',') c = '.';
-    const char* const end = number.data() + number.size();
-    const auto read = std::from_chars(number.data(), end, value, std::chars_format::fixed);
-    if (read.ec != std::errc()) return std::nullopt;
-    std::string given(read.ptr, end);
-    std::erase(given, ' ');
-    return given.empty() ? std::optional(value) : convertUnit(value, given, unit);
-}
 
 } // namespace
 
@@ -53,8 +37,7 @@ bool FloorDrawing::begin() {
 }
 
 void FloorDrawing::add(const FloorPoint& corner) {
-    for (std::string& text : m_typed) text.clear();
-    m_typesAngle = false;
+    m_typed.clear();
     const bool isSame =
         !m_corners.empty() && std::hypot(corner[0] - m_corners.back()[0], corner[1] - m_corners.back()[1]) < kSameCorner;
     if (!isSame) m_corners.push_back(corner);
@@ -69,8 +52,7 @@ void FloorDrawing::removeLast() {
 
 void FloorDrawing::clear() {
     m_corners.clear();
-    for (std::string& text : m_typed) text.clear();
-    m_typesAngle = false;
+    m_typed.clear();
     Q_EMIT changed();
 }
 
@@ -99,31 +81,18 @@ void FloorDrawing::finish() {
 }
 
 bool FloorDrawing::type(int key, const QString& text) {
-    std::string& typed = m_typed[m_typesAngle ? 1 : 0];
-    if (key == Qt::Key_Tab) {
-        m_typesAngle = !m_typesAngle;
-    } else if (key == Qt::Key_Backspace) {
-        if (typed.empty()) return false;
-        typed.pop_back();
-    } else {
-        if (text.size() != 1 || typed.size() > kLongest) return false;
-        const char c = text[0].toLatin1();
-        const bool isDigit = (c >= '0' && c <= '9') || c == '.' || c == ',' || (c == '-' && m_typesAngle && typed.empty());
-        const bool isUnit = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ';
-        if (!isDigit && (typed.empty() || !isUnit)) return false;
-        typed += c;
-    }
+    if (!m_typed.type(key, text)) return false;
     Q_EMIT changed();
     return true;
 }
 
 std::optional<double> FloorDrawing::typedLength() const {
-    const auto length = numberIn(m_typed[0], "m");
+    const auto length = m_typed.number(false, "m");
     return length && *length > 0 && *length <= 1000 ? length : std::nullopt;
 }
 
 std::optional<double> FloorDrawing::typedAngle() const {
-    const auto angle = numberIn(m_typed[1], "deg");
+    const auto angle = m_typed.number(true, "deg");
     return angle && std::abs(*angle) <= 360 ? angle : std::nullopt;
 }
 

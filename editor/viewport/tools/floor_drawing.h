@@ -1,13 +1,13 @@
 #pragma once
 // The path of walls or of a line that is being drawn on the floor, shared by all views of a panel.
 
-#include <string>
 #include <vector>
 
 #include <QObject>
 
 #include "editor/viewport/tools/floor_snap.h"
 #include "editor/viewport/tools/scenery_target.h"
+#include "editor/viewport/tools/typed_numbers.h"
 
 namespace trundle {
 
@@ -36,11 +36,9 @@ public:
     /// Writes what was drawn as one entry of the history and starts anew.
     void finish();
 
-    /// Numbers typed for the piece under way; Tab changes between the two. Each has a unit or is in m and degrees.
+    /// The length in m and the angle in degrees, typed for the piece under way.
     [[nodiscard]] bool type(int key, const QString& text);
-    [[nodiscard]] bool isTyped() const { return !m_typed[0].empty() || !m_typed[1].empty(); }
-    [[nodiscard]] bool typesAngle() const { return m_typesAngle; }
-    [[nodiscard]] const std::string& typedText(bool angle) const { return m_typed[angle ? 1 : 0]; }
+    [[nodiscard]] const TypedNumbers& typed() const { return m_typed; }
     [[nodiscard]] std::optional<double> typedLength() const;
     [[nodiscard]] std::optional<double> typedAngle() const;
 
@@ -53,8 +51,7 @@ private:
     const ViewSettings& m_settings;
     std::vector<FloorPoint> m_corners, m_ends;
     SceneryTarget m_target;
-    std::string m_typed[2];
-    bool m_typesAngle = false;
+    TypedNumbers m_typed{true};
 };
 
 } // namespace trundle

@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include <QString>
+
 #include <trundle/geometry.h>
 
 namespace trundle {
@@ -18,5 +20,13 @@ struct SceneryTarget {
 
 /// Whether there is a document and scenery can be in what is shown; otherwise the reason is reported by Document::refused().
 [[nodiscard]] bool canHaveScenery(Document& document);
+
+/// Whether the scenery that is shown has a Plane or a Heightfield.
+[[nodiscard]] bool hasFloor(const ViewportScene& world);
+
+/// New scenery as one entry of the history: into the experiment `blocks`, a StaticConfig and its Static, which is selected; into a
+/// StaticConfig the geoms `insideConfig`. Both use common materials and surfaces. A refusal is reported by Document::refused().
+void insertScenery(Document& document, const SceneryTarget& target, const QString& title, const std::string& blocks,
+                   const std::string& insideConfig);
 
 } // namespace trundle

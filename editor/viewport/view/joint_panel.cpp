@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -39,6 +41,22 @@ QString coordinateTitle(const JointSpec& joint, const JointCoordinate& c) {
     default: return name;
     }
 }
+
+/// Its keys are its own: End is also the shortcut of a command.
+class JointSlider final : public QSlider {
+public:
+    JointSlider() : QSlider(Qt::Horizontal) {}
+
+protected:
+    bool event(QEvent* event) override {
+        constexpr int kKeys[] = {Qt::Key_Home, Qt::Key_End,   Qt::Key_PageUp, Qt::Key_PageDown,
+                                 Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down};
+        if (event->type() == QEvent::ShortcutOverride &&
+            std::ranges::find(kKeys, static_cast<QKeyEvent*>(event)->key()) != std::end(kKeys))
+            event->accept();
+        return QSlider::event(event);
+    }
+};
 
 } // namespace
 
@@ -147,7 +165,7 @@ void JointPanel::addRow(const RobotSpec& robot, std::size_t coordinate, QGridLay
     const JointSpec& joint = robot.config->joints[c.joint];
     const double units = shownUnits(c);
     auto* label = new QLabel(coordinateTitle(joint, c));
-    auto* slider = new QSlider(Qt::Horizontal);
+    auto* slider = new JointSlider;
     auto* number = new QDoubleSpinBox;
     const QString unit = c.isAngle ? QStringLiteral("°") : tr(" mm");
     slider->setObjectName(QStringLiteral("joint.%1.%2").arg(QString::fromStdString(joint.name), QString::number(c.part)));

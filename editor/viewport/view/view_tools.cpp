@@ -18,6 +18,7 @@
 #include "editor/viewport/tools/navigation.h"
 #include "editor/viewport/tools/pin_tool.h"
 #include "editor/viewport/tools/push_tool.h"
+#include "editor/viewport/tools/room_tool.h"
 #include "editor/viewport/tools/select_tool.h"
 
 namespace trundle {
@@ -36,6 +37,7 @@ ViewTools::ViewTools(ToolView& view) : m_view(view) {
     m_tools.push_back(std::move(navigation));
     m_tools.push_back(std::make_unique<MeasureTool>(view));
     m_tools.push_back(std::make_unique<DrawTool>(view));
+    m_tools.push_back(std::make_unique<RoomTool>(view));
     auto joint = std::make_unique<JointTool>(view);
     m_joint = joint.get();
     m_tools.push_back(std::move(joint));

@@ -26,10 +26,10 @@ struct ToolRow {
     const char* id;
     Tool tool;
 };
-constexpr ToolRow kToolRows[] = {{"tool.select", Tool::Select},    {"tool.move", Tool::Move},
-                                 {"tool.rotate", Tool::Rotate},    {"tool.scale", Tool::Scale},
-                                 {"tool.measure", Tool::Measure},  {"tool.drawWalls", Tool::DrawWalls},
-                                 {"tool.drawLine", Tool::DrawLine}};
+constexpr ToolRow kToolRows[] = {{"tool.select", Tool::Select},     {"tool.move", Tool::Move},
+                                 {"tool.rotate", Tool::Rotate},     {"tool.scale", Tool::Scale},
+                                 {"tool.measure", Tool::Measure},   {"tool.drawWalls", Tool::DrawWalls},
+                                 {"tool.drawLine", Tool::DrawLine}, {"tool.drawRoom", Tool::DrawRoom}};
 
 struct JointRow {
     const char* id;

@@ -68,20 +68,20 @@ private Q_SLOTS:
         }
         const QStringList expected{
             QStringLiteral("0 | Deep |  | kind-robot | Robot | mine/a/b/c/deep.sim | ROOT\nRobot robot0 { Config=Deep Pos=0,0,0 "
-                           "HPR=0,0,0 }"),
+                           "}"),
             QStringLiteral("0 | Inside |  | kind-robot | Robot | mine/inside.sim | ROOT\nRobot robot0 { Config=Inside Pos=0,0,0 "
-                           "HPR=0,0,0 }"),
+                           "}"),
             QStringLiteral("2 | Stone |  | kind-static | Static | mine/objects/stone.sim | ROOT\nStatic stone { Config=Stone "
-                           "Pos=0,0,0 HPR=0,0,0 }"),
+                           "Pos=0,0,0 }"),
             QStringLiteral(
                 "1 | Yard2 |  | kind-static | Static |  | ROOT\n#import rover.sim\\nStaticConfig Yard2 { Box b { } }\\n"
-                "Static yard2 { Config=Yard2 Pos=0,0,0 HPR=0,0,0 }"),
+                "Static yard2 { Config=Yard2 Pos=0,0,0 }"),
             QStringLiteral("0 | Rover | A rover. | kind-robot | Robot | mine/rover.sim | ROOT\nRobot robot0 { Config=Rover "
-                           "Pos=0,0,0 HPR=0,0,0 }"),
+                           "Pos=0,0,0 }"),
             QStringLiteral(
-                "2 | Crate |  | kind-object | Robot | mine/two.sim | ROOT\nRobot crate { Config=Crate Pos=0,0,0 HPR=0,0,0 }"),
+                "2 | Crate |  | kind-object | Robot | mine/two.sim | ROOT\nRobot crate { Config=Crate Pos=0,0,0 }"),
             QStringLiteral(
-                "1 | Yard |  | kind-static | Static | mine/two.sim | ROOT\nStatic yard { Config=Yard Pos=0,0,0 HPR=0,0,0 }")};
+                "1 | Yard |  | kind-static | Static | mine/two.sim | ROOT\nStatic yard { Config=Yard Pos=0,0,0 }")};
         QCOMPARE(all.join(u'\n'), expected.join(u'\n'));
     }
 

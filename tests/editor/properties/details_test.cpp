@@ -77,6 +77,28 @@ private Q_SLOTS:
         QVERIFY(std::abs(free.effort) < 1e-12);
     }
 
+    /// At a quarter of the voltage a quarter of the current at stall, less the same friction.
+    void rotaryMotorAtPartsOfItsVoltage() {
+        const DetailsFixture fixture;
+        const auto motor = motorCharacteristic(*fixture.document.loaded(), "cart.motor");
+        QVERIFY(motor);
+        QCOMPARE(motor->parts.size(), std::size_t(3));
+        for (const auto& part : motor->parts) {
+            QVERIFY(std::abs(part.samples.front().effort - 0.8 * 10 * (0.02 * part.voltage / 2 - 0.002)) < 1e-12);
+            QVERIFY(std::abs(part.samples.back().speed - (part.voltage - 0.1 * 2) / 0.02 / 10) < 1e-9);
+        }
+        QCOMPARE(motor->parts[0].voltage, 3.0);
+    }
+
+    /// The friction of its gear holds it at the lowest one.
+    void aPartOfTheVoltageMayNotTurnIt() {
+        DetailsFixture fixture;
+        QVERIFY(fixture.document.structure().setValues(QStringLiteral("set"), {{"cart.motor.FrictionTorque", "0.04"}}).ok());
+        const auto motor = motorCharacteristic(*fixture.document.loaded(), "cart.motor");
+        QVERIFY(motor);
+        QCOMPARE(motor->parts.size(), std::size_t(2)); // 0.02 * 3 / 2 is below 0.04
+    }
+
     void servosAreLines() {
         const DetailsFixture fixture;
         const auto servo = motorCharacteristic(*fixture.document.loaded(), "cart.servo"),
@@ -105,17 +127,18 @@ private Q_SLOTS:
         DetailsFixture fixture;
         fixture.selection.select("cart");
         QStringList values = fixture.massValues(); // 2 kg at 0.05 m, 1 kg at 0.2 m
-        QCOMPARE(values.size(), 4);
+        QCOMPARE(values.size(), 5);
         QCOMPARE(values[0], QStringLiteral("3 kg"));
         QCOMPARE(values[1], QStringLiteral("0, 0, 0.1 m"));
         QCOMPARE(values[3], QStringLiteral("Stable: 100 mm to the edge"));
+        QCOMPARE(values[4], QStringLiteral("forward 63°, backward 63°, left 45°, right 45°; least 45°"));
         fixture.selection.select("cart.arm");
         values = fixture.massValues();
         QCOMPARE(values.size(), 3);
         QCOMPARE(values[0], QStringLiteral("1 kg")); // of its density
         QCOMPARE(values[2], QStringLiteral("0.00167, 0.00167, 0.00167 kg m²"));
         fixture.selection.select("RobotConfig.Cart");
-        QCOMPARE(fixture.massValues().size(), 4);
+        QCOMPARE(fixture.massValues().size(), 5);
         fixture.selection.select("cart.axle");
         QVERIFY(fixture.massValues().empty());
     }

@@ -1,4 +1,4 @@
-// Arenas by mouse and keys alone, from an empty file: walls and lines drawn corner by corner, rooms, mazes, height maps. If
+// Arenas by mouse and keys alone, from an empty file: walls and lines drawn corner by corner, rooms, mazes, obstacles, height maps. If
 // TRUNDLE_PICTURES=FOLDER is in the environment, images of the tools in use are saved there.
 
 #include <QApplication>
@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QSpinBox>
@@ -197,6 +198,122 @@ private Q_SLOTS:
         QCOMPARE(text(), QByteArray("#import objects/floor_line.sim\nStatic line1 { Config=FloorLine }\n"));
         QVERIFY(isClean());
         savePicture("draw_line_done");
+    }
+
+    /// From corner to corner of its inside, in one stroke.
+    void dragsARoom() {
+        const WindowHand hand(*m_window);
+        newFile(hand);
+        QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Draw Room")}));
+        hand.look({0, -4, 6}, {0, 0.5, 0});
+        hand.dragPoints({-1.005, -0.495, 0}, {2.005, 1.505, 0}); // snaps to the grid
+        QVERIFY2(text().startsWith("#import common/materials.sim\n#import common/surfaces.sim\n"
+                                   "StaticConfig Room {\n  Param height = 0.5   // m, of the walls\n"),
+                 text().constData());
+        QVERIFY2(text().contains("Box north { Pos=0,1.05,$(height/2) Size=3.2,0.1,$height Material=wood Surface=wall }"),
+                 text().constData());
+        QVERIFY2(text().contains("Box east { Pos=1.55,0,$(height/2) Size=0.1,2,$height"), text().constData());
+        QVERIFY2(text().endsWith("Static room { Config=Room Pos=0.5,0.5,0 }\n"), text().constData());
+        QVERIFY(isClean());
+        QCOMPARE(m_window->selection().current(), std::string("room"));
+        QCOMPARE(m_window->document().edits().history().entries().size(), std::size_t(1));
+        savePicture("draw_room_done");
+        hand.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(text(), QByteArray());
+    }
+
+    /// Its first corner clicked, its sides typed.
+    void aRoomWithTypedSides() {
+        const WindowHand hand(*m_window);
+        newFile(hand);
+        QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Draw Room")}));
+        hand.look({0, -4, 6}, {0, 0.5, 0});
+        hand.clickPoint({0, 0, 0});
+        move({-1, 0.4, 0}); // to the left and up
+        type(QStringLiteral("2.5"));
+        hand.key(Qt::Key_Tab);
+        type(QStringLiteral("150 cm"));
+        savePicture("draw_room_typed");
+        hand.key(Qt::Key_Return);
+        QVERIFY2(text().contains("Static room { Config=Room Pos=-1.25,0.75,0 }"), text().constData());
+        QVERIFY2(text().contains("Box north { Pos=0,0.8,$(height/2) Size=2.7,0.1,$height"), text().constData());
+        QVERIFY(isClean());
+        hand.clickPoint({0.5, 0, 0});
+        move({0.6, 0.4, 0});
+        const QSignalSpy refused(&m_window->document(), &Document::refused);
+        const QByteArray before = text();
+        hand.key(Qt::Key_Return); // too small
+        QCOMPARE(refused.count(), 1);
+        hand.key(Qt::Key_Escape); // the corner
+        QCOMPARE(text(), before);
+        hand.key(Qt::Key_Escape);
+        QVERIFY(m_window->actions().at("tool.select").isChecked());
+    }
+
+    /// In the model editor the walls become parts of the arena, at their place.
+    void dragsARoomIntoAnArena() {
+        open("#import common/materials.sim\n#import common/surfaces.sim\n\nStaticConfig Yard {\n  Plane floor { "
+             "Material=concrete Surface=ground }\n}\n");
+        const WindowHand hand(*m_window);
+        QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Draw Room")}));
+        hand.look({0, -4, 6}, {0, 0.5, 0});
+        hand.dragPoints({1, 0, 0}, {2, 1, 0});
+        QVERIFY2(text().contains("  Box west { Pos=0.95,0.5,0.25 Size=0.1,1,0.5 Material=wood Surface=wall }\n}"),
+                 text().constData());
+        QVERIFY(isClean());
+        QCOMPARE(m_window->document().edits().history().entries().size(), std::size_t(1));
+    }
+
+    /// Obstacles stay clear of the room and of each other; the same seed is the same field.
+    void obstaclesInARoom() {
+        const WindowHand hand(*m_window);
+        newFile(hand);
+        QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Draw Room")}));
+        hand.look({0, -5, 7}, {0, 0.5, 0});
+        hand.dragPoints({-2, -1.5, 0}, {2, 1.5, 0});
+        const QByteArray room = text();
+        const auto insert = [&](const QString& seed) {
+            QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Obstacle Field")}));
+            auto* count = m_window->findChild<QSpinBox*>(QStringLiteral("fieldCount"));
+            QVERIFY(count);
+            WindowHand::typeOver(count, QStringLiteral("9"));
+            setAmount("fieldWidth", QStringLiteral("3"));
+            setAmount("fieldLength", QStringLiteral("400 cm"));
+            WindowHand::typeOver(m_window->findChild<QSpinBox*>(QStringLiteral("fieldSeed")), seed);
+            QVERIFY(!m_window->findChild<QCheckBox*>(QStringLiteral("fieldFloor"))->isChecked()); // the room has one
+            savePicture("obstacles_dialog", m_window->findChild<QDialog*>(QStringLiteral("obstaclesDialog")));
+            QVERIFY(hand.press("fieldInsert"));
+        };
+        insert(QStringLiteral("7"));
+        const QByteArray field = text();
+        QVERIFY2(field.startsWith(room.left(60)) && field.endsWith("Static obstacles { Config=Obstacles }\n"), field.constData());
+        QVERIFY(isClean());
+        const auto& statics = m_window->document().loaded()->experiment->statics;
+        QCOMPARE(statics.at(1).geoms->size(), std::size_t(9));
+        for (const GeomSpec& obstacle : *statics[1].geoms) {
+            const Vec3& at = obstacle.pose.position;
+            QVERIFY(std::abs(at.x()) < 2 && std::abs(at.y()) < 1.5 && at.head<2>().norm() > 0.5);
+        }
+        savePicture("obstacles_done");
+        hand.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(text(), room);
+        insert(QStringLiteral("7"));
+        QCOMPARE(text(), field);
+        hand.key(Qt::Key_Z, Qt::ControlModifier);
+        insert(QStringLiteral("8"));
+        QVERIFY(text() != field);
+    }
+
+    void tooManyObstaclesAreRefused() {
+        const WindowHand hand(*m_window);
+        newFile(hand);
+        QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Obstacle Field")}));
+        WindowHand::typeOver(m_window->findChild<QSpinBox*>(QStringLiteral("fieldCount")), QStringLiteral("1999"));
+        QVERIFY(!hand.press("fieldInsert"));
+        const QString why = m_window->findChild<QLabel*>(QStringLiteral("fieldResult"))->text();
+        QVERIFY2(why.startsWith(QStringLiteral("There is no room for 1999 obstacles")), qPrintable(why));
+        setAmount("fieldLeast", QStringLiteral("2"));
+        QVERIFY(!hand.press("fieldInsert"));
     }
 
     void roomWithADoor() {

@@ -66,6 +66,7 @@ constexpr Question kQuestions[] = {
     {"shell/dialogs/remote_dialog.h", "remoteDialog", "Close"},
     {"shell/dialogs/room_dialog.h", "roomDialog", "Insert"},
     {"shell/dialogs/maze_dialog.h", "mazeDialog", "Insert"},
+    {"shell/dialogs/obstacles_dialog.h", "obstaclesDialog", "Insert"},
     {"shell/dialogs/mesh_dialog.h", "meshDialog", "Insert"},
     {"shell/dialogs/heights_dialog.h", "heightsDialog", "Insert"},
     {"shell/dialogs/repeat_dialog.h", "repeatDialog", "Repeat"},
@@ -356,6 +357,7 @@ private:
         m_openers[QStringLiteral("remoteDialog")] = [this] { trigger("sim.remote"); };
         m_openers[QStringLiteral("roomDialog")] = [this] { trigger("arena.room"); };
         m_openers[QStringLiteral("mazeDialog")] = [this] { trigger("arena.maze"); };
+        m_openers[QStringLiteral("obstaclesDialog")] = [this] { trigger("arena.obstacles"); };
         m_openers[QStringLiteral("heightsDialog")] = [this] { trigger("arena.heights"); };
         m_openers[QStringLiteral("meshDialog")] = [this] { trigger("mesh.import"); };
         m_openers[QStringLiteral("about")] = [this] { trigger("help.about"); };

@@ -105,6 +105,40 @@ private Q_SLOTS:
         QCOMPARE(text(), kRover);
     }
 
+    /// An L in centimetres, z up: two hulls, nothing between its legs, in one edit.
+    void severalHullsKeepItsHollow() {
+        open("Tick = 0.01\n");
+        QByteArray obj;
+        for (const int z : {0, 10})
+            for (const auto& [x, y] : {std::pair(0, 0), {30, 0}, {30, 5}, {5, 5}, {5, 20}, {0, 20}})
+                obj += "v " + QByteArray::number(x) + ' ' + QByteArray::number(y) + ' ' + QByteArray::number(z) + '\n';
+        for (const char* face : {"1 4 3 2", "1 6 5 4", "7 8 9 10", "7 10 11 12", "1 2 8 7", "2 3 9 8", "3 4 10 9", "4 5 11 10",
+                                 "5 6 12 11", "6 1 7 12"})
+            obj += QByteArray("f ") + face + '\n';
+        write(m_elsewhere.filePath(QStringLiteral("angle.obj")), obj);
+        const WindowHand hand(*m_window);
+        QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Mesh from File")}));
+        WindowHand::typeOver(m_window->findChild<QLineEdit*>(QStringLiteral("meshFile")),
+                             m_elsewhere.filePath(QStringLiteral("angle.obj")));
+        for (const auto& [name, choice] : {std::pair("meshUnit", "Cent"), {"meshShape", "Several"}}) {
+            auto* box = m_window->findChild<QComboBox*>(QLatin1String(name));
+            box->setFocus();
+            QTest::keyClicks(box, QLatin1String(choice));
+        }
+        const QString said = m_window->findChild<QLabel*>(QStringLiteral("meshResult"))->text();
+        QVERIFY2(said.contains(QStringLiteral("at most 0 mm away from those of 2 hulls that collide")), qPrintable(said));
+        savePicture("mesh_hulls", m_window->findChild<QDialog*>(QStringLiteral("meshDialog")));
+        QVERIFY(hand.press("meshInsert"));
+        QVERIFY2(text().contains("  Convex anglePart1 { File=meshes/angle/angle_part1.obj Visible=false Material=grey "
+                                 "Surface=wall }\n  Convex anglePart2 {"),
+                 text().constData());
+        EVENTUALLY(isClean()); // once the meshes are read
+        QCOMPARE(m_window->document().loaded()->experiment->statics.at(0).geoms->size(), std::size_t(3));
+        savePicture("mesh_hulls_done");
+        hand.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(text(), QByteArray("Tick = 0.01\n"));
+    }
+
     void whatCannotBeReadIsSaid() {
         open("Tick = 0.01\n");
         write(m_elsewhere.filePath(QStringLiteral("bad.stl")), "solid nothing");

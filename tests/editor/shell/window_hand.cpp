@@ -3,11 +3,14 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDropEvent>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScrollArea>
+#include <QTimer>
 #include <QtTest>
 
 #include "editor/outline/outline_model.h"
@@ -85,6 +88,44 @@ void WindowHand::look(const Vec3& eye, const Vec3& target) const {
 void WindowHand::clickPoint(const Vec3& point) const {
     View& view = viewOf(m_window);
     if (const auto at = view.camera().pixelOf(point)) QTest::mouseClick(&view, Qt::LeftButton, {}, at->toPoint());
+}
+
+QPointF WindowHand::pixelOf(const Vec3& point) const {
+    return viewOf(m_window).camera().pixelOf(point).value_or(QPointF(-1, -1));
+}
+
+void WindowHand::dragPixels(const QPointF& from, const QPointF& to) const {
+    constexpr int kSteps = 6;
+    View& view = viewOf(m_window);
+    QTest::mouseMove(&view, from.toPoint());
+    QTest::mousePress(&view, Qt::LeftButton, {}, from.toPoint());
+    for (int i = 1; i <= kSteps; ++i) QTest::mouseMove(&view, (from + i * (to - from) / kSteps).toPoint());
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, to.toPoint());
+}
+
+void WindowHand::dragPoints(const Vec3& from, const Vec3& to) const { dragPixels(pixelOf(from), pixelOf(to)); }
+
+void WindowHand::typeOver(QWidget* line, const QString& text) {
+    line->setFocus();
+    QTest::keyClick(line, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(line, text);
+}
+
+/// A timer looks for the dialog, since its event loop runs before what opens it returns; that loop may also begin later.
+void WindowHand::answerFileDialog(const QString& path) const {
+    auto* timer = new QTimer(&m_window);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, path] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        auto* line = dialog ? dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")) : nullptr;
+        if (!line) return;
+        timer->stop();
+        timer->deleteLater();
+        typeOver(line, path);
+        // As for a person, what completes the name takes the first one.
+        for (int i = 0; i < 2 && dialog->isVisible(); ++i) QTest::keyClick(line, Qt::Key_Return);
+        if (dialog->isVisible()) dialog->reject(); // so that the test fails instead of waiting
+    });
+    timer->start(20);
 }
 
 bool WindowHand::dragToPoint(const QString& item, const Vec3& point) const {

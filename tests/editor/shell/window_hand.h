@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include <QPointF>
 #include <QStringList>
 
 #include <trundle/geometry.h>
 
 class QAbstractItemView;
 class QModelIndex;
+class QWidget;
 
 namespace trundle {
 
@@ -31,8 +33,17 @@ public:
     /// Puts the camera of the current view at `eye`, looking at `target` (W, m): a test of placing starts from a known view.
     void look(const Vec3& eye, const Vec3& target) const;
     void clickPoint(const Vec3& point) const; ///< of W, in the current view
+    /// Presses at one place of the current view, moves in steps to another one, and releases there. Pixels of the view.
+    void dragPixels(const QPointF& from, const QPointF& to) const;
+    void dragPoints(const Vec3& from, const Vec3& to) const; ///< of W
+    [[nodiscard]] QPointF pixelOf(const Vec3& point) const;  ///< of W, in the current view
     /// Drags an item of the Library, found by its title, to a point of W in the current view.
     [[nodiscard]] bool dragToPoint(const QString& item, const Vec3& point) const;
+
+    /// The next file dialog gets this path typed into its name, and Enter. To be called before what opens it, which may wait for it.
+    void answerFileDialog(const QString& path) const;
+    /// Selects what is in a line edit and types over it.
+    static void typeOver(QWidget* line, const QString& text);
 
 private:
     MainWindow& m_window;

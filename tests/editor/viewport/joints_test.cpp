@@ -2,6 +2,7 @@
 #include <QSlider>
 #include <QtTest>
 
+#include "editor/viewport/gizmo/aim_shape.h"
 #include "editor/viewport/gizmo/aim_tool.h"
 #include "editor/viewport/gizmo/joint_tool.h"
 #include "editor/viewport/view_window.h"
@@ -28,6 +29,7 @@ Robot arm { Config=Arm }
 )";
 
 constexpr JointHandle kAnchor{JointHandle::Kind::Anchor, {}}, kAxis{JointHandle::Kind::Axis, {}},
+    kSwing{JointHandle::Kind::Swing, {}}, kTravelUp{JointHandle::Kind::Travel, {true, false}},
     kLow{JointHandle::Kind::Stop, {false, false}}, kHigh{JointHandle::Kind::Stop, {true, false}};
 
 } // namespace
@@ -95,6 +97,37 @@ private Q_SLOTS:
         dragTo(kHigh, anchor + Vec3(0.15, 0, 0));
         QCOMPARE(m_window->text(), replaced("HighStop=0.1 ", "HighStop=0.15 "));
         QVERIFY(!tool().spot(kAnchor)); // it makes no difference
+    }
+
+    void swingOfABallIsDraggedOnItsCone() {
+        QVERIFY(m_window->open(
+            QByteArray(kArm).replace("Hinge elbow { Parent=post Child=link Anchor=0,0,0.4 Axis=0,1,0 HighStop=90 }",
+                                     "Ball elbow { Parent=post Child=link Anchor=0,0,0.4 Axis=0,0,1 }")));
+        const QByteArray before = m_window->text();
+        m_window->selection.select("arm.elbow");
+        const double reach = JointHandles::kCirclePart * arrow({0, 0, 0.4}), angle = 40 * M_PI / 180;
+        dragTo(kSwing, Vec3(0, 0, 0.4) + reach * Vec3(std::sin(angle), 0, std::cos(angle)));
+        QCOMPARE(m_window->text(), QByteArray(before).replace("Axis=0,0,1 }", "Axis=0,0,1 SwingStop=40 }"));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), before);
+    }
+
+    void travelOfASuspensionIsDraggedAlongItsAxis() {
+        QVERIFY(m_window->open(QByteArray(kArm).replace(
+            "Slider reach { Parent=link Child=tip Axis=1,0,0 LowStop=0 HighStop=0.1 }",
+            "Suspension reach { Parent=link Child=tip Axis=0,0,1 Axis2=0,1,0 Stiffness=100 Travel=2cm }")));
+        const QByteArray before = m_window->text();
+        m_window->selection.select("RobotConfig.Arm.reach");
+        dragTo(kTravelUp, Vec3(0.45, 0, 0.4 + 0.05));
+        QVERIFY2(m_window->text().contains("Travel=5cm") || m_window->text().contains("Travel=5 cm"),
+                 m_window->text().constData());
+        dragTo({JointHandle::Kind::Travel, {false, false}}, Vec3(0.45, 0, 0.4 - 0.03));
+        QVERIFY2(m_window->text().contains("Travel=3cm") || m_window->text().contains("Travel=3 cm"),
+                 m_window->text().constData());
+        m_window->document.edits().undo();
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), before);
     }
 
     void escapeRestoresTheText() {
@@ -189,6 +222,38 @@ private Q_SLOTS:
         const QPointF way = QPointF(m_window->at(there)) - QPointF(m_window->at(eye));
         m_window->drag(from, QPointF(m_window->at(eye)) + way * (reach / std::hypot(way.x(), way.y())));
         QCOMPARE(m_window->text(), replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=30,0,0 }"));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), kArm);
+    }
+
+    /// By an edge of its frustum, which stays under the mouse.
+    void cameraIsAimedByItsFrustum() {
+        m_window->look({0.45, -0.01, 3.5}, {0.45, 0, 0.4}); // from above
+        m_window->selection.select("arm.eye");
+        const auto lines = aimShapeOf(m_window->view(), "arm.eye");
+        QVERIFY(!lines.empty());
+        const Vec3 eye(0.48, 0, 0.4), edge = (lines[0][1] - lines[0][0]).normalized();
+        const double reach = 0.6;
+        const auto turned = [&](double degrees) {
+            return Vec3(eye + reach * (Quat(Eigen::AngleAxisd(degrees * M_PI / 180, Vec3::UnitZ())) * edge));
+        };
+        m_window->drag(m_window->at(turned(0)), m_window->at(turned(45)));
+        QCOMPARE(m_window->text(), replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=45,0,0 }"));
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), kArm);
+    }
+
+    void cameraIsRolledAboutItsSight() {
+        m_window->look({2.4, 0, 0.4}, {0.45, 0, 0.4}); // from ahead
+        m_window->selection.select("arm.eye");
+        const auto from = m_window->view().tools().aim().rollSpot();
+        QVERIFY(from);
+        const QPointF centre = m_window->at({0.5, 0, 0.4}), up = *from - centre;
+        m_window->drag(*from, centre + std::hypot(up.x(), up.y()) * QPointF(1, 0)); // a quarter turn
+        QVERIFY2(m_window->text().contains("HPR=0,0,90") || m_window->text().contains("HPR=0,0,-90"),
+                 m_window->text().constData());
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kArm);
