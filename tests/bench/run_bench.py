@@ -14,6 +14,7 @@ import tempfile
 
 import camera_tables
 import experiments
+import fault_tables
 import ray_tables
 import report
 import svg_plot
@@ -263,6 +264,11 @@ def controllers(programs, options):
     return failed
 
 
+def faults(programs, options):
+    """How soon a fault of a controller is noticed."""
+    return fault_tables.measure(programs, options, os.path.abspath(options.build), RESULTS, PAGE)
+
+
 def windows(programs, options):
     """How fast the window answers."""
     return window_tables.measure(programs, options, RESULTS, PAGE)
@@ -279,7 +285,7 @@ def rays(programs, options):
 
 
 SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "engines": engines, "crowds": crowds,
-            "controllers": controllers, "radios": radios, "rays": rays}
+            "controllers": controllers, "faults": faults, "radios": radios, "rays": rays}
 
 
 def main():
