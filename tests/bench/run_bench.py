@@ -14,6 +14,7 @@ import tempfile
 
 import camera_tables
 import experiments
+import fault_tables
 import ray_tables
 import report
 import svg_plot
@@ -289,6 +290,11 @@ def controllers(programs, options):
     return failed
 
 
+def faults(programs, options):
+    """How soon a fault of a controller is noticed."""
+    return fault_tables.measure(programs, options, os.path.abspath(options.build), RESULTS, PAGE)
+
+
 def windows(programs, options):
     """How fast the window answers."""
     return window_tables.measure(programs, options, RESULTS, PAGE)
@@ -304,8 +310,8 @@ def rays(programs, options):
     return ray_tables.measure(programs, options, RESULTS, PAGE)
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "engines": engines, "threads": threads, "crowds": crowds,
-            "controllers": controllers, "radios": radios, "rays": rays}
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "engines": engines,
+            "threads": threads, "crowds": crowds, "controllers": controllers, "faults": faults, "radios": radios, "rays": rays}
 
 
 def main():

@@ -77,6 +77,54 @@ private Q_SLOTS:
         QVERIFY2(rows.size() > 2 && rows.last().endsWith(",2"), rows.last().constData()); // nothing is nearer than MaxRange
     }
 
+    /// The sources that the guide shows are built in place of those of the templates: without a warning, and they do what it says.
+    void sourcesOfTheGuideBuild() {
+        const QString folder = at("guide");
+        QVERIFY(QDir().mkpath(folder));
+        int built = 0;
+        for (const char* page : {"controllers.md", "components.md"}) {
+            const QString text = QString::fromUtf8(contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/guide/") + page));
+            for (const QString& part : text.split("```cpp\n").mid(1)) {
+                const QString source = part.section("```", 0, 0), name = source.section("struct ", 1, 1).section(' ', 0, 0);
+                const QString what = source.contains("trundle/controller.h") ? "controller" : "component";
+                const Outcome made = installedCli({"new", what, name, "--in", folder});
+                QVERIFY2(made.code == 0, shown(made));
+                const QString file =
+                    QString::fromUtf8(made.out).section("wrote ", 1).section('\n', 0, 0).split(' ').filter(".cpp").value(0);
+                QVERIFY2(QFile::exists(file) && writeFile(file, source.toUtf8()), shown(made));
+                const QString at = QFileInfo(file).path();
+                const Outcome configured =
+                    callProgram("cmake", {"-S", at, "-B", at + "/build", "-G", "Ninja", "-DCMAKE_PREFIX_PATH=" + prefix(),
+                                          "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic"});
+                QVERIFY2(configured.code == 0, shown(configured));
+                const Outcome compiled = callProgram("cmake", {"--build", at + "/build"}, {}, 600);
+                QVERIFY2(compiled.code == 0 && !compiled.out.contains("warning"), name.toUtf8() + shown(compiled));
+                ++built;
+            }
+        }
+        QCOMPARE(built, 3);
+        QVERIFY(writeFile(folder + "/push.py", "import trundle\n\n\nclass Push(trundle.Controller):\n    \"\"\"Pushes.\"\"\"\n\n"
+                                               "    def setup(self, robot):\n        self.engine = robot.port(\"engine\")\n\n"
+                                               "    def update(self, since_last):\n        self.engine.set(\"force\", 2)\n"));
+        QVERIFY(writeFile(
+            folder + "/all.sim",
+            "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule circler/build/circler\n"
+            "#loadModule front_sonar/build/front_sonar\n#loadModule thruster/build/thruster\n#loadModule push.py\n"
+            "RobotConfig Puck { Body hull { Box box { Size=0.2,0.2,0.1 Pos=0,0,0.06 Mass=1 Material=red Surface=slick } }\n"
+            "  FrontSonar eye { Body=hull Pos=0.1,0,0.06 MaxRange=3 }  Thruster engine { Body=hull MaxForce=1.5 } }\n"
+            "Static floor { Config=OpenFloor }\nRobot round { Config=SimpleRobot Pos=0,3,0 Circler brain { Speed=0.3 } }\n"
+            "Robot puck { Config=Puck Push brain { } }\nRobot wall { Config=Puck Pos=2,0,0 }\n"));
+        const Outcome run = installedCli({"run", folder + "/all.sim", "--trust", "--json"});
+        QVERIFY2(run.code == 0, shown(run));
+        const QJsonValue robots = QJsonDocument::fromJson(run.out)["robots"];
+        const QJsonValue signal = robots["puck"]["signals"];
+        QCOMPARE(signal["engine/thrust"].toDouble(), 1.5);
+        QVERIFY2(robots["puck"]["pos"][0].toDouble() > 0.1, shown(run));
+        const double gap = 2 - 0.2 - robots["puck"]["pos"][0].toDouble();
+        QVERIFY2(std::abs(signal["eye/distance"].toDouble() - gap) < 0.05, shown(run));
+        QVERIFY2(robots["round"]["pos"][0].toDouble() > 0.1, shown(run));
+    }
+
     void startsPythonController() {
         const QString folder = at("snakes");
         QVERIFY(QDir().mkpath(folder));

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <utility>
@@ -103,6 +104,15 @@ bool HelperProcess::isTraced() const {
         if (word == "TracerPid:" && status >> tracer) return tracer != 0 && tracer != ::getpid();
     }
     return false;
+}
+
+bool HelperProcess::receives(int signal) const {
+    std::ifstream status("/proc/" + std::to_string(m_process) + "/status");
+    std::string word, digits;
+    while (status >> word)
+        if ((word == "SigBlk:" || word == "SigIgn:") && status >> digits)
+            if ((std::strtoull(digits.c_str(), nullptr, 16) >> (signal - 1) & 1) != 0) return false;
+    return true;
 }
 
 bool endWithParent(int parent) { return ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && ::getppid() == parent; }

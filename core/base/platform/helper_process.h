@@ -37,6 +37,8 @@ public:
     void send(int signal) const;
     /// Whether a debugger or another program traces it.
     [[nodiscard]] bool isTraced() const;
+    /// Whether a signal reaches its main thread, which neither blocks nor ignores it.
+    [[nodiscard]] bool receives(int signal) const;
 
 private:
     void record(int status);

@@ -167,6 +167,7 @@ void HostConnection::requestReport() {
 
 /// The host records where a call is that does not return, as in a crash, unless the module keeps it from that.
 void HostConnection::takeStack() {
+    if (!m_process.receives(SIGABRT)) return;
     m_process.signalMainThread(SIGABRT);
     const Clock::time_point until = Clock::now() + kStackWait;
     while (!m_process.hasEnded() && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(kSliceMs));

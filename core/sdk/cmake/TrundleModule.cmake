@@ -10,8 +10,6 @@
 #   LINK    further libraries
 # `cmake --install` copies both files if TRUNDLE_MODULE_INSTALL_DIR is set.
 
-include(CheckCXXCompilerFlag)
-
 function(trundle_module name)
   cmake_parse_arguments(MOD "" "FOLDER;OUTPUT" "SOURCES;LINK" ${ARGN})
   if(NOT MOD_SOURCES)
@@ -41,10 +39,7 @@ function(trundle_module name)
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,11>>:-fdiagnostics-column-unit=byte>)
 
   # GNU unique symbols would be shared between two modules, or two versions of one, and prevent unloading.
-  check_cxx_compiler_flag(-fno-gnu-unique TRUNDLE_HAS_NO_GNU_UNIQUE)
-  if(TRUNDLE_HAS_NO_GNU_UNIQUE)
-    target_compile_options(${target} PRIVATE -fno-gnu-unique)
-  endif()
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   # Undefined symbols are link errors here instead of load errors for the user. (A sanitizer's runtime is provided by the
   # program.)
   if(UNIX AND NOT APPLE AND NOT TRUNDLE_SANITIZE)
