@@ -15,6 +15,7 @@ namespace {
 constexpr int kMaxKept = 4;           // per pair and direction
 constexpr int kMaxOfRobots = 2;       // per pair of jointed actors
 constexpr double kSurelyClear = 1e-6; // m
+constexpr double kUpright = 0.9;      // cosine
 
 /// Whether a box is above the plane by more than rounding errors.
 bool isClear(const Box3& box, const Vec3& normal, double distance) {
@@ -24,6 +25,12 @@ bool isClear(const Box3& box, const Vec3& normal, double distance) {
 }
 
 } // namespace
+
+/// A wheel with its axle upright is a disc on which things lie.
+bool GeomCollider::isRolling(std::uint32_t index) const {
+    const OdeGeom& g = m_objects.geoms[index];
+    return g.wheel && std::abs(wheelPose(g, index).axle.z()) < kUpright;
+}
 
 WheelPose GeomCollider::wheelPose(const OdeGeom& geom, std::uint32_t index) const {
     return {m_objects.centres[index], turn(m_objects.bodies[geom.body].r, geom.axle), geom.radius};
@@ -96,7 +103,7 @@ void GeomCollider::boxOnPlane(std::uint32_t index, const GroundPlane& plane, Con
 }
 
 void GeomCollider::meet(std::uint32_t first, std::uint32_t second, Contacts& contacts) {
-    const bool a = m_objects.geoms[first].wheel, b = m_objects.geoms[second].wheel;
+    const bool a = isRolling(first), b = isRolling(second);
     if (a != b) wheelAgainst(a ? first : second, a ? second : first, a, contacts);
     else genericContacts(first, second, contacts);
 }

@@ -22,6 +22,7 @@ public:
     void meetPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts);
 
 private:
+    [[nodiscard]] bool isRolling(std::uint32_t geom) const;
     void wheelAgainst(std::uint32_t wheel, std::uint32_t other, bool wheelFirst, Contacts& contacts) const;
     void sphereOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
     void boxOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
