@@ -152,8 +152,7 @@ std::vector<OutlineRow> OutlineRows::top() const {
 std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
     Rows rows;
     switch (row.type) {
-    case OutlineRow::Type::Experiment:
-    case OutlineRow::Type::Module: break;
+    default: break;
     case OutlineRow::Type::File: rows = fileBlocks(row); break;
     case OutlineRow::Type::Group:
         for (const Part* part : m_groups[std::size_t(row.group)]) keep(rows, partRow(*part, row), row);

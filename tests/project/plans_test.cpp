@@ -388,31 +388,6 @@ private Q_SLOTS:
         QCOMPARE(m_fixture.text(loaded, planReplaceBySingles(*loaded, "robot0")), "refused: robot0 is no Grid or Scatter");
     }
 
-    /// What depends on the number of a member is written with it.
-    void singlesHaveTheirNumbers() {
-        const char* const herd = "Grid herd { Config=Cart Count=3,2 Spacing=2 Pos=0,30,0 chassis.hull.Mass=$(1 + 0.5*index)\n"
-                                 "  width=$(0.3 + 0.1*index2) LinearMotion brain { Distance=$index } }\nGrid swarm";
-        const auto loaded = m_fixture.open(with(kScene, {{"Grid swarm", herd}}));
-        QVERIFY(!loaded->diagnostics.hasErrors());
-        const auto plan = planReplaceBySingles(*loaded, "herd");
-        const std::string text = m_fixture.text(loaded, plan);
-        QVERIFY2(text.find("Robot herd_5 { Pos=2,31,0 HPR=0,0,0 Config=Cart chassis.hull.Mass=$(1 + 0.5*2) "
-                           "width=$(0.3 + 0.1*1) LinearMotion brain { Distance=2 } }") != std::string::npos,
-                 text.c_str());
-        QCOMPARE(text.find("index"), std::string::npos);
-        const auto after = m_fixture.apply(loaded, plan);
-        QVERIFY(!after->diagnostics.hasErrors());
-        const auto massOf = [](const LoadedProject& of, const std::string& name) {
-            for (const RobotSpec& robot : of.experiment->robots)
-                if (robot.name == name) return robot.config->bodies[0].mass.mass;
-            return 0.0;
-        };
-        for (const char* name : {"herd_0", "herd_2", "herd_4"}) {
-            QVERIFY(massOf(*loaded, name) > 0);
-            QCOMPARE(massOf(*after, name), massOf(*loaded, name));
-        }
-    }
-
     void textsToCopy() {
         const auto loaded = m_fixture.open(kScene);
         QCOMPARE(textOf(*loaded, {"where", "Material.blue", "where", "nothing"}),

@@ -71,6 +71,28 @@ private Q_SLOTS:
         }
     }
 
+    /// A Grid that is replaced by singles: what depends on the number of a member is written with it.
+    void singlesHaveTheirNumbers() {
+        const auto loaded = m_fixture.open(kKit + "Grid herd { Config=Kit Count=3,2 Spacing=2 hub.hull.Mass=$(1 + 0.5*index)\n"
+                                                  "  roller.motor.Resistance=$(1 + index) n=$index2 }\n");
+        QCOMPARE(messages(*loaded), std::string());
+        const auto plan = planReplaceBySingles(*loaded, "herd");
+        const std::string text = m_fixture.text(loaded, plan);
+        QVERIFY2(text.find("Robot herd_5 { Pos=2,1,0 HPR=0,0,0 Config=Kit hub.hull.Mass=$(1 + 0.5*2) roller.motor.Resistance=$(1 "
+                           "+ 2) n=1 }") != std::string::npos,
+                 text.c_str());
+        QCOMPARE(text.find("index", text.find("herd_0")), std::string::npos);
+        const auto after = m_fixture.apply(loaded, plan);
+        QCOMPARE(messages(*after), std::string());
+        QCOMPARE(after->experiment->robots.size(), loaded->experiment->robots.size());
+        for (std::size_t i = 0; i < 6; ++i) {
+            const RobotSpec &was = loaded->experiment->robots[i], &is = after->experiment->robots[i];
+            QCOMPARE(is.name, was.name);
+            QVERIFY(was.config->bodies[0].mass.mass > 0.9);
+            QCOMPARE(is.config->bodies[0].mass.mass, was.config->bodies[0].mass.mass);
+        }
+    }
+
     /// A Grid in a Repeat of the world: its members lead to it, a rename follows them.
     void gridsInRepeatsOfTheWorld() {
         const auto loaded =

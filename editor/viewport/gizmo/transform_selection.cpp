@@ -12,7 +12,7 @@
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/text_in_place.h"
 #include "lang/number_text.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "project/objects/object_location.h"
 #include "project/objects/part_values.h"
 
@@ -105,17 +105,17 @@ void TransformSelection::take(const std::string& path) {
     const bool hasPlace = place && (place->member || (place->part && place->part->kind && place->part->kind->find("Pos")));
     if (!hasPlace) return; // a whole config has no pose
     if (place->member) {
-        m_layout = memberName(path) ? std::string(memberName(path)->stem) : std::string();
+        m_layout = layoutMemberIn(*m_context.document.loaded()->outline, path).all();
         m_refusal =
             tr("%1 is a member of %2, which sets its pose.").arg(QString::fromStdString(path), QString::fromStdString(m_layout));
         return;
     }
     if (place->part && holdsFrame(place->part)) return takePart(path, *place, object);
     const bool isAllOfRepeat = !place->around.empty() && place->members.empty(); // they have one text
-    if (isAllOfRepeat && place->part->is(Role::Layout))
-        return takeLayout(std::string(memberName(m_objects->pathOf(object))->stem));
-    if (isAllOfRepeat && m_objects->pathOf(object) != path) return take(m_objects->pathOf(object));
-    if (place->instance && place->within.empty() && !world.find(path)) return takeLayout(path);
+    const std::string one = isAllOfRepeat ? m_objects->pathOf(object) : path;
+    if (isAllOfRepeat && place->part->is(Role::Layout)) return take(std::string(memberName(one)->stem));
+    if (one != path) return take(one);
+    if (place->instance && place->within.empty() && !world.find(path)) return takePart(path, *place, object);
     if (world.isLocked(object)) return void(m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path)));
     Item item{path, object, world.poseOf(object), frameAsShown(*m_objects, object, *world.poses()), {}, {}, {}, {}};
     item.local = localPose(*m_objects, object);
@@ -154,21 +154,6 @@ void TransformSelection::addSizes(const std::string& path) {
     take(path + "." + shape);
 }
 
-void TransformSelection::takeLayout(const std::string& path) {
-    const auto place = placeOf(*m_context.document.loaded(), path);
-    const DescribedFrame described = describedFrame(*m_context.document.loaded(), *place); // in a Repeat that of the member
-    Item item{path,
-              std::nullopt,
-              {},
-              described.pose,
-              poseAt(*m_context.document.loaded(), *place),
-              described,
-              textOf(path + ".Pos"),
-              textOf(path + ".HPR")};
-    item.world = item.frame * item.local;
-    m_items.push_back(std::move(item));
-}
-
 void TransformSelection::takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside) {
     const LoadedProject& loaded = *m_context.document.loaded();
     const ObjectRef whole = m_objects->wholeOf(inside);
@@ -181,7 +166,8 @@ void TransformSelection::takePart(const std::string& path, const ObjectLocation&
               textOf(path + ".Pos"),
               textOf(path + ".HPR")};
     if (place.part->isRepeat() && usesIndex(item.posText + item.hprText)) return void(m_refusal = placedByIndex(path));
-    item.frame = place.part->isInWorld ? item.described.pose : m_context.world.poseOf(whole) * item.described.pose;
+    const bool isInWorld = place.part->isInWorld || place.part->is(Role::Layout);
+    item.frame = isInWorld ? item.described.pose : m_context.world.poseOf(whole) * item.described.pose;
     item.world = item.frame * item.described.mirrored(item.local);
     m_items.push_back(std::move(item));
 }

@@ -82,7 +82,6 @@ private:
     };
     void addSizes(const std::string& path);
     void take(const std::string& path);
-    void takeLayout(const std::string& path);
     void takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside);
     [[nodiscard]] std::string textOf(const std::string& property) const;
     /// The edits that resize an instance: its Param, and Pos if the opposite side is to stay.

@@ -1,6 +1,5 @@
 #include "editor/viewport/overlays/overlays.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <QPainter>
@@ -17,12 +16,12 @@
 #include "editor/viewport/overlays/motion_arrows.h"
 #include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/overlays/regions.h"
+#include "editor/viewport/overlays/selected_names.h"
 #include "editor/viewport/overlays/springs.h"
 #include "editor/viewport/overlays/trails.h"
 #include "editor/viewport/radio/radio_legend.h"
 #include "editor/widgets/theme.h"
 #include "lang/number_text.h"
-#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
@@ -103,20 +102,12 @@ bool hasHandles(const ToolView& view) {
     return edits && !view.context().world.isRunning() && view.context().selection.paths().size() == 1;
 }
 
-} // namespace
-
-bool isSelected(const ToolView& view, std::string_view name) {
-    return std::ranges::any_of(view.context().selection.paths(), [&](const std::string& path) { return isNamedBy(name, path); });
-}
-
-namespace {
-
 /// Those between robots move with their child.
 void paintLinks(QPainter& painter, const ToolView& view, bool all) {
     const ViewportScene& world = view.context().world;
     const ExperimentSpec& experiment = world.objects()->experiment();
     for (const auto& link : experiment.joints) {
-        const bool selected = isSelected(view, link.spec.name);
+        const bool selected = isSelected(view.context().selection, link.spec.name);
         const auto robot = std::uint32_t(link.childRobot), body = std::uint32_t(link.spec.child);
         const bool hasOwnHandles = view.context().selection.contains(link.spec.name) && hasHandles(view);
         if ((!all && !selected) || hasOwnHandles || !experiment.robots[robot].config ||
@@ -142,7 +133,7 @@ void paintJoints(QPainter& painter, const ToolView& view, bool all) {
             // Selected joints are always shown, including those selected in their config.
             const std::string name = robots[r].name + "." + joint.name;
             const bool isChosen = selection.contains(name) || selection.contains("RobotConfig." + config.name + "." + joint.name);
-            const bool selected = isChosen || isSelected(view, name);
+            const bool selected = isChosen || isSelected(selection, name);
             if ((!all && !selected) || (isChosen && hasHandles(view))) continue;
             const auto child = std::uint32_t(joint.child);
             const Pose toWorld =

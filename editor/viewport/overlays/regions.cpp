@@ -6,11 +6,10 @@
 
 #include <QPainter>
 
-#include "editor/document/selection.h"
 #include "editor/viewport/context/label.h"
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
-#include "editor/viewport/overlays/overlays.h"
+#include "editor/viewport/overlays/selected_names.h"
 
 namespace trundle {
 namespace {
@@ -41,7 +40,7 @@ void paintRegions(QPainter& painter, const ToolView& view) {
     for (std::size_t i = 0; i < regions.size() && i < kMostRegions; ++i) {
         const auto corners = cornersOf(view, regions[i]);
         if (!corners) continue;
-        QColor colour = isSelected(view, regions[i].name) ? ToolView::outlineColour() : kOpen;
+        QColor colour = isSelected(view.context().selection, regions[i].name) ? ToolView::outlineColour() : kOpen;
         painter.setPen(QPen(colour, 1.4, Qt::DashLine));
         QColor fill = colour;
         fill.setAlpha(22);

@@ -5,10 +5,9 @@
 
 #include <QPainter>
 
-#include "editor/document/selection.h"
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
-#include "editor/viewport/overlays/overlays.h"
+#include "editor/viewport/overlays/selected_names.h"
 
 namespace trundle {
 namespace {
@@ -59,7 +58,8 @@ void paintLinkedSprings(QPainter& painter, const ToolView& view) {
             return world.objects()->poseOf({ObjectKind::Body, r, b}, view.shownPoses()) * (start.inverse() * point);
         };
         paintCoil(painter, view, link.spec, shown(link.parentRobot, link.spec.parent, link.spec.anchor),
-                  shown(link.childRobot, link.spec.child, link.spec.anchor2), isSelected(view, link.spec.name));
+                  shown(link.childRobot, link.spec.child, link.spec.anchor2),
+                  isSelected(view.context().selection, link.spec.name));
     }
 }
 
@@ -81,7 +81,7 @@ void paintSprings(QPainter& painter, const ToolView& view) {
                    (config.bodies[index].pose.inverse() * point);
         };
         for (const SpringSpec& spring : config.springs) {
-            const bool selected = isSelected(view, robots[r].name + "." + spring.name) ||
+            const bool selected = isSelected(selection, robots[r].name + "." + spring.name) ||
                                   selection.contains("RobotConfig." + config.name + "." + spring.name);
             paintCoil(painter, view, spring, shown(spring.parent, spring.anchor), shown(spring.child, spring.anchor2), selected);
         }

@@ -125,7 +125,7 @@ private:
                                            {"RobotConfig.Rover.belt.Ratio", number},
                                            {"fence.Count", std::to_string(below(4) + 1)},
                                            {"fence_1.post.h", number},
-                                           {"fence_0.pile_1.Spacing", number},
+                                           {"fence_0.pile.Spacing", number},
                                            {"goal.Size", number + ",1,1"},
                                            {"RobotConfig.TallRover.roller.rim.ball.Mass", number}});
         std::vector<ValueEdit> values{choices[below(choices.size())]};
