@@ -109,7 +109,7 @@ std::string runJson(const RunReport& report) {
     json["real_time_factor"] = report.wallS > 0 ? simulated / report.wallS : 0;
     json["peak_memory_kb"] = peakMemoryKb();
     json["engine"] = world ? Json(world->experiment().settings.engine == EngineChoice::Wheeled ? "wheeled" : "general") : Json(nullptr);
-    json["threads"] = world ? Json(world->threads()) : Json(nullptr);
+    json["threads"] = world ? Json(threadsFor(world->experiment())) : Json(nullptr);
     json["state_hash"] = world ? Json(hashText(world->stateHash())) : Json(nullptr);
     json["quick_ticks"] = world ? world->quickTicks() : 0;
     json["rescued_ticks"] = world ? world->rescuedTicks() : 0;

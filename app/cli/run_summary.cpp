@@ -124,7 +124,8 @@ std::string stoppedRows(const Runner& runner, const ExperimentSpec& experiment) 
 std::string solverRows(const World& world) {
     std::string text;
     const bool wheeled = world.experiment().settings.engine == EngineChoice::Wheeled;
-    const std::string threads = world.threads() > 1 ? std::to_string(world.threads()) + " threads" : "";
+    const unsigned count = threadsFor(world.experiment());
+    const std::string threads = count > 1 ? std::to_string(count) + " threads" : "";
     if (wheeled) text += row("engine", "wheeled" + (threads.empty() ? "" : ", " + threads));
     else if (!threads.empty()) text += row("engine", threads);
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;

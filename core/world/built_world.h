@@ -42,7 +42,6 @@ public:
     [[nodiscard]] const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
     [[nodiscard]] const RobotFaultReport& robotFaults() const override { return m_robotFaults.report(); }
     [[nodiscard]] std::uint64_t ticks() const override { return m_ticks; }
-    [[nodiscard]] unsigned threads() const override { return m_engine->threads(); }
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_engine->solves().quickTicks; }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_engine->solves().rescuedTicks; }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_engine->solves().largestExactCluster; }

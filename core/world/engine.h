@@ -52,7 +52,7 @@ struct EngineSettings {
     double errorReduction = 0.8; ///< fraction of a joint's position error corrected per step (ODE's ERP)
     std::vector<SurfaceSpec> surfaces;
     CallMonitor* calls = nullptr; ///< informed of large clusters before each step that solves them; must outlive the engine
-    int threads = 1;              ///< that may work in step(); no result depends on it
+    unsigned threads = 1;         ///< that may work in step(); no result depends on it
 };
 
 /// A body of an actor. `pose` is the pose of the body's frame in the world; the spec is read only during the call.
@@ -185,7 +185,6 @@ public:
     /// Casts rays against all geoms.
     [[nodiscard]] virtual const RayTargets& rays() const = 0;
 
-    [[nodiscard]] virtual unsigned threads() const = 0; ///< that work in step(), with the one that calls it
     [[nodiscard]] virtual EngineSolves solves() const = 0;
     [[nodiscard]] virtual EngineSweeps sweeps() const = 0;
     [[nodiscard]] virtual ActorFaultReport faults() const = 0;

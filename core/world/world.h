@@ -92,7 +92,6 @@ public:
 
     [[nodiscard]] virtual std::uint64_t ticks() const = 0;
     [[nodiscard]] double time() const { return static_cast<double>(ticks()) * experiment().settings.tick; }
-    [[nodiscard]] virtual unsigned threads() const { return 1; } ///< that compute the motion; no result depends on it
     /// Ticks solved by the quick solver: all with Solver = quick, those with large clusters with auto, and those the exact solver
     /// failed on.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
@@ -133,5 +132,8 @@ public:
 };
 
 [[nodiscard]] bool hasEnded(const World& world, std::size_t robot);
+
+/// How many threads compute the motion in a world of this experiment, with the one that calls tick(). No result depends on it.
+[[nodiscard]] unsigned threadsFor(const ExperimentSpec& experiment);
 
 } // namespace trundle

@@ -10,7 +10,8 @@ namespace trundle {
 
 namespace {
 
-constexpr unsigned kMostByItself = 8; // threads
+constexpr unsigned kMostByItself = 8;     // threads
+constexpr std::size_t kWorthThreads = 32; // robots
 
 /// With the engine that fits it.
 std::shared_ptr<const ExperimentSpec> withEngine(std::shared_ptr<const ExperimentSpec> experiment) {
@@ -20,15 +21,13 @@ std::shared_ptr<const ExperimentSpec> withEngine(std::shared_ptr<const Experimen
     return chosen;
 }
 
-/// Few robots are done before other threads have begun.
-int threadsFor(const ExperimentSpec& experiment) {
-    constexpr std::size_t kWorth = 32;
-    if (experiment.settings.threads > 0) return experiment.settings.threads;
-    if (experiment.robots.size() < kWorth) return 1;
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, kMostByItself));
-}
-
 } // namespace
+
+unsigned threadsFor(const ExperimentSpec& experiment) {
+    if (experiment.settings.threads > 0) return static_cast<unsigned>(experiment.settings.threads);
+    if (experiment.robots.size() < kWorthThreads) return 1; // few robots are done before other threads have begun
+    return std::clamp(std::thread::hardware_concurrency(), 1u, kMostByItself);
+}
 
 std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
                                     Diagnostics& diagnostics, std::shared_ptr<CallMonitor> calls) {
@@ -36,7 +35,8 @@ std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experi
     if (!isBuildable(*experiment, diagnostics)) return nullptr;
     experiment = withEngine(std::move(experiment));
     const SettingsSpec& s = experiment->settings;
-    const EngineSettings settings{s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get(), threadsFor(*experiment)};
+    const EngineSettings settings{
+        s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get(), threadsFor(*experiment)};
     auto engine = s.engine == EngineChoice::Wheeled ? makeWheeledEngine(settings) : makeOdeEngine(settings);
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
@@ -64,7 +64,8 @@ bool BuiltWorld::build(const DeviceCode& code, Diagnostics& diagnostics) {
     if (failed()) return false;
     m_layout = m_signals.layOut(*m_experiment, m_objects, m_devices);
     m_block = std::make_unique<SignalBlock>(m_layout);
-    m_host.emplace(DeviceHost{*m_experiment, *m_engine, m_objects, m_radio, m_supply, m_lamps, m_chargers, *m_block, m_texts, m_devices.list()});
+    m_host.emplace(DeviceHost{*m_experiment, *m_engine, m_objects, m_radio, m_supply, m_lamps, m_chargers, *m_block, m_texts,
+                              m_devices.list()});
     m_devices.setup(*m_host, diagnostics);
     if (!failed()) m_devices.order(diagnostics);
     if (failed()) return false;

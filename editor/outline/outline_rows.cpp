@@ -142,10 +142,8 @@ std::vector<OutlineRow> OutlineRows::top() const {
         return rows;
     }
     keep(rows, experimentRow(), none);
-    for (std::size_t group = 0; group < kOutlineGroups; ++group) {
-        const OutlineRow row = groupRow(static_cast<OutlineGroup>(group));
-        if (row.hasRows) keep(rows, row, none);
-    }
+    for (std::size_t group = 0; group < kOutlineGroups; ++group)
+        if (const OutlineRow row = groupRow(static_cast<OutlineGroup>(group)); row.hasRows) keep(rows, row, none);
     return rows;
 }
 

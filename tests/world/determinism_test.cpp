@@ -242,7 +242,7 @@ private Q_SLOTS:
         std::vector<decltype(one)> others;
         for (const int threads : {2, 3, 5}) {
             others.push_back(scene(threads));
-            QCOMPARE(others.back()->threads(), static_cast<unsigned>(threads));
+            QCOMPARE(threadsFor(others.back()->experiment()), static_cast<unsigned>(threads));
         }
         const auto tick = [&](World& world) {
             steer(world, 20);

@@ -255,7 +255,7 @@ std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts)
     shot->time = world.time();
     shot->quickTicks = world.quickTicks();
     shot->engine = world.experiment().settings.engine;
-    shot->threads = world.threads();
+    shot->threads = threadsFor(world.experiment());
     shot->realTimeFactor = m_meter.realTimeFactor(LiveClock::now(), shot->time);
     if (stands) shot->realTimeFactor = 0;
     shot->stepMs = m_meter.takeStepMs();

@@ -47,7 +47,6 @@ public:
     [[nodiscard]] EngineContact contact(std::size_t index) const override;
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
-    [[nodiscard]] unsigned threads() const override { return m_world.threads(); }
     [[nodiscard]] EngineSolves solves() const override;
     [[nodiscard]] EngineSweeps sweeps() const override { return {m_sweep.count(), m_sweep.passages()}; }
     [[nodiscard]] ActorFaultReport faults() const override { return {m_faults.ended(), m_faults.closed()}; }

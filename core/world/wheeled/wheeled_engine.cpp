@@ -23,7 +23,7 @@ Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings
     return std::unique_ptr<Engine>(std::make_unique<WheeledEngine>(settings));
 }
 
-WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(settings)), m_team(static_cast<unsigned>(m_settings.threads)) {
+WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(settings)), m_team(m_settings.threads) {
     m_objects.surfaces = m_settings.surfaces;
     m_objects.weight = -m_settings.gravity.z();
 }

@@ -41,7 +41,6 @@ public:
     [[nodiscard]] EngineContact contact(std::size_t index) const override { return m_list.at(static_cast<std::uint32_t>(index)); }
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override { return m_list.of(geom.index); }
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
-    [[nodiscard]] unsigned threads() const override { return m_team.size(); }
     [[nodiscard]] EngineSolves solves() const override { return {}; }
     [[nodiscard]] EngineSweeps sweeps() const override { return {}; }
     [[nodiscard]] ActorFaultReport faults() const override { return {m_ended, {}}; }

@@ -106,9 +106,8 @@ void TransformSelection::take(const std::string& path) {
     if (!hasPlace) return; // a whole config has no pose
     if (place->member) {
         m_layout = layoutMemberIn(*m_context.document.loaded()->outline, path).all();
-        m_refusal =
-            tr("%1 is a member of %2, which sets its pose.").arg(QString::fromStdString(path), QString::fromStdString(m_layout));
-        return;
+        return void(m_refusal = tr("%1 is a member of %2, which sets its pose.")
+                                    .arg(QString::fromStdString(path), QString::fromStdString(m_layout)));
     }
     if (place->part && holdsFrame(place->part)) return takePart(path, *place, object);
     const bool isAllOfRepeat = !place->around.empty() && place->members.empty(); // they have one text

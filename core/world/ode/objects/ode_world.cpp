@@ -5,7 +5,7 @@
 namespace trundle {
 
 OdeWorld::OdeWorld(const EngineSettings& settings) : m_id(dWorldCreate()) {
-    if (settings.threads > 1) m_team = std::make_unique<WorkTeam>(static_cast<unsigned>(settings.threads));
+    if (settings.threads > 1) m_team = std::make_unique<WorkTeam>(settings.threads);
     if (m_team && m_team->size() == 1) m_team.reset();
     makeThreading();
     dWorldSetGravity(m_id, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());

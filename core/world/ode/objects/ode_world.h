@@ -25,7 +25,6 @@ public:
     void abandonThreading() { m_abandoned = true; }
     /// Whether the next steps are shared by all threads, which is worth it for many islands.
     void share(bool shared);
-    [[nodiscard]] unsigned threads() const { return m_team ? m_team->size() : 1; }
 
 private:
     void makeThreading();
