@@ -76,7 +76,8 @@ private Q_SLOTS:
         QCOMPARE(v.size(), std::size_t(2));
         if (!problem.isEmpty()) return;
         QCOMPARE(std::tuple(n, t, f, v), std::tuple(2, std::string("a"), true, std::vector<double>{1, 2}));
-        QCOMPARE(o, (std::vector<std::pair<std::string, double>>{{"a", 0}, {"b", 1}}));
+        using Numbers = std::vector<double>;
+        QCOMPARE(o, (std::vector<std::pair<std::string, Numbers>>{{"a", {0}}, {"b", {1}}}));
     }
 };
 
