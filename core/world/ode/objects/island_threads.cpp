@@ -131,15 +131,14 @@ void IslandThreads::release(Worker& worker, Call& released, std::ptrdiff_t count
     }
 }
 
-/// The first calls of a worker, and all that follows from them.
-void IslandThreads::work(unsigned index) {
+void IslandThreads::work(unsigned index, std::size_t every) {
     prepareThread();
     Worker& worker = *m_workers[index];
     const std::uint64_t before = odeMessages();
     t_worker = &worker;
     m_arrivals.fetch_add(1, std::memory_order_acq_rel);
     try {
-        for (std::size_t i = index; i < m_first.size(); i += m_team.size()) {
+        for (std::size_t i = index; i < m_first.size(); i += every) {
             worker.ready.push_back(m_first[i]);
             while (!worker.ready.empty() && !m_faulted.load(std::memory_order_relaxed)) {
                 Call& call = *worker.ready.back();
@@ -158,8 +157,8 @@ void IslandThreads::work(unsigned index) {
 
 /// Throws OdeFault in place of the thread where it happened; then the calls that are left are lost, and this is not used any more.
 void IslandThreads::workOff() {
-    if (m_first.size() > 1) m_team.run(m_team.size(), [this](unsigned worker) { work(worker); });
-    else work(0);
+    if (m_shared && m_first.size() > 1) m_team.run(m_team.size(), [this](unsigned worker) { work(worker, m_team.size()); });
+    else work(0, 1);
     addOdeMessages(m_messages.exchange(0, std::memory_order_relaxed));
     m_first.clear();
     if (m_faulted) throw OdeFault{};

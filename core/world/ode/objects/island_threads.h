@@ -22,6 +22,9 @@ public:
     explicit IslandThreads(WorkTeam& team);
     /// The world uses it until it is destroyed or has another.
     void giveTo(dWorldID world);
+    /// Whether the next steps are shared by all threads. ODE has memory for all of them in either case: to ask it for fewer threads would
+    /// return and take that again.
+    void share(bool shared) { m_shared = shared; }
 
 private:
     struct Wait {
@@ -50,15 +53,18 @@ private:
     void post(int* fault, dCallReleaseeID* posted, std::ptrdiff_t open, Call* next, Wait* wait, dThreadedCallFunction* run,
               void* context, dcallindex_t index);
     void release(Worker& worker, Call& call, std::ptrdiff_t count);
-    void work(unsigned worker);
+    /// The first calls from `worker` on, each `every`-th of them, and all that follows from them.
+    void work(unsigned worker, std::size_t every);
     void workOff();
 
     WorkTeam& m_team;
     std::vector<std::unique_ptr<Worker>> m_workers;
     std::vector<Call*> m_own;   ///< posted from outside of any call
     std::vector<Call*> m_first; ///< of these those that are ready, one for each thread
+    bool m_shared = true;
     std::atomic<bool> m_faulted{false};
-    std::atomic<unsigned> m_arrivals{0}; ///< and departures: who comes sees what those who have gone did, whose memory it may get from ODE
+    std::atomic<unsigned> m_arrivals{
+        0}; ///< and departures: who comes sees what those who have gone did, whose memory it may get from ODE
     std::atomic<std::uint64_t> m_messages{0}; ///< of ODE on other threads
 
     static thread_local Worker* t_worker; ///< whose call this thread is in

@@ -40,7 +40,11 @@ void OdeWorld::replaceThreading() {
 }
 
 void OdeWorld::share(bool shared) {
-    if (m_team) dWorldSetStepIslandsProcessingMaxThreadCount(m_id, shared ? dTHREADING_THREAD_COUNT_UNLIMITED : 1);
+    if (m_islands) m_islands->share(shared);
+}
+
+void OdeWorld::useOneThread(bool one) {
+    if (m_islands) dWorldSetStepIslandsProcessingMaxThreadCount(m_id, one ? 1 : dTHREADING_THREAD_COUNT_UNLIMITED);
 }
 
 } // namespace trundle

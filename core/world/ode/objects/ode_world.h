@@ -25,6 +25,8 @@ public:
     void abandonThreading() { m_abandoned = true; }
     /// Whether the next steps are shared by all threads, which is worth it for many islands.
     void share(bool shared);
+    /// For steps whose result would depend on threads; then back to what there is.
+    void useOneThread(bool one);
 
 private:
     void makeThreading();

@@ -67,7 +67,7 @@ void ClusterSolver::seed() const { seedOrders(randomBits(m_settings.seed, 0, m_t
 void ClusterSolver::stepAllQuickly(double h) {
     seed();
     m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
-    m_world.share(false); // its random numbers are of the thread
+    m_world.useOneThread(true); // its random numbers are of the thread
     dWorldQuickStep(m_world.id(), h);
     m_drift.shiftBack(m_objects.bodies);
 }
@@ -283,7 +283,7 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
     m_quick.insert(m_quick.end(), bodies.begin(), bodies.end());
     for (const std::uint32_t body : bodies) dBodyEnable(m_objects.bodies[body].id);
     seed();
-    m_world.share(false); // its random numbers are of the thread
+    m_world.useOneThread(true); // its random numbers are of the thread
     for (int k = 0; k < kShortSteps; ++k) {
         for (std::size_t i = 0; i < m_iterated.size(); ++i) m_rows.add(m_moved[i], part, m_group.get(), &m_felt[i]);
         for (const std::uint32_t body : bodies) {
@@ -300,6 +300,7 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
             Vec3::Map(c.position) += part * m_objects.carriedBy(c);
         }
     }
+    m_world.useOneThread(false);
     for (const std::uint32_t body : bodies) dBodyDisable(m_objects.bodies[body].id);
 }
 
