@@ -32,7 +32,7 @@ private Q_SLOTS:
         }
     }
 
-    void nobodyIsMissedWhenAllSleep() {
+    void allWakeThatSleep() {
         WorkTeam team(4);
         std::vector<int> done(4);
         for (int round = 1; round <= 30; ++round) {
