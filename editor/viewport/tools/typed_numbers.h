@@ -12,7 +12,7 @@ public:
     /// `negative`: the second one may begin with a minus.
     explicit TypedNumbers(bool negative) : m_negative(negative) {}
 
-    /// False if the key is none of a number.
+    /// False if the key does not belong to a number.
     [[nodiscard]] bool type(int key, const QString& text);
     void clear();
     [[nodiscard]] bool empty() const { return m_typed[0].empty() && m_typed[1].empty(); }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMaxKept = 4;           // per pair and direction
 constexpr int kMaxOfRobots = 2;       // per pair of jointed actors
 constexpr double kSurelyClear = 1e-6; // m
-constexpr double kUpright = 0.9;      // cosine
+constexpr double kUpright = 0.9;      // cosine of an axle to the z axis: 26 degrees
 
 /// Whether a box is above the plane by more than rounding errors.
 bool isClear(const Box3& box, const Vec3& normal, double distance) {

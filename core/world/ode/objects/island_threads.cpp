@@ -1,7 +1,5 @@
 #include "world/ode/objects/island_threads.h"
 
-#include <mutex>
-
 #include "world/ode/objects/ode_fault.h"
 
 namespace trundle {
@@ -63,10 +61,7 @@ struct IslandThreads::Functions {
 };
 
 IslandThreads::IslandThreads(WorkTeam& team) : m_team(team) {
-    for (unsigned i = 0; i < team.size(); ++i) {
-        m_workers.push_back(std::make_unique<Worker>());
-        m_workers.back()->threads = this;
-    }
+    for (unsigned i = 0; i < team.size(); ++i) m_workers.push_back(std::make_unique<Worker>());
 }
 
 void IslandThreads::giveTo(dWorldID world) {

@@ -43,7 +43,6 @@ private:
         std::atomic<bool> failed{false};
     };
     struct alignas(64) Worker {
-        IslandThreads* threads = nullptr;
         std::vector<Call*> ready, unused;
         std::deque<Call> calls;
     };
