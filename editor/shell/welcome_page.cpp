@@ -23,7 +23,7 @@ namespace {
 /// A sample with its image, title and one sentence. A button, so that it works with the keyboard.
 class SampleCard final : public QAbstractButton {
 public:
-    SampleCard(const Sample& sample, QWidget* parent) : QAbstractButton(parent), m_sample(sample), m_picture(sample.picture) {
+    SampleCard(const Sample& sample, QWidget* parent) : QAbstractButton(parent), m_sample(sample) {
         setText(sample.title);
         setToolTip(sample.path);
         setCursor(Qt::PointingHandCursor);
@@ -41,6 +41,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent*) override {
+        if (m_picture.isNull()) m_picture.load(m_sample.picture);
         const int picture = pictureHeight(width());
         QPainter p(this);
         p.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
@@ -83,7 +84,7 @@ private:
     [[nodiscard]] int lineHeight() const { return std::max(20, fontMetrics().lineSpacing()); }
     [[nodiscard]] int descriptionTop(int width) const { return pictureHeight(width) + 12 + lineHeight(); }
     Sample m_sample;
-    QImage m_picture;
+    QImage m_picture; ///< empty until the card is first seen: reading the pictures of all cards delays the window's start
 };
 
 QLabel* heading(const QString& text, int size) {

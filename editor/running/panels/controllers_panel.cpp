@@ -13,7 +13,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QSplitter>
-#include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -25,6 +24,7 @@
 #include "editor/running/panels/controller_commands.h"
 #include "editor/running/panels/controller_details.h"
 #include "editor/running/panels/controller_dialogs.h"
+#include "editor/running/panels/controller_table.h"
 #include "editor/running/panels/module_reload.h"
 #include "editor/running/panels/robot_states.h"
 #include "editor/widgets/actions.h"
@@ -37,40 +37,12 @@ namespace trundle {
 namespace {
 
 enum Column { kRobot, kController, kState, kMean, kWorst, kLastCall, kRestarts }; ///< of the robots
-constexpr int kIsPathRole = Qt::UserRole + 1; ///< true: the end of the text matters most
-
-/// Adds space between the columns, keeps the ends of paths, and keeps long texts from using the room of the other columns.
-class SpacedColumns final : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
-        if (index.data(kIsPathRole).toBool()) option->textElideMode = Qt::ElideLeft;
-    }
-    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-        constexpr int kGap = 18, kMostCharacters = 60;
-        const QSize size = QStyledItemDelegate::sizeHint(option, index);
-        return {std::min(size.width(), kMostCharacters * option.fontMetrics.averageCharWidth()) + kGap, size.height()};
-    }
-};
 
 /// As the block of the controller says; the setting of the experiment is not considered.
 bool isIsolated(const ExperimentSpec& experiment, const ControlledRobot& robot) {
     const auto named = std::ranges::find(experiment.robots, robot.path, &RobotSpec::name);
     const ControllerSpec* controller = named == experiment.robots.end() ? nullptr : controllerIn(*named, robot);
     return controller && isolationOf(*controller, {}, Isolation::Module) == Isolation::Robot;
-}
-
-QTreeWidget* table(const char* name, const QStringList& columns) {
-    auto* made = new QTreeWidget;
-    made->setObjectName(QLatin1String(name));
-    made->setHeaderLabels(columns);
-    made->setRootIsDecorated(false);
-    made->setUniformRowHeights(true);
-    made->setAllColumnsShowFocus(true);
-    made->setItemDelegate(new SpacedColumns(made));
-    made->header()->setStretchLastSection(true);
-    return made;
 }
 
 QToolButton* textButton(const char* name, const QString& text, const QString& tip, const char* icon = "") {
@@ -167,7 +139,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
 }
 
 QWidget* ControllersPanel::makeModules() {
-    m_modules = table("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
+    m_modules = controllerTable("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
     QHeaderView& header = *m_modules->header();
     header.setStretchLastSection(false);
     for (const int column : {0, 1, 2}) header.setSectionResizeMode(column, QHeaderView::ResizeToContents);
@@ -196,7 +168,7 @@ QWidget* ControllersPanel::makeModules() {
 }
 
 QWidget* ControllersPanel::makeRobots() {
-    m_robots = table("robotControllers", {tr("Robot"), tr("Controller"), tr("State"), tr("Mean"), tr("Worst"), tr("Last call"), tr("Restarts")});
+    m_robots = controllerTable("robotControllers", {tr("Robot"), tr("Controller"), tr("State"), tr("Mean"), tr("Worst"), tr("Last call"), tr("Restarts")});
     const QStringList tips{tr("Mean time of a call, on this machine"), tr("The longest call, on this machine"),
                            tr("How long ago the last call was, in simulated time"), tr("How often it was started again in this run")};
     for (int column = kMean; column <= kRestarts; ++column) m_robots->headerItem()->setToolTip(column, tips[column - kMean]);
@@ -341,12 +313,14 @@ void ControllersPanel::refreshRobots() {
         auto* item = new QTreeWidgetItem(
             m_robots, {shown, robot.kind.empty() ? QStringLiteral("–") : QString::fromStdString(robot.kind), QString()});
         item->setData(0, Qt::UserRole, toQString(robot.target()));
+        for (int column = kMean; column <= kRestarts; ++column) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         item->setSelected(m_selection.contains(robot.path) || m_selection.contains(robot.target()));
     }
     showStates();
 }
 
 void ControllersPanel::showStates() {
+    const ChangedTogether changes(*m_robots);
     for (std::size_t i = 0; i < m_listed.size() && !m_stale; ++i) {
         const ControllerState state = controllerState(m_session, m_listed[i]);
         QTreeWidgetItem* item = m_robots->topLevelItem(static_cast<int>(i));
@@ -361,16 +335,14 @@ void ControllersPanel::showNumbers() {
     if (!isVisible() || m_stale) return;
     const RunResults& results = m_session.results();
     const double now = results.snapshot ? results.snapshot->time : 0;
+    const ChangedTogether changes(*m_robots);
     for (int i = 0; i < m_robots->topLevelItemCount(); ++i) {
         const ControllerNumbers numbers = controllerNumbers(m_session, m_listed[static_cast<std::size_t>(i)]);
         const bool called = numbers.calls > 0;
         const QStringList texts{called ? callTimeText(numbers.meanS) : QString(), called ? callTimeText(numbers.worstS) : QString(),
                                 called ? tr("%1 s ago").arg(std::max(0.0, now - numbers.lastCall), 0, 'f', 2) : QString(),
                                 numbers.isKnown ? QString::number(numbers.restarts) : QString()};
-        for (int column = kMean; column <= kRestarts; ++column) {
-            m_robots->topLevelItem(i)->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-            m_robots->topLevelItem(i)->setText(column, texts[column - kMean]);
-        }
+        for (int column = kMean; column <= kRestarts; ++column) m_robots->topLevelItem(i)->setText(column, texts[column - kMean]);
     }
 }
 

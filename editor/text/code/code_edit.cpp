@@ -45,9 +45,12 @@ void CodeEdit::load(std::string_view bytes) {
     setReadOnly(false);
     const long notifications = SendScintilla(SCI_GETMODEVENTMASK);
     SendScintilla(SCI_SETMODEVENTMASK, 0UL); // QScintilla would convert both texts to a QString for its notifications
+    const long wrapping = SendScintilla(SCI_GETWRAPMODE);
+    SendScintilla(SCI_SETWRAPMODE, static_cast<unsigned long>(SC_WRAP_NONE)); // else all lines are laid out when they are added
     SendScintilla(SCI_CLEARALL);
     SendScintilla(SCI_ALLOCATE, static_cast<unsigned long>(bytes.size() + 1024));
     SendScintilla(SCI_ADDTEXT, static_cast<unsigned long>(bytes.size()), bytes.data());
+    SendScintilla(SCI_SETWRAPMODE, static_cast<unsigned long>(wrapping));
     SendScintilla(SCI_SETMODEVENTMASK, static_cast<unsigned long>(notifications));
     SendScintilla(SCI_GOTOPOS, 0UL);
     setReadOnly(locked);

@@ -214,6 +214,32 @@ private Q_SLOTS:
         o.session.reset();
         QVERIFY(o.session.endRuns());
     }
+
+    void numbersOfManyRobotsMeasureTheColumnsOnce() {
+        constexpr int kRobots = 30;
+        QByteArray many = "#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule controllers/linear_motion\n"
+                          "Static arena { Config=MediumArena }\n";
+        for (int i = 0; i < kRobots; ++i) {
+            const QByteArray n = QByteArray::number(i);
+            many += "Robot r" + n + " { Config=SimpleRobot Pos=" + n + ",0,0 LinearMotion brain { UpdatePeriod=0.05 Speed=0.2 } }\n";
+        }
+        SessionFixture o;
+        QVERIFY(o.open(many));
+        Actions actions(kRows);
+        Selection selection;
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        panel.show();
+        auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
+        QCOMPARE(robots->topLevelItemCount(), kRobots);
+        QSignalSpy changes(robots->model(), &QAbstractItemModel::dataChanged);
+        o.session.run();
+        EVENTUALLY(!robots->topLevelItem(kRobots - 1)->text(3).isEmpty()); // the mean time of a call
+        QVERIFY(!changes.isEmpty());
+        for (const QList<QVariant>& change : changes) { // each one measures the columns
+            QCOMPARE(change[0].toModelIndex().row(), 0);
+            QCOMPARE(change[1].toModelIndex().row(), kRobots - 1);
+        }
+    }
 };
 
 QTEST_MAIN(ControllerProcessesTest)
