@@ -11,7 +11,12 @@ namespace trundle {
 namespace {
 
 constexpr unsigned kMostByItself = 8;     // threads
-constexpr std::size_t kWorthThreads = 32; // robots
+constexpr std::ptrdiff_t kWorthThreads = 32; // robots with moving joints
+
+/// What has none, like a mote that is fixed to the floor, takes less time than to hand it to another thread.
+bool hasMovingJoints(const RobotSpec& robot) {
+    return std::ranges::any_of(robot.config->joints, [](const JointSpec& joint) { return joint.type != JointType::Fixed; });
+}
 
 /// With the engine that fits it.
 std::shared_ptr<const ExperimentSpec> withEngine(std::shared_ptr<const ExperimentSpec> experiment) {
@@ -25,7 +30,7 @@ std::shared_ptr<const ExperimentSpec> withEngine(std::shared_ptr<const Experimen
 
 unsigned threadsFor(const ExperimentSpec& experiment) {
     if (experiment.settings.threads > 0) return static_cast<unsigned>(experiment.settings.threads);
-    if (experiment.robots.size() < kWorthThreads) return 1; // few robots are done before other threads have begun
+    if (std::ranges::count_if(experiment.robots, hasMovingJoints) < kWorthThreads) return 1; // few are done before other threads have begun
     return std::clamp(std::thread::hardware_concurrency(), 1u, kMostByItself);
 }
 

@@ -20,7 +20,8 @@ constexpr bool kSanitized = false;
 
 QJsonObject run(const QString& experiment, const QString& engine, const QString& seconds, const QStringList& more = {}) {
     QTemporaryDir logs;
-    const Outcome outcome = cli(QStringList{"run", configPath("experiments/" + experiment), "--set", "Engine=" + engine,
+    const QString file = experiment.startsWith('/') ? experiment : configPath("experiments/" + experiment);
+    const Outcome outcome = cli(QStringList{"run", file, "--set", "Engine=" + engine,
                                             "--duration", seconds, "--json", "--log-dir", logs.path()} +
                                 more);
     if (outcome.code != 0) qWarning("%s", shown(outcome).constData());
@@ -153,6 +154,7 @@ private Q_SLOTS:
         QCOMPARE(threads("swarm.sim", {}), std::clamp(QThread::idealThreadCount(), 1, 8));
         QCOMPARE(threads("linear_motion.sim", {}), 1);
         QCOMPARE(threads("linear_motion.sim", {"--set", "Threads=3"}), 3);
+        QCOMPARE(threads(write("#import robots/tmote_sky.sim\nGrid motes { Config=TmoteSky Count=8,8 Spacing=1 }\n"), {}), 1); // without wheels
         QCOMPARE(run("swarm.sim", "wheeled", "0.1", {"--set", "Threads=5"})["threads"].toInt(), 5);
     }
 

@@ -2,6 +2,9 @@
 #include <csignal>
 #include <future>
 
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
 #include "flow/cli.h"
 
 class RunFlowTest : public QObject {
@@ -24,6 +27,7 @@ private Q_SLOTS:
     void ctrlCEndsWithEverythingComplete();
     void manyRobotsAreSummedUp();
     void quietRunPrintsNothing();
+    void leavesNoProcess();
     void seedAndSetReachTheExperiment();
     void exitCodesOfSeveralFiles();
     void quickSolverTakesWhatTheExactOneCannot();
@@ -164,6 +168,18 @@ void RunFlowTest::manyRobotsAreSummedUp() {
                  .match(run.out)
                  .hasMatch(),
              shown(run));
+}
+
+/// The process that passes on what modules print has ended before the run does.
+void RunFlowTest::leavesNoProcess() {
+    QVERIFY(::prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);
+    const Outcome outcome = runLinear({"--duration", "0.05"});
+    QVERIFY2(outcome.code == 0, outcome.err.constData());
+    const int left = ::waitpid(-1, nullptr, __WALL);
+    const int reason = errno;
+    QVERIFY(::prctl(PR_SET_CHILD_SUBREAPER, 0) == 0);
+    QCOMPARE(left, -1);
+    QCOMPARE(reason, ECHILD);
 }
 
 void RunFlowTest::quietRunPrintsNothing() {

@@ -194,7 +194,8 @@ void finishOutputCleaner() noexcept {
     waitForOutputCleaner();
     for (const int file : {STDERR_FILENO, STDOUT_FILENO})
         if (leadsToPipe(file) && ::dup2(s_errors, file) < 0) ::close(file);
-    if (leadsToPipe(s_pipe)) ::close(s_pipe);
+    for (int file = 0; file < 2 * kHigh; ++file) // ours and copies: while any is open, the other process waits for text
+        if (leadsToPipe(file)) ::close(file);
     for (int ms = 0; ms < kLongestEndMs && ::waitpid(s_cleaner, nullptr, WNOHANG | __WCLONE) == 0; ++ms) pauseMs();
     s_cleaner = 0;
 }
