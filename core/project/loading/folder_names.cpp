@@ -1,6 +1,7 @@
 #include "project/loading/folder_names.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace trundle {
 
@@ -9,6 +10,7 @@ namespace {
 constexpr int kManyMissing = 100;
 constexpr std::size_t kMostNames = 100'000; ///< a larger folder is not listed
 constexpr std::size_t kMostFolders = 1000;
+constexpr std::size_t kLongestName = 255; ///< bytes; no file system of Linux has longer names
 
 bool isAscii(const std::string& name) {
     return std::ranges::all_of(name, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
@@ -32,20 +34,28 @@ std::optional<std::unordered_set<std::string>> namesIn(const std::filesystem::pa
     return names;
 }
 
+/// Everything before the last slash. std::filesystem takes ten times as long, and texts may name a hundred thousand files.
+std::string folderOf(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
 } // namespace
 
-bool FolderNames::mayExist(const std::filesystem::path& file) const {
-    const auto folder = m_folders.find(file.parent_path().string());
+bool FolderNames::mayExist(const std::string& path) const {
+    if (path.size() - std::min(path.size(), path.rfind('/') + 1) > kLongestName) return false;
+    const auto folder = m_folders.find(folderOf(path));
     if (folder == m_folders.end() || !folder->second.names) return true;
-    const std::string name = file.filename().string();
+    const std::string name = path.substr(folder->first.size() + (folder->first.empty() ? 0 : 1));
     return name == "." || name == ".." || !isAscii(name) || folder->second.names->contains(inLowerCase(name));
 }
 
-void FolderNames::addMissing(const std::filesystem::path& file) {
-    const std::string path = file.parent_path().string();
-    if (m_folders.size() >= kMostFolders && !m_folders.contains(path)) return;
-    Folder& folder = m_folders[path];
-    if (++folder.missing == kManyMissing) folder.names = namesIn(file.parent_path());
+void FolderNames::addMissing(const std::string& path) {
+    if (!mayExist(path)) return;
+    const std::string place = folderOf(path);
+    if (m_folders.size() >= kMostFolders && !m_folders.contains(place)) return;
+    Folder& folder = m_folders[place];
+    if (++folder.missing == kManyMissing) folder.names = namesIn(place);
 }
 
 } // namespace trundle

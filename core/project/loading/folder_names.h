@@ -2,7 +2,6 @@
 // Needs: a text may name tens of thousands of files that are missing, each searched in many folders under several names.
 // Method: a folder in which many were missing is listed once; then only names that are in the list are looked up.
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,8 +13,8 @@ namespace trundle {
 class FolderNames {
 public:
     /// False only if the file is certainly missing.
-    [[nodiscard]] bool mayExist(const std::filesystem::path& file) const;
-    void addMissing(const std::filesystem::path& file);
+    [[nodiscard]] bool mayExist(const std::string& path) const;
+    void addMissing(const std::string& path);
 
 private:
     struct Folder {

@@ -1,6 +1,6 @@
 // Needs: a load with complete diagnostics. Gives: fixes that import definitions from other files.
 // Assumes: a file with definitions only can be imported; one that also places robots or has logs is an experiment.
-// Method: reads the files below the searched folders and parses only those whose bytes contain the name. Nothing is cached.
+// Method: reads the files below the searched folders once a load and parses, once, those whose bytes contain a name.
 // Data: at most kMaxImportFiles files and kMaxReadBytes bytes per load.
 #include "project/loading/missing_imports.h"
 
@@ -26,6 +26,7 @@ constexpr int kMaxImportEntries = 5000, kMaxImportDepth = 3;
 struct ImportableFile {
     std::string path, written;
     std::string bytes;
+    std::shared_ptr<const Tree> parsed; ///< null until its bytes contain a name that is missing
 };
 
 std::vector<ImportableFile> filesBelow(const std::vector<std::string>& folders, const std::vector<std::string>& loaded) {
@@ -51,7 +52,7 @@ std::vector<ImportableFile> filesBelow(const std::vector<std::string>& folders, 
             Result<std::string> text = readFile(path, kMaxImportBytes);
             if (!text) continue;
             bytes += text.value().size();
-            files.push_back({path, at->path().lexically_relative(folder).generic_string(), std::move(text).value()});
+            files.push_back({path, at->path().lexically_relative(folder).generic_string(), std::move(text).value(), nullptr});
         }
         std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end(),
                   [](const ImportableFile& a, const ImportableFile& b) { return a.written < b.written; });
@@ -71,11 +72,11 @@ public:
         if (kinds.empty()) return;
         std::vector<Fix> fixes;
         std::string from;
-        for (const ImportableFile& file : files()) {
+        for (ImportableFile& file : files()) {
             if (fixes.size() == kMaxOffered) break;
             if (file.bytes.find(name) == std::string::npos) continue;
-            const auto tree = parse(std::make_shared<const SourceText>(file.path, file.bytes), 0);
-            if (!defines(*tree, kinds, name) || !canImport(*tree, file, d.range.file)) continue;
+            if (!file.parsed) file.parsed = parse(std::make_shared<const SourceText>(file.path, file.bytes), 0);
+            if (!defines(*file.parsed, kinds, name) || !canImport(*file.parsed, file, d.range.file)) continue;
             Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, d.range.file, {"#import " + file.written});
             if (!edits || edits.value().empty()) continue;
             if (fixes.empty()) from = file.written;
@@ -89,7 +90,7 @@ public:
     }
 
 private:
-    const std::vector<ImportableFile>& files() {
+    std::vector<ImportableFile>& files() {
         if (!m_read) m_files = filesBelow(m_folders, m_loaded.paths);
         m_read = true;
         return m_files;

@@ -103,7 +103,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     for (const std::string& root : folders) {
         for (const std::string& name : names) {
             std::error_code ec;
-            const fs::path path = fs::path(root) / name; // operator/ keeps an absolute `name`
+            const std::string path = name.starts_with('/') ? name : root + '/' + name;
             const fs::file_status status =
                 m_names.mayExist(path) ? fs::status(path, ec) : fs::file_status(fs::file_type::not_found);
             if (!fs::exists(status)) m_names.addMissing(path);
@@ -112,7 +112,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
             if (fs::is_regular_file(status)) {
                 real = fs::canonical(path, ec).string();
                 if (ec) continue;
-            } else if (!onlyAsText(path.string(), real)) {
+            } else if (!onlyAsText(path, real)) {
                 unplain = unplain || fs::exists(status);
                 continue;
             }
