@@ -4,8 +4,18 @@
 #include <array>
 #include <numbers>
 
+#include "base/unit_products.h"
+
 namespace trundle {
 namespace {
+
+/// Between a product of units (unit_products.h), in SI, and a unit that it may be, or the reverse.
+std::optional<double> convertProduct(double value, std::string_view from, std::string_view to) {
+    const std::optional<UnitExponents> a = exponentsOf(from), b = exponentsOf(to);
+    if (from.empty() || to.empty() || !a || !b || !isSameQuantity(*a, *b)) return std::nullopt;
+    const UnitInfo *known = findUnit(from), *wanted = findUnit(to);
+    return value * (known ? known->factor : 1) / (wanted ? wanted->factor : 1);
+}
 
 constexpr double kPi = std::numbers::pi;
 
@@ -118,7 +128,8 @@ std::optional<double> convertUnit(double value, std::string_view from, std::stri
     // A percentage is a fraction of one: 50 % is 0.5 where no unit is expected.
     if (a && to.empty() && a->dimension == "fraction") return value * a->factor;
     const UnitInfo* b = findUnit(to);
-    if (!a || !b || a->dimension != b->dimension) return std::nullopt;
+    if (!a || !b) return convertProduct(value, from, to);
+    if (a->dimension != b->dimension) return std::nullopt;
     // Divide by factors below 1: 3 cm is 3 / 100 m, the double nearest to 0.03, whereas 3 * 0.01 is the double next to it.
     const double ratio = a->factor / b->factor;
     const double inverse = b->factor / a->factor;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "base/unit_products.h"
 #include "base/units.h"
 #include "model/literals.h"
 #include "schema/value_words.h"
@@ -58,13 +59,74 @@ bool differ(const Amount& a, const Amount& b) { return !a.unit.empty() && !b.uni
 
 Error notComparable(const Amount& a, const Amount& b) { return fault(a.unit + " and " + b.unit + " cannot be compared"); }
 
+/// The value of `a` as one in `unit`: a plain number beside a rate counts in rad/s, as in a property.
+double valueIn(const std::string& unit, const Amount& a) {
+    const UnitInfo* info = a.unit.empty() ? findUnit(unit) : nullptr;
+    return info ? convertUnit(a.value, plainUnit(info->dimension), unit).value_or(a.value) : a.value;
+}
+
+/// An amount in SI, but in degrees where there are angles, so that quarter turns stay exact.
+struct Product {
+    double value = 1;
+    UnitExponents exponents{};
+};
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+std::optional<Product> productFrom(const Amount& a) {
+    const std::optional<UnitExponents> exponents = exponentsOf(a.unit);
+    if (!exponents) return std::nullopt;
+    const bool isInDegrees = a.unit.starts_with("deg");
+    return Product{isInDegrees ? a.value : a.value * std::pow(kDegrees, (*exponents)[kRadian]), *exponents};
+}
+
+Amount amountOf(const Product& product) {
+    const std::string unit = unitOfProduct(product.exponents);
+    const UnitInfo* info = findUnit(unit);
+    const std::string base = info ? baseUnit(info->dimension) : unit;
+    if (base.starts_with("deg")) return {product.value, base};
+    return {product.value * std::pow(kDegrees, -product.exponents[kRadian]), base};
+}
+
+/// a times b to the power of `power`, 1 or -1.
+Result<Amount> product(const Amount& a, const Amount& b, int power) {
+    std::optional<Product> left = productFrom(a);
+    const std::optional<Product> right = productFrom(b);
+    if (!left || !right) return fault((left ? b : a).unit + " cannot be multiplied or divided with units");
+    left->value = power > 0 ? left->value * right->value : left->value / right->value;
+    for (std::size_t i = 0; i < left->exponents.size(); ++i) left->exponents[i] += power * right->exponents[i];
+    return finite(amountOf(*left));
+}
+
+Result<Amount> sum(const Amount& a, const Amount& b, double sign) {
+    const std::string& unit = a.unit.empty() ? b.unit : a.unit;
+    if (!differ(a, b)) return finite({valueIn(unit, a) + sign * valueIn(unit, b), unit});
+    const std::optional<double> other = convertUnit(b.value, b.unit, a.unit); // torque and a product of force and length
+    if (!other) return fault(a.unit + " and " + b.unit + " cannot be added");
+    return finite({a.value + sign * *other, a.unit});
+}
+
+Result<Amount> raised(const Amount& a, double power) {
+    if (a.unit.empty()) return finite({std::pow(a.value, power), {}});
+    std::optional<Product> all = productFrom(a);
+    for (std::size_t i = 0; all && i < all->exponents.size(); ++i) {
+        const double exponent = all->exponents[i] * power;
+        if (exponent != std::nearbyint(exponent) || std::abs(exponent) > 20) all.reset();
+        else all->exponents[i] = static_cast<int>(exponent);
+    }
+    if (!all) return fault(a.unit + " to the power of " + numberText(power) + " is not a unit");
+    all->value = std::pow(all->value, power);
+    return finite(amountOf(*all));
+}
+
 Result<Amount> extreme(const std::string& function, std::span<const Amount> arguments) {
     if (arguments.empty()) return fault(function + " takes at least one number");
     Amount best = arguments[0];
     for (const Amount& a : arguments) {
         if (differ(a, best)) return notComparable(best, a);
-        if (function == "min" ? a.value < best.value : a.value > best.value) best.value = a.value;
-        if (best.unit.empty()) best.unit = a.unit;
+        if (best.unit.empty()) best = {valueIn(a.unit, best), a.unit};
+        const double value = valueIn(best.unit, a);
+        if (function == "min" ? value < best.value : value > best.value) best.value = value;
     }
     return best;
 }
@@ -77,13 +139,15 @@ bool holds(const std::string& comparison, double a, double b) {
     return comparison == "==" ? a == b : a != b;
 }
 
-Result<Amount> ofTwo(const std::string& function, const Amount& a, const Amount& b) {
-    if (differ(a, b)) return notComparable(a, b);
+Result<Amount> ofTwo(const std::string& function, const Amount& first, const Amount& second) {
+    if (differ(first, second)) return notComparable(first, second);
+    const std::string unit = first.unit.empty() ? second.unit : first.unit;
+    const Amount a{valueIn(unit, first), unit}, b{valueIn(unit, second), unit};
     if (function == "atan2") return Amount{std::atan2(a.value, b.value) * 180 / std::numbers::pi, "deg"};
     if (function != "mod") return Amount{holds(function, a.value, b.value) ? 1.0 : 0.0, {}};
     if (b.value == 0) return fault("division by zero");
     const double rest = std::fmod(a.value, b.value); // with the sign of b, so that angles wrap
-    return Amount{rest != 0 && (rest < 0) != (b.value < 0) ? rest + b.value : rest, a.unit.empty() ? b.unit : a.unit};
+    return Amount{rest != 0 && (rest < 0) != (b.value < 0) ? rest + b.value : rest, unit};
 }
 
 Result<Amount> trigonometric(const std::string& function, const Amount& a) {
@@ -102,14 +166,14 @@ Result<Amount> ofOne(const std::string& function, const Amount& a) {
     if (function == "asin" || function == "acos") return fault(function + " of " + numberText(a.value) + " is not a number");
     if (function != "sqrt") return trigonometric(function, a);
     if (a.value < 0) return fault("the square root of " + numberText(a.value) + " is not a number");
-    return Amount{std::sqrt(a.value), {}};
+    return raised(a, 0.5);
 }
 
 } // namespace
 
 Amount inBaseUnit(double number, const std::string& written) {
     const UnitInfo* unit = findUnit(written);
-    if (!unit) return {number, {}};
+    if (!unit) return {number, exponentsOf(written) ? written : std::string()};
     if (written == "%") return {number * unit->factor, {}};
     const std::string base = baseUnit(unit->dimension);
     return {convertUnit(number, written, base).value_or(number), base};
@@ -120,15 +184,17 @@ Result<Amount> combined(Expression::Op op, const Amount& a, const Amount& b) {
     switch (op) {
     case Op::Add:
     case Op::Subtract:
-        if (differ(a, b)) return fault(a.unit + " and " + b.unit + " cannot be added");
-        return finite({op == Op::Add ? a.value + b.value : a.value - b.value, a.unit.empty() ? b.unit : a.unit});
+        return sum(a, b, op == Op::Add ? 1 : -1);
     case Op::Multiply:
-        // the product of two units is treated as a plain number: its dimension is not checked
-        return finite({a.value * b.value, a.unit.empty() ? b.unit : b.unit.empty() ? a.unit : std::string()});
+        if (a.unit.empty() || b.unit.empty()) return finite({a.value * b.value, a.unit.empty() ? b.unit : a.unit});
+        return product(a, b, 1);
     case Op::Divide:
         if (b.value == 0) return fault("division by zero");
-        return finite({a.value / b.value, b.unit.empty() ? a.unit : std::string()});
-    default: return finite({std::pow(a.value, b.value), {}});
+        if (b.unit.empty()) return finite({a.value / b.value, a.unit});
+        return product(a, b, -1);
+    default:
+        if (!b.unit.empty()) return fault("an exponent has no unit, this is in " + b.unit);
+        return raised(a, b.value);
     }
 }
 

@@ -33,9 +33,13 @@ GivenElement literalOf(const Element& element, FileId file) {
 }
 
 std::string baseUnit(std::string_view dimension) {
-    if (dimension == "angle") return "deg";
     if (dimension == "rate") return "deg/s"; // so that its product with a time is in degrees
     if (dimension == "angular acceleration") return "deg/s^2";
+    return plainUnit(dimension);
+}
+
+std::string plainUnit(std::string_view dimension) {
+    if (dimension == "angle") return "deg";
     for (const std::string& name : allUnitNames()) {
         const UnitInfo* unit = findUnit(name);
         if (unit->dimension == dimension && unit->factor == 1) return name;

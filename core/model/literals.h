@@ -12,7 +12,9 @@ namespace trundle {
 /// An element that is written out; of others only where it is.
 [[nodiscard]] GivenElement literalOf(const Element& element, FileId file);
 
-/// The unit of plain numbers of a dimension in the language: m, deg ...
+/// The unit in which expressions hold amounts of a dimension: m, deg, deg/s ...
 [[nodiscard]] std::string baseUnit(std::string_view dimension);
+/// The unit of plain numbers of a dimension in the language, that of its properties: m, deg, rad/s ...
+[[nodiscard]] std::string plainUnit(std::string_view dimension);
 
 } // namespace trundle

@@ -19,14 +19,14 @@ constexpr std::uint32_t kMostElements = 100000; ///< of a Param that is a list
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-12; ///< of a conversion between units, relative
 
-/// The number in `unit`; a plain one counts in the base unit of its dimension. Nothing where the dimensions differ.
+/// The number in `unit`; a plain one counts in the unit of plain numbers of its dimension. Nothing where the dimensions differ.
 std::optional<double> numberIn(const std::string& unit, const GivenElement& element) {
     if (unit.empty()) {
         const UnitInfo* own = findUnit(element.unit);
-        return own ? convertUnit(element.number, element.unit, baseUnit(own->dimension)) : element.number;
+        return own ? convertUnit(element.number, element.unit, plainUnit(own->dimension)) : element.number;
     }
     const UnitInfo* wanted = findUnit(unit);
-    return convertUnit(element.number, element.unit.empty() && wanted ? baseUnit(wanted->dimension) : element.unit, unit);
+    return convertUnit(element.number, element.unit.empty() && wanted ? plainUnit(wanted->dimension) : element.unit, unit);
 }
 
 std::vector<std::string> keyNames() {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/unit_products.h"
 #include "base/units.h"
 #include "model/literals.h"
 #include "model/outline.h"
@@ -209,7 +210,7 @@ void Evaluator::finish(ParamScope::Entry& entry) {
 bool Evaluator::checkUnits(const GivenValue& value) {
     if (!m_registry) return true;
     const auto isKnown = [this](const std::string& unit) {
-        if (unit.empty() || findUnit(unit)) return true;
+        if (exponentsOf(unit) || findUnit(unit)) return true;
         return std::ranges::any_of(m_registry->all(), [&](const Kind* kind) {
             return std::ranges::any_of(kind->properties, [&](const Property& property) { return property.unit == unit; });
         });
@@ -277,7 +278,7 @@ std::optional<Amount> Evaluator::paramAmount(const Expression& e, FileId file, P
 std::optional<Amount> Evaluator::numberOf(const GivenElement& element, const Expression& e, FileId file) {
     if (element.kind != GivenElement::Kind::Number)
         return fault(e, file, "Param " + nameIn(e) + " is " + elementText(element) + ", an expression takes numbers");
-    if (!element.unit.empty() && !findUnit(element.unit))
+    if (!findUnit(element.unit) && !exponentsOf(element.unit))
         return fault(e, file, "Param " + nameIn(e) + " is " + elementText(element) + ": there is no unit " + element.unit);
     return inBaseUnit(element.number, element.unit);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/unit_products.h"
 #include "base/units.h"
 #include "schema/value_words.h"
 
@@ -176,7 +177,7 @@ private:
         if (element.unit.empty() || element.unit == m_property.unit) return element.number;
         const SourceRange place = element.unitRange.known() ? element.unitRange : m_given.range;
         const UnitInfo* unit = findUnit(element.unit);
-        if (!unit) {
+        if (!unit && !exponentsOf(element.unit)) {
             Diagnostic& d = m_diagnostics.error(Code::UnknownUnit, place, "there is no unit " + element.unit);
             std::vector<std::string> legal = fittingUnits();
             if (legal.empty()) legal = allUnitNames();
@@ -186,7 +187,7 @@ private:
             return std::nullopt;
         }
         if (m_property.unit.empty()) {
-            if (element.unit == "%") return element.number * unit->factor;
+            if (unit && element.unit == "%") return element.number * unit->factor;
             Diagnostic& d = m_diagnostics.error(Code::WrongDimension, place,
                                                 m_property.name + " has no unit, it cannot be in " + element.unit);
             dropUnit(d, element);
@@ -197,7 +198,7 @@ private:
         const std::string own = dimensionWord(m_property.unit);
         std::string message =
             m_property.name + " is " + (own.empty() ? "in " + m_property.unit : withArticle(own) + " (" + m_property.unit + ")");
-        message += ", " + element.unit + " is " + withArticle(unit->dimension);
+        message += ", " + element.unit + " is " + (unit ? withArticle(unit->dimension) : "not");
         Diagnostic& d = m_diagnostics.error(Code::WrongDimension, place, message);
         if (element.literal) d.suggestions = fittingUnits();
         addSourceNote(d, element);

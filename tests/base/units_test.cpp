@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/unit_products.h"
 #include "base/units.h"
 
 using namespace trundle;
@@ -155,6 +156,47 @@ private Q_SLOTS:
         }
     }
 
+    void productsOfUnits_data() {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<double>("factor"); // 0: not the same
+        const auto row = [](const char* from, const char* to, double factor) {
+            QTest::newRow(qPrintable(QString("%1 as %2").arg(from, to))) << QString(from) << QString(to) << factor;
+        };
+        row("kg m^2/s^2", "Nm", 1);
+        row("kg m^2/s^2", "J", 1);
+        row("kg m^2/s^2", "mNm", 1000);
+        row("kg m^2/s^2", "Nm/deg", std::numbers::pi / 180);
+        row("m rad/s", "km/h", 3.6);
+        row("1/s", "rpm", 30 / std::numbers::pi);
+        row("1/s", "Hz", 1);
+        row("kN", "kg m/s^2", 1000);
+        row("kg m^2/s^2", "N", 0);
+        row("1/s", "", 0);
+        row("", "1/s", 0);
+        row("kg m^x", "kg", 0);
+        row("kg furlong", "kg", 0);
+    }
+    void productsOfUnits() {
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(double, factor);
+        const auto converted = convertUnit(2, from.toStdString(), to.toStdString());
+        QCOMPARE(converted.has_value(), factor != 0);
+        if (converted) QVERIFY(std::abs(*converted - 2 * factor) < 1e-12 * factor);
+    }
+    void namesOfProducts() {
+        for (const std::string& unit : allUnitNames()) { // each unit is itself, or one of several that are alike
+            const auto exponents = exponentsOf(unit);
+            if (!exponents) continue;
+            const std::string name = unitOfProduct(*exponents);
+            QVERIFY2(convertUnit(1, name, unit).has_value(), (name + ", " + unit).c_str());
+            QVERIFY(*exponentsOf(name) == *exponents);
+        }
+        QVERIFY(!exponentsOf("dBm") && !exponentsOf("degC") && !exponentsOf("furlong"));
+        QCOMPARE(unitOfProduct({}), std::string());
+        QCOMPARE(unitOfProduct({-1, 0, 0, 0, 0, 0}), std::string("1/m"));
+    }
     void rejectsImpossibleConversions() {
         QVERIFY(!convertUnit(1, "cm", "kg"));
         QVERIFY(!convertUnit(1, "dB", "dBm"));

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void otherRobotsOfTheProcessGoOn();
     void reportsFunctionAndLine();
     void aHangIsReportedWithItsLine();
+    void aHangTakesNoTimeOfOtherProcesses();
     void aRecursionIsFolded();
     void theReportIsWholeAndInOrder();
     void whatWasSaidBeforeACrashCounts();
@@ -231,6 +232,19 @@ void IsolatedModulesTest::aHangIsReportedWithItsLine() {
     QVERIFY2(place.hasMatch(), shown(outcome));
     const int line = place.captured(1).toInt();
     QVERIFY2(lines.mid(line - 3, 5).join('\n').contains("loop"), qPrintable(place.captured(1)));
+}
+
+/// Their limits may be shorter than the time that the run waited for it.
+void IsolatedModulesTest::aHangTakesNoTimeOfOtherProcesses() {
+    const QString path = m_folder.filePath("hang.sim");
+    QVERIFY(writeFile(path, "Duration = 0.5  Isolation = robot\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                            "#loadModule zoo\n#loadModule rogue\nStatic floor { Config=OpenFloor }\n"
+                            "Robot bad { Config=SimpleRobot Zoo brain { Action=loop Budget=100 } }\n"
+                            "Robot good { Config=SimpleRobot Pos=0,2,0 Rogue brain { Budget=20 } }\n"));
+    const Outcome outcome = run(path);
+    const QJsonArray stopped = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray();
+    QVERIFY2(stopped.size() == 1, shown(outcome));
+    QCOMPARE(stopped[0].toObject()["robot"].toString(), QStringLiteral("bad"));
 }
 
 void IsolatedModulesTest::aRecursionIsFolded() {

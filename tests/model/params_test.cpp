@@ -67,12 +67,11 @@ private Q_SLOTS:
         row("w / 2", 0.025, "m");
         row("r", 360 / std::numbers::pi, "deg");
         row("r - a", 360 / std::numbers::pi - 30, "deg");
-        // Products and quotients of two units are plain numbers.
-        row("w * h", 0.1);
+        row("w * h", 0.1, "m^2");
         row("w / h", 0.025);
-        row("1 / w", 20);
-        row("w ^ 2", 0.0025);
-        row("sqrt(h * 2)", 2);
+        row("1 / w", 20, "1/m");
+        row("w ^ 2", 0.0025, "m^2");
+        row("sqrt(h * w * 10)", 1, "m");
         row("floor(-1.5)", -2);
         row("ceil(1.2)", 2);
         row("round(2.5)", 3);
@@ -98,11 +97,19 @@ private Q_SLOTS:
         row("50 % * n", 1.5);
         row("36 km/h", 10, "m/s");
         row("36 km/h * 2", 20, "m/s");
-        row("90deg/s * 2 s", 180);
+        row("90deg/s * 2 s", 180, "deg");
+        row("60 rpm * w / w", 360, "deg/s");
+        row("360 deg / 1 s", 360, "deg/s");
+        row("60 rpm * w", 0.1 * std::numbers::pi, "m rad/s");
+        row("2 Nm / 1 deg", 360 / std::numbers::pi, "Nm/rad");
+        row("100 N/m / 20 * 1 m * 1 m", 5, "m^2 kg/s^2");
+        row("90 deg/s + 1", 90 + 180 / std::numbers::pi, "deg/s");
+        row("max(1, 90 deg/s)", 90, "deg/s");
+        row("1 Nm + 2 N * 3 m", 7, "Nm");
         row("1 rad/s", 180 / std::numbers::pi, "deg/s");
         row("3 kgm^2 + 1", 4, "kgm^2");
         row("2 cm^2", 2e-4, "m^2");
-        row("(2 cm)^2", 4e-4);
+        row("(2 cm)^2", 4e-4, "m^2");
         row("(6 m) / h", 3);
         row("6 m / h", 3);
         row("1 m/s^2", 1, "m/s^2");
@@ -172,6 +179,9 @@ private Q_SLOTS:
         row("x = $(floor(a + 1))",
             "E213 floor takes a number without unit, this is in deg; divide by the step: floor(x / 1 deg) * 1 deg\n");
         row("x = $(1 m/s + 1 m)", "E213 m/s and m cannot be added\n");
+        row("x = $(sqrt(2 m))", "E213 m to the power of 0.5 is not a unit\n");
+        row("x = $(3 dB * 2 m)", "E213 dB cannot be multiplied or divided with units\n");
+        row("x = $(2 ^ (1 m))", "E213 an exponent has no unit, this is in m\n");
         row("x = $(2furlong)", "E113 there is no unit furlong\n");
         row("x = $(mod(1))", "E113 `mod` takes two arguments\n");
         row("x = $(abs(1, 2))", "E113 `abs` takes one argument\n");

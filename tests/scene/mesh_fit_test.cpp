@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "model/shortest_turn.h"
 #include "scene/shapes/mesh_fit.h"
 #include "scene/shapes/shape_mesh.h"
 
@@ -59,7 +60,7 @@ private Q_SLOTS:
         QFETCH(int, shape);
         QFETCH(Vec3, axis);
         GeomSpec geom = solid(GeomShape(shape));
-        if (geom.shape != GeomShape::Box) geom.pose.rotation = Quat::FromTwoVectors(Vec3::UnitZ(), axis);
+        if (geom.shape != GeomShape::Box) geom.pose.rotation = shortestTurn(Vec3::UnitZ(), axis);
         const std::vector<MeshFit> fits = fitsAround(meshOf(geom));
         QCOMPARE(fits.size(), std::size_t(5));
         const MeshFit& fit = *fitOf(fits, geom.shape);

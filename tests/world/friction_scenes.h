@@ -1,6 +1,7 @@
 #pragma once
 // Vehicles, belts and sleds for the tests of friction.
 
+#include "model/shortest_turn.h"
 #include "world/fixtures.h"
 
 namespace fixture {
@@ -134,7 +135,7 @@ inline void addVehicle(Scene& scene, Vehicle& v, double drop, const std::optiona
             scene.spec->surfaces[surface].frictionHeading = v.headings[i];
         }
         const Vec3 hub = v.wheels[i] + Vec3(0, 0, v.radius), axle = v.omni ? Vec3(v.wheels[i].normalized()) : Vec3::UnitY();
-        const Quat lying = Quat::FromTwoVectors(Vec3::UnitZ(), axle);
+        const Quat lying = shortestTurn(Vec3::UnitZ(), axle);
         config->bodies.push_back(body("wheel" + n, {hub, Quat::Identity()}, massOfCylinder(v.wheelMass, v.radius, 0.02, lying),
                                       {cylinder("tyre", v.radius, 0.02, {Vec3::Zero(), lying}, surface)}));
         config->joints.push_back(joint("axle" + n, JointType::Hinge, 0, static_cast<int>(i) + 1, hub, axle));

@@ -75,6 +75,7 @@ bool HostConnection::begin(HostRequest request, std::string_view bytes) {
 }
 
 bool HostConnection::complete(const Records& records) {
+    if (hasTurn()) m_since = Clock::now(); // it has answered, or asks: what other hosts took meanwhile is not its own time
     std::string stream;
     for (bool done = false; !done;) {
         bool more = false;

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "model/shortest_turn.h"
 #include "scene/shapes/spokes.h"
 
 namespace trundle {
@@ -128,7 +129,7 @@ Parts stripedShape(const GeomSpec& geom, const SpokePattern& pattern, int segmen
         isSphere ? sphereMesh(radius, division.count()) : capsuleMesh(radius, float(geom.length), division.count());
     // A sphere may have any orientation in its body; its poles are placed on the axis.
     const Vec3 pole = isSphere ? pattern.axis : Vec3::UnitZ();
-    const Eigen::Matrix3f turn = Quat::FromTwoVectors(Vec3::UnitZ(), pole).toRotationMatrix().cast<float>();
+    const Eigen::Matrix3f turn = shortestTurn(Vec3::UnitZ(), pole).toRotationMatrix().cast<float>();
     Parts parts;
     for (std::size_t i = 0; i + 2 < whole.indices.size(); i += 3) {
         const std::uint32_t a = whole.indices[i], b = whole.indices[i + 1], c = whole.indices[i + 2];

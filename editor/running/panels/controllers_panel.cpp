@@ -24,7 +24,7 @@
 #include "editor/running/panels/controller_commands.h"
 #include "editor/running/panels/controller_details.h"
 #include "editor/running/panels/controller_dialogs.h"
-#include "editor/running/panels/controller_table.h"
+#include "editor/running/panels/panel_table.h"
 #include "editor/running/panels/module_reload.h"
 #include "editor/running/panels/robot_states.h"
 #include "editor/widgets/actions.h"
@@ -139,7 +139,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
 }
 
 QWidget* ControllersPanel::makeModules() {
-    m_modules = controllerTable("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
+    m_modules = panelTable("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
     QHeaderView& header = *m_modules->header();
     header.setStretchLastSection(false);
     for (const int column : {0, 1, 2}) header.setSectionResizeMode(column, QHeaderView::ResizeToContents);
@@ -168,7 +168,7 @@ QWidget* ControllersPanel::makeModules() {
 }
 
 QWidget* ControllersPanel::makeRobots() {
-    m_robots = controllerTable("robotControllers", {tr("Robot"), tr("Controller"), tr("State"), tr("Mean"), tr("Worst"), tr("Last call"), tr("Restarts")});
+    m_robots = panelTable("robotControllers", {tr("Robot"), tr("Controller"), tr("State"), tr("Mean"), tr("Worst"), tr("Last call"), tr("Restarts")});
     const QStringList tips{tr("Mean time of a call, on this machine"), tr("The longest call, on this machine"),
                            tr("How long ago the last call was, in simulated time"), tr("How often it was started again in this run")};
     for (int column = kMean; column <= kRestarts; ++column) m_robots->headerItem()->setToolTip(column, tips[column - kMean]);

@@ -19,6 +19,7 @@
 #include "editor/viewport/gizmo/direction_drag.h"
 #include "editor/viewport/gizmo/text_in_place.h"
 #include "lang/number_text.h"
+#include "model/shortest_turn.h"
 #include "model/dotted_path.h"
 #include "scene/queries/range_model.h"
 
@@ -153,11 +154,11 @@ bool AimTool::press(const Pointer& pointer) {
 Quat AimTool::aimedRotation(const Pointer& pointer, bool snaps) const {
     const Quat toBody = m_start->X_WB.rotation.conjugate();
     auto directions = directionsUnder(m_view.camera().rayAt(pointer.at), m_start->position(), m_gripped, m_length);
-    for (Vec3& each : directions) each = toBody * (Quat::FromTwoVectors(m_gripped, each) * m_start->direction());
+    for (Vec3& each : directions) each = toBody * (shortestTurn(m_gripped, each) * m_start->direction());
     const Vec3 direction = snaps ? snappedDirection(directions, m_view.context().settings.rotationStep()) : directions[0];
     const Quat& before = m_start->X_BD.rotation;
     return m_start->sight.x() > 0.5 ? pointing(direction, hprFromRotation(before).z())
-                                    : Quat(Quat::FromTwoVectors(before * m_start->sight, direction) * before);
+                                    : Quat(shortestTurn(before * m_start->sight, direction) * before);
 }
 
 /// By the angle about the line of sight, as the mouse goes around it.

@@ -13,6 +13,7 @@
 #include "editor/viewport/gizmo/text_in_place.h"
 #include "lang/number_text.h"
 #include "model/dotted_path.h"
+#include "model/shortest_turn.h"
 
 namespace trundle {
 namespace {
@@ -169,7 +170,7 @@ Status EditedJoint::setAxis(Document& document, const Vec3& axis, bool second, c
     Vec3 turned = axis.normalized();
     if (m_spec.type == JointType::Universal && second) turned = (turned - turned.dot(m_spec.axis) * m_spec.axis).normalized();
     if (m_spec.type == JointType::Universal && !second) {
-        const Quat turn = Quat::FromTwoVectors(m_spec.axis, turned);
+        const Quat turn = shortestTurn(m_spec.axis, turned);
         edits.push_back({m_path + ".Axis2", axisText(turn * m_spec.axis2)});
     }
     edits.push_back({m_path + (second ? ".Axis2" : ".Axis"), axisText(turned)});

@@ -10,6 +10,7 @@
 
 #include "lang/tree.h"
 #include "lang/tree_edit.h"
+#include "model/shortest_turn.h"
 #include "project/objects/part_values.h"
 
 namespace trundle {
@@ -111,7 +112,7 @@ std::optional<RobotPart> RobotPart::of(const std::string& text) {
 Quat RobotPart::rotationTo(const Vec3& normal) const {
     const bool isOpposite = isWheel && normal.dot(side) < -kAlong;
     const Vec3 to = isOpposite ? Vec3(-normal) : normal;
-    if (std::abs(to.z()) > kAlong) return Quat::FromTwoVectors(side, to);
+    if (std::abs(to.z()) > kAlong) return shortestTurn(side, to);
     return Quat(Eigen::AngleAxisd(std::atan2(to.y(), to.x()) - std::atan2(side.y(), side.x()), Vec3::UnitZ()));
 }
 

@@ -17,6 +17,7 @@ constexpr double kSameStop = 1e-9;          // m or rad
 constexpr double kLeastGive = 1e-9;         // N m s
 constexpr double kUpright = 1e-6;           // sine of a tilt without a direction
 constexpr double kPressed = 0.3;            // cosine between a joint's motion and a contact's normal
+constexpr double kStopStiffness = 1000;     // of a suspension beyond its travel, in masses per tick squared
 
 /// Adds the multiple of a full turn that brings `angle` closest to the angle expected from the rate.
 double unwrap(double angle, double expected) {
@@ -36,7 +37,7 @@ struct Limited {
 };
 
 void limitAxis(const OdeJoint& joint, int axis, const Limited& m, double h) {
-    const double gain = m.rate - m.lastRate, step = h * (m.rate + (gain * m.rate > 0 ? gain : 0));
+    const double step = h * (2 * m.rate - m.lastRate);
     const double down = m.position - m.low, up = m.high - m.position;
     const bool low = down > kSameStop && down + step<0, high = up> kSameStop && up < step;
     if (low || high) setRow(joint.stop, joint.type, axis, dParamVel, (low ? -down : up) / h);
@@ -195,7 +196,8 @@ bool JointRows::isHeld(const OdeJoint& joint, double push) const {
     return false;
 }
 
-/// Lands on a stop within the tick instead of being thrown back from beyond it. Expects at least the last tick's acceleration again.
+/// Lands on a stop within the tick instead of being thrown back from beyond it. Expects the last tick's acceleration again: what would
+/// turn around before the stop is not drawn to it.
 void JointRows::updateStop(OdeJoint& joint, double h) const {
     if (joint.type == JointType::Ball) return updateCone(joint, m_bodies, h);
     limitAxis(joint, 0, {joint.position, joint.rate, joint.lastRate, joint.lowStop, joint.highStop}, h);
@@ -232,13 +234,15 @@ void JointRows::updateSpring(OdeJoint& joint, double h) const {
 }
 
 /// The spring along a suspension's axis is ODE's own row, which has no place for the force that only depends on the old rate. Beyond
-/// its travel the row becomes stiff.
+/// its travel a much stiffer spring is added to it: a row that only held it there would hold it for good.
 void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReduction) const {
     const Vec3 axis = carried(joint, joint.slideAxis);
-    const double slide = axis.dot(anchorGap(joint));
-    if (joint.travel > 0 && std::abs(slide) > joint.travel) {
-        dJointSetHinge2Param(joint.id, dParamSuspensionERP, errorReduction * (std::abs(slide) - joint.travel) / std::abs(slide));
-        dJointSetHinge2Param(joint.id, dParamSuspensionCFM, kWorldCfm);
+    const double slide = axis.dot(anchorGap(joint)), beyond = std::abs(slide) - joint.travel;
+    if (joint.travel > 0 && beyond > 0) {
+        const double stiffness = kStopStiffness * joint.inertia[0] / (h * h), give = h * stiffness / errorReduction;
+        const double force = joint.stiffness * joint.travel + stiffness * beyond;
+        dJointSetHinge2Param(joint.id, dParamSuspensionERP, h * force / (give * std::abs(slide)));
+        dJointSetHinge2Param(joint.id, dParamSuspensionCFM, 1 / give);
         return;
     }
     const double inertia = (isHeld(joint, -slide) ? joint.heldInertia : joint.inertia)[0];

@@ -10,7 +10,7 @@ namespace trundle {
 constexpr int kIsPathRole = Qt::UserRole + 1; ///< true: the end of the text matters most
 
 /// A table without a tree's decoration, whose columns have space between them. Paths (kIsPathRole) keep their ends.
-[[nodiscard]] QTreeWidget* controllerTable(const char* name, const QStringList& columns);
+[[nodiscard]] QTreeWidget* panelTable(const char* name, const QStringList& columns);
 
 /// Changes of many rows reach the view as one: otherwise each of them measures the columns again.
 class ChangedTogether {

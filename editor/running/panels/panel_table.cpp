@@ -1,4 +1,4 @@
-#include "editor/running/panels/controller_table.h"
+#include "editor/running/panels/panel_table.h"
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ public:
 
 } // namespace
 
-QTreeWidget* controllerTable(const char* name, const QStringList& columns) {
+QTreeWidget* panelTable(const char* name, const QStringList& columns) {
     auto* made = new QTreeWidget;
     made->setObjectName(QLatin1String(name));
     made->setHeaderLabels(columns);
