@@ -10,13 +10,19 @@ namespace {
 
 double negated(double value) { return 0.0 - value; } // never -0
 
-/// LeftMotor and RightMotor of a base change their sides.
-void exchangeSides(ComponentSpec& device) {
-    for (auto& [key, left] : device.values) {
-        if (!key.starts_with("Left")) continue;
-        const auto right = device.values.find("Right" + key.substr(4));
-        if (right != device.values.end()) std::swap(left, right->second);
+/// Values of a base change their places: LeftMotor and RightMotor, FrontLeftMotor and FrontRightMotor, LeftSteering and RightSteering.
+void exchange(ComponentSpec& device, const std::string& one, const std::string& other) {
+    for (auto& [key, value] : device.values) {
+        const std::size_t at = key.find(one);
+        if (at == std::string::npos) continue;
+        const auto found = device.values.find(std::string(key).replace(at, one.size(), other));
+        if (found != device.values.end()) std::swap(value, found->second);
     }
+}
+
+/// The direction of a belt in its geom, whose image is M R M.
+double mirroredHeading(double heading, int axis) {
+    return axis == 0 ? std::numbers::pi - heading : axis == 1 ? negated(heading) : heading;
 }
 
 /// Stops of an axis that turns the other way.
@@ -162,7 +168,10 @@ void PartPlacement::place(ComponentSpec& device, bool isOnOwnBody) const {
         const Vec3 image = mirroredHpr({(*hpr)[0], (*hpr)[1], (*hpr)[2]});
         *hpr = {image[0], image[1], image[2]};
     }
-    if (m_axis == 1) exchangeSides(device);
+    if (m_axis == 1) exchange(device, "Left", "Right");
+    if (m_axis == 0) exchange(device, "Front", "Back");
+    if (const auto heading = device.values.find("Heading"); device.kind == "Belt" && heading != device.values.end())
+        for (double& value : heading->second.value.numbers) value = mirroredHeading(value, m_axis);
     if (isOnOwnBody) return;
     const bool isTurned = m_pose.rotation.coeffs() != Quat::Identity().coeffs();
     if (pos) {

@@ -14,6 +14,11 @@ public:
     explicit PartPlacement(const Pose& pose) : m_pose(pose) {}
 
     [[nodiscard]] bool isMirrored() const { return m_axis >= 0; }
+    /// Whether a base of this kind drives as it does in the mirror image: its wheels keep their sense, so those of an OmniDrive no longer
+    /// turn it all the same way, and a car's steered wheels are behind.
+    [[nodiscard]] bool canPlace(std::string_view device) const {
+        return !(device == "OmniDrive" && (m_axis == 0 || m_axis == 1)) && !(device == "AckermannDrive" && m_axis == 0);
+    }
 
     [[nodiscard]] Pose pose(const Pose& described) const;
     /// From now on its pose is one in the frame that has this pose.
@@ -31,7 +36,8 @@ public:
     /// joint may have to change its sign. `axis` is in the frame of what holds the Part, then in that of the part.
     [[nodiscard]] bool reverses(JointType type, Vec3& axis) const;
     /// Pos and HPR of a device are those of its mirror image in the body. In a body from outside of the part they count from the
-    /// part's Pos and HPR on, which count in that body. With Mirror = y, values of Left... and Right... are exchanged.
+    /// part's Pos and HPR on, which count in that body. With Mirror = y, values of Left... and Right... are exchanged, with Mirror = x those
+    /// of Front... and Back....
     void place(ComponentSpec& device, bool isOnOwnBody) const;
 
 private:

@@ -42,6 +42,16 @@ bool checkOrder(ResolveContext& context, const Record& record, const Part& part)
     return true;
 }
 
+bool hasMirrorImage(ResolveContext& context, const ExpandedPart& device) {
+    for (const PartFrame* at = device.frame; at->use; at = at->outer) {
+        if (at->placement.canPlace(device.part->kind->name)) continue;
+        context.diagnostics.error(Code::BadGeometry, device.part->nameRange(),
+                                  device.part->title() + " has no mirror image; take it out of the Part that is mirrored");
+        return false;
+    }
+    return true;
+}
+
 std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const ExpandedPart& expanded) {
     const Part& part = *expanded.part;
     ParamScope own(expanded.frame->scope);
@@ -49,7 +59,7 @@ std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Expand
     context.evaluator.checkAll(own);
     Record record = context.read(part, own, expanded.overrides(), Origin::Config);
     const bool known = context.checkReferences(record, *expanded.frame);
-    if (!record.complete || !known || !checkOrder(context, record, part)) return std::nullopt;
+    if (!record.complete || !known || !checkOrder(context, record, part) || !hasMirrorImage(context, expanded)) return std::nullopt;
     ComponentSpec device = componentFrom(record, part);
     expanded.place(device);
     device.name = expanded.name();
