@@ -80,6 +80,20 @@ ExitCode checkRobots(Application& application, CheckArguments arguments) {
     return writeOut(jsonText(entries)) ? kExitDone : kExitText;
 }
 
+/// The text of a file with blanks in place of its experiment: robots, scenery, joints between them, logs.
+std::string withoutExperiment(const LoadedProject& loaded) {
+    std::string text(loaded.trees[0]->source().bytes());
+    for (const Item& item : loaded.trees[0]->items()) {
+        const auto* block = item.as<BlockItem>();
+        const Kind* kind = block ? loaded.registry->find(block->type.text) : nullptr;
+        const NameSpace* space = kind ? loaded.outline->spaceOf(*kind) : nullptr;
+        if (!block || (space && space != &loaded.outline->world)) continue;
+        for (std::uint32_t i = item.range.begin; i < item.range.end; ++i)
+            if (text[i] != '\n' && text[i] != '\r') text[i] = ' ';
+    }
+    return text;
+}
+
 /// The robot models of a file, one beside the other on a plain floor; the file itself if it has none.
 Result<std::shared_ptr<const LoadedProject>> openModels(Application& application, const std::string& file, OpenOptions options) {
     namespace fs = std::filesystem;
@@ -98,6 +112,7 @@ Result<std::shared_ptr<const LoadedProject>> openModels(Application& application
     if (count == 0) return opened;
     const std::string beside = (path.parent_path() / ".models_of_check.sim").string();
     options.texts.emplace(beside, std::make_shared<const std::string>(text));
+    options.texts.emplace(path.string(), std::make_shared<const std::string>(withoutExperiment(*opened.value())));
     return application.open(beside, options);
 }
 

@@ -135,17 +135,19 @@ private:
     Diagnostics& m_diagnostics;
 };
 
+bool turnsJoint(const ComponentSpec& device) { return device.kind == kMotor || device.kind == "Servo" || device.kind == "LinearMotor"; }
+
 /// Warns of motors that share a joint: a joint has one motor row, which the last of them sets.
 void checkSharedJoints(const RobotConfigSpec& config, Diagnostics& diagnostics) {
     for (auto motor = config.devices.begin(); motor != config.devices.end(); ++motor) {
-        if (motor->kind != kMotor) continue;
+        if (!turnsJoint(*motor)) continue;
         const auto earlier = std::find_if(config.devices.begin(), motor, [&](const ComponentSpec& other) {
-            return other.kind == kMotor && other.text("Joint") == motor->text("Joint");
+            return turnsJoint(other) && other.text("Joint") == motor->text("Joint");
         });
         if (earlier == motor) continue;
         const ResolvedValue* joint = motor->find("Joint");
         diagnostics.warning(Code::DeviceSetup, joint && joint->range.known() ? joint->range : motor->nameRange,
-                            motor->name + " and " + earlier->name + " turn the same joint, " + motor->text("Joint") + ": only " +
+                            motor->name + " and " + earlier->name + " move the same joint, " + motor->text("Joint") + ": only " +
                                 motor->name +
                                 " acts on it, and both report its torque; give each a joint of its own, or keep one of them");
     }

@@ -116,6 +116,10 @@ void RotaryMotor::act(Actuation& world) {
     takeLiveConstants();
     const Supply supply = world.supply();
     const bool holds = servo.read(world) != 0;
+    if (holds && !m_reportedVoltage && voltage.read(world) != 0) {
+        m_reportedVoltage = true;
+        world.warn("its voltage has no effect while servo is set, as a drive that has this motor does in each tick; command the drive instead");
+    }
     if (holds && supply.powered()) return actAsServo(world, supply);
     actByVoltage(world, supply, holds ? 0 : voltage.read(world));
 }

@@ -90,7 +90,7 @@ private:
     double m_freeTorque = 0; ///< N m at the joint with an ideal gear, of the motor while it turns within the play
     double m_momentum = 0;   ///< N m s, that it brings to the joint where the play ends
     bool m_beyond = false;   ///< the command, MaxVoltage
-    bool m_reported = false;
+    bool m_reported = false, m_reportedVoltage = false; ///< a rate beyond reach; a voltage without effect
 };
 
 } // namespace trundle

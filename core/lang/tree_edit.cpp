@@ -152,12 +152,46 @@ Slot slotFor(const Tree& tree, const BlockItem* block, const EditStyle& style) {
     return block ? slotInBlock(tree, *block, block->type.range.begin, style) : slotInFile(tree, style);
 }
 
+/// The elements of a value's text: at commas outside of brackets and quotation marks.
+std::vector<std::string_view> piecesOf(std::string_view text) {
+    std::vector<std::string_view> pieces;
+    std::size_t from = 0;
+    int depth = 0;
+    bool isQuoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') isQuoted = !isQuoted;
+        if (isQuoted) continue;
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c != ',' || depth > 0) continue;
+        pieces.push_back(text.substr(from, i - from));
+        from = i + 1;
+    }
+    pieces.push_back(text.substr(from));
+    return pieces;
+}
+
+/// With what stands between the old elements if that has comments and there are as many new ones.
+std::string withComments(std::string_view bytes, const Value& value, std::string_view newText) {
+    const std::vector<std::string_view> pieces = piecesOf(newText);
+    if (pieces.size() != value.elements.size()) return std::string(newText);
+    std::string text(pieces[0]);
+    bool hasComment = false;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        const std::size_t from = value.elements[i - 1].range.end, to = value.elements[i].range.begin;
+        const std::string_view between = bytes.substr(from, to - from);
+        hasComment = hasComment || between.find("//") != std::string_view::npos || between.find("/*") != std::string_view::npos;
+        text.append(between).append(pieces[i].substr(std::min(pieces[i].size(), pieces[i].find_first_not_of(' '))));
+    }
+    return hasComment ? text : std::string(newText);
+}
+
 } // namespace
 
 TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText) {
     // The value is missing: `Key =` is followed directly by other text.
     const auto bytes = tree.source().bytes();
-    std::string text(newText);
+    std::string text = withComments(bytes, value, newText);
     if (value.range.size() == 0) {
         const std::uint32_t place = value.range.begin;
         if (place > 0 && bytes[place - 1] == '=' && editStyle(tree).spacedEquals) text.insert(0, " ");

@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 
-#include "base/unit_products.h"
 #include "base/units.h"
 #include "model/literals.h"
 #include "schema/value_words.h"
@@ -107,7 +106,8 @@ Result<Amount> sum(const Amount& a, const Amount& b, double sign) {
 }
 
 Result<Amount> raised(const Amount& a, double power) {
-    if (a.unit.empty()) return finite({std::pow(a.value, power), {}});
+    const auto raise = [power](double value) { return power == 0.5 ? std::sqrt(value) : std::pow(value, power); };
+    if (a.unit.empty()) return finite({raise(a.value), {}});
     std::optional<Product> all = productFrom(a);
     for (std::size_t i = 0; all && i < all->exponents.size(); ++i) {
         const double exponent = all->exponents[i] * power;
@@ -115,7 +115,7 @@ Result<Amount> raised(const Amount& a, double power) {
         else all->exponents[i] = static_cast<int>(exponent);
     }
     if (!all) return fault(a.unit + " to the power of " + numberText(power) + " is not a unit");
-    all->value = std::pow(all->value, power);
+    all->value = raise(all->value);
     return finite(amountOf(*all));
 }
 

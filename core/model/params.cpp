@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "base/unit_products.h"
 #include "base/units.h"
 #include "model/literals.h"
 #include "model/outline.h"

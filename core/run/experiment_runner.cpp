@@ -102,27 +102,31 @@ ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot, const Con
     return outputs;
 }
 
+/// Files are made only when all logs can be written: a run that is refused leaves those of the last one.
 void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
+    const std::size_t errorsBefore = diagnostics.errorCount();
+    std::vector<std::pair<const ComponentSpec*, std::unique_ptr<Log>>> made;
+    for (const ComponentSpec& spec : experiment().logs) made.emplace_back(&spec, makeLog(spec, *m_world, diagnostics));
+    if (diagnostics.errorCount() > errorsBefore) return;
     std::set<std::string> said; // report a folder that cannot be written once, not for each log
-    for (const ComponentSpec& spec : experiment().logs) {
-        const std::size_t errorsBefore = diagnostics.errorCount();
-        std::unique_ptr<Log> log = makeLog(spec, *m_world, diagnostics);
-        if (!log || diagnostics.errorCount() > errorsBefore || m_options.logFolder.empty()) continue;
-        const Result<LogFile*> file = m_folder.create(logFileName(spec));
+    for (auto& [spec, log] : made) {
+        if (!log || m_options.logFolder.empty()) continue;
+        const Result<LogFile*> file = m_folder.create(logFileName(*spec));
         if (!file) {
             if (said.insert(file.error().message).second)
-                diagnostics.error(file.error().code, spec.nameRange, file.error().message);
+                diagnostics.error(file.error().code, spec->nameRange, file.error().message);
             continue;
         }
-        log->usePictures([this, &spec](const PictureOptions& pictureOptions, const std::string& name) {
-            return m_pictures.saveFor(spec, pictureOptions, name);
+        log->usePictures([this, spec = spec](const PictureOptions& pictureOptions, const std::string& name) {
+            return m_pictures.saveFor(*spec, pictureOptions, name);
         });
         m_rows.clear();
         log->header(m_rows);
         file.value()->write(m_rows);
         m_logs.push_back(
-            {std::move(log), file.value(), Schedule(spec.number("Interval"), experiment().settings.tick), spec.nameRange});
+            {std::move(log), file.value(), Schedule(spec->number("Interval"), experiment().settings.tick), spec->nameRange});
     }
+    m_hasLogs = diagnostics.errorCount() == errorsBefore;
     if (const Status written = writeLogs(); !written && m_failure) diagnostics.append({*m_failure});
     closeFinish();
 }
@@ -207,7 +211,7 @@ Status ExperimentRunner::finish() {
     reportDropped();
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
-    m_folder.settle();
+    if (m_hasLogs) m_folder.settle();
     return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
 }
 

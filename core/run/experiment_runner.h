@@ -83,6 +83,7 @@ private:
     std::string m_rows;
     WorldWarnings m_worldWarnings;
     bool m_finished = false;
+    bool m_hasLogs = false; ///< its logs are open: those of the last run can go
 };
 
 } // namespace trundle

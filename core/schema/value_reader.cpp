@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/unit_products.h"
 #include "base/units.h"
 #include "schema/value_words.h"
 

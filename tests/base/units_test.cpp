@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "base/unit_products.h"
 #include "base/units.h"
 
 using namespace trundle;

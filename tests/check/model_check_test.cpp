@@ -173,7 +173,9 @@ private Q_SLOTS:
         row("one motor for both wheels", rover("RightMotor=rightMotor", "RightMotor=leftMotor"), Code::DeviceSetup, "same motor",
             "leftMotor", true);
         row("two motors on one joint", rover("Joint=rightAxle", "Joint=leftAxle"), Code::DeviceSetup,
-            "turn the same joint, leftAxle", "leftAxle", false);
+            "move the same joint, leftAxle", "leftAxle", false);
+        row("a motor and a servo on one joint", rover("RotaryMotor rightMotor", "Servo arm { Joint=leftAxle MaxTorque=1 MaxSpeed=1 }\n  RotaryMotor rightMotor"), Code::DeviceSetup,
+            "move the same joint, leftAxle", "leftAxle", false);
         row("an encoder without a pitch",
             "RobotConfig Rail { Body b { Box g { Size=0.2,0.2,0.2 Mass=2 } } Slider rail { Parent=world Child=b Axis=1,0,0 } "
             "Encoder count { Joint=rail } }\nRobot a { Config=Rail Pos=0,0,0.1 }",

@@ -53,6 +53,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(last - 40. / 3) < 1e-6);
     }
 
+    void aVoltageWhileADriveTurnsItIsReportedOnce() {
+        BenchRobot robot(.01);
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/servo")[0] = 1;
+        for (int i = 0; i < 3; ++i) robot.tick();
+        QCOMPARE(robot.warnings.size(), std::size_t(0));
+        robot.signal("motor/voltage")[0] = 6;
+        for (int i = 0; i < 3; ++i) robot.tick();
+        QCOMPARE(robot.warnings.size(), std::size_t(1));
+        QVERIFY(robot.warnings[0].find("voltage has no effect") != std::string::npos);
+    }
+
     void spinsUpWithItsTimeConstant() {
         BenchRobot robot(.0001);
         robot.joint("axle").inertia = .0405; // tau = I / b = .1 s

@@ -31,6 +31,15 @@ private Q_SLOTS:
         QVERIFY(rows[5].startsWith("1,robot1,"));
         QVERIFY(!contentOf(m_folder.filePath("out/path.csv")).contains('\r'));
     }
+    void aRunThatIsRefusedLeavesTheLastLogs() {
+        const Outcome done = run(experiment("PoseLog path { Interval=0.1 }\n"));
+        QVERIFY2(done.code == 0, shown(done));
+        const QByteArray before = contentOf(m_folder.filePath("out/path.csv"));
+        QVERIFY(before.count('\n') > 10);
+        const Outcome refused = run(experiment("PoseLog path { Interval=0.1 }\nSignalLog s { Signals=robot0/nothing }\n"));
+        QVERIFY2(refused.code != 0 && refused.err.contains("robot0/nothing"), shown(refused));
+        QCOMPARE(contentOf(m_folder.filePath("out/path.csv")), before);
+    }
     void twoRunsWriteTheSameBytes() {
         const QString path = experiment("PoseLog p { }\nContactLog c { }\nEnergyLog e { }\nSignalLog s { Signals=\"*\" }\n");
         QMap<QString, QByteArray> first;

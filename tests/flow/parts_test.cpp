@@ -1,6 +1,7 @@
 // A robot made of parts moves to the same bits as its copy by hand, wherever parts can be.
 
 #include <map>
+#include <optional>
 
 #include "flow/cli.h"
 
@@ -312,12 +313,104 @@ private Q_SLOTS:
         }
     }
 
+    /// Its rollers are mirrored too, so that each wheel takes the place of the one across.
+    void theMirrorImageOfAMecanumBaseTurnsTheSameWay() {
+        const char* const kTurn = "import trundle\nclass Turn(trundle.Controller):\n    \"\"\"Drives an arc.\"\"\"\n"
+                                  "    def setup(self, robot): self.drive = robot.port('base.drive')\n"
+                                  "    def update(self, dt):\n        self.drive.set('linearVelocity', 0.3)\n"
+                                  "        self.drive.set('angularVelocity', 0.6)\n";
+        std::optional<double> heading; ///< deg, the same for all
+        for (const char* mirror : {"none", "y", "x"}) {
+            const QJsonObject now = signalsOf(
+                QByteArray("#loadModule turn.py\nSurface mecanum { Friction=0.8 Friction2=0 FrictionHeading=-45 }\n"
+                           "PartConfig Wheel { Body wheel { Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.2 Material=black "
+                           "Surface=mecanum } }\n  Hinge axle { Parent=$c Child=wheel Axis=0,1,0 }\n"
+                           "  RotaryMotor motor { Joint=axle TorqueConstant=0.02 SpeedConstant=50 Resistance=0.5 GearRatio=15 MaxVoltage=12 } }\n"
+                           "PartConfig Base { Body hull { Box h { Size=0.3,0.2,0.06 Pos=0,0,0.1 Mass=3 Material=blue Surface=plastic } }\n"
+                           "  Part fl { Config=Wheel c=hull Pos=0.15,0.15,0.05 }\n"
+                           "  Part fr { Config=Wheel c=hull Pos=0.15,-0.15,0.05 Mirror=y }\n"
+                           "  Part bl { Config=Wheel c=hull Pos=-0.15,0.15,0.05 Mirror=y }\n"
+                           "  Part br { Config=Wheel c=hull Pos=-0.15,-0.15,0.05 }\n"
+                           "  MecanumDrive drive { FrontLeftMotor=fl.motor FrontRightMotor=fr.motor BackLeftMotor=bl.motor "
+                           "BackRightMotor=br.motor WheelRadius=0.05 WheelSeparation=0.3 WheelBase=0.3 } }\n"
+                           "RobotConfig Kit { Part base { Config=Base Mirror=") +
+                    mirror + " } }\nRobot r { Config=Kit Turn brain { } }\n",
+                "1.5", "turn.py", kTurn);
+            heading = heading.value_or(now["pose"][3].toDouble());
+            QVERIFY2(*heading > 40 && std::abs(now["pose"][3].toDouble() - *heading) < 1e-6, mirror + QJsonDocument(now).toJson());
+            for (const char* pose : {"base.drive/pose", "base.drive/odometry"})
+                QVERIFY2(std::abs(now[QLatin1String(pose)][2].toDouble() - *heading) < 1, mirror + QJsonDocument(now).toJson());
+        }
+    }
+
+    void aMirroredBeltRunsTheMirroredWay() {
+        struct Row {
+            const char *mirror, *heading;
+            double way; ///< deg
+        };
+        for (const Row& row : {Row{"none", "30", 50}, {"y", "30", -50}, {"x", "30", 130}, {"none", "0", 20}, {"x", "0", 160}, {"y", "0", -20}}) {
+            QTemporaryDir folder;
+            QVERIFY(writeFile(folder.filePath("push.py"), "import trundle\nclass Push(trundle.Controller):\n    \"\"\"Runs a belt.\"\"\"\n"
+                                                          "    def setup(self, robot): self.belt = robot.port('line.belt')\n"
+                                                          "    def update(self, dt): self.belt.set('speed', 0.3)\n"));
+            QVERIFY(writeFile(folder.filePath("belt.sim"),
+                              kHead + QByteArray("#loadModule push.py\nPartConfig Line { Box deck { Size=3,1,0.1 Pos=0,0,0.15 HPR=20,0,0 Material=grey "
+                                                 "Surface=rubber }\n  Belt belt { Geom=deck MaxSpeed=1 Heading=") +
+                                  row.heading + " } }\nStaticConfig Hall { Part line { Config=Line Mirror=" + row.mirror +
+                                  " } }\nRobotConfig Parcel { Body b { Box b { Size=0.1,0.1,0.1 Mass=0.4 Material=red Surface=rubber } } }\n"
+                                  "Static hall { Config=Hall Push brain { } }\nRobot parcel { Config=Parcel Pos=0,0,0.2501 }\n"));
+            const Outcome run = cli({"run", folder.filePath("belt.sim"), "--trust", "--json"});
+            const QJsonArray at = QJsonDocument::fromJson(run.out)["robots"]["parcel"]["pos"].toArray();
+            QVERIFY2(at.size() == 3 && std::hypot(at[0].toDouble(), at[1].toDouble()) > 0.2, shown(run));
+            const double way = std::atan2(at[1].toDouble(), at[0].toDouble()) * 180 / M_PI;
+            QVERIFY2(std::abs(way - row.way) < 0.1, qPrintable(QString("%1 %2: %3").arg(row.mirror, row.heading).arg(way)));
+        }
+    }
+
+    void basesWithoutMirrorImageAreRefused() {
+        QTemporaryDir folder;
+        const QByteArray car = "PartConfig Base { Body hull { Box b { Size=0.3,0.2,0.06 Mass=2 Material=orange Surface=plastic } }\n"
+                               "  Part l { Config=DrivenWheel carrier=hull } Part r { Config=DrivenWheel carrier=hull }\n"
+                               "  OmniDrive drive { Motors=l.motor,r.motor,l.motor WheelRadius=0.05 WheelDistance=0.1 } }\n"
+                               "RobotConfig Kit { Part base { Config=Base Mirror=y } }\nRobot r { Config=Kit }\n";
+        QVERIFY(writeFile(folder.filePath("omni.sim"), kHead + QByteArray(kParts) + car));
+        const Outcome check = cli({"check", folder.filePath("omni.sim")});
+        QVERIFY2(check.code != 0 && check.err.contains("error E306: OmniDrive drive has no mirror image"), shown(check));
+    }
+
+    /// `check --model` looks at the models alone, with places in their file.
+    void modelsAreCheckedWithoutTheirExperiment() {
+        QTemporaryDir folder;
+        const QByteArray text = "#import common/materials.sim\n#import common/surfaces.sim\n#import arenas/open_floor.sim\n"
+                                "RobotConfig Cube { Body b { Box hull { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=1 Material=red Surface=plastic } } }\n"
+                                "Static floor { Config=OpenFloor }\nRobot one { Config=Cube }\nRobot two { Config=Cube Pos=0.5,0,0 }\n"
+                                "Ball rope { Parent=one.b Child=two.b Anchor=0.25,0,0.1 }\nPoseLog p { Robot=one }\n";
+        QVERIFY(writeFile(folder.filePath("cubes.sim"), text));
+        const Outcome check = cli({"check", "--model", folder.filePath("cubes.sim")});
+        QVERIFY2(check.code == 0 && check.err.isEmpty(), shown(check));
+        QVERIFY(writeFile(folder.filePath("cubes.sim"), QByteArray(text).replace("Pos=0,0,0.1", "Pos=0,0,-0.5")));
+        const Outcome below = cli({"check", "--model", folder.filePath("cubes.sim")});
+        QVERIFY2(below.err.contains("warning"), shown(below));
+    }
+
+    /// A wrong value that a joint uses is the one error: the body is not called loose besides.
+    void aWrongValueIsTheOnlyError() {
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("door.sim"), "#import common/materials.sim\n#import common/surfaces.sim\n"
+                                                       "StaticConfig Door { Param k = 1 { Min=0 Max=5 }\n"
+                                                       "  Body leaf { Pos=0,0,0.5 Box b { Size=0.4,0.02,0.3 Mass=1 Material=blue Surface=slick } }\n"
+                                                       "  Hinge hinge { Parent=world Child=leaf Stiffness=$k } }\nStatic door { Config=Door k=9 }\n"));
+        const Outcome check = cli({"check", folder.filePath("door.sim")});
+        QVERIFY2(check.err.contains("error E203: k is 9") && !check.err.contains("E302"), shown(check));
+    }
+
 private:
     /// Of robot r, at the end.
-    QJsonObject signalsOf(const QByteArray& blocks, const char* duration) {
+    QJsonObject signalsOf(const QByteArray& blocks, const char* duration, const char* module = "", const QByteArray& code = {}) {
         QTemporaryDir folder;
         if (!writeFile(folder.filePath("robot.sim"), kHead + blocks)) return {};
-        const Outcome run = cli({"run", folder.filePath("robot.sim"), "--duration", duration, "--json"});
+        if (*module && !writeFile(folder.filePath(module), code)) return {};
+        const Outcome run = cli({"run", folder.filePath("robot.sim"), "--duration", duration, "--json", "--trust"});
         return QJsonDocument::fromJson(run.out)["robots"]["r"]["signals"].toObject();
     }
 };

@@ -100,6 +100,18 @@ private Q_SLOTS:
                  QByteArray("Robot r { Mass = 1.50 /* kg */ Pos=1,2,3 } // end"));
     }
 
+    void settingAValueKeepsCommentsBetweenItsElements() {
+        const auto tree = parsed("Pos=0, // ahead\n  0, /* left */ 0.05 // end\nSize=1 /* a */, $(max(2,3)), \"x,y\"\n");
+        const auto& pos = tree->items()[0].as<AssignmentItem>()->value;
+        const auto& size = tree->items()[1].as<AssignmentItem>()->value;
+        QCOMPARE(q(applied(*tree, editSetValue(*tree, pos, "1, 2,3"))),
+                 QByteArray("Pos=1, // ahead\n  2, /* left */ 3 // end\nSize=1 /* a */, $(max(2,3)), \"x,y\"\n"));
+        QCOMPARE(q(applied(*tree, editSetValue(*tree, size, "5,$(min(a,b)),\"u,v\""))),
+                 QByteArray("Pos=0, // ahead\n  0, /* left */ 0.05 // end\nSize=5 /* a */, $(min(a,b)), \"u,v\"\n"));
+        QCOMPARE(q(applied(*tree, editSetValue(*tree, pos, "$place"))), // another count: nowhere to keep them
+                 QByteArray("Pos=$place // end\nSize=1 /* a */, $(max(2,3)), \"x,y\"\n"));
+    }
+
     void settingAMissingValue() {
         const auto tree = parsed("A =\nB=\nC = 1\n");
         QCOMPARE(q(applied(*tree, editSetValue(*tree, tree->items()[0].as<AssignmentItem>()->value, "7"))),

@@ -157,6 +157,57 @@ private Q_SLOTS:
         QVERIFY(std::abs(position(*world, "r/arm").z() - 0.98) < 0.004);
     }
 
+    void suspensionLeavesItsTravel_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.005, 0.01, 0.03}) QTest::addRow("%g s", tick) << tick;
+    }
+    /// What was pressed to the end of the travel comes back to where the spring balances the weight.
+    void suspensionLeavesItsTravel() {
+        QFETCH(double, tick);
+        JointSpec j = joint("j", JointType::Suspension, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+        j.axis2 = Vec3::UnitY();
+        j.stiffness = 158;
+        j.damping = 1;
+        j.travel = 0.104; // let go at 0, it would reach 124 mm
+        Scene scene = pair(j);
+        scene.spec->settings.gravity = {0, 0, -g};
+        scene.spec->settings.tick = tick;
+        auto world = scene.build();
+        double deepest = 0;
+        for (double time = 0; time < 60; time += tick) {
+            QVERIFY(world->tick().ok());
+            deepest = std::min(deepest, position(*world, "r/arm").z() - 1);
+        }
+        QVERIFY2(deepest < -0.103 && deepest > -0.104 - 1.5 * tick, qPrintable(QString::number(deepest))); // at most 1.5 m/s there
+        QVERIFY(std::abs(position(*world, "r/arm").z() - (1 - g / 158)) < 1e-4);
+    }
+
+    void stopsBeyondTheMotionDrawNothingToThem_data() { suspensionLeavesItsTravel_data(); }
+    /// Undamped and let go at rest, a weight falls by 2 m g / k and comes back to its start.
+    void stopsBeyondTheMotionDrawNothingToThem() {
+        QFETCH(double, tick);
+        const auto range = [&](std::optional<double> stop) {
+            JointSpec j = joint("j", JointType::Slider, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+            j.stiffness = 158;
+            j.lowStop = stop;
+            Scene scene = pair(j);
+            scene.spec->settings.gravity = {0, 0, -g};
+            scene.spec->settings.tick = tick;
+            auto world = scene.build();
+            std::pair lowHigh(0.0, 0.0);
+            for (double time = 0; time < 6; time += tick) {
+                (void)world->tick();
+                const double at = value(*world, "r/j/position");
+                lowHigh = {std::min(lowHigh.first, at), std::max(lowHigh.second, at)};
+            }
+            return lowHigh;
+        };
+        const auto free = range({}), limited = range(-0.129);
+        QVERIFY(std::abs(free.first + 2 * g / 158) < 0.0015);
+        QVERIFY2(std::abs(limited.first - free.first) < 1e-9 && std::abs(limited.second - free.second) < 1e-9,
+                 qPrintable(QString("%1 %2").arg(limited.first).arg(limited.second)));
+    }
+
     void motorOvercomesFriction() {
         JointSpec j = joint("j", JointType::Hinge, 0, 1, {0, 0, 1}, Vec3::UnitZ());
         j.friction = 2;

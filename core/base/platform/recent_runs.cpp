@@ -16,7 +16,8 @@ constinit thread_local const CallMonitor* t_run = nullptr;
 
 RunOfThread::RunOfThread(std::shared_ptr<const CallMonitor> calls) {
     static std::mutex s_lock;
-    static std::array<std::shared_ptr<const CallMonitor>, kRuns> s_owners;
+    using Owners = std::array<std::shared_ptr<const CallMonitor>, kRuns>;
+    static Owners& s_owners = *new Owners; // never destroyed: a thread of a run may still end while the program does
     const std::scoped_lock guard(s_lock);
     t_run = calls.get();
     const std::size_t at = s_count % kRuns;

@@ -184,7 +184,10 @@ std::shared_ptr<const StaticConfigSpec> resolveStaticConfig(ResolveContext& cont
     frame.nameRange = config.nameRange();
     const std::size_t errors = context.diagnostics.errorCount();
     resolveParts(context, expansion, moving);
-    if (context.diagnostics.errorCount() == errors) reportLooseBodies(context, moving);
+    std::size_t joints = 0;
+    expansion.each(Role::Joint, [&](const ExpandedPart&) { ++joints; });
+    // A joint with an error that was reported before does not count as a further one.
+    if (context.diagnostics.errorCount() == errors && joints == moving.joints.size()) reportLooseBodies(context, moving);
     if (moving.bodies.size() > 1 || !moving.devices.empty())
         spec->moving = std::make_shared<const RobotConfigSpec>(std::move(moving));
     return spec;
