@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/spelling.h"
 #include "model/object_numbers.h"
 #include "remote/device_views.h"
 
@@ -24,6 +25,16 @@ Json namesOf(const CameraImage& image, const ExperimentSpec& experiment) {
     for (const std::uint32_t number : numbers)
         if (number > 0 && number < names.size()) all.push_back({number, names[number]});
     return all;
+}
+
+/// Names the first pattern, and the signal that may be meant by it.
+Reply noneMatches(const std::vector<std::string>& patterns, const SignalLayout& layout) {
+    std::string text = patterns.empty() ? "no signal is named" : "no signal matches " + patterns.front();
+    std::vector<std::string> paths;
+    for (const SignalEntry& entry : layout.entries()) paths.push_back(entry.path);
+    if (!patterns.empty())
+        if (const std::vector<std::string> near = nearestWords(patterns.front(), paths); !near.empty()) text += "; did you mean " + near.front() + "?";
+    return Reply::failed("no_such_path", text + "; `describe` lists those of a robot");
 }
 
 } // namespace
@@ -120,8 +131,7 @@ Reply QueryOperations::subscribe() {
         return Reply::failed("refused", "at most " + std::to_string(RemoteClient::kMostSubscriptions) + " subscriptions of at most " +
                                             std::to_string(RemoteClient::kMostPatterns) + " patterns are possible");
     bindSignals(subscription, m_run.world().layout());
-    if (subscription.entries.empty())
-        return Reply::failed("no_such_path", "no signal matches; `describe` lists those of a robot");
+    if (subscription.entries.empty()) return noneMatches(subscription.patterns, m_run.world().layout());
     Reply reply;
     Json signals = Json::array();
     for (const SignalEntry* entry : subscription.entries) signals.push_back({entry->path, entry->count});
@@ -188,7 +198,7 @@ Reply QueryOperations::read() {
     if (auto wrong = m_request.mistake()) return *wrong;
     if (once.patterns.size() > RemoteClient::kMostPatterns) return Reply::failed("refused", "too many patterns at once");
     bindSignals(once, m_run.world().layout());
-    if (once.entries.empty()) return Reply::failed("no_such_path", "no signal matches; `describe` lists those of a robot");
+    if (once.entries.empty()) return noneMatches(once.patterns, m_run.world().layout());
     Reply reply{stateOf(m_run), {}, {}, {}, false};
     Json values = Json::object();
     for (const SignalEntry* entry : once.entries) values[entry->path] = numbersOf(*entry);

@@ -86,27 +86,10 @@ void fitOnScreen(QWidget& window) {
 
 } // namespace
 
-namespace {
-
-/// While it exists, the program has no style sheet: with one, each widget that gets a parent is styled anew with all its children.
-class StyledAtTheEnd {
-public:
-    StyledAtTheEnd() { qApp->setStyleSheet({}); }
-    ~StyledAtTheEnd() { qApp->setStyleSheet(m_sheet); }
-    StyledAtTheEnd(const StyledAtTheEnd&) = delete;
-    StyledAtTheEnd& operator=(const StyledAtTheEnd&) = delete;
-
-private:
-    QString m_sheet = qApp->styleSheet();
-};
-
-} // namespace
-
 MainWindow::MainWindow(Application& application, RenderService* render, const Locations& places, const OpenOptions& given)
     : m_actions(std::make_unique<Actions>(actionTable())), m_document(new Document(application, this)),
       m_selection(new Selection(this)), m_session(new RunSession(*m_document, application, this)), m_marks(new ObjectMarks(this)),
       m_edits(new ObjectEdits(*m_document, *m_selection, *m_marks, this)) {
-    const StyledAtTheEnd styled;
     setObjectName(QStringLiteral("mainWindow"));
     resize(1440, 900);
     restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());

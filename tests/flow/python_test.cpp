@@ -279,6 +279,8 @@ void PythonTest::everyFaultStaysInItsProcess_data() {
     for (const char* action : {"thread", "thread_fails", "close_all", "change_folder", "nothing"}) row(action, {});
     add("eat memory", "Action=eat_memory", failed + "MemoryError, in ", "range(1000)");
     add("write sensor", "Phase=\"write sensor\"", failed + "TypeError: cannot modify read-only memory", "_sensors[0] = ");
+    add("misspelt signal", "Phase=\"misspelt signal\"", "the port has no signal 'linearVelocty'; did you mean 'linearVelocity'?", "linearVelocty");
+    add("word", "Phase=word", failed + "TypeError: a signal takes a number, not 'fast'", {});
     add("overwrite commands", "Phase=\"overwrite commands\"", {}, {});
 }
 

@@ -203,7 +203,7 @@ private Q_SLOTS:
         row("sensor", R"({"op":"command","device":"r/frontTouch"})", "bad_request",
             "a bumper of kind TouchSensor has no commands of its interface; set its signals instead");
         row("camera", R"({"op":"image","camera":"r/base"})", "no_such_path", "there is no camera r/base");
-        row("nothing", R"({"op":"subscribe","signals":["q*"]})", "no_such_path", "no signal matches; `describe` lists those of a robot");
+        row("nothing", R"({"op":"subscribe","signals":["q*"]})", "no_such_path", "no signal matches q*; `describe` lists those of a robot");
         row("speed", R"({"op":"run","speed":-1})", "bad_request", "speed must be from 0, which is as fast as possible, to 1000");
         row("controller", R"({"op":"restart","robot":"r"})", "no_such_path", "there is no robot r with a controller");
     }

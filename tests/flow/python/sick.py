@@ -100,7 +100,7 @@ class Sick(trundle.Controller):
     """Does something bad after a while."""
 
     action = trundle.field("Action", "nothing", trundle.text(), "The name of a function.")
-    phase = trundle.field("Phase", "update", trundle.one_of("setup|update|write sensor|overwrite commands"), "When.")
+    phase = trundle.field("Phase", "update", trundle.one_of("setup|update|write sensor|overwrite commands|misspelt signal|word"), "When.")
 
     def setup(self, robot):
         self.drive = robot.differential_drive("base")
@@ -118,6 +118,10 @@ class Sick(trundle.Controller):
         if self.phase == "overwrite commands":
             for i in range(len(self.image._commands)):
                 self.image._commands[i] = 1e9
+        if self.phase == "misspelt signal":
+            self.drive.set("linearVelocty", 1)
+        if self.phase == "word":
+            self.drive.move("fast", 0)
         if self.phase == "update":
             globals()[self.action]()
 

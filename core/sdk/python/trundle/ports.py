@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from .camera import CameraPort
 from .radio import RadioPort
+from .signals import UnknownPort, unknown_signal
 
 
 class Pose2(NamedTuple):
@@ -32,16 +33,22 @@ class Port:
         return list(self._slots)
 
     def size(self, signal):
-        return self._slots[signal].count
+        return self._slot(signal).count
 
     def get(self, signal, element=0):
-        return self._slots[signal].get(element)
+        return self._slot(signal).get(element)
 
     def values(self, signal):
-        return self._slots[signal].values()
+        return self._slot(signal).values()
 
     def set(self, signal, value, element=0):
-        self._slots[signal].set(value, element)
+        self._slot(signal).set(value, element)
+
+    def _slot(self, signal):
+        try:
+            return self._slots[signal]
+        except KeyError:
+            raise UnknownPort(unknown_signal(signal, self._slots)) from None
 
 
 class BasePort(Port):

@@ -24,8 +24,14 @@ class Slot:
         return self._view[self._first + element] if 0 <= element < self.count else 0.0
 
     def set(self, value, element=0):
-        if self.writable and 0 <= element < self.count:
+        if not self.writable or not 0 <= element < self.count:
+            return
+        try:
             self._view[self._first + element] = value
+        except TypeError:
+            if isinstance(value, (int, float)):
+                raise
+            raise TypeError(f"a signal takes a number, not {value!r}") from None
 
     def values(self):
         """All of them, as a read-only memoryview of doubles in the image: they change with the next tick."""
@@ -62,6 +68,11 @@ def _meant(word, candidates):
 def _listed(words):
     words = list(words)
     return ", ".join(words[:_MOST_LISTED]) + (" ..." if len(words) > _MOST_LISTED else "") if words else "none"
+
+
+def unknown_signal(signal, names):
+    """The message for a port that has only the signals `names`."""
+    return f"the port has no signal '{signal}'{_meant(signal, list(names))}; its signals: {_listed(names)}"
 
 
 class Image:

@@ -47,6 +47,12 @@ void limitAxis(const OdeJoint& joint, int axis, const Limited& m, double h) {
     dJointSetAMotorAngle(joint.stop, axis, angle);
 }
 
+/// `give`: N s/m.
+void setSuspensionRow(dJointID suspension, double errorReduction, double give) {
+    dJointSetHinge2Param(suspension, dParamSuspensionERP, errorReduction);
+    dJointSetHinge2Param(suspension, dParamSuspensionCFM, 1 / give);
+}
+
 /// The stop of a ball acts about the axis about which the child's axis is tilted from the parent's.
 void updateCone(OdeJoint& joint, const std::vector<OdeBody>& bodies, double h) {
     const Vec3 parent = (joint.parent == kNone ? joint.parentAxis : turn(bodies[joint.parent].r, joint.parentAxis)),
@@ -241,15 +247,12 @@ void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReductio
     if (joint.travel > 0 && beyond > 0) {
         const double stiffness = kStopStiffness * joint.inertia[0] / (h * h), give = h * stiffness / errorReduction;
         const double force = joint.stiffness * joint.travel + stiffness * beyond;
-        dJointSetHinge2Param(joint.id, dParamSuspensionERP, h * force / (give * std::abs(slide)));
-        dJointSetHinge2Param(joint.id, dParamSuspensionCFM, 1 / give);
-        return;
+        return setSuspensionRow(joint.id, h * force / (give * std::abs(slide)), give);
     }
     const double inertia = (isHeld(joint, -slide) ? joint.heldInertia : joint.inertia)[0];
     const SpringRow row = springRow(joint.stiffness, joint.damping, inertia, h);
     const double give = std::max(row.give, 1e-9);
-    dJointSetHinge2Param(joint.id, dParamSuspensionERP, h * joint.stiffness / give);
-    dJointSetHinge2Param(joint.id, dParamSuspensionCFM, 1 / give);
+    setSuspensionRow(joint.id, h * joint.stiffness / give, give);
     if (row.carry == 0) return;
     const OdeBody &c = m_bodies[joint.child], &p = m_bodies[joint.parent];
     const Vec3 force = -row.carry * axis.dot(anchorSpeed(joint)) * axis, at = vec(c.p) + turn(c.r, joint.childAnchor);
