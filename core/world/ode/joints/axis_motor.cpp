@@ -16,6 +16,11 @@ void setRow(dJointID motor, JointType of, int axis, int parameter, double value)
     else dJointSetAMotorParam(motor, parameter + axis * kParamStep, value);
 }
 
+double rowOf(dJointID motor, JointType of, int axis, int parameter) {
+    const int row = parameter + axis * kParamStep;
+    return of == JointType::Slider ? dJointGetLMotorParam(motor, row) : dJointGetAMotorParam(motor, row);
+}
+
 dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, std::span<const Vec3> axes, bool parentFirst) {
     const dWorldID world = dBodyGetWorld(bodies[joint.child].id);
     const bool linear = joint.type == JointType::Slider;

@@ -12,5 +12,6 @@ namespace trundle {
 [[nodiscard]] dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, std::span<const Vec3> axes,
                                  bool parentFirst);
 void setRow(dJointID motor, JointType of, int axis, int parameter, double value);
+[[nodiscard]] double rowOf(dJointID motor, JointType of, int axis, int parameter);
 
 } // namespace trundle

@@ -37,7 +37,9 @@ struct Limited {
 };
 
 void limitAxis(const OdeJoint& joint, int axis, const Limited& m, double h) {
-    const double step = h * (2 * m.rate - m.lastRate);
+    const double gain = m.rate - m.lastRate;
+    const bool hasActed = rowOf(joint.stop, joint.type, axis, dParamFMax) > 0; // what it took in the last tick does not go on
+    const double step = h * (m.rate + (gain * m.rate > 0 || !hasActed ? gain : 0));
     const double down = m.position - m.low, up = m.high - m.position;
     const bool low = down > kSameStop && down + step<0, high = up> kSameStop && up < step;
     if (low || high) setRow(joint.stop, joint.type, axis, dParamVel, (low ? -down : up) / h);
