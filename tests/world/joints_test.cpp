@@ -161,7 +161,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("tick");
         for (const double tick : {0.005, 0.01, 0.03}) QTest::addRow("%g s", tick) << tick;
     }
-    /// What was pressed to the end of the travel comes back to where the spring balances the weight.
+    /// What was pressed to the end of the travel returns to where the spring balances the weight.
     void suspensionLeavesItsTravel() {
         QFETCH(double, tick);
         JointSpec j = joint("j", JointType::Suspension, 0, 1, {0, 0, 1}, Vec3::UnitZ());
@@ -183,7 +183,7 @@ private Q_SLOTS:
     }
 
     void stopsBeyondTheMotionDrawNothingToThem_data() { suspensionLeavesItsTravel_data(); }
-    /// Undamped and let go at rest, a weight falls by 2 m g / k and comes back to its start.
+    /// Undamped and let go at rest, a weight falls by 2 m g / k and returns to its start.
     void stopsBeyondTheMotionDrawNothingToThem() {
         QFETCH(double, tick);
         const auto range = [&](std::optional<double> stop) {
