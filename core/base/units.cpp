@@ -103,7 +103,7 @@ constexpr UnitInfo kUnits[] = {
 constexpr std::string_view kBases[] = {"m", "kg", "s", "A", "K", "rad"};
 
 struct Dimension {
-    std::string_view name; ///< of units.cpp
+    std::string_view name; ///< as in kUnits
     UnitExponents exponents;
 };
 

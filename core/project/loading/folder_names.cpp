@@ -55,7 +55,7 @@ void FolderNames::addMissing(const std::string& path) {
     const std::string place = folderOf(path);
     if (m_folders.size() >= kMostFolders && !m_folders.contains(place)) return;
     Folder& folder = m_folders[place];
-    if (++folder.missing == kManyMissing) folder.names = namesIn(place);
+    if (++folder.missing == kManyMissing) folder.names = namesIn(place.empty() ? "/" : place);
 }
 
 } // namespace trundle
