@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <set>
+#include <tuple>
 
 #include "check/checks.h"
 #include "world/validate.h"
@@ -19,18 +21,33 @@ std::string lengthText(double metres) {
     return std::abs(metres) < 1 ? figureText(1e3 * metres) + " mm" : figureText(metres) + " m";
 }
 
+namespace {
+
+/// Of what is found at one place, as in each member of a Repeat or of a Grid, only the first.
+void appendFirsts(Diagnostics& diagnostics, const Diagnostics& found) {
+    std::set<std::tuple<Code, FileId, std::uint32_t>> seen;
+    std::vector<Diagnostic> firsts;
+    for (const Diagnostic& d : found.all())
+        if (seen.insert({d.code, d.range.file, d.range.range.begin}).second) firsts.push_back(d);
+    diagnostics.append(std::move(firsts));
+}
+
+} // namespace
+
 void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop) {
     if (loaded.diagnostics.hasErrors() || loaded.pending) return;
     const ExperimentSpec& experiment = *loaded.experiment;
     Diagnostics silent;
     if (!isBuildable(experiment, silent)) return; // a run reports the reason
     checkUnused(loaded, diagnostics);
-    checkBodies(loaded, diagnostics);
-    checkMasses(experiment, diagnostics);
-    checkLinks(experiment, diagnostics);
-    checkDrives(loaded, diagnostics);
+    Diagnostics ofConfigs;
+    checkBodies(loaded, ofConfigs);
+    checkMasses(experiment, ofConfigs);
+    checkLinks(experiment, ofConfigs);
+    checkDrives(loaded, ofConfigs);
+    checkSprings(experiment, ofConfigs);
+    appendFirsts(diagnostics, ofConfigs);
     checkNeeds(loaded, diagnostics);
-    checkSprings(experiment, diagnostics);
     if (experiment.robots.empty() || stop.stop_requested()) return;
     const std::optional<StartScene> scene = StartScene::build(experiment, stop);
     if (!scene) return; // the same

@@ -114,7 +114,8 @@ private:
 
     void measure(const Piece& piece) {
         const RobotConfigSpec* config = m_experiment.robots[piece.robot].config.get();
-        const auto known = m_byConfig.find({config->name, piece.bodies.front()});
+        const Block block{config->name, config->bodies[piece.bodies.front()].nameRange.range.begin};
+        const auto known = m_byConfig.find(block);
         if (m_measured >= kMaxMeasured) {
             if (known != m_byConfig.end()) ++m_findings[known->second].others;
             return;
@@ -127,7 +128,7 @@ private:
             ++m_findings[known->second].others;
             return;
         }
-        m_byConfig.emplace(std::pair(config->name, piece.bodies.front()), m_findings.size());
+        m_byConfig.emplace(block, m_findings.size());
         m_findings.push_back(std::move(finding));
     }
 
@@ -208,7 +209,8 @@ private:
     Vec3 m_up;
     std::set<std::pair<std::uint32_t, std::uint32_t>> m_touching; ///< (robot, body)
     std::vector<SupportFinding> m_findings;
-    std::map<std::pair<std::string, std::uint32_t>, std::size_t> m_byConfig; ///< by config and first body of the piece
+    using Block = std::pair<std::string, std::uint32_t>; ///< a config and the place of the block of the piece's first body
+    std::map<Block, std::size_t> m_byConfig;
     std::size_t m_measured = 0;
 };
 

@@ -1,4 +1,6 @@
 // Seeded faults: each is reported with its name and cause, and its fix, where there is one, removes it. Valid models give no warning.
+#include <set>
+
 #include "check/check_fixture.h"
 #include "flow/cli.h"
 #include "project/wizard/robot_text.h"
@@ -395,6 +397,27 @@ private Q_SLOTS:
         Diagnostics found;
         checkModel(*loaded, found, stop.get_token());
         QVERIFY(found.all().empty());
+    }
+
+    /// What is wrong in each member of a Repeat is one message; the hint says how many there are.
+    void saysOnceWhatMembersShare() {
+        const auto loaded = m_fixture.open(
+            "Material g { } Surface s { } StaticConfig F { Plane p { Material=g Surface=s } } Static f { Config=F }\n"
+            "RobotConfig Cart { Body b { Box hull { Size=1,1,1 Pos=0,0,0.5 Material=g Surface=s Mass=100 } }\n"
+            " Repeat w { Count=4 Pos=$(2*index),2,0\n"
+            "  Body rim { Sphere t { Radius=0.1 Pos=0,0,0.1 Mass=0.0001 Material=g Surface=s } Inertia=1,1,1 }\n"
+            "  Body tip { CenterOfMass=0,0,4 Sphere t { Radius=0.1 Pos=0,0,1 Mass=0.0001 Material=g Surface=s } }\n"
+            "  Hinge h { Parent=b Child=rim Axis=0,1,0 Stiffness=1e6 } } }\nRobot x { Config=Cart }\n");
+        std::multiset<std::string> codes;
+        std::string tip, all;
+        const Diagnostics found = CheckFixture::check(*loaded);
+        for (const Diagnostic& d : found.all()) {
+            codes.insert(codeName(d.code));
+            if (d.code == Code::Unsupported) tip = d.message;
+        }
+        for (const std::string& code : codes) all += code + " ";
+        QCOMPARE(all, std::string("E327 E328 E330 E333 E336 E336 "));
+        QVERIFY2(tip.ends_with("(and 3 more like it)"), tip.c_str());
     }
 
     /// A text with errors is not checked further: only its errors are listed.
