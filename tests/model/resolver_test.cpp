@@ -176,7 +176,10 @@ private Q_SLOTS:
         row("Universal j { Parent=a Child=b Axis=0,0,1 Axis2=0,1,0.0005 }", "");
         row("Suspension j { Parent=a Child=b Axis=0,0,1 Axis2=0,1,0.5 Travel=1 }", "");
         row("Hinge j { Parent=a Child=b LowStop=2 HighStop=1 }", "E307 the LowStop of Hinge j is above its HighStop\n");
-        row("Hinge j { Parent=a Child=b LowStop=1 HighStop=1 }", "");
+        row("Hinge j { Parent=a Child=b LowStop=-1 HighStop=-1 }",
+            "E307 Hinge j starts at 0, above its HighStop: it is pushed there at once; place its bodies between the stops\n");
+        row("Hinge j { Parent=a Child=b LowStop=1 HighStop=2 }",
+            "E307 Hinge j starts at 0, below its LowStop: it is pushed there at once; place its bodies between the stops\n");
         row("Hinge j { Parent=a Child=b } Slider k { Parent=b Child=a }", "E307 two joints join the same bodies: j and k\n");
     }
     void jointFaults() {

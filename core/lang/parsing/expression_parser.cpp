@@ -34,6 +34,8 @@ constexpr std::array<Function, 16> kFunctions{{{"min", 2, 100},
                                                {"element", 2, 2}}};
 
 constexpr std::array<std::string_view, 6> kComparisons{"<=", ">=", "==", "!=", "<", ">"};
+/// What counts towards the depth of a binary operator or call.
+constexpr const char* kChains = ": nested parentheses and operators in a row; use Params for parts of it";
 
 std::string countWords(const Function& f) {
     static constexpr const char* kWords[] = {"no", "one", "two", "three"};
@@ -103,7 +105,7 @@ ExpressionParser::Sum ExpressionParser::binary(Expression::Op op, Sum left, Sum 
     both.expression.range = {left.expression.range.begin, right.expression.range.end};
     if (both.height > kMaxExpressionDepth)
         return fault(Code::TooDeep, both.expression.range,
-                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth) + kChains);
     both.expression.arguments.reserve(2);
     both.expression.arguments.push_back(std::move(left.expression));
     both.expression.arguments.push_back(std::move(right.expression));
@@ -258,7 +260,7 @@ ExpressionParser::Sum ExpressionParser::call(int depth) {
     const std::size_t count = s.expression.arguments.size();
     if (s.height > kMaxExpressionDepth)
         return fault(Code::TooDeep, s.expression.range,
-                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+                     "this expression nests deeper than " + std::to_string(kMaxExpressionDepth) + kChains);
     if (count < function->least || count > function->most)
         return fault(Code::BadExpression, s.expression.range, "`" + functionName + "` takes " + countWords(*function));
     return s;

@@ -83,7 +83,11 @@ private:
     }
 
     bool checkStops(const char* lowName, std::optional<double> lowStop, const char* highName, std::optional<double> highStop) {
-        if (!lowStop || !highStop || *lowStop <= *highStop) return true;
+        if (!lowStop || !highStop || *lowStop <= *highStop) {
+            if (lowStop && *lowStop > 0) startsOutside(lowName, "below");
+            if (highStop && *highStop < 0) startsOutside(highName, "above");
+            return true;
+        }
         const SourceRange low = m_record.rangeOf(lowName, m_part.nameRange()),
                           high = m_record.rangeOf(highName, m_part.nameRange());
         Diagnostic& d = m_context.diagnostics.error(
@@ -93,6 +97,13 @@ private:
             d.fixes.push_back({"exchange them", {{low, highText}, {high, lowText}}});
         }
         return false;
+    }
+
+    /// A joint counts from where its bodies are placed.
+    void startsOutside(const char* stop, const std::string& side) {
+        m_context.diagnostics.warning(Code::BadJoint, m_record.rangeOf(stop, m_part.nameRange()),
+                                      m_part.title() + " starts at 0, " + side + " its " + stop +
+                                          ": it is pushed there at once; place its bodies between the stops");
     }
 
     ResolveContext& m_context;
