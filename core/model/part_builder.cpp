@@ -61,10 +61,16 @@ Part PartBuilder::build(const SourceBlock& placed, const Part* parent, std::uint
     part.kind = m_registry.find(placed.block->type.text);
     part.order = order;
     if (placed.block->name) part.name = placed.block->name->text;
-    if (!parent) m_config = part.is(Role::Config) ? part.kind : nullptr;
+    if (!parent) {
+        m_config = part.is(Role::Config) ? part.kind : nullptr;
+        m_holder = nullptr;
+    }
     part.usable = fits(part, parent);
     part.isInWorld = part.isRepeat() && !m_config;
+    const Kind* around = m_holder;
+    if (!part.isRepeat()) m_holder = part.kind;
     if (part.kind) fill(part, placed.file);
+    m_holder = around;
     return part;
 }
 
@@ -123,17 +129,17 @@ void PartBuilder::nameParts(Part& part) {
     }
 }
 
-/// What is in a Repeat is in the config that holds it, or at the top level, too.
+/// What is in a Repeat is in the config or body that holds it, or at the top level, too.
 bool PartBuilder::allows(const Part* parent, const Kind& kind) const {
     const bool isInRepeat = parent && parent->isRepeat();
-    const std::string_view around = m_config ? std::string_view(m_config->name) : std::string_view();
+    const std::string_view around = m_holder ? std::string_view(m_holder->name) : std::string_view();
     return isAllowedInside(kind, kindIn(parent)) && (!isInRepeat || isAllowedInside(kind, around));
 }
 
 std::string PartBuilder::placeOf(const Part* parent) const {
     if (!parent) return "at the top level";
-    const bool isInRepeat = parent->isRepeat() && m_config;
-    const std::string around = isInRepeat ? " of " + withArticle(m_config->name) : parent->isRepeat() ? " at the top level" : "";
+    const bool isInRepeat = parent->isRepeat() && m_holder;
+    const std::string around = isInRepeat ? " of " + withArticle(m_holder->name) : parent->isRepeat() ? " at the top level" : "";
     return "in " + withArticle(kindIn(parent)) + around;
 }
 
@@ -198,9 +204,6 @@ void PartBuilder::misplaced(const Part& part, const Part* parent) {
         legal, [](const std::string& place) { return place.empty() || place == "Repeat" || place == "Ring"; });
     std::string text =
         part.block->type.text + " is allowed " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
-    if (!m_config && parent && parent->isRepeat() && (part.is(Role::Log) || part.is(Role::Look)))
-        text += "; write it outside of that: there " + parent->name + ".NAME means what all members have, " + parent->name +
-                "_0.NAME that of one";
     if (!parent && part.kind->name == "Gear") text += ": it couples two joints of one robot, not of two";
     m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);
 }

@@ -36,6 +36,7 @@ private:
     Diagnostics& m_diagnostics;
     bool m_isFragment = false, m_fragmentReported = false;
     const Kind* m_config = nullptr; ///< of the top-level block, if it is a config
+    const Kind* m_holder = nullptr; ///< of the innermost block around that is no Repeat
 };
 
 /// Names unnamed parts in order: box, box2 ...; reports E304 for a missing name and E303 for a duplicate.

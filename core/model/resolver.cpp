@@ -84,6 +84,28 @@ void placeLight(const ExpandedPart& expanded, ComponentSpec& light) {
     if (auto* direction = numbersOf("Direction")) put(*direction, expanded.placed(Pose{}).rotation * Vec3(direction->data()));
 }
 
+/// Where a view of a member of a Repeat is; one that goes along with a robot is where the robot is.
+void placeView(const ExpandedPart& expanded, ComponentSpec& view) {
+    if (!expanded.frame->use || !view.text("Robot").empty()) return;
+    for (const char* key : {"Eye", "Target"}) {
+        ResolvedValue& value = view.values[key];
+        const Vec3 point = expanded.placed({Vec3(value.value.numbers.data()), Quat::Identity()}).position;
+        value.value.numbers = {point.x(), point.y(), point.z()};
+    }
+}
+
+/// Text of a log or view in a member of a Repeat that names a robot or a view of the world: "cart/leftMotor/*" of "lane_1.cart/leftMotor/*".
+/// A file gets the name of the member in front, so that each member has one of its own.
+void nameInMember(const ResolveContext& context, const ExpandedPart& expanded, const std::string& key, std::string& text) {
+    const PartFrame& frame = *expanded.frame;
+    if (!frame.use || text.empty()) return;
+    if (key == "File") text.insert(text.rfind('/') + 1, frame.prefix);
+    if (key == "View" && frame.config->find(text)) text = frame.prefix + text;
+    if (key != "Robot" && key != "Camera" && key != "Signals") return;
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    text = robotMeant(context, text.substr(0, slash), frame) + text.substr(slash);
+}
+
 void resolveLog(ResolveContext& context, AppearanceChecker& looks, const ExpandedPart& expanded) {
     const Part& part = *expanded.part;
     ParamScope scope(expanded.frame->scope);
@@ -92,16 +114,19 @@ void resolveLog(ResolveContext& context, AppearanceChecker& looks, const Expande
     bool good = record.complete;
     for (std::size_t i = 0; i < record.values.size(); ++i) {
         const Property& property = record.kind->properties[i];
+        if (!record.values[i] || record.values[i]->origin == Origin::Default) continue;
+        std::vector<std::string>& texts = record.values[i]->value.texts;
+        for (std::string& text : texts) nameInMember(context, expanded, property.name, text);
         const bool robots =
             property.type == PropertyType::Reference && std::count(property.choices.begin(), property.choices.end(), "Robot");
-        if (!robots || !record.values[i] || record.values[i]->origin == Origin::Default) continue;
-        good = checkRobots(context, property, *record.values[i]) && good;
+        if (robots) good = checkRobots(context, property, *record.values[i]) && good;
     }
     looks.check(record, part);
     if (!good) return;
     ComponentSpec spec = componentFrom(record, part);
     spec.name = expanded.name();
     if (part.kind->name == "Light") placeLight(expanded, spec);
+    if (part.kind->name == "View") placeView(expanded, spec);
     (part.is(Role::Log) ? context.out.logs : context.out.looks).push_back(std::move(spec));
 }
 

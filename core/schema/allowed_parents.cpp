@@ -8,7 +8,7 @@ std::vector<std::string> allowedParents(const Kind& kind) {
     switch (kind.role) {
     case Role::Device: return {"RobotConfig", "StaticConfig", "PartConfig", "Repeat", "Ring"};
     case Role::Controller: return {"Robot", "Static", "Grid", "Scatter"};
-    case Role::Log: return {""};
+    case Role::Log: return {"", "Repeat", "Ring"};
     default: return kind.parents;
     }
 }

@@ -5,6 +5,7 @@
 
 #include "base/platform/module_text.h"
 #include "base/spelling.h"
+#include "model/body_geom.h"
 #include "model/dotted_path.h"
 #include "world/device_radio.h"
 #include "world/device_texts.h"
@@ -102,16 +103,14 @@ struct MountCalls {
         if (const auto* fixed = robot(d).spec->scenery.get())
             if (const int g = indexOf(*fixed, asked); g >= 0)
                 return found(d, asked, robot(d).scenery[static_cast<std::size_t>(g)], out);
-        const std::string_view bodyName = withoutLastWord(asked), geomName = lastWord(asked); // left.wheel.tyre
-        const int b = indexOf(config(d).bodies, bodyName);
+        const auto [b, g] = geomAt(config(d).bodies, asked);
         if (b < 0) {
-            d.note(unknownName("body", bodyName, config(d).bodies));
+            d.note(unknownName("body", withoutLastWord(asked), config(d).bodies));
             return -1;
         }
-        const auto& geoms = config(d).bodies[static_cast<std::size_t>(b)].geoms;
-        const int g = indexOf(geoms, geomName);
         if (g < 0) {
-            d.note(unknownName("geom in " + std::string(bodyName), geomName, geoms));
+            const BodySpec& body = config(d).bodies[static_cast<std::size_t>(b)];
+            d.note(unknownName("geom in " + body.name, asked.substr(body.name.size() + 1), body.geoms));
             return -1;
         }
         return found(d, asked, robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)], out);

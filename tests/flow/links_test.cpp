@@ -88,6 +88,8 @@ private Q_SLOTS:
                                  << "Static floor has no bodies";
         QTest::newRow("itself") << "Ball j { Parent=lower.body Child=lower.body }"
                                 << "the child of Ball j is its parent as well";
+        QTest::newRow("itself, in a Repeat") << "Repeat r { Count=2 Pos=0,$(5+index),0 Robot a { Config=Block } Ball j { Parent=r_0.a.body Child=a.body } }"
+                                             << "the child of Ball j is its parent as well";
         QTest::newRow("world below") << "Ball j { Parent=upper.body Child=world }"
                                      << "Child names world";
         QTest::newRow("grid") << "Ball j { Parent=swarm.body Child=lower.body }"

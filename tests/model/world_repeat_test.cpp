@@ -72,6 +72,28 @@ private Q_SLOTS:
         QCOMPARE(r.experiment->regions[1].robots.size(), std::size_t(2));
     }
 
+    /// Logs and views of a member name what is in it first; files of members have their names in front.
+    void logsAndViewsBelongToTheirMember() {
+        const Resolved r = world("Robot base { Config=Cart Pos=0,-5,0 }\n"
+                                 "Repeat row { Count=2 Pos=0,$(3*index),0\n"
+                                 "  Robot cart { Config=Cart }\n"
+                                 "  PoseLog way { Robot=cart,base File=ways/track.csv }\n"
+                                 "  View side { Eye=1,0,1 Target=0,0,0 }\n"
+                                 "  View behind { Mode=follow Robot=cart Eye=-1,0,1 Target=0,0,0 } }\n");
+        QCOMPARE(messagesOf(r), QString());
+        const ExperimentSpec& e = *r.experiment;
+        QCOMPARE(e.logs.size(), std::size_t(2));
+        QCOMPARE(e.logs[1].name, std::string("row_1.way"));
+        QCOMPARE(e.logs[1].text("File"), std::string("ways/row_1.track.csv"));
+        QCOMPARE(e.logs[1].find("Robot")->value.texts, (std::vector<std::string>{"row_1.cart", "base"}));
+        QCOMPARE(e.looks.size(), std::size_t(4));
+        QCOMPARE(e.looks[2].name, std::string("row_1.side"));
+        QCOMPARE(e.looks[2].find("Eye")->value.numbers, (std::vector<double>{1, 3, 1}));
+        QCOMPARE(e.looks[2].find("Target")->value.numbers, (std::vector<double>{0, 3, 0}));
+        QCOMPARE(e.looks[3].text("Robot"), std::string("row_1.cart"));
+        QCOMPARE(e.looks[3].find("Eye")->value.numbers, (std::vector<double>{-1, 0, 1})); // goes along with the robot
+    }
+
     void repeatsAreInRepeats() {
         const Resolved r = world("Repeat y { Count=2 Pos=0,$index,0 Param j = $index Repeat x { Count=3 Pos=$index,0,0\n"
                                  "  Static p { Config=Post h=$(1 + 10*j + index) } } }\n");
@@ -175,11 +197,11 @@ private Q_SLOTS:
             "RobotConfig K { Body c { Mass=1 Box h { Size=1,1,1 Material=g Surface=s } } Repeat r { Count=2 Robot x { "
             "Config=Cart } } }\n",
             "E302 Robot is allowed at the top level, not in a Repeat of a RobotConfig\n", "Robot");
-        row("a log", "Repeat row { Count=2 Robot cart { Config=Cart } PoseLog way { Robot=cart } }\n",
-            "E302 PoseLog is allowed at the top level, not in a Repeat at the top level; write it outside of that: there "
-            "row.NAME "
-            "means what all members have, row_0.NAME that of one\n",
-            "PoseLog");
+        row("a log in a config",
+            "RobotConfig K { Body c { Mass=1 Box h { Size=1,1,1 Material=g Surface=s } } Repeat r { Count=2 PoseLog x { } } }\n",
+            "E302 PoseLog is allowed at the top level, not in a Repeat of a RobotConfig\n", "PoseLog");
+        row("a robot of a log", "Repeat row { Count=2 Robot cart { Config=Cart } PoseLog way { Robot=card } }\n",
+            "E208 Robot names card, but there is no such robot; there are row_0.cart and row_1.cart\n", "card");
         row("a name in a grid", "Repeat row { Count=2 Grid g { Config=Cart Count=2 Spacing=1 } Robot g_1 { Config=Cart } }\n",
             "E303 the name row_0.g_1 belongs to a member of Grid g\n", "g_1");
         row("a full scatter", "Repeat row { Count=2 Scatter s { Config=Cart Count=20 Area=-0.1,-0.1,0.1,0.1 } }\n",

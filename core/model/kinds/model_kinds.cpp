@@ -37,8 +37,10 @@ void addModelKinds(Registry& registry) {
     kinds.add<PartFields>("Part", Role::Instance, anyConfig);
     std::vector<std::string> anywhere = anyConfig;
     anywhere.emplace_back();
-    kinds.add<RepeatFields>("Repeat", Role::Repeat, anywhere);
-    kinds.add<RingFields>("Ring", Role::Repeat, anywhere);
+    std::vector<std::string> aroundBlocks = anywhere; // in a Body around geoms
+    aroundBlocks.emplace_back("Body");
+    kinds.add<RepeatFields>("Repeat", Role::Repeat, aroundBlocks);
+    kinds.add<RingFields>("Ring", Role::Repeat, aroundBlocks);
     const std::vector<std::string> inWorld{"", "Repeat", "Ring"};
     kinds.add<RobotFields>("Robot", Role::Instance, inWorld);
     kinds.add<StaticFields>("Static", Role::Instance, inWorld);
@@ -46,7 +48,7 @@ void addModelKinds(Registry& registry) {
     kinds.add<ScatterFields>("Scatter", Role::Layout, inWorld);
     kinds.add<LightFields>("Light", Role::Look, inWorld, true);
     kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
-    kinds.add<ViewFields>("View", Role::Look, {""}, true);
+    kinds.add<ViewFields>("View", Role::Look, inWorld, true);
     kinds.add<RegionFields>("Region", Role::Region, inWorld);
     kinds.add<BodyFields>("Body", Role::Body, anyConfig);
     const std::vector<std::string> ground{"StaticConfig", "PartConfig", "Repeat", "Ring"};

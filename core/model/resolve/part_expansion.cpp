@@ -233,6 +233,9 @@ void PartExpansion::checkMembers(const Part& repeat, const PartFrame& outer, std
     for (auto it = outer.overrides->children.lower_bound(repeat.name + "_"); it != outer.overrides->children.end(); ++it) {
         const std::optional<MemberName> member = memberName(it->first);
         if (!it->first.starts_with(repeat.name + "_")) break;
+        if (const OverrideNode* own = below(&it->second, "Count"); own && own->value && member && member->stem == repeat.name)
+            m_context.diagnostics.error(Code::NoSuchPath, own->value->range,
+                                        "one member of " + repeat.title() + " has no Count; set " + repeat.name + ".Count");
         const GivenValue* value =
             member && member->stem == repeat.name && member->index >= count ? firstValue(it->second) : nullptr;
         if (!value) continue;

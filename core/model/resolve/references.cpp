@@ -59,9 +59,13 @@ private:
             }
             if (part.kind && !part.name.empty() && kindFits(part, m_property.choices)) m_names.push_back(prefix + part.name);
             if (part.config) add(*part.config, prefix + part.name + ".", depth + 1);
-            if (!m_geoms || !part.is(Role::Body)) continue;
-            for (const Part& geom : part.parts)
-                if (geom.kind && kindFits(geom, m_property.choices)) m_names.push_back(prefix + part.name + "." + geom.name);
+            if (m_geoms && part.is(Role::Body)) addGeoms(part, prefix + part.name + ".");
+        }
+    }
+    void addGeoms(const Part& body, const std::string& prefix) {
+        for (const Part& geom : body.parts) {
+            if (geom.isRepeat()) addGeoms(geom, prefix + geom.name + "_0.");
+            else if (geom.kind && kindFits(geom, m_property.choices)) m_names.push_back(prefix + geom.name);
         }
     }
 

@@ -18,19 +18,7 @@ public:
 
     std::optional<BodySpec> read() {
         m_record = m_context.read(m_part, m_scope, m_overrides, Origin::Config);
-        bool good = m_record.complete;
-        for (const Part& part : m_part.parts) {
-            if (!part.usable || !part.is(Role::Geom)) {
-                good = good && !part.kind; // for example a duplicate name
-                continue;
-            }
-            std::optional<GeomSpec> geom = resolveGeom(m_context, part, m_scope, below(m_overrides, part.name), true);
-            if (!geom) good = false;
-            else {
-                m_body.geoms.push_back(std::move(*geom));
-                m_parts.push_back(&part);
-            }
-        }
+        const bool good = readGeoms() && m_record.complete;
         m_fields = fieldsFrom<BodyFields>(m_record);
         m_body.name = m_part.name;
         m_body.pose = poseOf(m_fields.pos, m_fields.hpr);
@@ -48,6 +36,41 @@ public:
     [[nodiscard]] const Record& record() const { return m_record; }
 
 private:
+    bool readGeoms() {
+        if (std::ranges::any_of(m_part.parts, [](const Part& part) { return part.isRepeat(); })) return readRepeated();
+        bool good = true;
+        for (const Part& part : m_part.parts) {
+            if (part.usable && part.is(Role::Geom))
+                good = add(part, resolveGeom(m_context, part, m_scope, below(m_overrides, part.name), true)) && good;
+            else good = good && !part.kind; // for example a duplicate name
+        }
+        return good;
+    }
+
+    /// The same with those of Repeats: "disc_3.plate".
+    bool readRepeated() {
+        const std::size_t errors = m_context.diagnostics.errorCount();
+        PartExpansion expansion(m_context, m_part, m_scope, m_overrides);
+        bool good = m_context.diagnostics.errorCount() == errors;
+        for (const Part& part : m_part.parts) good = good && (part.usable || !part.kind);
+        expansion.each(Role::Geom, [&](const ExpandedPart& part) {
+            std::optional<GeomSpec> geom = resolveGeom(m_context, *part.part, *part.frame->scope, part.overrides(), true);
+            if (geom) {
+                geom->name = part.name();
+                if (!part.place(*geom, m_context)) geom.reset();
+            }
+            good = add(*part.part, std::move(geom)) && good;
+        });
+        return good;
+    }
+
+    bool add(const Part& part, std::optional<GeomSpec> geom) {
+        if (!geom) return false;
+        m_body.geoms.push_back(std::move(*geom));
+        m_parts.push_back(&part);
+        return true;
+    }
+
     SourceRange place(const char* property) const { return m_record.rangeOf(property, m_part.nameRange()); }
 
     bool fail(SourceRange range, const std::string& message) {

@@ -32,6 +32,11 @@ public:
         const PartFrame& frame = *expanded.frame;
         const std::optional<LinkEnd> parent = endOf(*record, "Parent", frame), child = endOf(*record, "Child", frame);
         if (!parent || !child) return;
+        if (*parent == *child) { // by different names: row_0.a.b in the member of row that has it
+            m_context.diagnostics.error(Code::BadJoint, record->rangeOf("Child", part.nameRange()),
+                                        "the child of " + part.title() + " is its parent as well");
+            return;
+        }
         if (part.kind->name == "Spring") return readSpring(expanded, *record, *parent, *child);
         std::optional<JointSpec> joint = trundle::readJoint(m_context, part, *record);
         if (!joint) return;
@@ -58,11 +63,6 @@ private:
     void readSpring(const ExpandedPart& expanded, const Record& record, const LinkEnd& parent, const LinkEnd& child) {
         const Part& part = *expanded.part;
         const auto f = fieldsFrom<SpringFields>(record);
-        if (f.parent == f.child) {
-            m_context.diagnostics.error(Code::BadJoint, record.rangeOf("Child", part.nameRange()),
-                                        "the child of " + part.title() + " is its parent as well");
-            return;
-        }
         SpringSpec spring;
         spring.name = expanded.name();
         spring.parent = parent.body;
@@ -174,15 +174,6 @@ std::vector<std::size_t> robotsOf(const ResolveContext& context, const std::vect
     return robots;
 }
 
-/// The robot, Grid or Scatter that a name in a member of a Repeat means: its own one, or one around it.
-std::string robotMeant(const ResolveContext& context, const std::string& name, const PartFrame& frame) {
-    for (const PartFrame* at = &frame; at; at = at->outer)
-        if (std::ranges::any_of(context.out.robots,
-                                [meant = at->prefix + name](const RobotSpec& r) { return isNamedBy(r.name, meant); }))
-            return at->prefix + name;
-    return name;
-}
-
 void resolveRegion(ResolveContext& context, const ExpandedPart& expanded) {
     const Part& part = *expanded.part;
     ParamScope scope(expanded.frame->scope);
@@ -234,6 +225,14 @@ void resolveApartRobots(ResolveContext& context) {
 }
 
 } // namespace
+
+std::string robotMeant(const ResolveContext& context, const std::string& name, const PartFrame& frame) {
+    for (const PartFrame* at = &frame; at; at = at->outer)
+        if (std::ranges::any_of(context.out.robots,
+                                [meant = at->prefix + name](const RobotSpec& r) { return isNamedBy(r.name, meant); }))
+            return at->prefix + name;
+    return name;
+}
 
 std::vector<std::pair<std::string, std::string>> namePairs(ResolveContext& context, const Record& record, SourceRange otherwise) {
     std::vector<std::pair<std::string, std::string>> pairs;

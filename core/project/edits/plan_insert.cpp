@@ -111,7 +111,8 @@ private:
         for (auto it = m_near.begin(); it != m_near.end(); ++it) {
             if (!it->part->usable || !isAllowedIn(*entry.kind, it->part)) continue;
             const auto config = std::find_if(it, m_near.end(), [](const Target& t) { return t.part->is(Role::Config); });
-            const bool isConfigs = it->part->is(Role::Config) || it->part->isRepeat();
+            const bool isInBody = std::any_of(it, m_near.end(), [](const Target& t) { return t.part->is(Role::Body); });
+            const bool isConfigs = it->part->is(Role::Config) || (it->part->isRepeat() && !isInBody);
             Status fits = isConfigs && config != m_near.end() ? fitsIn(*config->part, entry) : Status();
             if (fits.ok()) return *it;
             if (refused.ok()) refused = fits;

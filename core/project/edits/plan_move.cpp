@@ -112,7 +112,8 @@ private:
             return Error{Code::WrongPlace, "what is in a Part is moved in its PartConfig"};
         const auto isConfig = [](const Part* p) { return p->is(Role::Config); };
         const auto around = std::ranges::find_if(m_into.above, isConfig);
-        const Part* holder = m.to && m.to->isRepeat() && around != m_into.above.end() ? *around : m.to;
+        const bool isInBody = std::ranges::any_of(m_into.above, [](const Part* p) { return p->is(Role::Body); });
+        const Part* holder = m.to && m.to->isRepeat() && !isInBody && around != m_into.above.end() ? *around : m.to;
         if (holder && holder->is(Role::Config)) {
             HeldBlocks held;
             held.add(part);
@@ -189,7 +190,9 @@ private:
 
     /// Checks the references to and from a block that gets another parent, and updates them.
     Status changePlace(MovedItem& m) {
-        const bool sameConfig = m.part->is(Role::Geom) && m.from && m.to && topOf(m.from, m.chosen->place) == topOf(m.to, m_into);
+        const bool isRepeated = (m.from && m.from->isRepeat()) || (m.to && m.to->isRepeat()); // names get or lose a member
+        const bool sameConfig =
+            m.part->is(Role::Geom) && !isRepeated && m.from && m.to && topOf(m.from, m.chosen->place) == topOf(m.to, m_into);
         const Part* top = sameConfig ? nullptr : m.to;
         std::vector<const NameReference*> users, wants;
         for (const NameReference& reference : m_references) {
@@ -315,7 +318,8 @@ private:
         old.within = withinOf(old);
         into.instance = newInstance;
         into.within = withinOf(into);
-        const auto frame = [&](const ObjectLocation& holder) {
+        const auto frame = [&](ObjectLocation holder) {
+            while (holder.part && holder.part->isRepeat() && !holder.above.empty()) holder = outer(holder);
             return holder.part && holder.part->is(Role::Body) ? poseAt(m_loaded, holder) : Pose{};
         };
         Pose from = frame(outer(old)), to = ofConfig ? Pose{} : frame(into);

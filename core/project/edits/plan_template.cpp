@@ -106,6 +106,9 @@ private:
         else if (isInWorld) {
             const Kind& robot = *m_loaded.registry->find("Robot");
             text += "\n  Robot robot { Config=" + value(robot, *robot.find("Config"), "robot", depth) + " }\n";
+        } else if (kind.role == Role::Repeat && bodyAround(target)) {
+            const Kind& box = *m_loaded.registry->find("Box");
+            text += "\n  Box box { Size=0.05,0.05,0.05" + looks(box, target) + mass(box, target) + " }\n";
         } else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery()))
             text += "\n  Body body { Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
         else if (kind.name == "StaticConfig" || kind.name == "PartConfig" || kind.role == Role::Repeat)
@@ -367,8 +370,19 @@ private:
         return text;
     }
 
-    static std::string mass(const Kind& kind, const Part* target) {
-        return target && target->is(Role::Body) && kind.find("Mass") && !target->assignments.find("Mass") ? " Mass=0.1" : "";
+    std::string mass(const Kind& kind, const Part* target) const {
+        const Part* body = bodyAround(target);
+        return body && kind.find("Mass") && !body->assignments.find("Mass") ? " Mass=0.1" : "";
+    }
+
+    /// The Body that a block of the chain is or is in; nullptr: none.
+    const Part* bodyAround(const Part* target) const {
+        const Part* body = nullptr;
+        for (const Part* part : m_chain) {
+            if (part->is(Role::Body)) body = part;
+            if (part == target) return body;
+        }
+        return nullptr;
     }
 
     // --- files ---

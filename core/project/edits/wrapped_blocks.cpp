@@ -13,9 +13,10 @@ namespace trundle {
 
 namespace {
 
+/// Whether a reference is a word in the path of an override, "hull" in "chassis.hull.Mass".
 bool isWordOfPath(const NameReference& reference, std::string_view word) {
-    return reference.property.size() > word.size() && reference.property.starts_with(word) &&
-           (reference.property[word.size()] == '.' || reference.property[word.size()] == '_');
+    const std::string path = "." + reference.property, start = "." + std::string(word);
+    return path.find(start + ".") != std::string::npos || path.find(start + "_") != std::string::npos;
 }
 
 } // namespace
@@ -33,7 +34,8 @@ Status WrappedBlocks::take(const std::vector<std::string>& paths, const std::str
     for (const Chosen& c : all.value()) {
         const Part& part = *c.place.part;
         const Part* holder = c.place.above.empty() ? nullptr : c.place.above.back();
-        if (!holder || !holder->is(Role::Config))
+        const bool isOfBody = holder && holder->is(Role::Body) && wrapper == "Repeat";
+        if (!isOfBody && (!holder || !holder->is(Role::Config)))
             return Error{Code::WrongPlace,
                          part.title() + " is not directly in a config; select bodies, joints and devices of one"};
         if (m_config && holder != m_config)
@@ -142,7 +144,8 @@ Status WrappedBlocks::prefixNames(const std::vector<NameReference>& references, 
                                   const std::string& ofOverrides, EditBuilder& sheet) const {
     const TextSet& texts = m_loaded.outline->texts();
     for (const NameReference& m : references) {
-        if (!find(m.target) || m.before.known() || contains(m.name)) continue;
+        const bool isReached = m.before.known() && !m_config->is(Role::Body); // through a Part; geoms are through their body
+        if (!find(m.target) || isReached || contains(m.name)) continue;
         if (!m.name.known()) { // a default
             if (m.user && !contains(m.user->range))
                 sheet.addAssignment(m.user->file, m.user->block, m.property, prefix + find(m.target)->name);

@@ -133,6 +133,7 @@ DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation&
     DescribedFrame frame;
     std::string prefix;
     for (std::size_t i = 0; i < place.above.size(); ++i) {
+        if (place.above[i]->is(Role::Body)) frame.pose = {}; // geoms are described in their body
         if (!place.above[i]->isPartUse() && !place.above[i]->isRepeat()) continue;
         ObjectLocation use;
         use.part = place.above[i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/body_geom.h"
 #include "model/robot_path.h"
 #include "run/logs/signal_columns.h"
 
@@ -46,10 +47,12 @@ void LiveObject::bind(const ExperimentSpec& experiment, const SignalLayout& layo
         return addSignals(layout, first + "/", named(experiment.regions, first) ? registry.find("Region") : nullptr);
     if (!robot || !robot->config) return;
     if (path.empty()) return addRobot(*robot, layout, registry);
-    // "left.wheel" is a body of a Part, "left.wheel.tyre" a geom of that.
     const BodySpec* body = named(robot->config->bodies, path);
     const GeomSpec* geom = nullptr;
-    if (!body && (body = named(robot->config->bodies, withoutLastWord(path)))) geom = named(body->geoms, lastWord(path));
+    if (const BodyGeom at = geomAt(robot->config->bodies, path); !body && at.geom >= 0) {
+        body = &robot->config->bodies[static_cast<std::size_t>(at.body)];
+        geom = &body->geoms[static_cast<std::size_t>(at.geom)];
+    }
     if (body) {
         const std::string prefix = robot->name + "/" + body->name + "/";
         if (geom || body->name == path) addMotion(layout, prefix, geom ? geom->pose : Pose{});

@@ -17,7 +17,7 @@ struct LogKind {
     std::unique_ptr<Log> (*make)(const ComponentSpec&, const World&, Diagnostics&);
 };
 
-template <class T> Kind logKind(std::string name) { return kindOf<T>(std::move(name), Role::Log, {""}, true); }
+template <class T> Kind logKind(std::string name) { return kindOf<T>(std::move(name), Role::Log, {"", "Repeat", "Ring"}, true); }
 
 constexpr LogKind kLogKinds[] = {
     {"PoseLog", logKind<PoseLogSettings>, makePoseLog},          {"SignalLog", logKind<SignalLogSettings>, makeSignalLog},

@@ -121,11 +121,8 @@ void TransformSelection::take(const std::string& path) {
     const bool hasIn = valueAt(*m_context.document.loaded(), *place, "In").has_value();
     if (hasIn || std::ranges::any_of(place->above, holdsFrame)) {
         item.described = describedFrame(*m_context.document.loaded(), *place);
-        if (object.kind != ObjectKind::Geom) { // its Pos is in the frame of its Part, or of a member of a Repeat
-            item.frame = item.frame * item.described.pose;
-            item.local = item.described.pose.inverse() * item.local;
-        }
-        item.local = item.described.mirrored(item.local);
+        item.frame = item.frame * item.described.pose;
+        item.local = item.described.mirrored(item.described.pose.inverse() * item.local);
     }
     item.posText = textOf(path + ".Pos");
     item.hprText = textOf(path + ".HPR");
@@ -166,7 +163,9 @@ void TransformSelection::takePart(const std::string& path, const ObjectLocation&
               textOf(path + ".HPR")};
     if (place.part->isRepeat() && usesIndex(item.posText + item.hprText)) return void(m_refusal = placedByIndex(path));
     const bool isInWorld = place.part->isInWorld || place.part->is(Role::Layout);
-    item.frame = isInWorld ? item.described.pose : m_context.world.poseOf(whole) * item.described.pose;
+    const bool isInBody = std::ranges::any_of(place.above, [](const Part* part) { return part->is(Role::Body); });
+    const Pose around = isInBody ? frameAsShown(*m_objects, inside, *m_context.world.poses()) : m_context.world.poseOf(whole);
+    item.frame = isInWorld ? item.described.pose : around * item.described.pose;
     item.world = item.frame * item.described.mirrored(item.local);
     m_items.push_back(std::move(item));
 }

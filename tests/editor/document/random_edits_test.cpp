@@ -26,7 +26,8 @@ PartConfig Wheel {
 }
 RobotConfig Rover {
   SelfCollision=true NoContact=chassis,mast
-  Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=2 } } // two kilograms
+  Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=2 }
+    Repeat stud { Count=2 Pos=$(0.1*index),0,0.1 Sphere knob { Radius=0.01 Mass=0.01 } } } // two kilograms
   Part left { Config=Wheel Pos=0,0.1,0.05 carrier=chassis }
   Part right { Config=Wheel Pos=0,-0.1,0.05 Mirror=y carrier=chassis }
   Body mast { In=chassis Box pole { Size=0.02,0.02,0.2 Pos=0,0,0.3 Mass=0.1 } }
@@ -39,7 +40,8 @@ RobotConfig Rover {
 }
 RobotConfig TallRover { Config=Rover chassis.hull.Mass=3 } // a variant
 StaticConfig Post { Param h = 1 Box wood { Size=0.1,0.1,$h Pos=0,0,$(h/2) } }
-Repeat fence { Count=2 Pos=$(9 + index),0,0 Static post { Config=Post h=$(1 + index) } Grid pile { Config=Post Count=2 Spacing=1 Pos=0,3,0 } }
+Repeat fence { Count=2 Pos=$(9 + index),0,0 Static post { Config=Post h=$(1 + index) } Grid pile { Config=Post Count=2 Spacing=1 Pos=0,3,0 }
+  View side { Eye=0,-2,1 } SignalLog all { Signals="*" } }
 Region goal { Pos=0,0,0.2 Size=0.4,0.4,0.4 }
 )";
 

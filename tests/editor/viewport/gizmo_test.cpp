@@ -216,6 +216,11 @@ private Q_SLOTS:
         take("robot0.row_1.c", "tool.move");
         dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.3, 0.8, 0.2});
         QVERIFY2(m_window->text().contains("row_1.c.Pos=0,0,0.1 }"), m_window->text().constData());
+        open("RobotConfig Kit { Body c { HPR=90,0,0 Ring arm { Count=4 Radius=0.5 Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
+             "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n");
+        take("robot0.c.arm_2.b", "tool.move"); // of a ring of geoms in a body
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("arm_2.b.Pos=0,0,0.1 }"), m_window->text().constData());
     }
 
     /// What is in a Repeat of the world moves in the frame of its member, all members alike.
