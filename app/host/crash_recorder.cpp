@@ -33,13 +33,9 @@ std::atomic<long> s_endingThread{0};
 
 long thisThread() { return ::syscall(SYS_gettid); }
 
-bool isInModule(std::uintptr_t address) {
-    return std::ranges::any_of(s_code, [&](const auto& code) { return address >= code.first && address < code.second; });
-}
-
 void addFrame(CrashRecord& record, std::uintptr_t address) {
-    if (record.frameCount < CrashRecord::kMostFrames && isInModule(address))
-        record.frames[record.frameCount++] = {0, address - s_base};
+    const std::optional<std::uint64_t> offset = offsetInModule(address);
+    if (offset && record.frameCount < CrashRecord::kMostFrames) record.frames[record.frameCount++] = {0, *offset};
 }
 
 void addFromStack(CrashRecord& record, std::uintptr_t stack) {
@@ -47,7 +43,7 @@ void addFromStack(CrashRecord& record, std::uintptr_t stack) {
     const iovec here{s_words.data(), sizeof s_words}, there{reinterpret_cast<void*>(stack & ~std::uintptr_t(7)), sizeof s_words};
     const ssize_t copied = ::process_vm_readv(::getpid(), &here, 1, &there, 1, 0);
     for (std::size_t i = 0; copied > 0 && i < static_cast<std::size_t>(copied) / sizeof(std::uintptr_t); ++i)
-        if (isInModule(s_words[i])) return addFrame(record, s_words[i]);
+        if (offsetInModule(s_words[i])) return addFrame(record, s_words[i]);
 }
 
 void enter() {
@@ -116,6 +112,11 @@ void setModuleCode(const DynamicLibrary& library) {
     s_base = library.base();
     s_code = library.code();
     setExitHook(&onExit); // the module may have registered handlers of exit(), which would run earlier
+}
+
+std::optional<std::uint64_t> offsetInModule(std::uintptr_t address) {
+    const auto isIn = [&](const auto& code) { return address >= code.first && address < code.second; };
+    return std::ranges::any_of(s_code, isIn) ? std::optional<std::uint64_t>(address - s_base) : std::nullopt;
 }
 
 void setSensorImage(const void* data, std::size_t bytes) {

@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <optional>
+
 #include "base/call_monitor.h"
 #include "base/platform/dynamic_library.h"
 #include "control/host/control_page.h"
@@ -10,6 +13,8 @@ namespace trundle {
 void recordCrashes(ControlPage& page, const CallMonitor& calls);
 /// The module whose addresses are recorded.
 void setModuleCode(const DynamicLibrary& library);
+/// Where a return address is in the module; nothing: elsewhere.
+[[nodiscard]] std::optional<std::uint64_t> offsetInModule(std::uintptr_t address);
 /// The memory that only the run writes.
 void setSensorImage(const void* data, std::size_t bytes);
 

@@ -11,6 +11,7 @@
 #include "control/python_kinds.h"
 #include "crash/exit_hook.h"
 #include "host/crash_recorder.h"
+#include "host/throw_recorder.h"
 
 namespace trundle {
 namespace {
@@ -65,6 +66,7 @@ void HostWorker::done(const Status& status, std::string_view more) {
     WireWriter out;
     out.status(status);
     if (status) out.bytes(more);
+    else out.numbers(lastThrow());
     m_page.phase = static_cast<std::uint32_t>(HostPhase::None);
     record(HostRecord::Done, 0, out.view());
     finishMessage();
@@ -104,6 +106,7 @@ void HostWorker::handle(HostRequest request, WireReader& in) {
 // ---- requests ----
 
 void HostWorker::enter(HostPhase phase, std::uint32_t controller) {
+    forgetThrow();
     m_page.controller = controller;
     m_page.phase = static_cast<std::uint32_t>(phase);
 }
@@ -145,7 +148,10 @@ void HostWorker::start(WireReader& in) {
     const MonitoredCall call(*m_calls, controller.target, "setup");
     const SlotImages images{static_cast<double*>(m_sensors.data()) + controller.record.offset,
                             static_cast<double*>(m_commands.data()) + controller.record.offset};
-    done(controller.instance->start(controller.record.layout, images, makeHostOutputs(*this, number, controller.radios)));
+    const Status started =
+        controller.instance->start(controller.record.layout, images, makeHostOutputs(*this, number, controller.radios));
+    if (controller.instance->gaveUp()) forgetThrow();
+    done(started);
 }
 
 void HostWorker::update(WireReader& in) {
@@ -169,8 +175,10 @@ void HostWorker::update(WireReader& in) {
             updated = controller.instance->tick(tick, time, sinceLast);
         }
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        const bool threw = !updated && !controller.instance->gaveUp();
         WireWriter out;
         out.status(updated).number<std::uint8_t>(controller.instance->gaveUp()).number(seconds).number<std::uint64_t>(0);
+        out.numbers(threw ? lastThrow() : std::vector<std::uint64_t>());
         record(HostRecord::Updated, number, out.view());
     }
     done({});

@@ -73,6 +73,7 @@ Status ControllerInstance::start(const SignalLayout& layout, SlotImages images, 
     for (std::uint32_t i = 0; i < m_code.fieldCount; ++i)
         if (auto status = setField(i); !status) return status;
     const bool refused = m_code.setupController(m_instance, &m_table) != 0;
+    m_gaveUp = m_failure.has_value();
     if (m_failure) return *m_failure; // a missing port is a better message than the setup error it caused
     if (refused) return failed("failed in setup", m_code.lastError(m_instance));
     return {};

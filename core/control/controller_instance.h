@@ -38,7 +38,8 @@ public:
     [[nodiscard]] Status loadState(std::string_view state);
     void stop();
 
-    /// Whether the error of the last tick() came from fail(): the controller asked for the end of the run. Otherwise it threw.
+    /// Whether the error of the last start() or tick() came from fail(), where the controller asked for the end of the run, or from a
+    /// port that there is not. Otherwise it threw.
     [[nodiscard]] bool gaveUp() const { return m_gaveUp; }
     [[nodiscard]] const char* kind() const { return m_code.name; }
 

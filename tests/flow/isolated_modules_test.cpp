@@ -56,6 +56,7 @@ private Q_SLOTS:
     void aFaultOnLoadIsAnErrorOfItsLine();
     void otherRobotsOfTheProcessGoOn();
     void reportsFunctionAndLine();
+    void anExceptionIsReportedWithItsLine();
     void aHangIsReportedWithItsLine();
     void aHangTakesNoTimeOfOtherProcesses();
     void aRecursionIsFolded();
@@ -221,6 +222,25 @@ void IsolatedModulesTest::reportsFunctionAndLine() {
     QVERIFY2(lines.value(place.captured(2).toInt() - 1).contains("SIGBUS"), shown(outcome)); // the comment of that line
     QVERIFY2(stopped["reason"].toString().contains("busError() at zoo.cpp:" + place.captured(2)), shown(outcome));
     QVERIFY2(outcome.err.contains("bad] error:   (anonymous namespace)::Zoo::update"), shown(outcome));
+}
+
+void IsolatedModulesTest::anExceptionIsReportedWithItsLine() {
+    const QList<QByteArray> lines = contentOf(QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/control/modules/zoo.cpp")).split('\n');
+    static const QRegularExpression place("no [\\s\\S]*, in .* at zoo\\.cpp:(\\d+)");
+    for (const char* isolation : {"module", "robot"}) {
+        const Outcome outcome = run(experiment(isolation, "Zoo", "Action=throw"));
+        const QJsonObject stopped = QJsonDocument::fromJson(outcome.out).object()["stopped"].toArray()[0].toObject();
+        const QRegularExpressionMatch found = place.match(stopped["reason"].toString());
+        QVERIFY2(found.hasMatch(), shown(outcome));
+        QVERIFY2(lines.value(found.captured(1).toInt() - 1).contains("throw std::runtime_error"), shown(outcome));
+        QVERIFY2(outcome.err.contains("bad] error:   (anonymous namespace)::Zoo::update"), shown(outcome));
+    }
+    const Outcome setup = run(experiment("module", "Zoo", "Phase=setup Action=throw"));
+    QVERIFY2(place.match(QString::fromUtf8(setup.err)).hasMatch(), shown(setup));
+    QVERIFY2(setup.err.contains("Zoo::setup"), shown(setup));
+    // One that the controller catches, and gives up, is no place of a fault.
+    const Outcome caught = run(experiment("module", "Zoo", "Action=\"catch and fail\""));
+    QVERIFY2(caught.err.contains("gave up: caught it") && !caught.err.contains("zoo.cpp:"), shown(caught));
 }
 
 void IsolatedModulesTest::aHangIsReportedWithItsLine() {

@@ -60,6 +60,16 @@ const char* phaseName(HostPhase phase) {
     return "the middle of the run";
 }
 
+namespace {
+
+/// ", in act() at zoo.cpp:316"; empty if it is not known.
+std::string placeOf(const std::vector<SourceFrame>& frames) {
+    const SourceFrame* own = ownFrame(frames);
+    return own ? ", in " + own->function + " at " + fileName(own->file) + ":" + std::to_string(own->line) : std::string();
+}
+
+} // namespace
+
 ControllerFault faultOf(const HostEnd& end, const std::string& controller, const std::string& library) {
     ControllerFault fault;
     const std::string module = "the module " + library;
@@ -68,8 +78,19 @@ ControllerFault faultOf(const HostEnd& end, const std::string& controller, const
     fault.reason += ending(end);
     if (!end.exception.empty()) fault.reason += ", uncaught exception: " + end.exception;
     const std::vector<SourceFrame> frames = end.report.empty() ? symbolize(library, end.frames) : framesOfPython(end.report);
-    if (const SourceFrame* own = ownFrame(frames))
-        fault.reason += ", in " + own->function + " at " + fileName(own->file) + ":" + std::to_string(own->line);
+    fault.reason += placeOf(frames);
+    fault.backtrace = backtraceOf(frames);
+    return fault;
+}
+
+ControllerFault faultOfException(std::string reason, std::vector<std::string> calls, const std::vector<std::uint64_t>& thrown,
+                                 const std::string& library) {
+    ControllerFault fault{std::move(reason), std::move(calls), {}, true};
+    if (thrown.empty()) return fault;
+    std::vector<std::pair<std::uint32_t, std::uint64_t>> addresses;
+    for (const std::uint64_t offset : thrown) addresses.emplace_back(0, offset);
+    const std::vector<SourceFrame> frames = symbolize(library, addresses);
+    fault.reason += placeOf(frames);
     fault.backtrace = backtraceOf(frames);
     return fault;
 }

@@ -152,10 +152,19 @@ Status HostGroup::call(std::size_t number, HostRequest request, std::string_view
     if (alive && m_done) {
         copyOut(member);
         passFinish(member);
-        return *m_done;
+        return withPlace(*m_done, member.outputs);
     }
     setFaults();
     return Error{Code::ControllerFailed, member.fault ? member.fault->reason : "its process has ended"};
+}
+
+/// The status of a request; of an exception in C++ with its place, the calls that led there are printed.
+Status HostGroup::withPlace(const Status& status, const ControllerOutputs& outputs) const {
+    if (status || m_thrown.empty()) return status;
+    const ControllerFault fault = faultOfException(status.error().message, {}, m_thrown, m_library);
+    for (const std::string& call : fault.backtrace)
+        if (outputs.print) outputs.print(TRUNDLE_ERROR, "  " + call);
+    return Error{status.error().code, fault.reason};
 }
 
 Status HostGroup::start(std::size_t number, const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) {
@@ -244,9 +253,10 @@ Status HostGroup::update(std::size_t number, std::uint64_t tick, double time, do
     if (!result) return Error{Code::ControllerFailed, "the process of " + member.robot->name + " gave no result"};
     member.seconds = result->seconds;
     passFinish(member);
-    if (!result->status && !result->gaveUp) // an exception: the host and its other controllers are sound
-        member.fault = ControllerFault{result->status.error().message, result->backtrace, {}, true};
-    return result->status;
+    if (result->status || result->gaveUp) return result->status;
+    // An exception: the host and its other controllers are sound.
+    member.fault = faultOfException(result->status.error().message, result->backtrace, result->thrown, m_library);
+    return Error{result->status.error().code, member.fault->reason};
 }
 
 Status HostGroup::set(std::size_t number, const std::string& property, const PropertyValue& value) {
@@ -309,6 +319,7 @@ std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReade
     if (record == HostRecord::Done) {
         m_done = in.status();
         m_more = m_done->ok() ? in.text() : std::string();
+        m_thrown = m_done->ok() ? std::vector<std::uint64_t>() : in.numbers<std::uint64_t>();
         return {};
     }
     Member* member = memberAt(number);
@@ -320,6 +331,7 @@ std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReade
         result.gaveUp = in.number<std::uint8_t>() != 0;
         result.seconds = in.number<double>();
         for (std::uint64_t left = in.count(); left > 0; --left) result.backtrace.push_back(cleanText(in.text()));
+        result.thrown = in.numbers<std::uint64_t>();
         member->result = std::move(result);
         return {};
     }

@@ -60,7 +60,8 @@ private:
     struct UpdateResult {
         Status status;
         bool gaveUp = false;
-        std::vector<std::string> backtrace; ///< of an exception
+        std::vector<std::string> backtrace; ///< of an exception in Python
+        std::vector<std::uint64_t> thrown;  ///< of one in C++, see faultOfException()
         double seconds = 0;
     };
     struct Member {
@@ -91,6 +92,7 @@ private:
     [[nodiscard]] Status claim(Member& member, const std::string& command);
     void completeUpdates();
     [[nodiscard]] Status call(std::size_t member, HostRequest request, std::string_view bytes);
+    [[nodiscard]] Status withPlace(const Status& status, const ControllerOutputs& outputs) const;
     [[nodiscard]] std::string handle(HostRecord record, std::uint32_t number, WireReader& in);
     [[nodiscard]] Member* memberAt(std::uint32_t number);
     [[nodiscard]] std::uint32_t robotIndex(const Member& member) const;
@@ -116,6 +118,7 @@ private:
     double m_time = 0;
     std::optional<Status> m_done;            // status of the request in progress
     std::string m_more;                      // what came with it
+    std::vector<std::uint64_t> m_thrown;     // where its exception came from
     std::optional<MonitoredCall> m_waiting;  // names the controller that the clock waits for
 };
 

@@ -300,8 +300,7 @@ const std::map<std::string, Action>& actions() {
         {"change folder", [] { (void)!chdir("/"); }},
         {"set locale",
          [] {
-             for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"})
-                 if (std::setlocale(LC_ALL, name)) return;
+             for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) if (std::setlocale(LC_ALL, name)) return;
          }},
         {"umask", [] { umask(0077); }},
         {"fork", [] { (void)!fork(); }},
@@ -407,6 +406,7 @@ struct Zoo : trundle::Controller, Settings {
                 openLog(name).write("x");
             for (int i = 0; i < 1100; ++i) openLog("many/" + std::to_string(i)).write("x");
         } else if (action == "fail badly") fail("\x1b[2J gone\n\xff");
+        else if (action == "catch and fail") try { act("throw"); } catch (const std::exception&) { fail("caught it"); }
         else if (action == "fail and crash") fail("no way out"), act("segv");
         else if (action == "finish and crash") finish("all found"), act("segv");
         else if (action == "print lines and crash") print(std::string(2000, '\n')), act("segv");

@@ -121,6 +121,8 @@ class Worker:
         writer = Writer().status(fault)
         if fault is None:
             writer.bytes(more)
+        else:
+            writer.bytes(b"")  # where C++ code threw
         self._page.set_word("phase", 0)
         self._link.record(DONE, 0, writer.data())
         self._link.finish_message()
@@ -195,7 +197,7 @@ class Worker:
         record = Writer().status(fault).number("B", gave_up).number("d", time.perf_counter() - begin).number("Q", len(frames))
         for frame in frames:
             record.bytes(frame)
-        return record.data()
+        return record.bytes(b"").data()  # where C++ code threw
 
     def _set(self, reader):
         number, name = reader.number("I"), reader.text()
