@@ -18,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SIZE = "640x360"
 # Of each robot: how far away (m) the eye is, how high what it looks at, and how far ahead of the origin. One that is not named is shown whole from farther away.
-ROBOTS = {"soccer_robot": (0.58, 0.062), "simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01), "lidar_robot": (0.62, 0.1), "round_robot": (0.24, 0.026), "research_base": (1.4, 0.1), "tractor": (1.1, 0.1), "rover": (1.9, 0.25), "car": (1.2, 0.08, 0.165)}
+ROBOTS = {"soccer_robot": (0.58, 0.062), "simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01), "lidar_robot": (0.62, 0.1), "round_robot": (0.24, 0.026), "research_base": (1.4, 0.1), "tractor": (1.1, 0.1), "rover": (1.9, 0.25), "car": (1.2, 0.08, 0.165), "maze_robot": (0.26, 0.012)}
 # Of each sample: after how many seconds, from where and what is in the middle (m).
 SAMPLES = {
     "camera_swarm": ("2", "-2.6,-2.4,1.5", "0.1,0.1,0"),
@@ -32,6 +32,8 @@ SAMPLES = {
     "docking": ("6", "-0.33,-1.12,0.2", "-0.06,-0.7,0.06"),
     "stacking": ("14", "1.15,-0.85,0.75", "0.2,0,0.22"),
     "train": ("9", "0.1,-0.15,0.7", "0.72,1.0,0.03"),
+    "car": ("3.6", "2.45,-0.15,0.42", "1.74,0.46,0.05"),
+    "maze": ("40", "-0.45,-1.2,1.15", "-0.02,-0.12,0"),
     "rover": ("14", "0.7,-1.7,0.9", "1.5,0,0.2"),
     "blob_follow": ("4", "-2.7,-2.3,1.1", "-0.1,0.55,0.05"),
     "soccer": ("3.6", "0.75,-0.72,0.42", "1.3,0.03,0.03"),

@@ -1,6 +1,10 @@
 // Whole tasks, on seeds that no file contains: cans are brought home, a room is mapped, a battery is charged.
 
+#include <deque>
+#include <map>
 #include <numbers>
+
+#include <QRegularExpression>
 
 #include "flow/cli.h"
 
@@ -22,6 +26,34 @@ QList<double> rowOf(const QString& path, int row) {
     QList<double> numbers;
     for (const QByteArray& cell : contentOf(path).split('\n').value(row + 1).split(',')) numbers << cell.toDouble();
     return numbers;
+}
+
+/// Steps from the cell 0,0 of a maze's arena to another one, by its walls alone; 8 x 8 cells of 18 cm around the origin. -1: no way.
+int shortestWay(const QString& arena, QPoint goal) {
+    struct Wall {
+        double x, y, sizeX, sizeY;
+    };
+    QList<Wall> walls;
+    static const QRegularExpression box("Box wall\\d+ \\{ Pos=([-\\d.]+),([-\\d.]+),.* Size=([\\d.]+),([\\d.]+),");
+    for (auto it = box.globalMatch(QString::fromUtf8(contentOf(arena))); it.hasNext();) {
+        const auto m = it.next();
+        walls.append({m.captured(1).toDouble(), m.captured(2).toDouble(), m.captured(3).toDouble(), m.captured(4).toDouble()});
+    }
+    const auto isWall = [&](double x, double y) {
+        return std::ranges::any_of(walls, [&](const Wall& w) {
+            return std::abs(x - w.x) < w.sizeX / 2 && std::abs(y - w.y) < w.sizeY / 2;
+        });
+    };
+    std::map<std::pair<int, int>, int> steps{{{0, 0}, 0}};
+    for (std::deque<std::pair<int, int>> open{{0, 0}}; !open.empty(); open.pop_front()) {
+        const auto [c, r] = open.front();
+        for (const auto& [dc, dr] : {std::pair(1, 0), {0, 1}, {-1, 0}, {0, -1}}) {
+            const double x = (c - 3.5 + 0.5 * dc) * 0.18, y = (r - 3.5 + 0.5 * dr) * 0.18;
+            if (!isWall(x, y) && steps.emplace(std::pair(c + dc, r + dr), steps[{c, r}] + 1).second) open.emplace_back(c + dc, r + dr);
+        }
+    }
+    const auto found = steps.find({goal.x(), goal.y()});
+    return found == steps.end() ? -1 : found->second;
 }
 
 struct Box {
@@ -150,6 +182,36 @@ private Q_SLOTS:
         QTemporaryDir logs;
         const QJsonObject done = run("docking.sim", 4001, {"--log-dir", logs.path(), "--set", "station.beacon.On=false"});
         QCOMPARE(reasonOf(done), QString("its battery is empty"));
+    }
+
+    /// A mouse finds the way through mazes that it does not know. The shipped one has loops; those of the generator have one way only.
+    void aMouseRunsTheShortestWay_data() {
+        QTest::addColumn<int>("maze"); // its seed; 0: the shipped one
+        QTest::newRow("shipped") << 0;
+        for (int i = 0; i < seedsOf(1); ++i) QTest::addRow("maze %d", 6007 + 17 * i) << 6007 + 17 * i;
+    }
+    void aMouseRunsTheShortestWay() {
+        QFETCH(int, maze);
+        QTemporaryDir folder;
+        QString arena = configPath("arenas/maze.sim"), experiment = configPath("experiments/maze.sim");
+        if (maze > 0) {
+            const Outcome made = cli({"new", "arena", "Maze", "--in", folder.path(), "--maze", "8", "8", "--cell", "0.18", "--wall-thickness",
+                                      "0.012", "--wall-height", "0.05", "--maze-seed", QString::number(maze)});
+            QVERIFY2(made.code == 0, shown(made));
+            arena = folder.filePath("maze/maze.sim");
+            experiment = folder.filePath("run.sim");
+            QVERIFY(writeFile(experiment, contentOf(configPath("experiments/maze.sim")).replace("arenas/maze.sim", "maze/maze.sim")));
+        }
+        const int shortest = shortestWay(arena, {4, 4});
+        QVERIFY(shortest >= 8);
+        const Outcome outcome = cli({"run", experiment, "--json", "--log-dir", folder.filePath("logs"), "--seed", QString::number(maze + 5), "--set",
+                                     "Duration=600"});
+        const QJsonObject done = QJsonDocument::fromJson(outcome.out).object();
+        QVERIFY2(reasonOf(done) == "solved", shown(outcome));
+        const QList<QByteArray> rows = contentOf(folder.filePath("logs/maze_run.csv")).trimmed().split('\n');
+        const QList<QByteArray> titles = rows.first().split(','), last = rows.last().split(',');
+        QCOMPARE(last.value(titles.indexOf("mouse/brain/way")).toInt(), shortest);
+        QCOMPARE(last.value(titles.indexOf("middle/count")).toInt(), 1);
     }
 
     void aMapAgreesWithItsRoom_data() {
