@@ -54,6 +54,40 @@ private Q_SLOTS:
         QVERIFY(lots.drawings > 999 * 3);
     }
 
+    /// Thousands of balls that all differ share nothing: those that come late are drawn coarsely, so that they fit into memory.
+    void manyDifferentShapesAreCoarse() {
+        const auto experiment = sampleExperiment({1});
+        const std::vector<MaterialSpec> materials;
+        ShapeStore store;
+        std::size_t first = 0, last = 0, all = 0;
+        std::vector<osg::ref_ptr<osg::Group>> kept;
+        for (int i = 0; i < 4000; ++i) {
+            GeomSpec ball;
+            ball.shape = GeomShape::Sphere;
+            ball.radius = 0.01 + 1e-6 * i;
+            kept.push_back(store.nodeOf(std::span(&ball, 1), materials));
+            Count count;
+            count.setTraversalMask(~0u);
+            kept.back()->accept(count);
+            last = 0;
+            for (const osg::Geometry* geometry : count.geometries) last += geometry->getVertexArray()->getNumElements();
+            if (i == 0) first = last;
+            all += last;
+        }
+        QVERIFY2(first > 5000 && last < 500 && all < 30'000'000, qPrintable(QString("%1 %2 %3").arg(first).arg(last).arg(all)));
+        kept.clear();
+        store.forgetUnused();
+        GeomSpec ball;
+        ball.shape = GeomShape::Sphere;
+        ball.radius = 1;
+        Count again;
+        again.setTraversalMask(~0u);
+        store.nodeOf(std::span(&ball, 1), materials)->accept(again);
+        std::size_t points = 0;
+        for (const osg::Geometry* geometry : again.geometries) points += geometry->getVertexArray()->getNumElements();
+        QCOMPARE(points, first);
+    }
+
     void rebuildsOnlyChangedNodes() {
         auto experiment = sampleExperiment({2});
         auto other = std::make_shared<RobotConfigSpec>(*experiment->robots[1].config);

@@ -23,7 +23,7 @@ struct Degree {
 constexpr float kAnyPixels = 1e9f;
 constexpr std::array<Degree, 6> kDegrees{
     {{kAnyPixels, 96, true}, {1600, 36, true}, {170, 18, true}, {64, 14, false}, {20, 8, false}, {8, 6, false}}};
-constexpr Fineness kSmooth{kDegrees[0].segments, true}, kFine{36, true}, kOutline{10, false};
+constexpr Fineness kFine{36, true}, kOutline{10, false};
 
 /// Minimum opacity that casts a planar shadow; more transparent materials cast none, because a planar shadow is on or off.
 constexpr double kLeastCasting = 0.5;
@@ -260,20 +260,30 @@ private:
     std::map<std::uint32_t, std::vector<ShapeMesh>> m_meshes; // by geom, then by material
 };
 
-/// All levels of detail; null if `make` gives nothing.
-template <class Make> osg::ref_ptr<osg::LOD> detailOf(Make make) {
-    const osg::ref_ptr<osg::Geometry> fine = make(kSmooth);
+/// All levels of detail from one on; null if `make` gives nothing.
+template <class Make> osg::ref_ptr<osg::LOD> detailOf(std::size_t first, Make make) {
+    const osg::ref_ptr<osg::Geometry> fine = make({kDegrees[first].segments, kDegrees[first].bevel});
     if (!fine) return nullptr;
     const double across = 2 * fine->getBound().radius();
     osg::ref_ptr<osg::LOD> detail = new osg::LOD;
     detail->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
-    for (std::size_t i = 0; i < kDegrees.size(); ++i) {
+    for (std::size_t i = first; i < kDegrees.size(); ++i) {
         const Degree& degree = kDegrees[i];
         const float least = i + 1 < kDegrees.size() ? kDegrees[i + 1].pixels : 0;
-        detail->addChild(i == 0 ? fine : make({degree.segments, degree.bevel, across > 0 ? degree.pixels / across : 0}), least,
-                         degree.pixels);
+        detail->addChild(i == first ? fine : make({degree.segments, degree.bevel, across > 0 ? degree.pixels / across : 0}), least,
+                         i == first ? kAnyPixels : degree.pixels);
     }
     return detail;
+}
+
+/// About the number of vertices of a shape.
+std::size_t pointsOf(const GeomSpec& geom, std::size_t segments) {
+    switch (geom.shape) {
+    case GeomShape::Sphere:
+    case GeomShape::Capsule: return segments * segments / 2;
+    case GeomShape::Cylinder: return 20 * segments;
+    default: return 100; // meshes have one level only
+    }
 }
 
 osg::ref_ptr<osg::Geometry> partOf(const osg::Geometry& whole, const std::function<bool(std::uint32_t)>& keep) {
@@ -331,8 +341,18 @@ std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
     return after == ranges.begin() ? 0 : std::prev(after)->geom;
 }
 
+GeomDetail detailWithin(std::span<const GeomSpec> geoms, std::size_t points) {
+    GeomDetail detail;
+    for (;; ++detail.level) {
+        detail.points = 0;
+        for (const GeomSpec& geom : geoms) detail.points += pointsOf(geom, std::size_t(kDegrees[detail.level].segments));
+        if (detail.points <= points || detail.level + 1 == kDegrees.size()) return detail;
+    }
+}
+
 osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
-                                      std::span<const SpokePattern> spokes, const SceneShading& look, Pictures& pictures) {
+                                      std::span<const SpokePattern> spokes, const SceneShading& look, Pictures& pictures,
+                                      std::size_t level) {
     osg::ref_ptr<GeomNode> group = new GeomNode;
     osg::ref_ptr<GeomNames> names = new GeomNames;
     for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
@@ -344,7 +364,7 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
         if (clear) drawable->setNodeMask(~unsigned(kMaskSolid | kMaskFloor)); // these two masks are always used together
         group->addChild(drawable);
     };
-    addWhole(detailOf([&](Fineness fineness) {
+    addWhole(detailOf(level, [&](Fineness fineness) {
         return pieces.merged(fineness, look.bodies,
                              [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && isRound(g); });
     }));
@@ -357,7 +377,7 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
         const auto wears = [&, picture = picture, clearOnes = clearOnes](const MaterialSpec& m) {
             return m.picture == picture && isClear(m) == clearOnes;
         };
-        addWhole(detailOf([&](Fineness fineness) {
+        addWhole(detailOf(level, [&](Fineness fineness) {
                      return pieces.merged(fineness, state,
                                           [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && isRound(g); });
                  }),
@@ -365,7 +385,7 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
         addWhole(pieces.merged(kFine, state, [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && !isRound(g); }),
                  clearOnes);
     }
-    group->caster = detailOf([&](Fineness fineness) { return pieces.bare(fineness, look); });
+    group->caster = detailOf(level, [&](Fineness fineness) { return pieces.bare(fineness, look); });
     return group;
 }
 

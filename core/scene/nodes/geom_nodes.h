@@ -62,11 +62,19 @@ private:
     bool m_everywhere = false;
 };
 
+/// How finely geoms are drawn from near by: 0 is the finest level.
+struct GeomDetail {
+    std::size_t level = 0;
+    std::size_t points = 0; ///< about so many vertices
+};
+/// The finest one with at most so many vertices, else the coarsest one: ten thousand different balls would fill gigabytes.
+[[nodiscard]] GeomDetail detailWithin(std::span<const GeomSpec> geoms, std::size_t points);
+
 /// Shared by all bodies of all robots that have these geoms; an empty group if none is visible. Planes are left out, since they
 /// are drawn as floors. Geoms with a spoke pattern are drawn with spokes.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
                                                     std::span<const SpokePattern> spokes, const SceneShading& look,
-                                                    Pictures& pictures);
+                                                    Pictures& pictures, std::size_t level = 0);
 /// The same geoms as coarse shapes without materials, for outlines.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms);
 

@@ -1,5 +1,6 @@
 #include "scene/nodes/shape_store.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/mesh_appearance.h"
@@ -8,6 +9,8 @@
 
 namespace trundle {
 namespace {
+
+constexpr std::size_t kMostPoints = 8'000'000; // some 500 MB of vertices; what comes then is drawn coarsely
 
 /// Bytes that identify a drawable: equal keys draw equally.
 struct Key {
@@ -85,12 +88,14 @@ osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, con
         if (hasOwnAppearance(g)) addAppearance(key, *g.mesh->look);
     }
     for (const SpokePattern& s : spokes) key.plain(s.geom), key.vector(s.axis), key.plain(s.top), key.plain(s.bottom);
-    auto [entry, isNew] = m_nodes.try_emplace(std::move(key.bytes));
+    auto [entry, isNew] = m_shapes.try_emplace(std::move(key.bytes));
     if (isNew) {
-        entry->second = makeGeomNode(geoms, materials, spokes, look, pictures);
+        const GeomDetail detail = detailWithin(geoms, kMostPoints - std::min(m_points, kMostPoints));
+        entry->second = {makeGeomNode(geoms, materials, spokes, look, pictures, detail.level), detail.points};
+        m_points += detail.points;
         ++m_made;
     }
-    return entry->second;
+    return entry->second.node;
 }
 
 osg::ref_ptr<osg::Group> ShapeStore::collisionNodeOf(std::span<const GeomSpec> geoms) {
@@ -104,18 +109,22 @@ osg::ref_ptr<osg::Group> ShapeStore::collisionNodeOf(std::span<const GeomSpec> g
     Key key;
     key.bytes = "collision\n";
     for (const GeomSpec& g : shapes) addShape(key, g);
-    auto [entry, isNew] = m_nodes.try_emplace(std::move(key.bytes));
-    if (isNew) entry->second = makeOutlineNode(shapes);
-    return entry->second;
+    auto [entry, isNew] = m_shapes.try_emplace(std::move(key.bytes));
+    if (isNew) entry->second.node = makeOutlineNode(shapes);
+    return entry->second.node;
 }
 
 void ShapeStore::forgetUnused() {
-    std::erase_if(m_nodes, [](const auto& entry) { return entry.second->referenceCount() == 1; });
+    std::erase_if(m_shapes, [this](const auto& entry) {
+        const bool isUnused = entry.second.node->referenceCount() == 1;
+        if (isUnused) m_points -= entry.second.points;
+        return isUnused;
+    });
     pictures.forgetUnused();
 }
 
 void ShapeStore::releaseGlObjects(osg::State* state) {
-    for (auto& [key, node] : m_nodes) node->releaseGLObjects(state);
+    for (auto& [key, shape] : m_shapes) shape.node->releaseGLObjects(state);
 }
 
 } // namespace trundle

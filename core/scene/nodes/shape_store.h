@@ -33,8 +33,13 @@ public:
     [[nodiscard]] std::size_t made() const { return m_made; }
 
 private:
-    std::map<std::string, osg::ref_ptr<osg::Group>> m_nodes; // by Key
-    std::size_t m_made = 0;
+    struct Shape {
+        osg::ref_ptr<osg::Group> node;
+        std::size_t points = 0; ///< about so many vertices in its finest level
+    };
+
+    std::map<std::string, Shape> m_shapes; // by Key
+    std::size_t m_made = 0, m_points = 0;
 };
 
 } // namespace trundle
