@@ -110,11 +110,12 @@ bool SensorsPanel::isSeen() const { return isVisible() && !visibleRegion().isEmp
 
 bool SensorsPanel::isSettled() const {
     const bool images = std::ranges::all_of(m_cards, [](const SensorCard* card) { return card->isSettled(); });
-    return !isSeen() || (!m_stale && !m_changed && images);
+    return !isSeen() || (!m_stale && !m_changed && m_turnsLeft == 0 && images);
 }
 
 void SensorsPanel::markStale() {
     m_stale = true;
+    m_turnsLeft = (m_cards.size() + kCardsAtOnce - 1) / kCardsAtOnce;
     if (m_next.isActive() || !isSeen()) return;
     const qint64 since = m_sinceUpdate.isValid() ? m_sinceUpdate.elapsed() : kIntervalMs;
     m_next.start(int(std::clamp<qint64>(kIntervalMs - since, 0, kIntervalMs)));
@@ -143,15 +144,29 @@ void SensorsPanel::updateCards() {
     m_sinceUpdate.start();
     m_stale = false;
     ++m_updates;
-    if (std::exchange(m_changed, false)) rebuild();
+    if (std::exchange(m_changed, false)) {
+        rebuild();
+        m_turnsLeft = m_cards.size(); // more than enough: new ones have shown nothing
+    }
     const RunResults& run = m_session.results();
     if (m_cards.empty() || !run.snapshot) return;
-    for (SensorCard* card : m_cards) {
-        if (wasHidden) card->interrupt();
-        card->display(run, m_session.state() == RunState::Running);
-    }
+    displayTurn(wasHidden);
     const QString omitted = m_omitted > 0 ? tr("%1 more devices are not shown  •  ").arg(m_omitted) : QString();
     m_facts->setText(omitted + tr("t = %1 s").arg(run.time(), 0, 'f', 2));
+}
+
+/// Every so many-th card; what a run that has paused measured last reaches all of them.
+void SensorsPanel::displayTurn(bool wasHidden) {
+    const std::size_t turns = (m_cards.size() + kCardsAtOnce - 1) / kCardsAtOnce, turn = m_turn++ % turns;
+    for (std::size_t i = 0; i < m_cards.size(); ++i) {
+        if (wasHidden) m_cards[i]->interrupt();
+        if (i % turns == turn) m_cards[i]->display(m_session.results(), m_session.state() == RunState::Running);
+    }
+    m_turnsLeft = std::min(m_turnsLeft, turns);
+    if (m_turnsLeft > 0 && --m_turnsLeft > 0) {
+        m_stale = true;
+        m_next.start(kIntervalMs);
+    }
 }
 
 // ---- content ----

@@ -24,7 +24,8 @@ class RunSession;
 class Selection;
 class SensorCard;
 
-/// Reads what the run publishes, at most 30 times a second, and only while it is visible.
+/// Reads what the run publishes, at most 30 times a second, and only while it is visible. Many cards take turns, so that they leave time
+/// for the 3D view.
 class SensorsPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -39,6 +40,7 @@ public:
     [[nodiscard]] bool isSettled() const;
     /// Number of updates so far. For tests.
     [[nodiscard]] int updateCount() const { return m_updates; }
+    static constexpr std::size_t kCardsAtOnce = 6; ///< at most so many in one update
 
 protected:
     void showEvent(QShowEvent*) override;
@@ -50,6 +52,7 @@ private:
     void markStale();
     void markChanged();
     void updateCards();
+    void displayTurn(bool wasHidden);
     void rebuild();
     [[nodiscard]] std::vector<std::string> shownPaths();
     [[nodiscard]] SensorCard* makeCard(SensorDevice device);
@@ -69,6 +72,7 @@ private:
     QTimer m_next;
     QElapsedTimer m_sinceUpdate;
     bool m_stale = true, m_changed = true; ///< values; which devices are shown
+    std::size_t m_turn = 0, m_turnsLeft = 0; ///< of the cards; until all show the newest values
     int m_updates = 0;
 
     QStackedWidget* m_pages = nullptr;

@@ -111,7 +111,7 @@ def sensors(programs, options, table):
     found = programs.window("sensors", programs.write("lidars20", experiments.lidars(20)), 0.5 if options.quick else 2)
     fans = found["view_with_fans"]["median"] - found["view"]["median"]
     parts = [("their fans over the 3D view", fans), ("values and traces of their cards", found["values"]["median"]),
-             ("painting all of their cards", found["cards"]["median"])]
+             ("painting the cards of one turn", found["cards"]["median"])]
     total = sum(ms for _, ms in parts)
     rows = [[what, round(ms, 2), ""] for what, ms in parts] + [["together", round(total, 2), f"at most {SENSORS_MS}"]]
     table("sensors", [f"{found['lidars']} lidars of 360 beams, for each picture", "processor time [ms]", "wanted"], rows)

@@ -43,12 +43,15 @@ QJsonObject measureSensors(const QString& file, double seconds) {
     w.untilSettled();
     const QJsonObject fans = timesOf([&] { w.view().repaint(); });
     const RunResults& run = w.window->session().results();
-    const QJsonObject values = timesOf([&] {
-        for (SensorCard* card : panel->cards()) card->display(run, true);
-    });
-    const QJsonObject cards = timesOf([&] { // also those that are scrolled out of sight
-        for (SensorCard* card : panel->cards()) (void)card->grab();
-    });
+    // Cards take turns; also those that are scrolled out of sight.
+    const std::vector<SensorCard*>& all = panel->cards();
+    const std::size_t turns = (all.size() + SensorsPanel::kCardsAtOnce - 1) / SensorsPanel::kCardsAtOnce;
+    std::size_t turn = 0;
+    const auto eachOfATurn = [&](const auto& work) {
+        for (std::size_t i = turn++ % turns; i < all.size(); i += turns) work(*all[i]);
+    };
+    const QJsonObject values = timesOf([&] { eachOfATurn([&](SensorCard& card) { card.display(run, true); }); });
+    const QJsonObject cards = timesOf([&] { eachOfATurn([](SensorCard& card) { (void)card.grab(); }); });
     return {{QStringLiteral("lidars"), qint64(lidars.size())},
             {QStringLiteral("view"), bare},
             {QStringLiteral("view_with_fans"), fans},

@@ -281,6 +281,26 @@ private Q_SLOTS:
         QCOMPARE(f.row("one.front", "range")->trace().time(f.row("one.front", "range")->trace().size() - 1), 0.6);
     }
 
+    /// More cards than are displayed at once take turns, and all show what was measured last.
+    void manyCardsTakeTurns() {
+        SensorsFixture& f = *m_fixture;
+        QByteArray text = kStation;
+        for (int i = 0; i < 20; ++i)
+            text.replace("RangeSensor front", "RangeSensor extra" + QByteArray::number(i) + " { Body=box Pos=0,0,1 MaxRange=4 }\n  RangeSensor front");
+        QVERIFY(f.open(text));
+        f.selection.select("one");
+        QVERIFY(f.runFor(0.1));
+        QVERIFY(f.panel.cards().size() > 2 * SensorsPanel::kCardsAtOnce);
+        const int before = f.panel.updateCount();
+        QVERIFY(f.runFor(0.2));
+        QVERIFY(f.panel.updateCount() >= before + 3);
+        for (int i = 0; i < 20; ++i) {
+            const auto* row = f.row(("one.extra" + std::to_string(i)).c_str(), "range");
+            QVERIFY(row);
+            QCOMPARE(row->trace().time(row->trace().size() - 1), 0.3);
+        }
+    }
+
     void theCameraPictureFillsItsCard() {
         SensorImage image(nullptr, "one/eye");
         image.resize(420, 190);
