@@ -60,6 +60,16 @@ fs::path stem(const std::string& written) {
     return path;
 }
 
+/// The sources that a module is to be built from, as `trundle-cli new` writes them: the folder of its name, or the one that holds
+/// its build folder; empty: there are none.
+fs::path sourcesOf(const fs::path& module, const std::vector<std::string>& places) {
+    const fs::path built = module.parent_path();
+    for (const std::string& place : places)
+        for (const fs::path& folder : {module, built.filename() == "build" ? built.parent_path() : fs::path()})
+            if (!folder.empty() && isThere(fs::path(place) / folder / "CMakeLists.txt")) return folder;
+    return {};
+}
+
 bool climbs(const fs::path& path) { return std::find(path.begin(), path.end(), "..") != path.end(); }
 
 Error notTrusted(const std::string& written, const fs::path& library) {
@@ -163,6 +173,10 @@ Result<std::string> DirectoryCatalog::locate(const std::string& written, const s
         }
     }
     if (!untrusted.empty()) return notTrusted(written, untrusted);
+    if (const fs::path sources = sourcesOf(stem(written), places); !sources.empty())
+        return Error{Code::ModuleNotFound, "there is no module " + written + ", but sources in the folder " + sources.string() +
+                                               ": build them, and name " + (sources / "build" / sources.filename()).string() +
+                                               "; tried " + joined(tried)};
     std::vector<std::string> shelves = m_folders.modules; // without the experiment's folder, which may be a home folder
     shelves.push_back(m_folders.program);
     const std::string near = nearestModule(stem(written).string(), shelves);

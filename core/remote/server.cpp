@@ -205,7 +205,7 @@ Reply RemoteServer::hello(RemoteClient& client, Arguments& arguments) {
     else if (const std::string problem = arguments.problem(); !problem.empty()) reply = Reply::failed("bad_request", problem);
     else if (protocol != RemoteClient::kProtocol)
         reply = Reply::failed("refused", "the protocol's version is " + std::to_string(RemoteClient::kProtocol));
-    else if (!client.isAuthorized() && !isSame(token, m_options.token)) reply = Reply::failed("unauthorized", "the token is wrong");
+    else if (!client.isAuthorized() && !isSame(token, m_options.token)) reply = Reply::failed("unauthorized", token.empty() ? "a token is needed, that of the served run" : "the token is wrong");
     if (!reply.error.empty()) {
         client.closeAfterSending();
         return reply;

@@ -121,6 +121,17 @@ private Q_SLOTS:
             QVERIFY2(missing.error().message.find(path(tried)) != std::string::npos, tried);
     }
 
+    void namesSourcesThatAreNotBuilt() {
+        put("experiments/walker/CMakeLists.txt", false);
+        for (const char* written : {"walker", "walker/build/walker"}) {
+            const auto missing = DirectoryCatalog({{}, path("program"), {}, false}).find(written, path("experiments"));
+            QCOMPARE(missing.error().code, Code::ModuleNotFound);
+            QVERIFY2(missing.error().message.find(", but sources in the folder walker: build them, and name walker/build/walker; tried ") !=
+                         std::string::npos,
+                     missing.error().message.c_str());
+        }
+    }
+
     void suggestsSimilarModule_data() {
         QTest::addColumn<QString>("meant");
         QTest::newRow("controllers/goood") << "controllers/good";

@@ -185,6 +185,22 @@ private Q_SLOTS:
         QTest::newRow("none") << QByteArray("import trundle\n") << QByteArray("it has no class that is derived from trundle.Controller");
         QTest::newRow("field") << QByteArray("import trundle\nclass Mine(trundle.Controller):\n    a = trundle.field('A', 1.0, 'm', 'x')\n")
                                << QByteArray("TypeError: the field A needs a quantity, such as metres(), in Mine at mine.py:3");
+        const QByteArray mine = "import trundle\nclass Mine(trundle.Controller):\n";
+        const QByteArray update = "    def update(self, since_last):\n        pass\n";
+        const auto field = [&](const char* name, const char* arguments, const char* said) {
+            QTest::newRow(name) << mine + "    a = trundle.field('A', " + arguments + ", 'x')\n" + update << QByteArray(said) + ", in Mine at mine.py:3";
+        };
+        field("below", "-1.0, trundle.metres().at_least(0)", "ValueError: the default of the field A is -1 m, it must be at least 0 m");
+        field("not above", "0.0, trundle.metres().above(0)", "ValueError: the default of the field A is 0 m, it must be above 0 m");
+        field("above", "3.5, trundle.degrees().at_most(180)", "ValueError: the default of the field A is 200.535 deg, it must be at most 180 deg");
+        field("choice", "'up', trundle.one_of('left|right')", "ValueError: the default 'up' of the field A is none of left, right");
+        field("count", "(1.0, 2.0), trundle.metres().counted(3, 3)",
+              "ValueError: the default of the field A has 2 elements, its quantity wants 3 to 3");
+        QTest::newRow("no update") << mine + "    pass\n" << QByteArray("TypeError: Mine has no update(self, since_last)");
+        QTest::newRow("other update") << mine + "    def update(self):\n        pass\n"
+                                      << QByteArray("TypeError: Mine.update is called as update(self, since_last), and does not take that");
+        QTest::newRow("other setup") << mine + "    def setup(self):\n        pass\n" + update
+                                     << QByteArray("TypeError: Mine.setup is called as setup(self, robot), and does not take that");
         QTest::newRow("exits") << QByteArray("import os\nos._exit(3)\n") << QByteArray("ended its process in load with exit code 3, in <module> at mine.py:2");
         QTest::newRow("crashes") << QByteArray("import ctypes\nctypes.string_at(1)\n")
                                  << QByteArray("crashed in load: Segmentation fault, in <module> at mine.py:2");

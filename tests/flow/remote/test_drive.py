@@ -287,6 +287,7 @@ class DriveTest(unittest.TestCase):
         with serve(file) as server:
             port = server.port
             for more, code, words in ((("--token", "wrong-token"), 1, "the token is wrong"),
+                                      (("--token", ""), 1, "a token is needed, that of the served run"),
                                       (("--robot", "other"), 2, "there is no robot other with a controller"),
                                       (("--set", "Tick=0.01"), 1, "try --set Tick=0.02")):
                 self.assertIn(words, self.drive(file, port, "--log-dir", self.logs("drive"), *more, code=code).stderr)

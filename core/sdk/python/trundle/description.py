@@ -45,6 +45,29 @@ class field:
         self.type = quantity.type or self.type
         self.counts = quantity.counts or self.counts
         self.attribute = ""
+        if default is not None and not quantity.is_required:
+            self._check(self._elements(default))
+
+    def _check(self, values):
+        """The default is held to what the text is."""
+        least, most = self.counts
+        if not least <= len(values) <= most:
+            raise ValueError(f"the default of the field {self.name} has {len(values)} elements, its quantity wants {least} to {most}")
+        q = self.quantity
+        for value in values:
+            if self.type == "choice" and value not in q.choices:
+                raise ValueError(f"the default {value!r} of the field {self.name} is none of {', '.join(q.choices)}")
+            if self.type not in ("number", "integer"):
+                continue
+            given = value / q.scale
+            slack = 1e-9 * abs(given)
+            below = given <= q.minimum if q.min_exclusive else given < q.minimum - slack
+            above = given >= q.maximum if q.max_exclusive else given > q.maximum + slack
+            if below or above:
+                limit = f"{'above' if q.min_exclusive else 'at least'} {q.minimum:g}" if below else \
+                    f"{'below' if q.max_exclusive else 'at most'} {q.maximum:g}"
+                unit = f" {q.unit}" if q.unit else ""
+                raise ValueError(f"the default of the field {self.name} is {given:g}{unit}, it must be {limit}{unit}")
 
     def __set_name__(self, owner, attribute):
         self.attribute = attribute

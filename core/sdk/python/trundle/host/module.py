@@ -2,6 +2,7 @@
 """Loading a user's file, and the words for what goes wrong in it."""
 
 import importlib.util
+import inspect
 import os
 import sys
 import traceback
@@ -35,6 +36,20 @@ class Fault:
         self.text = (f"{what}: {words}" if words else what) + place
 
 
+def _check_calls(kind):
+    """Raises TypeError where a method cannot be called as it will be."""
+    if kind.update is Controller.update:
+        raise TypeError(f"{kind.__name__} has no update(self, since_last)")
+    for method, arguments in ((kind.setup, ("robot",)), (kind.update, ("since_last",)), (kind.load_state, ("state",)),
+                              (kind.save_state, ())):
+        name = method.__name__
+        try:
+            inspect.signature(method).bind(None, *arguments)
+        except TypeError:
+            wanted = ", ".join(("self",) + arguments)
+            raise TypeError(f"{kind.__name__}.{name} is called as {name}({wanted}), and does not take that") from None
+
+
 class Module:
     """A loaded file: its controllers, by kind."""
 
@@ -54,6 +69,8 @@ class Module:
 
         if not self.kinds:
             raise TypeError("it has no class that is derived from trundle.Controller")
+        for kind in self.kinds.values():
+            _check_calls(kind)
 
     def sources(self):
         """The files from its folder that it consists of, with what shows that one has changed."""
