@@ -54,6 +54,15 @@ struct EditedText {
     std::vector<ChangedFile> files;
 };
 
+/// Whether the values bring errors elsewhere into the text: an override of a member that there is no more.
+bool breaks(Application& application, const EditArguments& arguments, const LoadedProject& changed) {
+    if (!changed.diagnostics.hasErrors()) return false;
+    auto before = arguments.open;
+    before.sets.clear();
+    const Result<std::shared_ptr<const LoadedProject>> was = application.open(arguments.file, before);
+    return was && was.value()->diagnostics.errorCount() < changed.diagnostics.errorCount();
+}
+
 EditedText edited(Application& application, const EditArguments& arguments) {
     const Result<std::shared_ptr<const LoadedProject>> opened = application.open(arguments.file, arguments.open);
     if (!opened) {
@@ -63,6 +72,11 @@ EditedText edited(Application& application, const EditArguments& arguments) {
     const LoadedProject& loaded = *opened.value();
     if (setsFailed(loaded)) { // other errors in the text are ignored, since this command may be the one that fixes them
         printDiagnostics(loaded.diagnostics.all(), loaded.sources);
+        return {kExitText, {}};
+    }
+    if (breaks(application, arguments, loaded)) {
+        printDiagnostics(loaded.diagnostics.all(), loaded.sources);
+        printProblem("nothing is changed: the text would have this error");
         return {kExitText, {}};
     }
     Result<std::vector<ChangedFile>> changed = changedFiles(loaded);

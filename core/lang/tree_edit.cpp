@@ -200,6 +200,23 @@ TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view new
     return {{tree.file(), value.range}, std::move(text)};
 }
 
+TextEdit editSetValue(const Tree& tree, TextRange value, std::string_view newText) {
+    const std::vector<Item>* items = &tree.items();
+    while (items) { // they are in the order of the text
+        const auto behind = std::upper_bound(items->begin(), items->end(), value.begin,
+                                             [](std::uint32_t at, const Item& item) { return at < item.range.begin; });
+        if (behind == items->begin()) break;
+        const Item& item = *std::prev(behind);
+        const auto* assignment = item.as<AssignmentItem>();
+        const auto* param = item.as<ParamItem>();
+        const auto* block = item.as<BlockItem>();
+        if (assignment && assignment->value.range == value) return editSetValue(tree, assignment->value, newText);
+        if (param && param->value.range == value) return editSetValue(tree, param->value, newText);
+        items = block ? &block->items : nullptr;
+    }
+    return editReplace(tree, value, newText);
+}
+
 TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText) {
     return {{tree.file(), range}, std::string(newText)};
 }

@@ -18,6 +18,8 @@ namespace trundle {
 
 /// Replaces the value of an existing assignment; only the value's characters change.
 [[nodiscard]] TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText);
+/// The same for the value with this range.
+[[nodiscard]] TextEdit editSetValue(const Tree& tree, TextRange value, std::string_view newText);
 /// Replaces a name (block name, word value, key).
 [[nodiscard]] TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText);
 /// Adds `Key = text` as the last assignment of a block (nullptr: of the file): on the same line if the block is written on one

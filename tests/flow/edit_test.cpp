@@ -24,6 +24,8 @@ private Q_SLOTS:
     void withoutWriteNothingIsWritten();
     void aNewOverrideIsAddedToTheInstance();
     void awrongPathChangesNothing();
+    void commentsBetweenElementsStay();
+    void aValueThatBreaksAnotherIsRefused();
     void concurrentEditsAllSurvive();
 };
 
@@ -99,6 +101,34 @@ void EditTest::awrongPathChangesNothing() {
     QVERIFY2(edit.code == 1, shown(edit));
     QVERIFY2(edit.err.contains("leftMotor"), shown(edit));
     QCOMPARE(contentOf(path), before);
+}
+
+void EditTest::commentsBetweenElementsStay() {
+    const QString path = m_folder.filePath("commented.sim");
+    const QByteArray text = "Gravity = 0, // along\n  0, /* across */ -9.81 // down\nRegion goal { Pos=1, // ahead\n  2, 3 Size=1,1,1 } // end\n"
+                            "Param list = 1, // first\n  2\n";
+    QVERIFY(writeFile(path, text));
+    const Outcome edit = cli({"edit", path, "--set", "goal.Pos=4,5,6", "--set", "Gravity=0,0,-1.62", "--set", "list=7,8", "--write"});
+    QVERIFY2(edit.code == 0, shown(edit));
+    QCOMPARE(contentOf(path), QByteArray(text).replace("-9.81", "-1.62").replace("Pos=1, // ahead\n  2, 3", "Pos=4, // ahead\n  5, 6")
+                                  .replace("list = 1, // first\n  2", "list = 7, // first\n  8"));
+}
+
+/// Fewer members than another value needs.
+void EditTest::aValueThatBreaksAnotherIsRefused() {
+    const QString path = m_folder.filePath("row.sim");
+    const QByteArray text = "#import common/materials.sim\n#import common/surfaces.sim\nRobotConfig Kit { Body b { Repeat o { Count=3 "
+                            "Pos=$index,0,0 Sphere s { Radius=0.1 Mass=0.1 Material=red Surface=rubber } } } }\n"
+                            "Robot a { Config=Kit b.o_1.s.Mass=0.2 }\n";
+    QVERIFY(writeFile(path, text));
+    const Outcome edit = cli({"edit", path, "--set", "a.b.o.Count=1", "--write"});
+    QVERIFY2(edit.code == 1 && edit.err.contains("error E314: Repeat o has no member o_1") && edit.err.contains("nothing is changed"),
+             shown(edit));
+    QCOMPARE(contentOf(path), text);
+    // What has errors already can be edited.
+    QVERIFY(writeFile(path, QByteArray(text).replace("o_1", "o_7")));
+    QCOMPARE(cli({"edit", path, "--set", "RobotConfig.Kit.b.o.s.Mass=0.3", "--write"}).code, 0);
+    QVERIFY(contentOf(path).contains("Mass=0.3"));
 }
 
 QTEST_GUILESS_MAIN(EditTest)

@@ -35,7 +35,8 @@ std::map<FileId, std::vector<TextEdit>> editsForTargets(const LoadedProject& loa
     for (const SetTarget& t : targets) {
         const std::string text(textOf(t.value));
         if (t.before.known()) {
-            if (texts.slice(t.before) != text) addEdit(edits[t.before.file], {t.before, text});
+            if (texts.slice(t.before) != text)
+                addEdit(edits[t.before.file], editSetValue(*loaded.trees[t.before.file], t.before.range, text));
             continue;
         }
         const FileId file = t.part ? t.part->file : FileId{0};
