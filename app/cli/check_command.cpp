@@ -11,12 +11,15 @@
 #include "cli/open_arguments.h"
 #include "cli/run_guard.h"
 #include "cli/subcommands.h"
+#include "project/edits/plan_targets.h"
 #include "project/loading/modules.h"
 #include "run/logs/log_kinds.h"
 #include "world/validate.h"
 
 namespace trundle {
 namespace {
+
+constexpr const char* kModels = ".models_of_check.sim"; ///< a text that is nowhere on the disk
 
 struct CheckArguments {
     OpenOptions open;
@@ -102,18 +105,42 @@ Result<std::shared_ptr<const LoadedProject>> openModels(Application& application
     std::error_code ec;
     const fs::path path = fs::weakly_canonical(file, ec);
     std::string text =
-        "#import " + path.filename().string() + "\n#import arenas/open_floor.sim\n" + "Static checkFloor { Config=OpenFloor }\n";
+        "#import " + path.filename().string() + "\n#import arenas/open_floor.sim\n" + "Static plain_floor { Config=OpenFloor }\n";
     int count = 0;
     for (const Part* config : opened.value()->outline->configs.all())
         if (config->kind->name == "RobotConfig" && config->file == 0)
-            text += "Robot model" + std::to_string(count) + " { Config=" + config->name + " Pos=" + std::to_string(10 * count) +
+            text += "Robot " + config->name + " { Config=" + config->name + " Pos=" + std::to_string(10 * count) +
                     ",0,0 }\n",
                 ++count;
     if (count == 0) return opened;
-    const std::string beside = (path.parent_path() / ".models_of_check.sim").string();
+    const std::string beside = (path.parent_path() / kModels).string();
     options.texts.emplace(beside, std::make_shared<const std::string>(text));
     options.texts.emplace(path.string(), std::make_shared<const std::string>(withoutExperiment(*opened.value())));
     return application.open(beside, options);
+}
+
+/// What is found in the text that openModels() writes has its place at the model.
+Diagnostics atTheirModels(const LoadedProject& loaded, const Diagnostics& diagnostics) {
+    const auto atModel = [&](SourceRange& range) {
+        for (const RobotSpec& robot : loaded.experiment->robots)
+            if (const Part* config = loaded.outline->configs.find(robot.name); config && range.file == 0 && isWithin(range, robot.range))
+                range = config->nameRange();
+    };
+    Diagnostics all;
+    for (Diagnostic d : diagnostics.all()) {
+        std::erase_if(d.fixes, [](const Fix& fix) { return std::ranges::any_of(fix.edits, [](const TextEdit& e) { return e.range.file == 0; }); });
+        atModel(d.range);
+        for (auto& [text, range] : d.notes) atModel(range);
+        std::erase_if(d.notes, [](const auto& note) { return note.second.file == 0; });
+        all.append({std::move(d)});
+    }
+    return all;
+}
+
+SourceTable withoutModels(const SourceTable& sources) {
+    SourceTable all;
+    for (FileId i = 0; i < sources.size(); ++i) (void)all.add(sources[i].text, sources[i].importedFrom.file == 0 ? SourceRange() : sources[i].importedFrom);
+    return all;
 }
 
 ExitCode check(Application& application, const CheckArguments& arguments) {
@@ -131,12 +158,15 @@ ExitCode check(Application& application, const CheckArguments& arguments) {
         const LoadedProject& loaded = *opened.value();
         Diagnostics diagnostics = loaded.diagnostics;
         checkForRun(application, loaded, diagnostics);
+        const bool isOfModels = loaded.paths[0].ends_with(kModels);
+        const SourceTable sources = isOfModels ? withoutModels(loaded.sources) : loaded.sources;
+        if (isOfModels) diagnostics = atTheirModels(loaded, diagnostics);
         if (diagnostics.hasErrors() && code == kExitDone) code = kExitText;
         if (arguments.json) {
-            for (auto& entry : diagnosticsJson(diagnostics.all(), loaded.sources)) all.push_back(std::move(entry));
+            for (auto& entry : diagnosticsJson(diagnostics.all(), sources)) all.push_back(std::move(entry));
             continue;
         }
-        printDiagnostics(diagnostics.all(), loaded.sources);
+        printDiagnostics(diagnostics.all(), sources);
         const std::string counts = countText(diagnostics.all());
         writeOut(cleanLine(file) + ": " + (counts.empty() ? "ok" : counts) + "\n");
     }

@@ -63,6 +63,11 @@ Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTab
         Json fixes = Json::array();
         for (const Fix& fix : diagnostic.fixes) fixes.push_back(fixJson(fix, sources));
         entry["fixes"] = std::move(fixes);
+        for (const auto& [text, range] : diagnostic.notes) {
+            Json note = placeJson(range, sources);
+            note["message"] = text;
+            entry["notes"].push_back(std::move(note));
+        }
         if (diagnostic.more > 0) entry["more"] = diagnostic.more;
         all.push_back(std::move(entry));
     }

@@ -21,8 +21,7 @@ void TrackDrive::setup(Mount& mount) {
     if (m_leftName == m_rightName) return mount.fail("LeftTrack and RightTrack are the same track");
     m_left.port = mount.peer<TrackSignals>(m_leftName);
     m_right.port = mount.peer<TrackSignals>(m_rightName);
-    const std::string geom = mount.peerText(m_leftName, "Geom");
-    m_body = mount.body(geom.substr(0, geom.rfind('.')));
+    m_body = mount.body(mount.peerText(m_leftName, "Geom"));
 }
 
 void TrackDrive::act(Actuation& world) {

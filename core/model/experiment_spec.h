@@ -55,7 +55,7 @@ struct RobotConfigSpec {
     std::vector<ComponentSpec> devices; ///< in text order
     bool selfCollision = false;
     SourceRange range;
-    std::vector<std::pair<int, int>> noContact; ///< pairs of its bodies that do not touch each other
+    std::vector<std::pair<int, int>> noContact; ///< pairs of its bodies that do not touch each other, ascending
 };
 
 /// A controller of a robot: a component that includes UpdatePeriod, Isolation and Budget.

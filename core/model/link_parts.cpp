@@ -1,6 +1,7 @@
 // Leads every Part to the PartConfig that it names and every variant to the config that it is a variant of, and finds the Params that references to something outside of a PartConfig
 // imply: `Parent=$carrier`, where no text declares carrier.
 #include <algorithm>
+#include <map>
 
 #include "base/spelling.h"
 #include "model/outline.h"
@@ -67,7 +68,21 @@ private:
     bool takesReference(const Part& part, const std::string& key) const {
         if (const Property* property = part.kind->find(key)) return namesInsideConfig(m_outline.registry(), m_outline, *property);
         const SourceParam* param = part.isPartUse() && part.config ? part.config->param(key) : nullptr;
-        return param && param->required;
+        return param && (param->required || namesByParam(*part.config, key));
+    }
+
+    /// Whether a config names something inside of what uses it by a Param that has a default: `Parent=$carrier`.
+    bool namesByParam(const Part& holder, const std::string& param) const {
+        const auto [known, isNew] = m_named.try_emplace({&holder, param}, false);
+        if (!isNew) return known->second;
+        const auto isMeant = [&](const Element& e) { return e.kind == Element::Kind::ParamRef && e.text == param; };
+        const bool names = std::ranges::any_of(holder.parts, [&](const Part& part) {
+            if (part.isRepeat() && namesByParam(part, param)) return true;
+            return part.kind && std::ranges::any_of(part.assignments.all(), [&](const SourceAssignment& a) {
+                return a.path.size() == 1 && std::ranges::any_of(a.value->elements, isMeant) && takesReference(part, a.key);
+            });
+        });
+        return m_named[{&holder, param}] = names;
     }
 
     void names(Part& config, const Part& part, const SourceAssignment& a) const {
@@ -104,6 +119,7 @@ private:
 
     const Outline& m_outline;
     std::unordered_set<const Part*> m_visited;
+    mutable std::map<std::pair<const Part*, std::string>, bool> m_named; ///< results of namesByParam()
     std::vector<const Part*> m_holders; ///< the config that is searched and the Repeats around the place
 };
 

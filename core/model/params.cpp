@@ -225,10 +225,13 @@ bool Evaluator::checkUnits(const GivenValue& value) {
 
 void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& scope) {
     std::string message = "there is no Param " + std::string(name);
+    if (name == "index") message += " here; it is there in a Repeat or Ring, not in its Count, and in the values of a Grid or Scatter; a part gets it by a Param";
+    if (name == "index2") message += "; it is there in a Repeat with two numbers, Count=5,2";
     // excludes the `$` of `$name` from the range
     const std::string_view text = m_texts.slice(place);
     if (text.size() == name.size() + 1 && text.front() == '$') ++place.range.begin;
     Diagnostic& d = m_diagnostics.error(Code::UnknownParam, place, std::move(message));
+    if (name == "index" || name == "index2") return; // no other word is meant
     constexpr std::size_t kMany = 1000, kFirst = 20; // with many Params, suggestions for each error would take minutes
     if (manyAlready(m_diagnostics)) return;
     const std::vector<std::string> names = scope.names();

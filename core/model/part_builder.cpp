@@ -91,6 +91,11 @@ void PartBuilder::fill(Part& part, FileId file) {
         part.parts.push_back(build(inner, &part, part.order));
     }
     if (part.is(Role::Config)) checkParams(part);
+    if (part.isRepeat() || part.is(Role::Layout))
+        for (const SourceParam& param : part.params)
+            if (param.name->text == "index" || param.name->text == "index2")
+                m_diagnostics.error(Code::DuplicateName, param.nameRange(),
+                                    param.name->text + " is the number of the member in $( ); give the Param another name");
     if (part.block->type.text == "RobotConfig") looseGeoms(part);
     nameParts(part);
 }

@@ -33,6 +33,7 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
                 const auto rest = isForAll ? restBehind(name, robot.name) : std::nullopt;
                 return robot.name == name || (rest && rest->empty());
             });
+            if (!there && context.isFailedRobot(name)) return false;
             if (!there && !context.out.robots.empty()) {
                 context.unknownReference(property.name, "robot", name, value.range, false, robotNames(context));
                 return false;
@@ -96,14 +97,14 @@ void placeView(const ExpandedPart& expanded, ComponentSpec& view) {
 
 /// Text of a log or view in a member of a Repeat that names a robot or a view of the world: "cart/leftMotor/*" of "lane_1.cart/leftMotor/*".
 /// A file gets the name of the member in front, so that each member has one of its own.
-void nameInMember(const ResolveContext& context, const ExpandedPart& expanded, const std::string& key, std::string& text) {
+void nameInMember(const ExpandedPart& expanded, const std::string& key, std::string& text) {
     const PartFrame& frame = *expanded.frame;
     if (!frame.use || text.empty()) return;
     if (key == "File") text.insert(text.rfind('/') + 1, frame.prefix);
     if (key == "View" && frame.config->find(text)) text = frame.prefix + text;
     if (key != "Robot" && key != "Camera" && key != "Signals") return;
     const std::size_t slash = std::min(text.find('/'), text.size());
-    text = robotMeant(context, text.substr(0, slash), frame) + text.substr(slash);
+    text = nameMeant(text.substr(0, slash), frame) + text.substr(slash);
 }
 
 void resolveLog(ResolveContext& context, AppearanceChecker& looks, const ExpandedPart& expanded) {
@@ -116,7 +117,7 @@ void resolveLog(ResolveContext& context, AppearanceChecker& looks, const Expande
         const Property& property = record.kind->properties[i];
         if (!record.values[i] || record.values[i]->origin == Origin::Default) continue;
         std::vector<std::string>& texts = record.values[i]->value.texts;
-        for (std::string& text : texts) nameInMember(context, expanded, property.name, text);
+        for (std::string& text : texts) nameInMember(expanded, property.name, text);
         const bool robots =
             property.type == PropertyType::Reference && std::count(property.choices.begin(), property.choices.end(), "Robot");
         if (robots) good = checkRobots(context, property, *record.values[i]) && good;

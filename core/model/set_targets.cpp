@@ -32,7 +32,24 @@ private:
         for (const Name& name : path) words.push_back(name.text);
         const PathStart start = startOfPath(m_outline, words);
         if (!start.part) return noStart();
+        const Part* at = m_outline.world.find(words[0]);
+        for (std::size_t i = 0; at && i < start.words; at = ++i < start.words ? at->find(words[i]) : nullptr)
+            if (isOneMember(*at, i)) return;
+        if (start.words >= path.size())
+            return (void)m_diagnostics.error(Code::NoSuchPath, {m_set->file, path.back().range},
+                                             start.part->title() + " takes no value itself; set one of its properties, " +
+                                                 path.back().text + ". ...");
         descend(*start.part, start.words);
+    }
+
+    /// Reports a word of a path that is the name of one member of a Repeat: its text is that of all.
+    bool isOneMember(const Part& part, std::size_t word) {
+        const Name& name = m_set->item->path[word];
+        if (!m_lays || !part.isRepeat() || part.name == name.text) return false; // in the window all get it
+        m_diagnostics.error(Code::ReplaceBySingles, {m_set->file, name.range},
+                            name.text + " is one member of " + part.title() + ", which have one text; set " + part.name +
+                                (part.isInWorld ? " for all of them" : " for all of them, or set it in a robot for one"));
+        return true;
     }
 
     void setTop() {
@@ -51,6 +68,7 @@ private:
         for (; i + 1 < path.size(); ++i) {
             const Part* next = at->isPartUse() ? nullptr : at->find(path[i].text);
             if (next && isVariant(*at) && at->config->find(path[i].text) == next) break; // it is described in the other config
+            if (next && isOneMember(*next, i)) return;
             if (next) {
                 at = next;
                 continue;

@@ -88,7 +88,8 @@ struct MountCalls {
     static std::int32_t body(void* context, const char* name, std::uint32_t* out) {
         Device& d = device(context);
         const std::string asked = moduleName(name);
-        const int i = indexOf(config(d).bodies, asked);
+        int i = indexOf(config(d).bodies, asked);
+        if (const BodyGeom at = geomAt(config(d).bodies, asked); i < 0 && at.geom >= 0) i = at.body;
         if (i < 0) {
             d.note(unknownName("body", asked, config(d).bodies));
             return -1;

@@ -166,6 +166,18 @@ private Q_SLOTS:
         QVERIFY(std::abs(rate - coulomb) < 0.05 * coulomb && std::abs(x - 1) < 0.05);
     }
 
+    /// Tracks that are geoms of a Repeat in a Body: the base finds the body that they belong to.
+    void tracksMayBeInARepeat() {
+        SensorWorld w("StaticConfig Floor { Plane ground { } }\nStatic floor { Config=Floor }\nRobotConfig Tank { Body hull { Box h { "
+                      "Size=0.4,0.2,0.1 Pos=0,0,0.1 Mass=5 }\n  Repeat pad { Count=2 Pos=0,$(0.3*index - 0.15),0.03 Box b { Size=0.4,0.05,0.06 "
+                      "Mass=0.1 } } }\n  Track rt { Geom=hull.pad_0.b MaxSpeed=1 } Track lt { Geom=hull.pad_1.b MaxSpeed=1 }\n"
+                      "  TrackDrive base { LeftTrack=lt RightTrack=rt TrackSeparation=0.3 } }\nRobot r { Config=Tank }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        command(w, "r/base/linearVelocity", 0.2);
+        QVERIFY(w.run(200));
+        QVERIFY(w.value("r/base/pose", 0) > 0.2);
+    }
+
     void isRefused_data() {
         QTest::addColumn<QString>("device");
         QTest::addColumn<QString>("message");

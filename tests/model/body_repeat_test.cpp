@@ -128,7 +128,7 @@ private Q_SLOTS:
         row("a plane", robot("    Repeat a { Count=2 Plane b { } }\n"),
             "E302 Plane is allowed in a StaticConfig or a PartConfig, not in a Repeat of a Body\n");
         row("another body", robot("    Repeat a { Count=2 In=hull " + plate("", "1") + " }\n"),
-            "E208 In names hull, but there is no Body here\n");
+            "E302 In has no meaning in a Body: its geoms are described in Body hull itself\n");
         row("once", robot("    Repeat a { Count=50 " + plate("", "$(0-index-1)") + " }\n"),
             "E203 Radius is -1, it must be above 0\n");
         row("no count", robot("    Repeat a { " + plate("", "1") + " }\n"), "E209 Repeat a needs Count (how many; or how many by how many)\n");

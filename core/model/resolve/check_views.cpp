@@ -1,5 +1,6 @@
 // Checks views, lights and image logs before a run.
 #include <algorithm>
+#include <set>
 
 #include "model/kinds/world_fields.h"
 #include "model/resolve/resolve_steps.h"
@@ -39,14 +40,17 @@ void checkIsThere(ResolveContext& context, const ComponentSpec& log, const char*
 
 void checkFrameLogs(ResolveContext& context) {
     if (context.diagnostics.errorCount() > 0) return; // their targets may exist but be invalid
+    std::set<std::uint32_t> reported; // the members of a Repeat have one block
     for (const ComponentSpec& log : context.out.logs) {
-        if (log.kind != "FrameLog") continue;
+        if (log.kind != "FrameLog" || reported.contains(log.nameRange.range.begin)) continue;
+        const std::size_t before = context.diagnostics.all().size();
         checkIsThere(context, log, "Camera", "camera", cameraPaths(context.out));
         checkIsThere(context, log, "View", "view", viewNames(context.out));
         const ResolvedValue* view = log.find("View");
         if (view && !log.text("View").empty() && !log.text("Camera").empty())
             context.diagnostics.warning(Code::Conflict, view->range.known() ? view->range : log.nameRange,
                                         "FrameLog " + log.name + " has a Camera, so its View takes no pictures");
+        if (context.diagnostics.all().size() > before) reported.insert(log.nameRange.range.begin);
     }
 }
 

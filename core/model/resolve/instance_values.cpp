@@ -47,6 +47,7 @@ public:
         const ResolvedValue* count = m_part.is(Role::Layout) ? record.find("Count") : nullptr;
         if (count) setIndex(m_scope, member, count->value.numbers);
         if (!config) return record;
+        checkOwnParams(*config);
         for (const SourceAssignment* a : taken) takeValue(*config, *a);
         return record;
     }
@@ -62,6 +63,19 @@ private:
         Evaluator trial(m_context.texts, silent);
         const std::optional<GivenValue> value = trial.evaluate(*a->value, a->file, m_scope);
         return value && value->elements.size() == 1 ? m_context.outline.configs.find(value->elements[0].text) : nullptr;
+    }
+
+    /// A Param of an instance is its own: one with the name of a Param of the config was meant to set that.
+    void checkOwnParams(const Part& config) {
+        if (m_part.is(Role::Config)) return; // of a variant it is reported as a block with a taken name
+        for (const SourceParam& own : m_part.params) {
+            const SourceParam* meant = config.param(own.name->text);
+            if (!meant || m_part.assignments.find(own.name->text)) continue;
+            Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, own.nameRange(),
+                                                        config.title() + " has a Param " + own.name->text +
+                                                            " already; set its value: " + own.name->text + "=...");
+            d.notes.emplace_back("defined here", meant->nameRange());
+        }
     }
 
     void takeValue(const Part& config, const SourceAssignment& a) {

@@ -159,7 +159,7 @@ Record readConfig(ResolveContext& context, const Part& config, ParamScope& scope
 }
 
 bool PartExpansion::isFull() {
-    if (m_isFull || m_parts.size() + m_frames.size() <= kMaxObjects) return m_isFull;
+    if (m_isFull || std::max(m_parts.size(), m_frames.size()) <= kMaxObjects) return m_isFull;
     if (const Part* config = m_frames.front().config)
         m_context.diagnostics.error(Code::TooManyObjects, config->nameRange(),
                                     config->title() + " would hold more than 200000 objects");
@@ -277,6 +277,13 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
 
 /// The body that a Part or Repeat is placed from. False, with a diagnostic, if it names none.
 bool PartExpansion::takeIn(ResolveContext& context, PartFrame& frame, const Record& record) {
+    const PartFrame* root = &frame;
+    while (root->outer) root = root->outer;
+    if (const ResolvedValue* in = record.find("In"); root->config && root->config->is(Role::Body) && in && !in->value.texts.empty()) {
+        context.diagnostics.error(Code::WrongPlace, in->range,
+                                  "In has no meaning in a Body: its geoms are described in " + root->config->title() + " itself");
+        return false;
+    }
     const std::optional<std::string> in = bodyOfIn(context, record, *frame.outer);
     if (!in) return false;
     frame.in = *in;
@@ -375,7 +382,7 @@ double ConfigSizes::count(const Part& part, ParamScope& scope) {
         own.declare(inner.params);
         const std::vector<double> counts = countsOf(inner, m_evaluator, own, nullptr, m_silent);
         setIndex(own, 0, counts);
-        size += static_cast<double>(memberCount(counts)) * count(inner, own);
+        size += static_cast<double>(memberCount(counts)) * (count(inner, own) - 1); // of the Repeat itself nothing is left
     }
     return size;
 }

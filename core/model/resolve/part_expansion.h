@@ -73,6 +73,7 @@ public:
     explicit PartExpansion(ResolveContext& context);
 
     [[nodiscard]] const std::vector<ExpandedPart>& parts() const { return m_parts; }
+    [[nodiscard]] bool hasTooMany() const { return m_isFull; } ///< objects; it is reported
     /// Calls `resolve` for every usable block of a role; what is reported meanwhile names the Parts that it is used by.
     template <class Resolve> void each(Role role, const Resolve& resolve) { each(role, role, resolve); }
     /// The same for two roles.
@@ -85,7 +86,9 @@ public:
             const std::size_t first = m_context.diagnostics.all().size(), errors = m_context.diagnostics.errorCount();
             resolve(part);
             nameUses(first, *part.frame);
-            if (isRepeated && m_context.diagnostics.errorCount() > errors) m_faulty.insert(part.part);
+            if (!isRepeated || m_context.diagnostics.errorCount() == errors) continue;
+            m_faulty.insert(part.part);
+            m_context.failedRobots.insert(part.part);
         }
     }
 

@@ -4,6 +4,13 @@
 
 namespace trundle {
 
+namespace {
+
+constexpr std::size_t kLongestChain = 1000; // of poses, each of which counts from the next one
+constexpr std::ptrdiff_t kLongestShown = 20;
+
+} // namespace
+
 void RelativePoses::add(const ExpandedPart& part, const Pose& described, std::string in, SourceRange place) {
     m_bodies.try_emplace(part.name(), Body{part.frame, described, std::move(in), place});
 }
@@ -20,11 +27,19 @@ std::optional<Pose> RelativePoses::of(const std::string& body) {
 bool RelativePoses::enter(State& state, const std::string& name, SourceRange place) {
     if (state == State::Busy) {
         std::string chain;
-        for (auto it = std::ranges::find(m_chain, name); it != m_chain.end(); ++it) chain += *it + " > ";
+        auto it = std::ranges::find(m_chain, name);
+        if (m_chain.end() - it > kLongestShown) chain = *it + " > ... > ", it = m_chain.end() - kLongestShown;
+        for (; it != m_chain.end(); ++it) chain += *it + " > ";
         m_context.diagnostics.error(Code::WrongPlace, place, "poses count from each other in a circle: " + chain + name);
         state = State::Failed;
     }
     if (state != State::Fresh) return false;
+    if (m_chain.size() >= kLongestChain) {
+        m_context.diagnostics.error(Code::TooManyObjects, place,
+                                    "poses count from each other more than " + std::to_string(kLongestChain) + " deep");
+        state = State::Failed;
+        return false;
+    }
     state = State::Busy;
     m_chain.push_back(name);
     return true;

@@ -1,7 +1,10 @@
 // Resolves a RobotConfig with one set of Param values and overrides: bodies, then joints, then devices.
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "model/body_geom.h"
+#include "model/dotted_path.h"
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
 #include "model/resolve/relative_poses.h"
@@ -13,11 +16,14 @@ namespace trundle {
 namespace {
 
 /// The name of the joint between two bodies.
-using JoinedPairs = std::map<std::pair<int, int>, std::string>;
+struct JoinedPairs {
+    std::map<std::pair<int, int>, std::string> names;
+    std::set<const Part*> reported; ///< once for all members of a Repeat
+};
 
 void warnAboutDuplicateJoints(ResolveContext& context, JoinedPairs& pairs, const JointSpec& joint, const Part& part) {
-    const auto [it, fresh] = pairs.try_emplace(std::minmax({joint.parent, joint.child}), joint.name);
-    if (fresh) return;
+    const auto [it, fresh] = pairs.names.try_emplace(std::minmax({joint.parent, joint.child}), joint.name);
+    if (fresh || !pairs.reported.insert(&part).second) return;
     context.diagnostics.warning(Code::BadJoint, part.nameRange(),
                                 "two joints join the same bodies: " + it->second + " and " + joint.name);
 }
@@ -52,13 +58,34 @@ bool hasMirrorImage(ResolveContext& context, const ExpandedPart& device) {
     return true;
 }
 
-std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const ExpandedPart& expanded) {
+/// Whether the geoms that a device names are there: of a Repeat in a Body only its members are.
+bool hasGeoms(ResolveContext& context, const Record& record, const std::vector<BodySpec>& bodies) {
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+        const Property& property = record.kind->properties[i];
+        if (property.type != PropertyType::Reference || !record.values[i]) continue;
+        for (const std::string& name : record.values[i]->value.texts) {
+            const BodyGeom at = geomAt(bodies, name);
+            const bool isBody = std::ranges::find(bodies, name, &BodySpec::name) != bodies.end();
+            if (at.body < 0 || at.geom >= 0 || isBody || !std::ranges::count(property.choices, "Geom")) continue;
+            const BodySpec& body = bodies[static_cast<std::size_t>(at.body)];
+            std::vector<std::string> names;
+            for (const GeomSpec& geom : body.geoms) names.push_back(body.name + "." + geom.name);
+            context.unknownReference(property.name, "geom (body.geom)", name, record.values[i]->range,
+                                     record.values[i]->value.texts.size() == 1, names);
+            return false;
+        }
+    }
+    return true;
+}
+
+std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const ExpandedPart& expanded,
+                                           const std::vector<BodySpec>& bodies) {
     const Part& part = *expanded.part;
     ParamScope own(expanded.frame->scope);
     own.declare(part.params);
     context.evaluator.checkAll(own);
     Record record = context.read(part, own, expanded.overrides(), Origin::Config);
-    const bool known = context.checkReferences(record, *expanded.frame);
+    const bool known = context.checkReferences(record, *expanded.frame) && hasGeoms(context, record, bodies);
     if (!record.complete || !known || !checkOrder(context, record, part) || !hasMirrorImage(context, expanded)) return std::nullopt;
     ComponentSpec device = componentFrom(record, part);
     expanded.place(device);
@@ -115,25 +142,42 @@ void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfig
         if (auto gear = resolveGear(context, part, spec.joints)) spec.gears.push_back(std::move(*gear));
     });
     expansion.each(Role::Device, [&](const ExpandedPart& part) {
-        if (auto device = resolveDevice(context, part)) spec.devices.push_back(std::move(*device));
+        if (auto device = resolveDevice(context, part, spec.bodies)) spec.devices.push_back(std::move(*device));
     });
+}
+
+/// Whether a name is that of a body or of what it is in: "q_1.d" is in "q_1.d", "q_1", "q.d" and "q".
+bool isIn(std::string_view body, std::string_view name) {
+    for (; !name.empty(); name = withoutFirstWord(name), body = withoutFirstWord(body))
+        if (firstWord(body) != firstWord(name) && !isMemberOf(firstWord(body), firstWord(name))) return false;
+    return true;
 }
 
 void resolveNoContact(ResolveContext& context, const Part& config, const Record& own, RobotConfigSpec& spec) {
     const ResolvedValue* value = own.find("NoContact");
-    const auto indexOf = [&](const std::string& name) {
-        return static_cast<int>(std::ranges::find(spec.bodies, name, &BodySpec::name) - spec.bodies.begin());
+    // Of a Part, a Repeat or one of its members all bodies in it.
+    const auto bodiesOf = [&](const std::string& name) {
+        std::vector<int> bodies;
+        for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+            if (isIn(spec.bodies[i].name, name)) bodies.push_back(static_cast<int>(i));
+        return bodies;
     };
     for (const auto& [first, second] : namePairs(context, own, config.nameRange())) {
-        const int a = indexOf(first), b = indexOf(second), count = static_cast<int>(spec.bodies.size());
-        for (const auto& [name, index] : {std::pair(&first, a), std::pair(&second, b)}) {
-            if (index != count || config.findPath(*name)) continue; // what is there has errors of its own
+        const std::vector<int> ofFirst = bodiesOf(first), ofSecond = bodiesOf(second);
+        for (const auto& [name, bodies] : {std::pair(&first, &ofFirst), std::pair(&second, &ofSecond)}) {
+            const Part* part = config.findPath(*name);
+            const bool isFaulty = part && part->is(Role::Body) && !memberName(firstWord(*name)); // it has errors of its own
+            if (!bodies->empty() || isFaulty) continue;
             std::vector<std::string> names;
             for (const BodySpec& body : spec.bodies) names.push_back(body.name);
             context.unknownReference("NoContact", "Body", *name, value->range, false, names);
         }
-        if (a < count && b < count && a != b) spec.noContact.emplace_back(a, b);
+        for (const int a : ofFirst)
+            for (const int b : ofSecond)
+                if (a != b) spec.noContact.push_back(std::minmax(a, b));
     }
+    std::ranges::sort(spec.noContact);
+    spec.noContact.erase(std::unique(spec.noContact.begin(), spec.noContact.end()), spec.noContact.end());
     if (!spec.noContact.empty() && !spec.selfCollision)
         context.diagnostics.hint(Code::Conflict, value->range,
                                  "NoContact has no effect: bodies of " + config.title() +
@@ -151,8 +195,9 @@ void reportLooseBodies(ResolveContext& context, const RobotConfigSpec& spec) {
             if (parentHeld == held[child]) continue;
             held[parentHeld ? child : static_cast<std::size_t>(joint.parent)] = more = true;
         }
+    std::set<std::uint32_t> reported; // the members of a Repeat have one block
     for (std::size_t i = 0; i < spec.bodies.size(); ++i)
-        if (!held[i])
+        if (!held[i] && reported.insert(spec.bodies[i].nameRange.range.begin).second)
             context.diagnostics.error(
                 Code::WrongPlace, spec.bodies[i].nameRange,
                 "no joint holds Body " + spec.bodies[i].name +

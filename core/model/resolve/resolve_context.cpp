@@ -4,6 +4,7 @@
 
 #include "base/spelling.h"
 #include "lang/tree_edit.h"
+#include "model/robot_path.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -129,6 +130,13 @@ void ResolveContext::unknownKey(const Kind& kind, const SourceAssignment& a, con
     if (!near.empty()) meant.push_back(near.front());
     Diagnostic& d = diagnostics.error(Code::UnknownKey, a.keyRange(), message);
     suggestWords(d, std::move(near), a.keyRange());
+}
+
+bool ResolveContext::isFailedRobot(std::string_view path) const {
+    return !shortestStart(path, [&](std::string_view name) {
+                const Part* part = outline.world.find(name);
+                return part && failedRobots.contains(part);
+            }).empty();
 }
 
 } // namespace trundle

@@ -65,6 +65,9 @@ public:
     std::vector<std::pair<const Part*, std::string>> defaulted;
     std::unordered_set<const Part*> defaultedParts;
     std::size_t reads = 0; ///< blocks read so far
+    std::unordered_set<const Part*> failedRobots; ///< blocks of robots not all of which are in `out`: they have errors of their own
+    /// Whether a path begins with the name of such a robot, or of a member of it.
+    [[nodiscard]] bool isFailedRobot(std::string_view path) const;
 
 private:
     /// Checks one name against the parts of a frame; `property` defines the accepted kinds. `given`: the name's element, if it

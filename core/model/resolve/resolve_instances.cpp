@@ -30,6 +30,7 @@ public:
 
     void run(PartExpansion& world) {
         checkConfigs();
+        m_tooMany = m_tooMany || world.hasTooMany();
         const auto isKind = [](const ExpandedPart& part, const char* kind) { return part.part->kind->name == kind; };
         world.each(Role::Instance, [&](const ExpandedPart& part) {
             if (isKind(part, "Static")) addStatics(part);
@@ -256,6 +257,7 @@ private:
     void addRobots(const ExpandedPart& expanded) {
         const Part& part = *expanded.part;
         m_instance = &part;
+        m_context.failedRobots.insert(&part); // until it is there
         std::vector<Described> all{describe(expanded, 0, "RobotConfig")};
         if (!all[0].config || !all[0].record.complete) return;
         const std::size_t members = membersOf(part, all[0].record);
@@ -272,6 +274,7 @@ private:
             const std::string name = memberName(expanded, i);
             if (!isFree(part, name)) continue;
             m_context.out.robots.push_back(robot(part, name, expanded.placed(poses[i]), d.spec, d.brains));
+            m_context.failedRobots.erase(&part);
         }
     }
 

@@ -1,5 +1,6 @@
 // What is between robots: joints and springs at the top level, regions, pairs that do not touch each other.
 #include <algorithm>
+#include <set>
 
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
@@ -93,7 +94,10 @@ private:
         const std::string& name = value.value.texts[0];
         if (name == "world" && std::string_view(property) == "Parent") return LinkEnd{kWorldBody, kWorldBody};
         const auto [robot, body] = robotAt(name, frame);
-        if (robot == m_robots.end()) return unknownRobot(property, name, value), std::nullopt;
+        if (robot == m_robots.end()) {
+            if (!m_context.isFailedRobot(nameMeant(name, frame))) unknownRobot(property, name, value);
+            return std::nullopt;
+        }
         const std::vector<BodySpec>& bodies = m_context.out.robots[static_cast<std::size_t>(robot->second)].config->bodies;
         const auto found = std::ranges::find(bodies, body, &BodySpec::name);
         if (found != bodies.end() && found->isFixed) return LinkEnd{kWorldBody, kWorldBody};
@@ -156,6 +160,7 @@ private:
         for (const Link<JointSpec>& other : m_context.out.joints) {
             const LinkEnd otherParent{other.parentRobot, other.spec.parent}, otherChild{other.childRobot, other.spec.child};
             if ((otherParent != parent || otherChild != child) && (otherParent != child || otherChild != parent)) continue;
+            if (!m_reported.insert(&part).second) return; // of another member of a Repeat
             m_context.diagnostics.warning(Code::BadJoint, part.nameRange(),
                                           "two joints join the same bodies: " + other.spec.name + " and " + name);
             return;
@@ -163,6 +168,7 @@ private:
     }
 
     ResolveContext& m_context;
+    std::set<const Part*> m_reported;
     Robots m_robots; ///< indices by name
 };
 
@@ -182,7 +188,7 @@ void resolveRegion(ResolveContext& context, const ExpandedPart& expanded) {
     Record record = context.read(part, scope, nullptr, Origin::Config);
     for (std::size_t i = 0; i < record.values.size(); ++i) {
         if (record.kind->properties[i].name != "Robots" || !record.values[i]) continue;
-        for (std::string& name : record.values[i]->value.texts) name = robotMeant(context, name, *expanded.frame);
+        for (std::string& name : record.values[i]->value.texts) name = nameMeant(name, *expanded.frame);
         record.complete = checkRobots(context, record.kind->properties[i], *record.values[i]) && record.complete;
     }
     if (!record.complete) return;
@@ -226,11 +232,9 @@ void resolveApartRobots(ResolveContext& context) {
 
 } // namespace
 
-std::string robotMeant(const ResolveContext& context, const std::string& name, const PartFrame& frame) {
-    for (const PartFrame* at = &frame; at; at = at->outer)
-        if (std::ranges::any_of(context.out.robots,
-                                [meant = at->prefix + name](const RobotSpec& r) { return isNamedBy(r.name, meant); }))
-            return at->prefix + name;
+std::string nameMeant(const std::string& name, const PartFrame& frame) {
+    for (const PartFrame* at = &frame; at && at->member; at = at->outer)
+        if (inRepeat(*at->config, firstWord(name))) return at->prefix + name;
     return name;
 }
 

@@ -46,8 +46,8 @@ void resolveLogs(ResolveContext& context, PartExpansion& world);
 void resolveLinks(ResolveContext& context, PartExpansion& world);
 /// Checks the robots that a property names; in a list, the name of a Grid or Scatter is replaced by those of its members.
 [[nodiscard]] bool checkRobots(ResolveContext& context, const Property& property, ResolvedValue& value);
-/// The robot, Grid or Scatter that a name in a member of a Repeat means: its own one, or one around it.
-[[nodiscard]] std::string robotMeant(const ResolveContext& context, const std::string& name, const PartFrame& frame);
+/// What a name in a member of a Repeat of the world means: a block of that member, "row_3.cart" for "cart", or what is around it.
+[[nodiscard]] std::string nameMeant(const std::string& name, const PartFrame& frame);
 /// The pairs of a list of names; nothing, with a diagnostic, if one name is left over.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> namePairs(ResolveContext& context, const Record& record,
                                                                          SourceRange otherwise);

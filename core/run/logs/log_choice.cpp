@@ -83,8 +83,11 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
     const std::vector<std::string> written = spec.texts("Robot");
     for (std::size_t i = 0; written.empty() && i < robots.size(); ++i) chosen[i] = !robots[i].scenery;
     for (const std::string& name : written) {
-        bool found = false;
-        for (std::size_t i = 0; i < robots.size(); ++i) {
+        const auto own = std::ranges::find(robots, name, &RobotSpec::name);
+        bool found = own != robots.end();
+        if (found) chosen[static_cast<std::size_t>(own - robots.begin())] = true;
+        const bool isOne = found && name.find('.') != std::string::npos; // of a Repeat: no others have such a name
+        for (std::size_t i = 0; i < robots.size() && !isOne; ++i) {
             const auto behind = restBehind(name, robots[i].name); // the robot, or one of the members that the name means
             if (!matchesWildcard(name, robots[i].name) && !(behind && behind->empty())) continue;
             chosen[i] = found = true;

@@ -1,6 +1,7 @@
 #include "run/logs/log_kinds.h"
 
 #include <map>
+#include <set>
 
 #include "run/logs/log_choice.h"
 #include "run/logs/log_folder.h"
@@ -44,22 +45,35 @@ std::string logFileName(const ComponentSpec& spec) {
     return spec.text("File", spec.name + (spec.text("Format") == "pcap" ? ".pcap" : ".csv"));
 }
 
+namespace {
+
+/// Calls `check` for each log; of the members of a Repeat, which have one block, none after the first that has an error.
+template <class Check> void eachLog(const ExperimentSpec& experiment, const Diagnostics& diagnostics, const Check& check) {
+    std::set<std::pair<FileId, std::uint32_t>> faulty;
+    for (const ComponentSpec& spec : experiment.logs) {
+        const std::pair block{spec.nameRange.file, spec.nameRange.range.begin};
+        if (faulty.contains(block)) continue;
+        const std::size_t errors = diagnostics.errorCount();
+        check(spec);
+        if (diagnostics.errorCount() > errors && spec.nameRange.known()) faulty.insert(block);
+    }
+}
+
+} // namespace
+
 void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
     std::map<std::string, const ComponentSpec*> writers;
-    for (const ComponentSpec& spec : experiment.logs) {
+    eachLog(experiment, diagnostics, [&](const ComponentSpec& spec) {
         if (spec.find("Robot")) (void)chooseRobots(spec, experiment.robots, diagnostics);
         const ResolvedValue* file = spec.find("File");
         const SourceRange place = file && file->range.known() ? file->range : spec.nameRange;
         const Result<std::string> name = cleanLogName(logFileName(spec));
-        if (!name) {
-            diagnostics.error(name.error().code, place, name.error().message);
-            continue;
-        }
+        if (!name) return (void)diagnostics.error(name.error().code, place, name.error().message);
         const auto [writer, isNew] = writers.emplace(name.value(), &spec);
-        if (isNew) continue;
+        if (isNew) return;
         diagnostics.error(Code::DuplicateName, place, "two logs write the file " + name.value())
             .notes.emplace_back("the first one", writer->second->nameRange);
-    }
+    });
 }
 
 void checkLogs(const ExperimentSpec& experiment, const Registry& registry, bool allKindsKnown, Diagnostics& diagnostics) {
@@ -70,8 +84,9 @@ void checkLogs(const ExperimentSpec& experiment, const Registry& registry, bool 
 }
 
 void checkLogSignals(const ExperimentSpec& experiment, const SignalLayout& layout, Diagnostics& diagnostics) {
-    for (const ComponentSpec& spec : experiment.logs)
+    eachLog(experiment, diagnostics, [&](const ComponentSpec& spec) {
         if (spec.find("Signals")) (void)chooseSignals(spec, layout, diagnostics);
+    });
 }
 
 } // namespace trundle

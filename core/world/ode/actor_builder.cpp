@@ -238,9 +238,7 @@ void ActorBuilder::markLinked(std::uint32_t child, std::uint32_t parent) {
 void ActorBuilder::findSelfPairs(OdeActor& actor, const ActorDef& def) const {
     const auto isApart = [&](std::uint32_t x, std::uint32_t y) {
         const auto first = static_cast<int>(x - actor.bodies.begin), second = static_cast<int>(y - actor.bodies.begin);
-        return def.noContact && std::ranges::any_of(*def.noContact, [&](const auto& pair) {
-                   return pair == std::pair(first, second) || pair == std::pair(second, first);
-               });
+        return def.noContact && std::ranges::binary_search(*def.noContact, std::pair(std::min(first, second), std::max(first, second)));
     };
     for (std::uint32_t a = actor.geoms.begin; a < actor.geoms.end; ++a)
         for (std::uint32_t b = a + 1; b < actor.geoms.end; ++b) {

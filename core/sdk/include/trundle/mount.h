@@ -52,6 +52,7 @@ public:
         fail("this version of Trundle measures no joints");
         return {};
     }
+    /// By its name, or by the path of one of its geoms.
     [[nodiscard]] BodyId body(const std::string& name) { return find<BodyId>(m_mount.body, "body", name); }
     [[nodiscard]] GeomId geom(const std::string& path) { return find<GeomId>(m_mount.geom, "geom", path); } ///< "body.geom"
 

@@ -1,4 +1,5 @@
 #include "world/ode/objects/ode_objects.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -23,9 +24,9 @@ bool insertPair(std::vector<IndexPair>& pairs, std::uint32_t first, std::uint32_
 
 OdeObjects::~OdeObjects() {
     try {
-        for (OdeGeom& g : geoms) {
-            if (g.id) dGeomDestroy(g.id);
-            if (g.asSphere) dGeomDestroy(g.asSphere);
+        for (auto g = geoms.rbegin(); g != geoms.rend(); ++g) { // the last one is the first in the list of its body
+            if (g->asSphere) dGeomDestroy(g->asSphere);
+            if (g->id) dGeomDestroy(g->id);
         }
     } catch (const OdeFault&) { // after a fault some of it may not come apart: better lost than dead
     }
