@@ -43,10 +43,10 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     Diagnostics ofConfigs;
     checkBodies(loaded, ofConfigs);
     checkMasses(experiment, ofConfigs);
-    checkLinks(experiment, ofConfigs);
     checkDrives(loaded, ofConfigs);
     checkSprings(experiment, ofConfigs);
     appendFirsts(diagnostics, ofConfigs);
+    checkLinks(experiment, diagnostics);
     checkNeeds(loaded, diagnostics);
     if (experiment.robots.empty() || stop.stop_requested()) return;
     const std::optional<StartScene> scene = StartScene::build(experiment, stop);

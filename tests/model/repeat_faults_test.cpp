@@ -46,6 +46,8 @@ private Q_SLOTS:
             {"RobotConfig.Kit.b.o_1.h.Mass=3"});
         row("all members", kit, "", {"RobotConfig.Kit.b.o.h.Mass=3"});
         row("one member of a robot", kit, "", {"r.b.o_1.h.Mass=3"});
+        row("a block of a robot has no value", kit + "Robot x { Config=Kit b.o=3 Pos=9,0,0 }\n",
+            "E314 Repeat o takes no value itself; set one of its properties, o. ... | o\n");
         row("a Param of the config", lane + "Robot x { Config=Ball Param r = 2 Pos=9,0,0 }\n",
             "E303 RobotConfig Ball has a Param r already; set its value: r=... | r\n");
         row("a Param of its own", lane + "Robot x { Config=Ball Param r = 2 r=$(2*r) Pos=9,0,0 }\n", "");

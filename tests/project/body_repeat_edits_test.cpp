@@ -151,6 +151,15 @@ private Q_SLOTS:
         QVERIFY2(added.find("hub.") != std::string::npos || added.find("b.") != std::string::npos, added.c_str());
     }
 
+    /// A Repeat of what no Body can hold goes around it.
+    void repeatsOfSensorsGoAroundTheBody() {
+        const auto plan = planInsert(*m_loaded, "RobotConfig.Kit.hub", "Repeat eye { Count=2 RangeSensor r { Body=hub Pos=0,$index,0 MaxRange=2 } }");
+        const auto after = m_fixture.apply(m_loaded, plan);
+        QVERIFY2(after, plan.ok() ? "" : plan.error().message.c_str());
+        QCOMPARE(messages(*after), std::string());
+        QCOMPARE(plan.value().selects, std::vector<std::string>{"RobotConfig.Kit.eye"});
+    }
+
     /// Geoms of a body become members of a Repeat, and names follow.
     void geomsAreRepeated() {
         const auto plan = planRepeat(*m_loaded, {"RobotConfig.Kit.hub.fin"}, 3, {0, 0, 0.25});

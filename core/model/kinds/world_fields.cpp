@@ -119,7 +119,7 @@ void PartFields::describe(Describe<PartFields>& d) {
 
 void RepeatFields::describe(Describe<RepeatFields>& d) {
     d.help(
-        "Blocks of a config, or of the world, that are there several times: rollers, spokes, the links of a chain. Its members "
+        "Blocks of a config or of the world, or geoms of a body, that are there several times: rollers, spokes, posts. Its members "
         "are name_0, name_1 "
         "... "
         "In $( ) in it, index is the number of the member, from 0; with Count=8,4 the first one counts fastest and index2 is the "
@@ -131,7 +131,7 @@ void RepeatFields::describe(Describe<RepeatFields>& d) {
 }
 
 void RingFields::describe(Describe<RingFields>& d) {
-    d.help("Blocks of a config, or of the world, that are there several times in a circle: the rollers of a wheel, the sensors "
+    d.help("Blocks of a config or of the world, or geoms of a body, that are there several times in a circle: the rollers of a wheel, the sensors "
            "of a turret. Its "
            "members "
            "are name_0, name_1 ..., each turned about Axis by its share of 360 degrees; in $( ) in it, index is its number.");

@@ -126,6 +126,12 @@ private:
                 for (const SourceParam& param : part.config->params) words.push_back(param.name->text);
         }
         const SourceRange place{a.file, a.path[i].range};
+        const Part* block = i + 1 == a.path.size() ? part.find(a.path[i].text) : nullptr;
+        if (block && block->kind)
+            return m_context.diagnostics.error(Code::NoSuchPath, place,
+                                               block->title() + " takes no value itself; set one of its properties, " +
+                                                   a.path[i].text + ". ..."),
+                   false;
         Diagnostic& d = m_context.diagnostics.error(Code::NoSuchPath, place, part.title() + " has no " + a.path[i].text);
         if (words.empty()) return false;
         d.message += "; it has " + listText(words, "and", 20);

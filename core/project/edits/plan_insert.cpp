@@ -110,6 +110,7 @@ private:
         Status refused;
         for (auto it = m_near.begin(); it != m_near.end(); ++it) {
             if (!it->part->usable || !isAllowedIn(*entry.kind, it->part)) continue;
+            if (it->part->is(Role::Body) && entry.kind->role == Role::Repeat && holdsMore(entry)) continue;
             const auto config = std::find_if(it, m_near.end(), [](const Target& t) { return t.part->is(Role::Config); });
             const bool isInBody = std::any_of(it, m_near.end(), [](const Target& t) { return t.part->is(Role::Body); });
             const bool isConfigs = it->part->is(Role::Config) || (it->part->isRepeat() && !isInBody);
@@ -123,11 +124,18 @@ private:
                                            (m_near.empty() ? "at the top level" : "in " + m_near.front().part->title())};
     }
 
-    Status fitsIn(const Part& config, const PastedBlocks::Entry& entry) const {
+    HeldBlocks heldBy(const PastedBlocks::Entry& entry) const {
         std::vector<const BlockItem*> all;
         for (const PastedBlocks::Entry& e : m_blocks.entries) all.push_back(e.block);
         HeldBlocks held;
         held.add(m_loaded, *entry.block, all);
+        return held;
+    }
+    /// Whether a Repeat holds more than geoms, so that it cannot be in a Body.
+    bool holdsMore(const PastedBlocks::Entry& entry) const { return heldBy(entry).holdsRobotParts(); }
+
+    Status fitsIn(const Part& config, const PastedBlocks::Entry& entry) const {
+        const HeldBlocks held = heldBy(entry);
         const std::string name = entry.block->name ? " " + entry.block->name->text : "";
         return held.fitsIn(m_loaded, config, entry.block->type.text + name);
     }

@@ -39,6 +39,7 @@ public:
     [[nodiscard]] Status fitsIn(const LoadedProject& loaded, const Part& config, const std::string& title) const;
     /// Whether one has geoms without a Body, and the other bodies, joints or devices.
     [[nodiscard]] bool mixesWith(const HeldBlocks& other) const;
+    [[nodiscard]] bool holdsRobotParts() const { return m_robot; } ///< bodies, joints or devices
 
 private:
     void visit(const Part& holder);

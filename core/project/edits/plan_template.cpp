@@ -108,7 +108,9 @@ private:
             text += "\n  Robot robot { Config=" + value(robot, *robot.find("Config"), "robot", depth) + " }\n";
         } else if (kind.role == Role::Repeat && bodyAround(target)) {
             const Kind& box = *m_loaded.registry->find("Box");
-            text += "\n  Box box { Size=0.05,0.05,0.05" + looks(box, target) + mass(box, target) + " }\n";
+            const std::string place = position(box, bodyAround(target));
+            text += kind.name == "Ring" ? place : "";
+            text += "\n  Box box { Size=0.05,0.05,0.05" + (kind.name == "Ring" ? "" : place) + looks(box, target) + mass(box, target) + " }\n";
         } else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery()))
             text += "\n  Body body { Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
         else if (kind.name == "StaticConfig" || kind.name == "PartConfig" || kind.role == Role::Repeat)

@@ -95,6 +95,20 @@ private Q_SLOTS:
         checkUndo(QStringLiteral("Repeat 2 objects"));
     }
 
+    /// Geoms of a body become members of a Repeat in the body.
+    void repeatsGeoms() {
+        m_window->selection().select("robot0.chassis.hull");
+        trigger("parts.repeat");
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("repeatDialog"));
+        QVERIFY(dialog && dialog->isVisible());
+        dialog->findChild<QSpinBox*>(QStringLiteral("repeatCount"))->setValue(3);
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        EVENTUALLY(text() != kHead + kConfig);
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+        QVERIFY(document().loaded()->experiment->robots.at(0).config->bodies[0].geoms.size() >= 3u);
+        checkUndo(QStringLiteral("Repeat hull"));
+    }
+
     /// A Ring of RangeSensors around the chassis, as one entry of the history.
     void insertsARingOfSensors() {
         for (const char* selected : {"robot0.chassis.hull", "robot0"}) {
@@ -144,6 +158,7 @@ private Q_SLOTS:
         else m_window->selection().select(selected.toStdString());
         QSignalSpy refused(&document(), &Document::refused);
         for (const char* id : {"parts.make", "parts.mirrorY", "parts.repeat"}) {
+            if (selected.endsWith(QStringLiteral(".hull")) && id == std::string_view("parts.repeat")) continue; // geoms can be repeated
             refused.clear();
             trigger(id);
             QVERIFY2(refused.size() == 1, id);

@@ -324,7 +324,8 @@ class ServerTest(unittest.TestCase):
             for token in ("", "0" * 32, server.token[:-1], server.token + "0", server.token.upper() + "x"):
                 with self.assertRaises(trundle.RemoteError) as refused:
                     trundle.connect(server.port, token)
-                self.assertEqual((refused.exception.code, str(refused.exception)), ("unauthorized", "the token is wrong"))
+                words = "the token is wrong" if token else "a token is needed, that of the served run"
+                self.assertEqual((refused.exception.code, str(refused.exception)), ("unauthorized", words))
             for operation in ("status", "step", "run", "reset", "list"):
                 with server.raw() as stream:
                     stream.sendall(frame({"id": 1, "op": operation}))
