@@ -193,7 +193,7 @@ private Q_SLOTS:
         field("below", "-1.0, trundle.metres().at_least(0)", "ValueError: the default of the field A is -1 m, it must be at least 0 m");
         field("not above", "0.0, trundle.metres().above(0)", "ValueError: the default of the field A is 0 m, it must be above 0 m");
         field("above", "3.5, trundle.degrees().at_most(180)", "ValueError: the default of the field A is 200.535 deg, it must be at most 180 deg");
-        field("choice", "'up', trundle.one_of('left|right')", "ValueError: the default 'up' of the field A is none of left, right");
+        field("choice", "'up', trundle.one_of('left|right')", "ValueError: the default 'up' of the field A is not one of left, right");
         field("count", "(1.0, 2.0), trundle.metres().counted(3, 3)",
               "ValueError: the default of the field A has 2 elements, its quantity wants 3 to 3");
         QTest::newRow("no update") << mine + "    pass\n" << QByteArray("TypeError: Mine has no update(self, since_last)");

@@ -56,7 +56,7 @@ class field:
         q = self.quantity
         for value in values:
             if self.type == "choice" and value not in q.choices:
-                raise ValueError(f"the default {value!r} of the field {self.name} is none of {', '.join(q.choices)}")
+                raise ValueError(f"the default {value!r} of the field {self.name} is not one of {', '.join(q.choices)}")
             if self.type not in ("number", "integer"):
                 continue
             given = value / q.scale

@@ -217,7 +217,7 @@ class _Session:
     def take(self, new):
         for path, value in (new or {}).items():
             if path not in self.driver.outputs:
-                raise ValueError(f"{path} is none of the driver's outputs")
+                raise ValueError(f"{path} is not one of the driver's outputs")
             values = list(value) if isinstance(value, (tuple, list)) else [value]
             if len(values) != self.driver.outputs[path]:
                 raise ValueError(f"{path} has {self.driver.outputs[path]} numbers, not {len(values)}")
