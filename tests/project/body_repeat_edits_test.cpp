@@ -160,6 +160,15 @@ private Q_SLOTS:
         QCOMPARE(plan.value().selects, std::vector<std::string>{"RobotConfig.Kit.eye"});
     }
 
+    /// What no Body can hold goes around the Repeat in it, too.
+    void partsGoAroundTheRepeatOfABody() {
+        const auto plan = planInsert(*m_loaded, "RobotConfig.Kit.hub.disc", "Hinge h { Parent=hub Child=post_0.b Axis=0,1,0 }");
+        const auto after = m_fixture.apply(m_loaded, plan);
+        QVERIFY2(after, plan.ok() ? "" : plan.error().message.c_str());
+        QCOMPARE(messages(*after), std::string());
+        QCOMPARE(plan.value().selects, std::vector<std::string>{"RobotConfig.Kit.h"});
+    }
+
     /// Geoms of a body become members of a Repeat, and names follow.
     void geomsAreRepeated() {
         const auto plan = planRepeat(*m_loaded, {"RobotConfig.Kit.hub.fin"}, 3, {0, 0, 0.25});
@@ -179,6 +188,10 @@ private Q_SLOTS:
         QVERIFY2(moved.contains("Surface=floor }\n      Box hull { Size=0.3,0.2,0.1 Mass=2"), qPrintable(moved));
         QCOMPARE(text(planMove(*m_loaded, {"RobotConfig.Kit.hub.fin"}, "RobotConfig.Kit.hub.disc", {})),
                  QString("refused: Box fin is still used by TouchSensor touch (Geom)"));
+        for (const char* outside : {"post", "post.b"})
+            for (const char* inside : {"hub.disc", "hub"})
+                QCOMPARE(text(planMove(*m_loaded, {std::string("RobotConfig.Kit.") + outside}, std::string("RobotConfig.Kit.") + inside, {})).left(8),
+                         QString("refused:"));
         QCOMPARE(text(planMove(*m_loaded, {"RobotConfig.Kit.touch"}, "RobotConfig.Kit.hub.disc", {})).left(8), QString("refused:"));
         const QString part = text(planMakePart(*m_loaded, {"RobotConfig.Kit.hub.disc"}));
         QCOMPARE(part, QString("refused: Repeat disc is not directly in a config; select bodies, joints and devices of one"));

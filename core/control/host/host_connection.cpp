@@ -152,7 +152,7 @@ bool HostConnection::isOverdue() {
         m_since = Clock::now();
         return false;
     }
-    close(HostEnd::Cause::NotResponding, seconds);
+    close(HostEnd::Cause::NotResponding, limit);
     return true;
 }
 
@@ -174,11 +174,11 @@ void HostConnection::takeStack() {
     while (!m_process.hasEnded() && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(kSliceMs));
 }
 
-void HostConnection::close(HostEnd::Cause cause, double waitedS) {
+void HostConnection::close(HostEnd::Cause cause, double limitS) {
     HostEnd end;
     end.cause = cause;
     end.during = current();
-    end.waitedS = waitedS;
+    end.limitS = limitS;
     end.afterRequest = m_ends;
     if (cause == HostEnd::Cause::NotResponding) m_isPython ? requestReport() : takeStack();
     m_process.kill();

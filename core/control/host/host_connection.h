@@ -27,7 +27,7 @@ struct HostEnd {
     int code = 0; ///< the signal, or of an exit the code; -1: unknown
     HostCall during;
     bool ofThread = false, ofSensorImage = false;
-    double waitedS = 0;        ///< NotResponding
+    double limitS = 0;         ///< NotResponding: how long it was waited for
     bool afterRequest = false; ///< since then: the run was asked to end
     std::string exception;
     std::vector<std::pair<std::uint32_t, std::uint64_t>> frames; ///< index of the library, offset in it
@@ -85,7 +85,7 @@ private:
     [[nodiscard]] bool isOverdue();
     [[nodiscard]] bool handle(std::string& stream, const Records& records, bool& done);
     [[nodiscard]] HostCall current() const;
-    void close(HostEnd::Cause cause, double waitedS = 0);
+    void close(HostEnd::Cause cause, double limitS = 0);
     void requestReport();
     void takeStack();
     static std::span<double> slotsOf(SharedSegment& segment) {

@@ -22,7 +22,7 @@ std::string signalText(int signal) {
 std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 std::string seconds(double value) {
-    const auto tenths = std::to_string(static_cast<long>(std::floor(value * 10)));
+    const auto tenths = std::to_string(std::lround(value * 10));
     return tenths.size() < 2 ? "0." + tenths : tenths.substr(0, tenths.size() - 1) + "." + tenths.back();
 }
 
@@ -36,7 +36,7 @@ std::string ending(const HostEnd& end) {
         return " ended its process" + in + (end.code < 0 ? ", by exit() or the like" : " with exit code " + std::to_string(end.code));
     case HostEnd::Cause::Killed: return " ended its process" + in + ": " + signalText(end.code);
     case HostEnd::Cause::NotResponding: return " did not return from " + std::string(phaseName(end.during.phase)) + " within " +
-                                               seconds(end.waitedS) + " s" + (end.afterRequest ? " of the request to end" : "") +
+                                               seconds(end.limitS) + " s" + (end.afterRequest ? " of the request to end" : "") +
                                                " and was stopped";
     case HostEnd::Cause::Damaged: return " damaged the messages of its process" + in + " and was stopped";
     }

@@ -110,9 +110,9 @@ private:
         Status refused;
         for (auto it = m_near.begin(); it != m_near.end(); ++it) {
             if (!it->part->usable || !isAllowedIn(*entry.kind, it->part)) continue;
-            if (it->part->is(Role::Body) && entry.kind->role == Role::Repeat && holdsMore(entry)) continue;
             const auto config = std::find_if(it, m_near.end(), [](const Target& t) { return t.part->is(Role::Config); });
             const bool isInBody = std::any_of(it, m_near.end(), [](const Target& t) { return t.part->is(Role::Body); });
+            if (isInBody && !heldBy(entry).fitInBody(*entry.kind)) continue;
             const bool isConfigs = it->part->is(Role::Config) || (it->part->isRepeat() && !isInBody);
             Status fits = isConfigs && config != m_near.end() ? fitsIn(*config->part, entry) : Status();
             if (fits.ok()) return *it;
@@ -131,8 +131,6 @@ private:
         held.add(m_loaded, *entry.block, all);
         return held;
     }
-    /// Whether a Repeat holds more than geoms, so that it cannot be in a Body.
-    bool holdsMore(const PastedBlocks::Entry& entry) const { return heldBy(entry).holdsRobotParts(); }
 
     Status fitsIn(const Part& config, const PastedBlocks::Entry& entry) const {
         const HeldBlocks held = heldBy(entry);

@@ -113,10 +113,12 @@ private:
         const auto isConfig = [](const Part* p) { return p->is(Role::Config); };
         const auto around = std::ranges::find_if(m_into.above, isConfig);
         const bool isInBody = std::ranges::any_of(m_into.above, [](const Part* p) { return p->is(Role::Body); });
+        HeldBlocks held;
+        held.add(part);
+        if (m.to && (isInBody || m.to->is(Role::Body)) && !held.fitInBody(*part.kind))
+            return Error{Code::WrongPlace, part.title() + " cannot be in a Body, which holds geoms and Repeats of geoms only"};
         const Part* holder = m.to && m.to->isRepeat() && !isInBody && around != m_into.above.end() ? *around : m.to;
         if (holder && holder->is(Role::Config)) {
-            HeldBlocks held;
-            held.add(part);
             if (Status fits = held.fitsIn(m_loaded, *holder, part.title()); !fits.ok()) return fits;
         }
         const NameSpace* space = m.to ? nullptr : m_loaded.outline->spaceOf(*part.kind);

@@ -103,6 +103,10 @@ Status HeldBlocks::fitsIn(const LoadedProject& loaded, const Part& config, const
     return {};
 }
 
+bool HeldBlocks::fitInBody(const Kind& kind) const {
+    return isAllowedInside(kind, "Body") && !m_robot;
+}
+
 bool isAllowedIn(const Kind& kind, const Part* parent) {
     if (parent && parent->isRepeat()) {
         const bool isOfConfig = isAllowedInside(kind, "RobotConfig") || isAllowedInside(kind, "StaticConfig");

@@ -39,7 +39,8 @@ public:
     [[nodiscard]] Status fitsIn(const LoadedProject& loaded, const Part& config, const std::string& title) const;
     /// Whether one has geoms without a Body, and the other bodies, joints or devices.
     [[nodiscard]] bool mixesWith(const HeldBlocks& other) const;
-    [[nodiscard]] bool holdsRobotParts() const { return m_robot; } ///< bodies, joints or devices
+    /// Whether they can be in a Body, as a block of `kind` that holds them: geoms and Repeats of geoms can.
+    [[nodiscard]] bool fitInBody(const Kind& kind) const;
 
 private:
     void visit(const Part& holder);
