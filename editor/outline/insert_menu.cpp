@@ -102,7 +102,7 @@ void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& 
             into->setToolTipsVisible(true);
             into->setObjectName(QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
         }
-        for (const Kind* kind : kinds->second) addKind(*into, *kind, place);
+        for (const Kind* kind : kinds->second) addKind(*into, *kind);
         if (role == Role::Instance && place.empty()) addObjects(menu);
     }
     menu.addSeparator();
@@ -128,7 +128,7 @@ void InsertMenu::addObjects(QMenu& menu) {
     }
 }
 
-QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind, const std::string& place) {
+QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind) {
     QAction* action = menu.addAction(themedIcon(kindIcon(&kind)), QString::fromStdString(kind.name));
     action->setObjectName(QStringLiteral("insert.") + QString::fromStdString(kind.name));
     action->setToolTip(QString::fromStdString(kind.help));

@@ -29,7 +29,7 @@ private:
     struct Entries;
     void addPlace(QMenu& menu, const std::string& place, const Entries& entries);
     void addObjects(QMenu& menu);
-    QAction* addKind(QMenu& menu, const Kind& kind, const std::string& place);
+    QAction* addKind(QMenu& menu, const Kind& kind);
 
     Document& m_document;
     Selection& m_selection;

@@ -125,7 +125,7 @@ void MotorCurve::paintEvent(QPaintEvent*) {
     const QFontMetrics metrics = fontMetrics();
     const int line = metrics.height();
     const QRectF plot = QRectF(rect()).adjusted(10, line + 8, -10, -line - 8);
-    const auto &stall = m_motor.samples.front(), &free = m_motor.samples.back();
+    const auto& free = m_motor.samples.back();
     double most = 0, mostCurrent = 0;
     for (const auto& s : m_motor.samples) most = std::max(most, s.effort), mostCurrent = std::max(mostCurrent, s.current);
     const auto curveOf = [&](const std::vector<MotorCharacteristic::Sample>& samples, auto valueOf, double top) {

@@ -1,14 +1,12 @@
 // Servos and linear motors against closed forms.
 #include "sensor_world.h"
 
-#include <numbers>
-
 using namespace trundle;
 using namespace trundle::test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi, kGravity = 9.81;
+constexpr double kGravity = 9.81;
 
 /// An arm of 1 kg, 0.4 m from its level hinge, that points along x.
 std::string arm(const std::string& servo, double tick = 0.005, const std::string& gravity = "0,0,-9.81") {

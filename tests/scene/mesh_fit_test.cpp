@@ -52,9 +52,9 @@ private Q_SLOTS:
         QTest::newRow("box") << int(GeomShape::Box) << Vec3(0, 0, 1);
         QTest::newRow("sphere") << int(GeomShape::Sphere) << Vec3(0, 0, 1);
         for (const GeomShape shape : {GeomShape::Cylinder, GeomShape::Capsule})
-            for (const Vec3& axis : {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()})
+            for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
                 QTest::addRow("%s %g%g%g", shape == GeomShape::Cylinder ? "cylinder" : "capsule", axis.x(), axis.y(), axis.z())
-                    << int(shape) << Vec3(axis);
+                    << int(shape) << axis;
     }
     void findsTheShapeAgain() {
         QFETCH(int, shape);
