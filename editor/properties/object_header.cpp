@@ -152,7 +152,7 @@ void ObjectHeader::showPath(const ObjectValues& object) {
 
 void ObjectHeader::showConfig(const ObjectValues& object) {
     QString line;
-    const Part *config = object.config(), *part = object.part();
+    const Part *config = object.isInstance() ? object.config() : object.definedIn(), *part = object.part();
     m_configPlace = {};
     if (config && part && (object.isInstance() || object.inConfig())) {
         m_configPlace = object.isInstance() ? config->nameRange() : part->nameRange();

@@ -59,14 +59,14 @@ QString targetWords(const ObjectValues& object, Document& document) {
     const auto key = std::ranges::find_if(keys, [&](const std::string& k) { return !instance->assignments.find(below + k); });
     if (key == keys.end()) return {};
     const EditTarget target = document.structure().targetOf(object.path() + "." + *key);
-    const QString owner = QString::fromStdString(instance->name);
+    if (!target.config) return {};
+    const QString from = QString::fromStdString(target.config->name);
+    const QString owner = QString::fromStdString((target.instance ? target.instance : instance)->name);
     if (target.isOverride)
         return QObject::tr("Values of %1 that are changed here become overrides of %2 in %3.")
-            .arg(name, owner, fileOf(target.file));
-    if (target.config)
-        return QObject::tr("Values of %1 that are changed here go into %1 in %2: only %3 is created from it.")
-            .arg(name, fileOf(target.file), owner);
-    return {};
+            .arg(from, owner, fileOf(target.file));
+    return QObject::tr("Values of %1 that are changed here go into %1 in %2: only %3 is created from it.")
+        .arg(from, fileOf(target.file), owner);
 }
 
 QString originWords(const FieldValue& value) {

@@ -53,6 +53,11 @@ ObjectValues::ObjectValues(std::shared_ptr<const LoadedProject> loaded, std::str
     else if (top.is(Role::Config)) m_config = &top;
 }
 
+const Part* ObjectValues::definedIn() const {
+    const auto config = std::find_if(m_place.above.rbegin(), m_place.above.rend(), [](const Part* p) { return p->is(Role::Config); });
+    return config == m_place.above.rend() ? nullptr : *config;
+}
+
 std::string ObjectValues::below(std::string_view name) const { return pathInside(m_path, name); }
 
 const std::string& ObjectValues::separator() {

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] const Part* part() const { return m_part; }               ///< nullptr: the experiment
     [[nodiscard]] const Part* instance() const { return m_place.instance; } ///< the object, or the path goes through it
     [[nodiscard]] const Part* config() const { return m_config; } ///< of the object, of the instance, or the one that contains it
+    /// The innermost config that has the object's block: within a Part the PartConfig. nullptr: it is in none.
+    [[nodiscard]] const Part* definedIn() const;
     [[nodiscard]] bool isInstance() const { return m_part && isPlaced(*m_part); }
     [[nodiscard]] bool inConfig() const { return m_inConfig; } ///< the block is in the instance's config
     /// Path below instance(), "left.wheel"; empty: it is the instance, or there is none.
