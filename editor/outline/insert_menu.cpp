@@ -85,22 +85,25 @@ void InsertMenu::fill(QMenu& menu) {
         if (const auto place = placeFor(loaded, at, one)) places[*place].byRole[kind->role].push_back(kind);
     }
     for (const std::string& place : placesAround(loaded, at))
-        if (const auto entries = places.find(place); entries != places.end()) addPlace(menu, place, entries->second);
+        if (const auto entries = places.find(place); entries != places.end())
+            addPlace(menu, place, entries->second, place.empty() && places.size() > 1);
 }
 
-void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& entries) {
+/// `isFarther`: there are nearer places; what is seldom inserted does not lengthen the menu then.
+void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& entries, bool isFarther) {
     const std::string name(lastWord(place));
     QAction* title = menu.addAction(place.empty() ? tr("In the experiment") : tr("In %1").arg(QString::fromStdString(name)));
     title->setEnabled(false);
     title->setObjectName(QStringLiteral("insertPlace.") + QString::fromStdString(place));
+    QMenu* more = nullptr;
     for (const Role role : kRoles) {
         const auto kinds = entries.byRole.find(role);
         if (kinds == entries.byRole.end()) continue;
         QMenu* into = &menu;
+        if (isFarther && role != Role::Instance) into = more = more ? more : addMenu(menu, tr("More"), QStringLiteral("insertMore"));
         if (entries.byRole.size() > 1 && kinds->second.size() > kMaxBeside) {
-            into = menu.addMenu(themedIcon(roleIcon(role)), roleTitle(role));
-            into->setToolTipsVisible(true);
-            into->setObjectName(QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
+            into = addMenu(*into, roleTitle(role), QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
+            into->setIcon(themedIcon(roleIcon(role)));
         }
         for (const Kind* kind : kinds->second) addKind(*into, *kind);
         if (role == Role::Instance && place.empty()) addObjects(menu);
@@ -108,11 +111,17 @@ void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& 
     menu.addSeparator();
 }
 
+QMenu* InsertMenu::addMenu(QMenu& menu, const QString& title, const QString& name) {
+    QMenu* added = menu.addMenu(title);
+    added->setObjectName(name);
+    added->setToolTipsVisible(true);
+    return added;
+}
+
 /// Movable objects: robots without joints, devices and controller, each with the config that defines it.
 void InsertMenu::addObjects(QMenu& menu) {
-    QMenu* objects = menu.addMenu(themedIcon(QStringLiteral("kind-object")), tr("Object"));
-    objects->setObjectName(QStringLiteral("insertObjects"));
-    objects->setToolTipsVisible(true);
+    QMenu* objects = addMenu(menu, tr("Object"), QStringLiteral("insertObjects"));
+    objects->setIcon(themedIcon(QStringLiteral("kind-object")));
     for (const char* shape : {"Box", "Sphere", "Cylinder", "Capsule"}) {
         const Kind* geom = m_document.loaded()->registry->find(shape);
         if (!geom) continue;

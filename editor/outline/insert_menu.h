@@ -27,7 +27,8 @@ public:
 
 private:
     struct Entries;
-    void addPlace(QMenu& menu, const std::string& place, const Entries& entries);
+    void addPlace(QMenu& menu, const std::string& place, const Entries& entries, bool isFarther);
+    static QMenu* addMenu(QMenu& menu, const QString& title, const QString& name);
     void addObjects(QMenu& menu);
     QAction* addKind(QMenu& menu, const Kind& kind);
 

@@ -3,6 +3,7 @@
 
 #include "plan_fixture.h"
 #include "project/edits/edit_target.h"
+#include "project/edits/insert_positions.h"
 #include "project/edits/path_after_edit.h"
 #include "project/edits/value_edits.h"
 #include "project/objects/object_values.h"
@@ -63,6 +64,27 @@ private Q_SLOTS:
         QVERIFY(!placeOf(*m_loaded, "RobotConfig.Kit.chassis")->instance);
         QCOMPARE(placeOf(*m_loaded, "RobotConfig.Kit.left")->instance, placeOf(*m_loaded, "RobotConfig.Kit.left")->part);
         QVERIFY(!placeOf(*m_loaded, "a.left.nothing"));
+    }
+
+    /// Shapes for a body of a Part belong in its PartConfig; the menu and planInsert() agree.
+    void insertionsGoIntoThePartConfig() {
+        const auto loaded = m_fixture.open(kWheel + kKit + "RobotConfig Big { Config=Kit }\nRobot a { Config=Kit }\nRobot big { Config=Big }\n");
+        const std::pair<const char*, const char*> all[] = {{"a.left.wheel.tyre", "PartConfig.Wheel.wheel.tyre"},
+                                                           {"RobotConfig.Kit.right.axle", "PartConfig.Wheel.axle"},
+                                                           {"a.left", "RobotConfig.Kit.left"},
+                                                           {"big.chassis", "RobotConfig.Kit.chassis"}};
+        for (const auto& [path, block] : all) QCOMPARE(definedAt(*loaded, path), std::string(block));
+        const auto placeOfKind = [&](const char* selected, const char* kind) {
+            const Kind* one[] = {loaded->registry->find(kind)};
+            return placeFor(*loaded, selected, one).value_or("nowhere");
+        };
+        QCOMPARE(placeOfKind("a.left.wheel.tyre", "Box"), std::string("PartConfig.Wheel.wheel"));
+        QCOMPARE(placeOfKind("a.left.axle", "Encoder"), std::string("PartConfig.Wheel"));
+        QCOMPARE(placeOfKind("a.left", "Body"), std::string("RobotConfig.Kit"));
+        QCOMPARE(placeOfKind("big.chassis", "Box"), std::string("RobotConfig.Kit.chassis"));
+        const auto plan = planInsert(*loaded, "a.left.wheel", "Box cap { Size=0.1,0.1,0.1 Mass=1 Material=red Surface=floor }");
+        QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().message.c_str());
+        QCOMPARE(plan.value().selects.at(0).c_str(), "a.left.wheel.cap");
     }
 
     void values_data() {

@@ -17,8 +17,11 @@ std::string placesOf(const Kind& kind) {
 std::string definedAt(const LoadedProject& loaded, const std::string& path) {
     std::optional<ObjectLocation> place = placeOf(loaded, path);
     if (!place || !place->part) return path;
-    place->above.push_back(place->part);
-    return pathOf(loaded, place->above);
+    std::vector<const Part*>& chain = place->above;
+    chain.push_back(place->part);
+    const auto config = std::find_if(chain.rbegin(), chain.rend(), [](const Part* part) { return part->is(Role::Config); });
+    if (config != chain.rend()) chain.erase(chain.begin(), config.base() - 1); // of a Part, its PartConfig
+    return pathOf(loaded, chain);
 }
 
 const Kind* kindAt(const LoadedProject& loaded, const std::string& path) {

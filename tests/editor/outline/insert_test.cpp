@@ -51,6 +51,7 @@ private Q_SLOTS:
     void insertsEveryKindWhereAllowed_data();
     void insertsEveryKindWhereAllowed();
     void offersWhatFitsTheSelection();
+    void offersWhatFitsAPart();
     void newObjectsStandFree();
     void newShapesStandFree_data();
     void newShapesStandFree();
@@ -101,6 +102,30 @@ void InsertTest::insertsEveryKindWhereAllowed() {
     EVENTUALLY_EQUAL(o.errors(), QString()); // meshes are read by a worker thread
     o.document.edits().undo();
     QCOMPARE(o.text(), kWithController);
+}
+
+/// A body of a Part takes shapes, its PartConfig the rest.
+void InsertTest::offersWhatFitsAPart() {
+    OutlineFixture o;
+    QVERIFY(o.open(kRovers + "PartConfig Arm { Body rod { Box bar { Size=0.1,0.02,0.02 Mass=0.1 } }\n"
+                             "  Fixed weld { Parent=$on Child=rod } }\n"
+                             "RobotConfig Armed { Config=Rover Part arm { Config=Arm Pos=0,0,0.5 on=chassis } }\nRobot armed { Config=Armed }\n"));
+    QCOMPARE(o.errors(), QString());
+    InsertMenu insert(o.document, o.selection, o.edits);
+    o.selection.select("armed.arm.rod.bar");
+    QMenu menu;
+    insert.fill(menu);
+    QStringList places;
+    for (const QAction* action : menu.actions())
+        if (action->objectName().startsWith(u"insertPlace."_qs)) places.append(action->objectName().mid(12));
+    QCOMPARE(places, QStringList({u"PartConfig.Arm.rod"_qs, u"PartConfig.Arm"_qs, QString()}));
+    const auto* more = menu.findChild<QMenu*>(u"insertMore"_qs); // of the experiment, what is seldom inserted
+    QVERIFY(more && more->actions().contains(entry(menu, "Light")));
+    QVERIFY(menu.actions().contains(entry(menu, "Robot")) && menu.actions().contains(entry(menu, "Body")));
+    entry(menu, "Box")->trigger();
+    QCOMPARE(o.errors(), QString());
+    QCOMPARE(o.selection.current(), std::string("armed.arm.rod.box"));
+    QVERIFY2(o.text().indexOf("Box box") < o.text().indexOf("Fixed weld"), o.text());
 }
 
 void InsertTest::offersWhatFitsTheSelection() {
