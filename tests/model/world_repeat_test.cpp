@@ -220,6 +220,10 @@ private Q_SLOTS:
             "E208 Robots names row_2.cart, but there is no such robot\n", "row_2.cart");
         row("no parts", "Repeat row { Count=2 In=b Static p { Config=Post } }\n",
             "E302 In places what is in a config; at the top level there are no bodies to count from\n", "b");
+        row("no parts, a Repeat inside", "Repeat row { Count=2 Repeat more { Count=2 In=b Static p { Config=Post } } }\n",
+            "E302 In places what is in a config; at the top level there are no bodies to count from\n", "b");
+        row("no parts, a Ring inside", "Repeat row { Count=2 Ring more { Count=2 Radius=1 In=row Static p { Config=Post } } }\n",
+            "E302 In places what is in a config; at the top level there are no bodies to count from\n", "row");
     }
     void errors() {
         QFETCH(QString, text);

@@ -32,7 +32,7 @@ bool takesWorld(const Property& property, const PartFrame& frame) {
     const auto has = [&](const char* choice) { return std::count(property.choices.begin(), property.choices.end(), choice) > 0; };
     const PartFrame* root = &frame;
     while (root->outer) root = root->outer;
-    return has("world") || (has("Body") && property.name != "Child" && root->config->kind->name == "StaticConfig");
+    return has("world") || (has("Body") && property.name != "Child" && root->config && root->config->kind->name == "StaticConfig");
 }
 
 /// All names that the property accepts, in text order; at most a few hundred, since Parts may hold very many.
@@ -41,7 +41,7 @@ public:
     FittingNames(const Property& property, bool geoms) : m_property(property), m_geoms(geoms) {}
 
     std::vector<std::string> in(const PartFrame& frame) {
-        for (const PartFrame* at = &frame; at; at = at->member ? at->outer : nullptr) add(*at->config, "", 0);
+        for (const PartFrame* at = &frame; at && at->config; at = at->member ? at->outer : nullptr) add(*at->config, "", 0);
         if (takesWorld(m_property, frame)) m_names.push_back("world");
         return std::move(m_names);
     }
@@ -134,7 +134,8 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
     const std::size_t before = diagnostics.all().size();
     if (!part) {
         if (frame.isOpen && given) return false; // it may name something where the part is used
-        const Part* first = frame.frameOf(firstWord(name)).config->find(firstWord(name));
+        const Part* around = frame.frameOf(firstWord(name)).config;
+        const Part* first = around ? around->find(firstWord(name)) : nullptr;
         const bool unknown = first && (!first->kind || (first->isPartUse() && !first->config));
         if (unknown && firstWord(name) != name) return false; // reported at its block
         unknownReference(property.name, what, name, range, literal,
@@ -204,7 +205,7 @@ std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& recor
         if (own.kind->properties[i].name != "In") own.values[i].reset();
     const ResolvedValue* value = own.find("In");
     if (!value || value->value.texts.empty()) return std::string();
-    if (!frame.config) {
+    if (!frame.holder().config) {
         context.diagnostics.error(Code::WrongPlace, value->range,
                                   "In places what is in a config; at the top level there are no bodies to count from");
         return std::nullopt;
