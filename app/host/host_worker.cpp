@@ -177,7 +177,7 @@ void HostWorker::update(WireReader& in) {
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         const bool threw = !updated && !controller.instance->gaveUp();
         WireWriter out;
-        out.status(updated).number<std::uint8_t>(controller.instance->gaveUp()).number(seconds).number<std::uint64_t>(0);
+        out.status(updated).number<std::uint8_t>(controller.instance->gaveUp()).number(seconds).bytes({}); // of Python: the calls
         out.numbers(threw ? lastThrow() : std::vector<std::uint64_t>());
         record(HostRecord::Updated, number, out.view());
     }

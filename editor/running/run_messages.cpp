@@ -2,8 +2,14 @@
 
 namespace trundle {
 
-void RunMessages::addProblems(std::vector<Diagnostic> problems) {
+ProblemsInCode RunMessages::problemsInCode(std::shared_ptr<const LoadedProject> built) const {
+    return shownInCode(m_problems, m_places, std::move(built));
+}
+
+void RunMessages::addProblems(std::vector<Diagnostic> problems, std::vector<CodePlace> places) {
     if (problems.empty()) return;
+    places.resize(problems.size());
+    m_places.insert(m_places.end(), std::make_move_iterator(places.begin()), std::make_move_iterator(places.end()));
     m_problems.insert(m_problems.end(), std::make_move_iterator(problems.begin()), std::make_move_iterator(problems.end()));
     Q_EMIT problemsChanged();
 }
@@ -11,6 +17,7 @@ void RunMessages::addProblems(std::vector<Diagnostic> problems) {
 void RunMessages::clearProblems() {
     if (m_problems.empty()) return;
     m_problems.clear();
+    m_places.clear();
     Q_EMIT problemsChanged();
 }
 

@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "base/diagnostic.h"
+#include "editor/running/code_places.h"
 #include "run/live/live_state.h"
 
 namespace trundle {
@@ -16,7 +17,10 @@ public:
 
     /// Diagnostics of building and running, kept until Reset; their ranges are in the texts of RunResults::built.
     [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_problems; }
-    void addProblems(std::vector<Diagnostic> problems);
+    /// The same, with those that are in the code of a controller there.
+    [[nodiscard]] ProblemsInCode problemsInCode(std::shared_ptr<const LoadedProject> built) const;
+    /// `places`: of each problem; empty: none is in code.
+    void addProblems(std::vector<Diagnostic> problems, std::vector<CodePlace> places = {});
     void clearProblems();
     /// A console line of the window itself at simulated time `time` (s).
     void add(double time, int severity, const QString& text);
@@ -31,6 +35,7 @@ Q_SIGNALS:
 
 private:
     std::vector<Diagnostic> m_problems;
+    std::vector<CodePlace> m_places; ///< of each of them
 };
 
 } // namespace trundle

@@ -6,6 +6,7 @@
 
 #include <trundle/abi.h>
 
+#include "editor/running/code_places.h"
 #include "editor/running/live_edits.h"
 #include "run/runner.h"
 
@@ -28,12 +29,11 @@ LiveLines faultLines(const std::vector<Diagnostic>& warnings, const LiveSnapshot
                 line.time = end.fault.time;
                 line.who = experiment.robots[end.robot].name;
             }
-        for (const StoppedController& stopped : snapshot ? snapshot->stopped : std::vector<StoppedController>())
-            if (stopped.place == warning.range) {
-                line.time = stopped.time;
-                line.who = experiment.robots[stopped.robot].name;
-                if (warning.severity == Severity::Error) backtrace = stopped.fault.backtrace;
-            }
+        if (const StoppedController* stopped = stoppedBy(warning, snapshot)) {
+            line.time = stopped->time;
+            line.who = experiment.robots[stopped->robot].name;
+            if (warning.severity == Severity::Error) backtrace = stopped->fault.backtrace;
+        }
         lines.lines.push_back(line);
         for (const std::string& frame : backtrace)
             lines.lines.push_back({line.time, line.who, severity, "  " + frame});
@@ -256,7 +256,8 @@ void RunSession::readSnapshot() {
     m_messages->add(lines);
     if (!warnings.empty()) // the snapshot that they are about was published before them
         m_messages->add(faultLines(warnings, run->view().snapshot.get(), *m_active.experiment));
-    m_messages->addProblems(std::move(warnings));
+    const std::vector<CodePlace> places = codePlacesOf(warnings, run->view().snapshot.get());
+    m_messages->addProblems(std::move(warnings), places);
     if (wasReset()) return;
     if (!m_active.layout && (m_active.layout = view.layout)) {
         m_reader = std::make_unique<PoseReader>(*m_active.experiment, *m_active.layout);

@@ -24,8 +24,9 @@ void collect(const LoadedProject& loaded, const Part& part, std::vector<const Pa
 /// What is reached through an instance, also what its Parts hold.
 void inside(const Part& holder, const std::string& path, std::vector<std::string>& paths) {
     for (const Part& inner : holder.parts) {
-        paths.push_back(path + "." + inner.name);
-        inside(inner.config ? *inner.config : inner, paths.back(), paths);
+        const std::string at = path + "." + inner.name;
+        paths.push_back(at);
+        inside(inner.config ? *inner.config : inner, at, paths);
     }
 }
 
@@ -57,7 +58,8 @@ std::map<std::string, int> nameErrors(const LoadedProject& loaded) {
     std::map<std::string, int> counts;
     for (const Diagnostic& d : loaded.diagnostics.all()) {
         const int code = static_cast<int>(d.code);
-        if (d.message.find("needs a Body") != std::string::npos) continue; // the last body was removed, which is allowed
+        if (d.message.find("needs a Body") != std::string::npos) continue;   // the last body was removed, which is allowed
+        if (d.message.find("no joint holds") != std::string::npos) continue; // a body has come into scenery, its joint comes next
         if (d.severity == Severity::Error &&
             (code < 200 || d.code == Code::UnknownReference || d.code == Code::UnknownParam || d.code == Code::DuplicateName ||
              d.code == Code::DuplicateKey || d.code == Code::NoSuchPath || d.code == Code::UnknownKey ||

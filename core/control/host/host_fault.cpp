@@ -62,10 +62,19 @@ const char* phaseName(HostPhase phase) {
 
 namespace {
 
-/// ", in act() at zoo.cpp:316"; empty if it is not known.
-std::string placeOf(const std::vector<SourceFrame>& frames) {
-    const SourceFrame* own = ownFrame(frames);
-    return own ? ", in " + own->function + " at " + fileName(own->file) + ":" + std::to_string(own->line) : std::string();
+void setPlace(ControllerFault& fault, const std::vector<SourceFrame>& frames) {
+    fault.backtrace = backtraceOf(frames);
+    if (const SourceFrame* own = ownFrame(frames)) {
+        fault.file = own->file;
+        fault.line = own->line;
+    }
+}
+
+/// Also adds ", in act() at zoo.cpp:316" to the reason.
+void addPlace(ControllerFault& fault, const std::vector<SourceFrame>& frames) {
+    setPlace(fault, frames);
+    if (const SourceFrame* own = ownFrame(frames))
+        fault.reason += ", in " + own->function + " at " + fileName(own->file) + ":" + std::to_string(own->line);
 }
 
 } // namespace
@@ -77,21 +86,21 @@ ControllerFault faultOf(const HostEnd& end, const std::string& controller, const
     else fault.reason = end.ofThread ? "a thread of " + module : module;
     fault.reason += ending(end);
     if (!end.exception.empty()) fault.reason += ", uncaught exception: " + end.exception;
-    const std::vector<SourceFrame> frames = end.report.empty() ? symbolize(library, end.frames) : framesOfPython(end.report);
-    fault.reason += placeOf(frames);
-    fault.backtrace = backtraceOf(frames);
+    addPlace(fault, end.report.empty() ? symbolize(library, end.frames) : framesOfPython(end.report));
     return fault;
 }
 
-ControllerFault faultOfException(std::string reason, std::vector<std::string> calls, const std::vector<std::uint64_t>& thrown,
+ControllerFault faultOfException(std::string reason, const std::string& report, const std::vector<std::uint64_t>& thrown,
                                  const std::string& library) {
-    ControllerFault fault{std::move(reason), std::move(calls), {}, true};
-    if (thrown.empty()) return fault;
+    ControllerFault fault;
+    fault.reason = std::move(reason);
+    if (thrown.empty()) {
+        setPlace(fault, framesOfPython(report));
+        return fault;
+    }
     std::vector<std::pair<std::uint32_t, std::uint64_t>> addresses;
     for (const std::uint64_t offset : thrown) addresses.emplace_back(0, offset);
-    const std::vector<SourceFrame> frames = symbolize(library, addresses);
-    fault.reason += placeOf(frames);
-    fault.backtrace = backtraceOf(frames);
+    addPlace(fault, symbolize(library, addresses));
     return fault;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/clean_text.h"
 #include "control/host/controller_record.h"
 #include "control/host/host_fault.h"
 #include "control/host/host_reply.h"
@@ -255,7 +254,7 @@ Status HostGroup::update(std::size_t number, std::uint64_t tick, double time, do
     passFinish(member);
     if (result->status || result->gaveUp) return result->status;
     // An exception: the host and its other controllers are sound.
-    member.fault = faultOfException(result->status.error().message, result->backtrace, result->thrown, m_library);
+    member.fault = faultOfException(result->status.error().message, result->report, result->thrown, m_library);
     return Error{result->status.error().code, member.fault->reason};
 }
 
@@ -330,7 +329,7 @@ std::string HostGroup::handle(HostRecord record, std::uint32_t number, WireReade
         result.status = in.status();
         result.gaveUp = in.number<std::uint8_t>() != 0;
         result.seconds = in.number<double>();
-        for (std::uint64_t left = in.count(); left > 0; --left) result.backtrace.push_back(cleanText(in.text()));
+        result.report = in.text();
         result.thrown = in.numbers<std::uint64_t>();
         member->result = std::move(result);
         return {};

@@ -60,7 +60,7 @@ private:
     struct UpdateResult {
         Status status;
         bool gaveUp = false;
-        std::vector<std::string> backtrace; ///< of an exception in Python
+        std::string report;                 ///< of an exception in Python: the calls that led there, see framesOfPython()
         std::vector<std::uint64_t> thrown;  ///< of one in C++, see faultOfException()
         double seconds = 0;
     };

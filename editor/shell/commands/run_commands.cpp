@@ -29,9 +29,10 @@ RunCommands::RunCommands(QWidget& window, Actions& actions, const Targets& targe
 }
 
 void RunCommands::showMessages() {
-    RunSession& session = m_targets.session;
-    if (session.results().built) m_targets.problems.setRunProblems(session.messages().problems(), session.results().built);
-    else m_targets.problems.clearRunProblems();
+    const RunSession& session = m_targets.session;
+    if (!session.results().built) return m_targets.problems.clearRunProblems();
+    const ProblemsInCode shown = session.messages().problemsInCode(session.results().built);
+    m_targets.problems.setRunProblems(shown.problems, shown.texts);
 }
 
 /// Selects the body that ended the run.

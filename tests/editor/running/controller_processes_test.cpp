@@ -146,6 +146,42 @@ private Q_SLOTS:
         QVERIFY(o.session.endRuns());
     }
 
+    /// The fault of a controller is at its line of code in Problems, where that is in the project; a note leads to its block.
+    void aFaultIsShownInTheSource() {
+        SessionFixture o;
+        QVERIFY(QDir(o.folder.path()).mkpath(u"mine"_qs));
+        OpenOptions options = o.document.options();
+        options.trust = true;
+        o.document.setOptions(options);
+        QFile source(o.path("mine/sick.py"));
+        QVERIFY(source.open(QIODevice::WriteOnly));
+        QVERIFY(source.write("import trundle\n\n\nclass Sick(trundle.Controller):\n    def update(self, dt):\n        self.act()\n\n"
+                             "    def act(self):\n        raise ValueError(\"no\")\n") > 0);
+        source.close();
+        QByteArray experiment = text("Sick brain { }");
+        experiment.replace("mine/mind", "mine/sick.py");
+        QVERIFY(o.open(experiment));
+        o.session.run();
+        const RunMessages& messages = o.session.messages();
+        EVENTUALLY(!messages.problems().empty());
+        QCOMPARE(messages.problems().size(), std::size_t(1));
+        const auto sliceOf = [](const LoadedProject& texts, const SourceRange& range) {
+            const auto bytes = texts.sources[range.file].text->bytes();
+            return QString::fromStdString(std::string(bytes.substr(range.range.begin, range.range.end - range.range.begin)));
+        };
+        const ProblemsInCode shown = messages.problemsInCode(o.session.results().built);
+        const Diagnostic& fault = shown.problems.at(0);
+        QVERIFY2(fault.message.find("ValueError: no, in act at sick.py:9") != std::string::npos, fault.message.c_str());
+        QCOMPARE(shown.texts->paths.at(fault.range.file), o.path("mine/sick.py").toStdString());
+        QCOMPARE(sliceOf(*shown.texts, fault.range), u"raise ValueError(\"no\")"_qs);
+        QCOMPARE(fault.notes.size(), std::size_t(1));
+        QCOMPARE(fault.notes[0].second, messages.problems()[0].range);
+        QCOMPARE(sliceOf(*shown.texts, fault.notes[0].second), u"brain"_qs);
+        o.session.reset();
+        QVERIFY(messages.problemsInCode(o.session.results().built).problems.empty());
+        QVERIFY(o.session.endRuns());
+    }
+
     /// Cost, process, stop, restart and isolation of a controller that works.
     void aControllerIsMeasuredStoppedAndIsolated() {
         SessionFixture o;

@@ -16,7 +16,7 @@ _MOST_FRAMES = 40
 
 
 class Fault:
-    """An exception of a user's code: `text` has its file and line, `frames` the calls, innermost first."""
+    """An exception of a user's code: `text` has its file and line, `frames` the calls, innermost first, as (file, line, function)."""
 
     def __init__(self, error):
         self.frames = []
@@ -25,7 +25,7 @@ class Fault:
             if frame.filename.startswith((PACKAGE + os.sep, "<frozen")):
                 continue
             if len(self.frames) < _MOST_FRAMES:
-                self.frames.append(f"{frame.name} at {frame.filename}:{frame.lineno}")
+                self.frames.append((frame.filename, frame.lineno, frame.name))
             if not place and not frame.filename.startswith((_LIBRARY, "/usr/lib/", "<")):
                 place = f", in {frame.name} at {os.path.basename(frame.filename)}:{frame.lineno}"
         what = type(error).__name__

@@ -161,8 +161,8 @@ class Worker:
             fault = (error.code, str(error))
         except _ANY as error:
             found = Fault(error)
-            for frame in found.frames:
-                running.outside.print(3, "  " + frame)
+            for file, line, name in found.frames:
+                running.outside.print(3, f"  {name} at {file}:{line}")
             fault = (CONTROLLER_FAILED, running.failed("failed in setup", found.text))
         self.called = None
         self._done(fault)
@@ -194,9 +194,8 @@ class Worker:
             found = Fault(error)
             fault, frames = (CONTROLLER_FAILED, running.failed("failed", found.text)), found.frames
         self.called = None
-        record = Writer().status(fault).number("B", gave_up).number("d", time.perf_counter() - begin).number("Q", len(frames))
-        for frame in frames:
-            record.bytes(frame)
+        record = Writer().status(fault).number("B", gave_up).number("d", time.perf_counter() - begin)
+        record.bytes("".join(f'  File "{file}", line {line} in {name}\n' for file, line, name in frames))  # as faulthandler writes them
         return record.bytes(b"").data()  # where C++ code threw
 
     def _set(self, reader):
