@@ -52,14 +52,16 @@ ModuleReload::ModuleReload(RunSession& session, QAction& follow, QObject* parent
     connect(&session, &RunSession::stateChanged, this, &ModuleReload::begin);
 }
 
-/// Watches the libraries of the run in progress; keeps what is known of those that it watches already.
+/// Watches the libraries of the run in progress; keeps what is known of those that it watches already. A run that has ended may go on:
+/// it then takes what was rebuilt meanwhile.
 void ModuleReload::begin() {
+    if (m_session.state() == RunState::Ended && m_follow.isChecked()) return;
     const QStringList libraries = m_follow.isChecked() ? hostedModules(m_session) : QStringList();
     if (libraries.isEmpty() && m_libraries.empty()) return;
     std::erase_if(m_libraries, [&](const auto& known) { return !libraries.contains(known.first); });
     for (const QString& library : libraries)
         if (const Stamp now = stampOf(library); m_libraries.emplace(library, Library{now, now}).second) watch(library);
-    if (!m_libraries.empty()) return;
+    if (!m_libraries.empty()) return m_settle.start();
     if (const QStringList watched = m_watcher.files() + m_watcher.directories(); !watched.isEmpty())
         m_watcher.removePaths(watched);
 }
@@ -77,6 +79,7 @@ ModuleReload::Stamp ModuleReload::stampOf(const QString& library) {
 }
 
 void ModuleReload::look() {
+    if (m_session.state() == RunState::Ended) return;
     for (auto& [path, library] : m_libraries) {
         watch(path);
         const Stamp now = stampOf(path);

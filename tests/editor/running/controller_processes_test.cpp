@@ -251,6 +251,26 @@ private Q_SLOTS:
         QVERIFY(o.session.endRuns());
     }
 
+    /// A run that goes on past its end takes what was rebuilt since then.
+    void whatIsRebuiltAfterTheEndIsUsedOnGoingOn() {
+        SessionFixture o;
+        QVERIFY(build(o, QStringLiteral("rebuilt/libbefore")));
+        QVERIFY(o.open("Duration=0.1\n" + text("Rebuilt brain { }")));
+        Selection selection;
+        Actions actions(kRows);
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        listen(o);
+        o.session.run();
+        EVENTUALLY(o.session.state() == RunState::Ended);
+        QVERIFY(build(o, QStringLiteral("rebuilt/libbefore"), "before", "behind"));
+        o.session.run();
+        EVENTUALLY(reported("behind life 1"));
+        QVERIFY(o.tick() > 10);
+        QCOMPARE(o.session.state(), RunState::Running);
+        o.session.reset();
+        QVERIFY(o.session.endRuns());
+    }
+
     void numbersOfManyRobotsMeasureTheColumnsOnce() {
         constexpr int kRobots = 30;
         QByteArray many = "#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule controllers/linear_motion\n"
