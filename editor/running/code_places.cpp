@@ -39,6 +39,7 @@ private:
         if (known != m_all->paths.end()) return static_cast<FileId>(known - m_all->paths.begin());
         Result<std::string> bytes = readRegularFile(path, kMaxTextBytes);
         if (!bytes) return std::nullopt;
+        m_all->paths.resize(m_all->sources.size()); // by FileId
         m_all->paths.push_back(path);
         return m_all->sources.add(std::make_shared<const SourceText>(path, std::move(bytes).value()));
     }
