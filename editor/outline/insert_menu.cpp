@@ -100,28 +100,32 @@ void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& 
         const auto kinds = entries.byRole.find(role);
         if (kinds == entries.byRole.end()) continue;
         QMenu* into = &menu;
-        if (isFarther && role != Role::Instance) into = more = more ? more : addMenu(menu, tr("More"), QStringLiteral("insertMore"));
+        if (isFarther && role != Role::Instance) into = more = more ? more : namedMenu(menu, tr("More"), QStringLiteral("insertMore"));
         if (entries.byRole.size() > 1 && kinds->second.size() > kMaxBeside) {
-            into = addMenu(*into, roleTitle(role), QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
-            into->setIcon(themedIcon(roleIcon(role)));
+            QMenu* ofRole = namedMenu(*into, roleTitle(role), QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
+            ofRole->setIcon(themedIcon(roleIcon(role)));
+            into->addMenu(ofRole);
+            into = ofRole;
         }
         for (const Kind* kind : kinds->second) addKind(*into, *kind);
         if (role == Role::Instance && place.empty()) addObjects(menu);
     }
+    if (more) menu.addMenu(more);
     menu.addSeparator();
 }
 
-QMenu* InsertMenu::addMenu(QMenu& menu, const QString& title, const QString& name) {
-    QMenu* added = menu.addMenu(title);
-    added->setObjectName(name);
-    added->setToolTipsVisible(true);
-    return added;
+QMenu* InsertMenu::namedMenu(QMenu& menu, const QString& title, const QString& name) {
+    auto* made = new QMenu(title, &menu);
+    made->setObjectName(name);
+    made->setToolTipsVisible(true);
+    return made;
 }
 
 /// Movable objects: robots without joints, devices and controller, each with the config that defines it.
 void InsertMenu::addObjects(QMenu& menu) {
-    QMenu* objects = addMenu(menu, tr("Object"), QStringLiteral("insertObjects"));
+    QMenu* objects = namedMenu(menu, tr("Object"), QStringLiteral("insertObjects"));
     objects->setIcon(themedIcon(QStringLiteral("kind-object")));
+    menu.addMenu(objects);
     for (const char* shape : {"Box", "Sphere", "Cylinder", "Capsule"}) {
         const Kind* geom = m_document.loaded()->registry->find(shape);
         if (!geom) continue;

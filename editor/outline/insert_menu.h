@@ -28,7 +28,7 @@ public:
 private:
     struct Entries;
     void addPlace(QMenu& menu, const std::string& place, const Entries& entries, bool isFarther);
-    static QMenu* addMenu(QMenu& menu, const QString& title, const QString& name);
+    static QMenu* namedMenu(QMenu& menu, const QString& title, const QString& name); ///< of the menu, not yet in it
     void addObjects(QMenu& menu);
     QAction* addKind(QMenu& menu, const Kind& kind);
 

@@ -121,6 +121,7 @@ void InsertTest::offersWhatFitsAPart() {
     QCOMPARE(places, QStringList({u"PartConfig.Arm.rod"_qs, u"PartConfig.Arm"_qs, QString()}));
     const auto* more = menu.findChild<QMenu*>(u"insertMore"_qs); // of the experiment, what is seldom inserted
     QVERIFY(more && more->actions().contains(entry(menu, "Light")));
+    QVERIFY(menu.actions().indexOf(more->menuAction()) > menu.actions().indexOf(entry(menu, "Static")));
     QVERIFY(menu.actions().contains(entry(menu, "Robot")) && menu.actions().contains(entry(menu, "Body")));
     entry(menu, "Box")->trigger();
     QCOMPARE(o.errors(), QString());
