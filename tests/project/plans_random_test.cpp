@@ -205,6 +205,7 @@ private Q_SLOTS:
         const unsigned seed = !given.isEmpty() ? given.toUInt()
                               : isLong         ? std::random_device()()
                                                : static_cast<unsigned>(file.size() * 7 + style.size());
+        if (isLong) qInfo("TRUNDLE_SEED=%u", seed); // known also if it ends in a crash
         RandomNumbers rng(seed);
         for (int i = 0; i < count; ++i) {
             const Throw thrown = file == "parts_kit" ? throwPlan(*loaded, rng, std::size_t(i)) : throwPlan(*loaded, rng);

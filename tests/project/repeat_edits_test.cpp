@@ -118,6 +118,16 @@ private Q_SLOTS:
                  std::string("refused: row.herd is in Repeat row: its members would be written once for all of that"));
     }
 
+    /// Names with a member in front cannot follow to the top level, also not with what uses them.
+    void usersOfMembersStay() {
+        const auto loaded = m_fixture.open(kKit + "Repeat row { Count=2 Pos=0,$(9*index),0\n Robot cart { Config=Kit }\n"
+                                                  " Region here { Size=1,1,1 Robots=row_0.cart } }\n");
+        QCOMPARE(messages(*loaded), std::string());
+        const std::string refused = "refused: Robot cart is still used by Region here (Robots)";
+        QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"row.cart"}, "", {})), refused);
+        QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"row.cart", "row.here"}, "", {})), refused);
+    }
+
     void pathsLeadToMembers() {
         for (const char* path : {"a.roller_4.rim.t", "a.roller.rim.t", "RobotConfig.Kit.roller_4.rim.t"}) {
             const auto place = placeOf(*m_loaded, path);

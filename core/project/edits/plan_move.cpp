@@ -200,10 +200,12 @@ private:
         for (const NameReference& reference : m_references) {
             const bool byMoved = reference.user && movedAlong(*reference.user);
             if (reference.target && containsBlock(reference.target, *m.part) && reference.name.known()) {
-                if (reference.target == m.part->block && (sameConfig || byMoved || m.from == nullptr)) {
+                const bool isIt = reference.target == m.part->block;
+                const bool losesPrefix = isIt && reference.before.known() && !m.to; // what stands before it would have to go
+                if (isIt && !losesPrefix && (sameConfig || byMoved || m.from == nullptr)) {
                     if (reference.before.known()) change({reference.before, m.to->name});
                     change({reference.name, m.name});
-                } else if (!sameConfig && !byMoved && !reference.pattern && m.from) users.push_back(&reference);
+                } else if (losesPrefix || (!sameConfig && !byMoved && !reference.pattern && m.from)) users.push_back(&reference);
             }
             if (!byMoved || !isWithin(reference.user->range, m.part->range)) continue;
             if (top && reference.target && !isTop(reference.target) && !movedTarget(reference.target) &&
