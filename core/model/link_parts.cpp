@@ -12,12 +12,12 @@ namespace trundle {
 
 namespace {
 
-/// Whether it names a body, joint, device or geom of a config, and not a Material or Robot.
+/// Whether it names a body, joint, device or geom of a config, and not a Material or Robot. A joint may also be in the world.
 bool namesInsideConfig(const Registry& registry, const Outline& outline, const Property& property) {
     if (property.type != PropertyType::Reference) return false;
     return std::ranges::none_of(property.choices, [&](const std::string& choice) {
         const Kind* kind = registry.find(choice);
-        return kind && outline.spaceOf(*kind);
+        return kind && kind->role != Role::Joint && outline.spaceOf(*kind);
     });
 }
 

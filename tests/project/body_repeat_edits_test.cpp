@@ -169,6 +169,14 @@ private Q_SLOTS:
         QCOMPARE(plan.value().selects, std::vector<std::string>{"RobotConfig.Kit.h"});
     }
 
+    /// Nor a Part, also one that has geoms only.
+    void noPartsComeIntoABody() {
+        const auto loaded = m_fixture.open(kKit + "PartConfig Slab { Box slab { Size=1,1,1 Material=red Surface=floor } }\n"
+                                                  "StaticConfig Yard { Repeat slabs { Count=1 Part slab { Config=Slab } } }\n");
+        for (const char* inside : {"hub", "hub.disc"})
+            QVERIFY(!planMove(*loaded, {"StaticConfig.Yard.slabs"}, std::string("RobotConfig.Kit.") + inside, {}).ok());
+    }
+
     /// Geoms of a body become members of a Repeat, and names follow.
     void geomsAreRepeated() {
         const auto plan = planRepeat(*m_loaded, {"RobotConfig.Kit.hub.fin"}, 3, {0, 0, 0.25});

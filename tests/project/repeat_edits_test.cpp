@@ -119,7 +119,7 @@ private Q_SLOTS:
     }
 
     /// Names with a member in front cannot follow to the top level, also not with what uses them.
-    void usersOfMembersStay() {
+    void namesOfMembersStay() {
         const auto loaded = m_fixture.open(kKit + "Repeat row { Count=2 Pos=0,$(9*index),0\n Robot cart { Config=Kit }\n"
                                                   " Region here { Size=1,1,1 Robots=row_0.cart } }\n");
         QCOMPARE(messages(*loaded), std::string());

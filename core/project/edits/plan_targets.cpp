@@ -50,6 +50,7 @@ void HeldBlocks::add(const Kind& kind) {
 }
 
 void HeldBlocks::add(const Part& block) {
+    m_hasPart = m_hasPart || block.isPartUse();
     if (block.isRepeat() || block.isPartUse()) visit(block);
     else if (block.is(Role::Config)) visit(block);
     else if (block.kind) add(*block.kind);
@@ -68,6 +69,7 @@ void HeldBlocks::add(const LoadedProject& loaded, const BlockItem& block, const 
     const Kind* kind = loaded.registry->find(block.type.text);
     if (!kind) return;
     const bool isPart = kind->name == "Part";
+    m_hasPart = m_hasPart || isPart;
     if (!isPart && kind->role != Role::Repeat && kind->role != Role::Config) return add(*kind);
     for (const Item& item : block.items) {
         if (const auto* inner = item.as<BlockItem>()) add(loaded, *inner, others);
@@ -104,7 +106,7 @@ Status HeldBlocks::fitsIn(const LoadedProject& loaded, const Part& config, const
 }
 
 bool HeldBlocks::fitInBody(const Kind& kind) const {
-    return isAllowedInside(kind, "Body") && !m_robot;
+    return isAllowedInside(kind, "Body") && !m_robot && !m_hasPart;
 }
 
 bool isAllowedIn(const Kind& kind, const Part* parent) {

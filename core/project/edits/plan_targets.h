@@ -47,6 +47,7 @@ private:
 
     bool m_scenery = false, m_robot = false; ///< geoms without a Body; bodies, joints and devices
     bool m_isRobot = false;                  ///< a RobotConfig is among them
+    bool m_hasPart = false;                  ///< a Part
     std::set<const Part*> m_reached;
 };
 
