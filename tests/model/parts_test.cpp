@@ -97,21 +97,6 @@ private Q_SLOTS:
         QCOMPARE(difference(c, by.config()), std::string());
     }
 
-    /// A joint comes in from outside like a body: a motor with its encoder for an axle of the robot.
-    void jointsComeFromOutside() {
-        const std::string drive = "PartConfig Drive {\n  RotaryMotor motor { Joint=$axle TorqueConstant=1 SpeedConstant=1 Resistance=2 }\n"
-                                  "  Encoder count { Joint=$axle } }\n";
-        const std::string wheel = "  Body w { Sphere s { Radius=1 Mass=1 Material=g Surface=s } }\n  Hinge a { Parent=chassis Child=w }\n";
-        const Resolved r = resolved(drive + kit(wheel + "  Part d { Config=Drive axle=a }\n"));
-        QCOMPARE(messagesOf(r), QString());
-        QCOMPARE(r.config().devices.size(), std::size_t(2));
-        for (const ComponentSpec& device : r.config().devices) QCOMPARE(device.text("Joint"), std::string("a"));
-        QCOMPARE(messagesOf(resolved(drive + kit(wheel + "  Part d { Config=Drive }\n"))),
-                 QString("E209 Part d needs axle: what PartConfig Drive is joined to\n"));
-        QCOMPARE(messagesOf(resolved(drive + kit(wheel + "  Part d { Config=Drive axle=chassis }\n"))).section(u',', 0, 0),
-                 QString("E208 Joint names chassis"));
-    }
-
     /// Each mirror image has the bits of a copy by hand: position, orientation, axes, centre of mass, inertia.
     void isMirroredLikeAHandmadeCopy_data() {
         QTest::addColumn<QString>("mirror");

@@ -27,6 +27,20 @@ std::string config(const std::string& block) {
 class ReferencesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// A joint comes into a PartConfig from outside like a body: a motor with its encoder for an axle of the robot.
+    void jointsComeFromOutside() {
+        const std::string drive = "PartConfig Drive {\n  RotaryMotor motor { Joint=$axle TorqueConstant=1 SpeedConstant=1 Resistance=2 }\n"
+                                  "  Encoder count { Joint=$axle } }\n";
+        const auto with = [&](const char* part) { return sample::resolved(drive + config(part) + "Robot r { Config=Rig }\n"); };
+        const Resolved r = with("Hinge h2 { Parent=arm Child=arm10 } Part d { Config=Drive axle=h2 }");
+        QCOMPARE(QString::fromStdString(r.messages()), QString());
+        std::string joints;
+        for (const ComponentSpec& device : r.config().devices) joints += device.name + ":" + device.text("Joint") + " ";
+        QCOMPARE(joints, std::string("m1:h1 m10:h10 d.motor:h2 d.count:h2 "));
+        QCOMPARE(with("Part d { Config=Drive }").messages(), std::string("E209 Part d needs axle: what PartConfig Drive is joined to\n"));
+        QCOMPARE(with("Part d { Config=Drive axle=arm }").messages().substr(0, 20), std::string("E208 Joint names arm"));
+    }
+
     void inAConfig_data() {
         QTest::addColumn<QString>("block");
         QTest::addColumn<QString>("said");
