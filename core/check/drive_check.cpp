@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <unordered_map>
 
 #include "check/checks.h"
 #include "check/drive_wheels.h"
@@ -139,31 +140,33 @@ bool turnsJoint(const ComponentSpec& device) { return device.kind == kMotor || d
 
 /// Warns of motors that share a joint: a joint has one motor row, which the last of them sets.
 void checkSharedJoints(const RobotConfigSpec& config, Diagnostics& diagnostics) {
-    for (auto motor = config.devices.begin(); motor != config.devices.end(); ++motor) {
-        if (!turnsJoint(*motor)) continue;
-        const auto earlier = std::find_if(config.devices.begin(), motor, [&](const ComponentSpec& other) {
-            return turnsJoint(other) && other.text("Joint") == motor->text("Joint");
-        });
-        if (earlier == motor) continue;
-        const ResolvedValue* joint = motor->find("Joint");
-        diagnostics.warning(Code::DeviceSetup, joint && joint->range.known() ? joint->range : motor->nameRange,
-                            motor->name + " and " + earlier->name + " move the same joint, " + motor->text("Joint") + ": only " +
-                                motor->name +
+    std::unordered_map<std::string, const ComponentSpec*> firsts; // by joint
+    for (const ComponentSpec& motor : config.devices) {
+        if (!turnsJoint(motor)) continue;
+        const auto [earlier, isFirst] = firsts.try_emplace(motor.text("Joint"), &motor);
+        if (isFirst) continue;
+        const ResolvedValue* joint = motor.find("Joint");
+        diagnostics.warning(Code::DeviceSetup, joint && joint->range.known() ? joint->range : motor.nameRange,
+                            motor.name + " and " + earlier->second->name + " move the same joint, " + earlier->first + ": only " +
+                                motor.name +
                                 " acts on it, and both report its torque; give each a joint of its own, or keep one of them");
     }
 }
 
 /// An encoder on a slider counts lines, whose pitch it needs; the lines of a disc have none.
 void checkEncoders(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    std::unordered_map<std::string_view, const JointSpec*> joints;
+    for (const JointSpec& joint : config.joints) joints.try_emplace(joint.name, &joint);
     for (const ComponentSpec& encoder : config.devices) {
         if (encoder.kind != "Encoder") continue;
-        const auto joint = std::ranges::find(config.joints, encoder.text("Joint"), &JointSpec::name);
+        const std::string name = encoder.text("Joint");
+        const auto joint = joints.find(name);
         const ResolvedValue* pitch = encoder.find("Pitch");
         const bool hasPitch = pitch && !pitch->value.numbers.empty();
-        if (joint == config.joints.end() || (joint->type == JointType::Slider) == hasPitch) continue;
+        if (joint == joints.end() || (joint->second->type == JointType::Slider) == hasPitch) continue;
         diagnostics.warning(Code::DeviceSetup, hasPitch && pitch->range.known() ? pitch->range : encoder.nameRange,
-                            encoder.name + (hasPitch ? " has a Pitch, but " + joint->name + " is no Slider: its angle will be wrong"
-                                                     : " is on the Slider " + joint->name + " and needs the Pitch of its lines"));
+                            encoder.name + (hasPitch ? " has a Pitch, but " + name + " is no Slider: its angle will be wrong"
+                                                     : " is on the Slider " + name + " and needs the Pitch of its lines"));
     }
 }
 

@@ -140,13 +140,15 @@ private:
         const GeomSpec* thinnest = nullptr;
         std::string name;
         double width = way;
-        for (const StaticSpec& object : m_experiment.statics)
-            for (const GeomSpec& geom : object.geoms ? *object.geoms : std::vector<GeomSpec>()) {
+        for (const StaticSpec& object : m_experiment.statics) {
+            if (!object.geoms) continue;
+            for (const GeomSpec& geom : *object.geoms) {
                 if (!geom.collide || !(smallestWidth(geom) < way)) continue;
                 ++others;
                 if (smallestWidth(geom) >= width) continue;
                 thinnest = &geom, name = object.name + "/" + geom.name, width = smallestWidth(geom);
             }
+        }
         if (!thinnest) return;
         double tick = std::pow(10, std::floor(std::log10(width / m_fastest))); // 1, 2 or 5 times a power of ten
         for (const double factor : {5., 2.})

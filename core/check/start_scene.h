@@ -31,8 +31,8 @@ public:
     [[nodiscard]] std::uint32_t geomCount() const { return static_cast<std::uint32_t>(m_owners.size()); }
     [[nodiscard]] const GeomOwner& owner(std::uint32_t geom) const { return m_owners[geom]; }
     /// Nearest hit along a ray, ignoring one robot.
-    [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
-                                            std::size_t withoutRobot) const {
+    [[nodiscard]] std::optional<SingleHit> ray(const Vec3& origin, const Vec3& direction, double range,
+                                               std::size_t withoutRobot) const {
         return m_engine->rays().ray({origin, direction, range}, m_actors[withoutRobot].index);
     }
     /// Path of a geom, such as "robot0/chassis/hull" or "arena/north".

@@ -105,7 +105,7 @@ ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot, const Con
 /// Files are made only when all logs can be written: a run that is refused leaves those of the last one.
 void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
     const std::size_t errorsBefore = diagnostics.errorCount();
-    std::vector<std::pair<const ComponentSpec*, std::unique_ptr<Log>>> made;
+    std::vector<std::pair<const ComponentSpec*, std::unique_ptr<RunLog>>> made;
     for (const ComponentSpec& spec : experiment().logs) made.emplace_back(&spec, makeLog(spec, *m_world, diagnostics));
     if (diagnostics.errorCount() > errorsBefore) return;
     std::set<std::string> said; // report a folder that cannot be written once, not for each log

@@ -43,7 +43,7 @@ public:
 
 private:
     struct OpenLog {
-        std::unique_ptr<Log> log;
+        std::unique_ptr<RunLog> log;
         LogFile* file;
         Schedule schedule;
         SourceRange range;

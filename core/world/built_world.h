@@ -68,7 +68,7 @@ private:
     // world_state.cpp
     [[nodiscard]] Pose framePose(const BuiltRobot& robot) const;
     [[nodiscard]] Status stopAt(const EngineFault& fault);
-    [[nodiscard]] Status stopAt(const Device& failed);
+    [[nodiscard]] Status stopAt(const WorldDevice& failed);
     [[nodiscard]] Status stop(Code code, Fault fault);
     [[nodiscard]] Status stopped() const;
 

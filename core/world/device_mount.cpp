@@ -53,12 +53,12 @@ std::string signalNames(const TrundleKind& kind) {
 }
 
 struct MountCalls {
-    static Device& device(void* context) { return *static_cast<Device*>(context); }
-    static const BuiltRobot& robot(const Device& d) { return d.host->objects.robots()[d.robot]; }
-    static const RobotConfigSpec& config(const Device& d) { return *robot(d).spec->config; }
+    static WorldDevice& device(void* context) { return *static_cast<WorldDevice*>(context); }
+    static const BuiltRobot& robot(const WorldDevice& d) { return d.host->objects.robots()[d.robot]; }
+    static const RobotConfigSpec& config(const WorldDevice& d) { return *robot(d).spec->config; }
 
     static double* signal(void* context, const char* name) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         const std::string asked = moduleName(name);
         const int i = signalIndex(*d.kind, asked);
         if (i < 0) {
@@ -69,7 +69,7 @@ struct MountCalls {
     }
 
     static std::int32_t joint(void* context, const char* name, std::uint32_t* out) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         const auto& joints = config(d).joints;
         const std::string asked = moduleName(name);
         const int i = indexOf(joints, asked);
@@ -86,7 +86,7 @@ struct MountCalls {
     }
 
     static std::int32_t body(void* context, const char* name, std::uint32_t* out) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         const std::string asked = moduleName(name);
         int i = indexOf(config(d).bodies, asked);
         if (const BodyGeom at = geomAt(config(d).bodies, asked); i < 0 && at.geom >= 0) i = at.body;
@@ -99,7 +99,7 @@ struct MountCalls {
     }
 
     static std::int32_t geom(void* context, const char* path, std::uint32_t* out) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         const std::string asked = moduleName(path);
         if (const auto* fixed = robot(d).spec->scenery.get())
             if (const int g = indexOf(*fixed, asked); g >= 0)
@@ -117,7 +117,7 @@ struct MountCalls {
         return found(d, asked, robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)], out);
     }
 
-    static std::int32_t found(Device& d, const std::string& name, GeomHandle geom, std::uint32_t* out) {
+    static std::int32_t found(WorldDevice& d, const std::string& name, GeomHandle geom, std::uint32_t* out) {
         if (!geom.valid()) {
             d.note("the geom " + name + " does not collide (Collide=false)");
             return -1;
@@ -126,16 +126,16 @@ struct MountCalls {
         return 0;
     }
 
-    static const Device* peer(Device& d, std::string_view name) {
-        const Device* found = d.host->devices.find(d.robot, name);
+    static const WorldDevice* peer(WorldDevice& d, std::string_view name) {
+        const WorldDevice* found = d.host->devices.find(d.robot, name);
         if (!found) d.note(unknownName("device", name, config(d).devices));
         return found;
     }
 
     static double* peerSignal(void* context, const char* kind, const char* name, const char* signalName) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         const std::string peerName = moduleName(name), ofKind = moduleName(kind), asked = moduleName(signalName);
-        const Device* other = peer(d, peerName);
+        const WorldDevice* other = peer(d, peerName);
         if (!other) return nullptr;
         if (!ofKind.empty() && other->spec->kind != ofKind) {
             d.note(peerName + " is a " + other->spec->kind + ", not a " + ofKind);
@@ -161,10 +161,10 @@ struct MountCalls {
     }
 
     static std::int32_t peerNumber(void* context, const char* name, const char* field, double* value) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         const std::string peerName = moduleName(name), asked = moduleName(field);
         if (peerName.empty()) return settingNumber(d.host->experiment.settings, asked, value);
-        const Device* other = peer(d, peerName);
+        const WorldDevice* other = peer(d, peerName);
         if (!other) return -1;
         const ResolvedValue* found = other->spec->find(asked);
         if (!found || found->value.numbers.empty()) return -1;
@@ -173,8 +173,8 @@ struct MountCalls {
     }
 
     static const char* peerText(void* context, const char* name, const char* field) {
-        Device& d = device(context);
-        const Device* other = peer(d, moduleName(name));
+        WorldDevice& d = device(context);
+        const WorldDevice* other = peer(d, moduleName(name));
         if (!other) return nullptr;
         const ResolvedValue* found = other->spec->find(moduleName(field));
         return found && !found->value.texts.empty() ? found->value.texts[0].c_str() : nullptr;
@@ -186,7 +186,7 @@ struct MountCalls {
     }
 
     static std::int32_t measureJoint(void* context, const char* name, std::uint32_t* out) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         const auto& joints = config(d).joints;
         const std::string asked = moduleName(name);
         const int i = indexOf(joints, asked);
@@ -204,7 +204,7 @@ struct MountCalls {
     }
 
     static std::int32_t provideSupply(void* context, double nominal, double voltage) {
-        Device& d = device(context);
+        WorldDevice& d = device(context);
         if (!(nominal > 0) || !std::isfinite(nominal) || !std::isfinite(voltage) ||
             !d.host->supply.provide(d.robot, nominal, voltage))
             return -1;
@@ -213,7 +213,7 @@ struct MountCalls {
     }
 
     static void print(void* context, std::int32_t severity, const char* words) {
-        const Device& d = device(context);
+        const WorldDevice& d = device(context);
         if (words) d.host->texts.print(d.path, severity, moduleMessage(words).c_str());
     }
 
@@ -225,7 +225,7 @@ struct MountCalls {
 
 } // namespace
 
-void fillMount(Device& device, double tick) {
+void fillMount(WorldDevice& device, double tick) {
     device.mount = {sizeof(TrundleMount),
                     0,
                     &device,

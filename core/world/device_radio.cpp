@@ -15,7 +15,7 @@ std::vector<double> listOf(const double* numbers, std::uint32_t count) {
 
 struct RadioCalls {
     static std::int32_t open(void* context, const TrundleRadioSettings* s, std::uint32_t* radio) {
-        Device& d = *static_cast<Device*>(context);
+        WorldDevice& d = *static_cast<WorldDevice*>(context);
         const DeviceHost& host = *d.host;
         Medium& medium = host.radio.medium();
         if (!s || s->size < sizeof(TrundleRadioSettings) || !host.objects.isBody(s->body)) {

@@ -1,6 +1,7 @@
 #include "world/signal_plan.h"
 
 #include <algorithm>
+#include <set>
 
 #include <trundle/describe.h>
 #include <trundle/device_signals.h>
@@ -96,15 +97,24 @@ void planControllers(SignalLayout& layout, const RobotSpec& robot) {
                            SignalDirection::Output, signalCount(s, controller));
 }
 
+/// On a Slider what is an angle elsewhere is a way.
+const char* unitOn(bool slider, const std::string& unit) {
+    return slider && unit == "rad" ? "m" : slider && unit == "rad/s" ? "m/s" : unit.c_str();
+}
+
 SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry) {
     SignalLayout layout;
     for (const RobotSpec& robot : experiment.robots) {
         planRobot(layout, robot);
+        std::set<std::string, std::less<>> sliders;
+        for (const JointSpec& joint : robot.config->joints)
+            if (joint.type == JointType::Slider) sliders.insert(joint.name);
         for (const ComponentSpec& device : robot.config->devices) {
             const Kind* kind = registry.find(device.kind);
             if (!kind) continue;
+            const bool slider = sliders.contains(device.text("Joint"));
             for (const SignalDescription& s : kind->signals)
-                layout.add(robot.name + "/" + device.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
+                layout.add(robot.name + "/" + device.name + "/" + s.name, unitOn(slider, s.unit), static_cast<SignalType>(s.type),
                            static_cast<SignalDirection>(s.direction), signalCount(s, device));
         }
         planControllers(layout, robot);

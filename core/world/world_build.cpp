@@ -76,7 +76,7 @@ bool BuiltWorld::build(const DeviceCode& code, Diagnostics& diagnostics) {
     if (failed()) return false;
     publish();
     m_radio.place();
-    if (const Device* device = m_devices.sense(0)) { // so that sensor signals are valid at tick 0
+    if (const WorldDevice* device = m_devices.sense(0)) { // so that sensor signals are valid at tick 0
         diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
         return false;
     }

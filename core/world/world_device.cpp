@@ -6,29 +6,29 @@
 
 namespace trundle {
 
-Device::~Device() {
+WorldDevice::~WorldDevice() {
     if (!instance || !kind || !kind->destroy) return;
     const MonitoredCall call(*calls, target, "destructor");
     kind->destroy(instance);
 }
 
-void Device::note(const std::string& why) {
+void WorldDevice::note(const std::string& why) {
     if (failure.empty()) failure = why;
     if (phase) phase->noted = true;
 }
 
-std::string Device::lastError() const {
+std::string WorldDevice::lastError() const {
     const std::string text = kind->lastError ? moduleMessage(kind->lastError(instance)) : std::string();
     return text.empty() ? "it reported no reason" : text;
 }
 
-const Device* DeviceList::find(std::uint32_t robot, std::string_view name) const {
+const WorldDevice* DeviceList::find(std::uint32_t robot, std::string_view name) const {
     for (std::uint32_t i = firstOf[robot]; i < firstOf[robot + 1]; ++i)
         if (all[i]->spec->name == name) return all[i].get();
     return nullptr;
 }
 
-const Device* DeviceList::find(std::string_view path) const {
+const WorldDevice* DeviceList::find(std::string_view path) const {
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& device) { return device->path == path; });
     return found == all.end() ? nullptr : found->get();
 }

@@ -22,7 +22,7 @@ class WorldObjects;
 class WorldRadio;
 class WorldSupply;
 struct DeviceHost;
-struct Device;
+struct WorldDevice;
 
 /// Which calls of devices are running.
 struct DevicePhase {
@@ -34,7 +34,7 @@ struct DevicePhase {
 /// The context of a device's TrundleServices: who calls, and when. Those of all devices lie side by side.
 struct ServiceContext {
     const DeviceHost* host = nullptr;
-    Device* device = nullptr;
+    WorldDevice* device = nullptr;
     const DevicePhase* phase = nullptr;
     std::uint32_t robot = 0;
 
@@ -43,7 +43,7 @@ struct ServiceContext {
 };
 
 /// Its kind, instance and signal slots.
-struct Device {
+struct WorldDevice {
     CallMonitor* calls = nullptr;     ///< outlives it
     const DeviceHost* host = nullptr; ///< from its setup on
     const TrundleKind* kind = nullptr;
@@ -61,10 +61,10 @@ struct Device {
     std::string failure;          ///< the first failure reported
     std::string scratch;          ///< owns a text returned to the device
 
-    Device() = default;
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
-    ~Device();
+    WorldDevice() = default;
+    WorldDevice(const WorldDevice&) = delete;
+    WorldDevice& operator=(const WorldDevice&) = delete;
+    ~WorldDevice();
     void note(const std::string& why);
     /// What its kind says went wrong, else `failure`.
     [[nodiscard]] std::string lastError() const;
@@ -72,11 +72,11 @@ struct Device {
 
 /// The devices of a world, robot by robot, in text order.
 struct DeviceList {
-    std::vector<std::unique_ptr<Device>> all;
+    std::vector<std::unique_ptr<WorldDevice>> all;
     std::vector<std::uint32_t> firstOf; ///< by robot; one more at the end
 
-    [[nodiscard]] const Device* find(std::uint32_t robot, std::string_view name) const;
-    [[nodiscard]] const Device* find(std::string_view path) const;
+    [[nodiscard]] const WorldDevice* find(std::uint32_t robot, std::string_view name) const;
+    [[nodiscard]] const WorldDevice* find(std::string_view path) const;
 };
 
 /// What devices reach of their world, all of which outlives them.

@@ -38,9 +38,9 @@ void WorldDevices::create(std::span<const BuiltRobot> robots, const DeviceCode& 
         if (device->instance && giveFields(*device, diagnostics)) (void)hasRoom(*device, diagnostics);
 }
 
-std::unique_ptr<Device> WorldDevices::made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
-                                           const DeviceCode& code, Diagnostics& diagnostics) {
-    auto device = std::make_unique<Device>();
+std::unique_ptr<WorldDevice> WorldDevices::made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
+                                                const DeviceCode& code, Diagnostics& diagnostics) {
+    auto device = std::make_unique<WorldDevice>();
     device->calls = &m_calls;
     device->spec = &spec;
     device->robot = robotIndex;
@@ -58,14 +58,14 @@ std::unique_ptr<Device> WorldDevices::made(const BuiltRobot& robot, const Compon
 }
 
 /// All one after another, so that their memory is, too: a tick goes through it from front to back.
-void WorldDevices::instantiate(Device& device, Diagnostics& diagnostics) {
+void WorldDevices::instantiate(WorldDevice& device, Diagnostics& diagnostics) {
     const MonitoredCall call(m_calls, device.target, "constructor");
     device.instance = device.kind->create();
     if (!device.instance) diagnostics.error(Code::DeviceSetup, device.spec->nameRange, device.path + ": " + device.lastError());
 }
 
 /// A signal whose count depends on fields could need any amount of memory.
-bool WorldDevices::hasRoom(const Device& device, Diagnostics& diagnostics) {
+bool WorldDevices::hasRoom(const WorldDevice& device, Diagnostics& diagnostics) {
     for (std::uint32_t i = 0; i < device.kind->signalCount; ++i) {
         const TrundleSignal& s = device.kind->signals[i];
         const std::uint64_t count = signalCount(*device.kind, s, *device.spec);
@@ -83,7 +83,7 @@ bool WorldDevices::hasRoom(const Device& device, Diagnostics& diagnostics) {
 }
 
 /// Values whose key is not a field of the kind (the module may be newer or older than its text) are ignored.
-bool WorldDevices::giveFields(Device& device, Diagnostics& diagnostics) {
+bool WorldDevices::giveFields(WorldDevice& device, Diagnostics& diagnostics) {
     const TrundleKind& kind = *device.kind;
     for (std::uint32_t i = 0; i < kind.fieldCount; ++i) {
         const ResolvedValue* given = device.spec->find(kind.fields[i].name);
@@ -107,7 +107,7 @@ bool WorldDevices::giveFields(Device& device, Diagnostics& diagnostics) {
 
 void WorldDevices::layOut(std::uint32_t robot, SignalLayout& layout) {
     for (std::uint32_t d = m_devices.firstOf[robot]; d < m_devices.firstOf[robot + 1]; ++d) {
-        Device& device = *m_devices.all[d];
+        WorldDevice& device = *m_devices.all[d];
         for (std::uint32_t i = 0; i < device.kind->signalCount; ++i) {
             const TrundleSignal& s = device.kind->signals[i];
             device.slots.push_back(layout.add(device.path + "/" + s.name, s.unit ? s.unit : "", static_cast<SignalType>(s.type),
@@ -144,9 +144,10 @@ void WorldDevices::order(Diagnostics& diagnostics) {
     addSupplies(users);
     const std::vector<std::uint32_t> acting = actingOrder(peers), sensing = actingOrder(users);
     for (const std::uint32_t i : acting)
-        if (Device& d = *m_devices.all[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &m_contexts[i], d.target});
+        if (WorldDevice& d = *m_devices.all[i]; d.kind->act)
+            m_acting.push_back({d.kind->act, d.instance, &m_contexts[i], d.target});
     for (const std::uint32_t i : sensing)
-        if (Device& d = *m_devices.all[i]; d.kind->sense)
+        if (WorldDevice& d = *m_devices.all[i]; d.kind->sense)
             m_sensing.push_back({d.kind->sense, d.instance, &m_contexts[i], d.target});
     if (acting.size() != m_devices.all.size()) reportCircle(acting, diagnostics);
     else if (sensing.size() != m_devices.all.size()) reportCircle(sensing, diagnostics);
@@ -169,7 +170,7 @@ void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagno
     std::vector<bool> placed(m_devices.all.size());
     for (const std::uint32_t i : acting) placed[i] = true;
     std::string names;
-    const Device* first = nullptr;
+    const WorldDevice* first = nullptr;
     for (const auto& device : m_devices.all) {
         if (placed[device->index]) continue;
         if (!first) first = device.get();
@@ -178,11 +179,11 @@ void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagno
     diagnostics.error(Code::DeviceSetup, first->spec->nameRange, "these devices drive each other in a circle: " + names);
 }
 
-const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
+const WorldDevice* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
     m_phase.ticks = ticks;
     m_phase.calls = acting ? DevicePhase::Calls::Act : DevicePhase::Calls::Sense;
     m_services.time = static_cast<double>(ticks) * m_tick;
-    const Device* failed = nullptr;
+    const WorldDevice* failed = nullptr;
     const std::span<const Call> calls = acting ? m_acting : m_sensing;
     for (std::size_t i = 0; i < calls.size(); ++i) {
         const Call& call = calls[i];
@@ -191,7 +192,7 @@ const Device* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
         const MonitoredCall monitored(m_calls, call.target, acting ? "act" : "sense");
         const std::int32_t answer = call.run(call.instance, &m_services);
         if (answer == 0 && !m_phase.noted) continue;
-        Device& device = *call.context->device;
+        WorldDevice& device = *call.context->device;
         if (answer == 0 && device.failure.empty()) continue;
         if (device.failure.empty()) device.note(device.lastError());
         failed = &device;

@@ -27,8 +27,8 @@ public:
     void order(Diagnostics& diagnostics);
 
     // The calls of a tick, after `ticks` of them. The device that failed, nullptr if none: its `failure` says why.
-    [[nodiscard]] const Device* act(std::uint64_t ticks) { return callAll(ticks, true); }
-    [[nodiscard]] const Device* sense(std::uint64_t ticks) { return callAll(ticks, false); }
+    [[nodiscard]] const WorldDevice* act(std::uint64_t ticks) { return callAll(ticks, true); }
+    [[nodiscard]] const WorldDevice* sense(std::uint64_t ticks) { return callAll(ticks, false); }
 
     /// The devices of a robot are not called any more.
     void end(std::uint32_t robot);
@@ -43,14 +43,14 @@ private:
         ServiceContext* context = nullptr;
         const CallTarget* target = nullptr;
     };
-    [[nodiscard]] std::unique_ptr<Device> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
-                                               const DeviceCode& code, Diagnostics& diagnostics);
-    void instantiate(Device& device, Diagnostics& diagnostics);
-    [[nodiscard]] static bool giveFields(Device& device, Diagnostics& diagnostics);
-    [[nodiscard]] bool hasRoom(const Device& device, Diagnostics& diagnostics);
+    [[nodiscard]] std::unique_ptr<WorldDevice> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
+                                                    const DeviceCode& code, Diagnostics& diagnostics);
+    void instantiate(WorldDevice& device, Diagnostics& diagnostics);
+    [[nodiscard]] static bool giveFields(WorldDevice& device, Diagnostics& diagnostics);
+    [[nodiscard]] bool hasRoom(const WorldDevice& device, Diagnostics& diagnostics);
     void addSupplies(std::vector<std::vector<std::uint32_t>>& next) const;
     void reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const;
-    [[nodiscard]] const Device* callAll(std::uint64_t ticks, bool acting);
+    [[nodiscard]] const WorldDevice* callAll(std::uint64_t ticks, bool acting);
 
     CallMonitor& m_calls;
     DevicePhase m_phase; ///< outlives the devices

@@ -7,7 +7,7 @@
 
 namespace trundle {
 
-void WorldLamps::set(const Device& device, const LampMount& mount, double light) {
+void WorldLamps::set(const WorldDevice& device, const LampMount& mount, double light) {
     const auto isBefore = [&device](const Lamp& l, int) {
         return l.pathHash != device.pathHash ? l.pathHash < device.pathHash : l.device < device.index;
     };

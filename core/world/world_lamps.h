@@ -11,7 +11,7 @@
 namespace trundle {
 
 class Engine;
-struct Device;
+struct WorldDevice;
 
 /// Where a lamp is on a body, and how it shines; axis and point are in the frame of the body, m.
 struct LampMount {
@@ -23,7 +23,7 @@ struct LampMount {
 class WorldLamps {
 public:
     /// The device is a lamp from now on; with a light of 0 it is dark.
-    void set(const Device& device, const LampMount& mount, double light);
+    void set(const WorldDevice& device, const LampMount& mount, double light);
     // Both return how many are not dark, and write as many of them as there is room for, where their bodies are. Their order depends on
     // the paths of the devices alone, so that sums over them have the same bits for any order of blocks in the text.
     std::size_t write(std::span<TrundleLight> out, const Engine& engine) const;

@@ -63,10 +63,6 @@ void WorldObjects::build(const ExperimentSpec& experiment, Engine& engine, Diagn
     }
     for (std::size_t i = 0; i < m_joints.size(); ++i)
         locate(m_joints[i], experiment.joints[i].spec.type, placeOf(experiment.joints[i], m_robots));
-    m_hashOrder.resize(m_bodyPaths.size());
-    std::iota(m_hashOrder.begin(), m_hashOrder.end(), 0u);
-    std::stable_sort(m_hashOrder.begin(), m_hashOrder.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return m_bodyPaths[a] < m_bodyPaths[b]; });
 }
 
 /// Sorted by name, so that the result does not depend on the order of blocks in the text.

@@ -87,8 +87,6 @@ public:
     [[nodiscard]] SourceRange bodyRange(std::uint32_t body) const { return m_bodyRanges[body]; }
     /// nullptr: no such joint.
     [[nodiscard]] const JointLocation* jointLocation(std::uint32_t joint) const;
-    /// Bodies, sorted by path.
-    [[nodiscard]] const std::vector<std::uint32_t>& bodiesByPath() const { return m_hashOrder; }
 
     // nullptr: unknown name.
     [[nodiscard]] const std::uint32_t* findBody(const std::string& path) const;
@@ -115,7 +113,6 @@ private:
     std::vector<std::uint8_t> m_hasPicture; ///< by material
     std::vector<SourceRange> m_bodyRanges;
     std::vector<std::uint8_t> m_isFixed; ///< by body
-    std::vector<std::uint32_t> m_hashOrder;
     std::vector<std::uint8_t> m_jointTurns;
     std::vector<JointLocation> m_jointLocations;
     std::unordered_map<std::string, std::uint32_t> m_bodyByPath, m_robotByName; // for lookup only, never iterated

@@ -33,9 +33,11 @@ private:
 
 } // namespace
 
+/// In the order in which they are built: moving scenery and robots by their names, the bodies of one as its config has them, so that the
+/// names of these do not matter.
 std::uint64_t BuiltWorld::stateHash() const {
     StateHash hash;
-    for (const std::uint32_t body : m_objects.bodiesByPath()) {
+    for (std::uint32_t body = 0; body < m_objects.bodyPaths().size(); ++body) {
         const BodyState& s = m_engine->state({body});
         hash.add(s.position);
         hash.add(s.rotation.w());
@@ -127,7 +129,7 @@ Status BuiltWorld::setSurface(const SurfaceSpec& surface) {
 }
 
 Status BuiltWorld::setProperty(const std::string& path, const std::string& property, const PropertyValue& value) {
-    const Device* device = m_devices.list().find(path);
+    const WorldDevice* device = m_devices.list().find(path);
     if (!device) return Error{Code::UnknownReference, "there is no device " + path};
     const MonitoredCall call(*m_calls, device->target, "set");
     return setLive(*device->kind, device->instance, path, property, value);
@@ -138,7 +140,7 @@ Status BuiltWorld::stopAt(const EngineFault& fault) {
     return stop(fault.body.valid() ? Code::BlowUp : Code::EngineFault, faultFrom(fault, m_objects, *m_engine, tick, end));
 }
 
-Status BuiltWorld::stopAt(const Device& failed) {
+Status BuiltWorld::stopAt(const WorldDevice& failed) {
     return stop(Code::DeviceSetup, {"", time(), failed.path + ": " + failed.failure, failed.spec->nameRange});
 }
 

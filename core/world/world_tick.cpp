@@ -11,7 +11,7 @@ Status BuiltWorld::tick() {
 }
 
 Status BuiltWorld::advance() {
-    if (const Device* failed = m_devices.act(m_ticks)) return stopAt(*failed);
+    if (const WorldDevice* failed = m_devices.act(m_ticks)) return stopAt(*failed);
     const double end = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
     m_radio.advance(end);
     m_contactsReady = false;
@@ -22,7 +22,7 @@ Status BuiltWorld::advance() {
     publish(); // before sense, so that devices can read the state signals of this tick
     m_supply.clearLoads();
     m_chargers.beginTick();
-    if (const Device* failed = m_devices.sense(m_ticks)) return stopAt(*failed);
+    if (const WorldDevice* failed = m_devices.sense(m_ticks)) return stopAt(*failed);
     return {};
 }
 

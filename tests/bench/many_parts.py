@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes a robot of many instances of one part: `many_parts.py [COUNT] [--blocks] > parts.sim`.
+"""Writes a robot of many instances of one part: `many_parts.py [COUNT] [--blocks] [--wheels] > parts.sim`.
 
-With one Repeat around one Part, or with --blocks one Part block for each.
+With one Repeat around one Part, or with --blocks one Part block for each; with --wheels each is a wheel with a motor and an encoder.
 """
 import sys
 
@@ -16,11 +16,17 @@ RobotConfig Plate {
   Body base { Box board { Size=20,20,0.1 Mass=100 Material=grey Surface=plastic } }
 """
 
+FIXED = "  Fixed nail { Parent=$on Child=head }\n"
+WHEEL = """  Hinge axle { Parent=$on Child=head Axis=0,1,0 }
+  RotaryMotor motor { Joint=axle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 GearRatio=30 MaxVoltage=12 }
+  Encoder counts { Joint=axle CountsPerRevolution=100 }
+"""
+
 
 def main(arguments):
     numbers = [int(a) for a in arguments if a.isdigit()]
     count = numbers[0] if numbers else 10000
-    sys.stdout.write(HEAD)
+    sys.stdout.write(HEAD.replace(FIXED, WHEEL) if "--wheels" in arguments else HEAD)
     if "--blocks" in arguments:
         for i in range(count):
             sys.stdout.write(f"  Part bolt{i} {{ Config=Bolt on=base Pos={i % 100 * 0.1:.1f},{i // 100 * 0.1:.1f},0.1 }}\n")

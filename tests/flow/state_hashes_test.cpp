@@ -70,7 +70,7 @@ const World kWorlds[] = {
      "  Gripper hand { Left=openLeft Right=openRight Force=10 }\n}\n"
      "RobotConfig Load { Body body { Box box { Size=0.04,0.1,0.06 Mass=0.5 Surface=rubber } } }\n"
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
-     "3", "8850068cf647f313"},
+     "3", "2f57ad7412fe2f0b"},
     {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n",
      "8", "cf91192eb18b0214"},
     {"robots that crowd, a crate and a ball, on wheels", nullptr,
@@ -98,7 +98,7 @@ const World kWorlds[] = {
      "  Hinge flex { Parent=hull Child=mast Anchor=0,0,0.35 Axis=1,0,0 Stiffness=3 Damping=0.01 LowStop=-20deg HighStop=20deg } "
      "}\n"
      "Grid g { Config=Cart Count=2,2 Spacing=0.8 Pos=0,0,0.1 HPR=20,4,3 }\n",
-     "3", "61db386ee4a8f411"},
+     "3", "fe88382da701fd45"},
 };
 
 } // namespace

@@ -214,6 +214,31 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
     }
 
+    /// Two types of one name in one namespace are one for the linker, which takes the members of either.
+    void typesHaveNamesOfTheirOwn() {
+        const QRegularExpression anonymous("^namespace \\{\\n.*?^\\} // namespace$",
+                                           QRegularExpression::MultilineOption | QRegularExpression::DotMatchesEverythingOption);
+        const QRegularExpression type(
+            "^(?:namespace ([\\w:]+) \\{|(?:template <[^;{]*> )?(?:struct|class|enum class) (\\w+)(?: final)?(?: : [^;{]*)? \\{)",
+            QRegularExpression::MultilineOption);
+        QMap<QString, QString> firsts;
+        QStringList twice;
+        for (const SourceFile& file : sourceFiles({"core", "editor", "app"}, {".h", ".cpp"})) {
+            QString text = file.text, space;
+            for (auto found = type.globalMatch(text.remove(anonymous)); found.hasNext();) {
+                const QRegularExpressionMatch match = found.next();
+                if (match.hasCaptured(1)) space = match.captured(1);
+                if (match.captured(2).isEmpty() || space.isEmpty()) continue;
+                const QString name = space + "::" + match.captured(2);
+                if (firsts.contains(name)) twice << name + ": " + firsts[name] + " and " + file.path;
+                firsts.insert(name, file.path);
+            }
+        }
+        QVERIFY(firsts.size() > 500);
+        QVERIFY2(firsts.contains("trundle::GeomBall") && firsts.contains("trundle::RayScene"), "the search finds nothing");
+        QVERIFY2(twice.isEmpty(), qPrintable(twice.join('\n')));
+    }
+
     void headersAreGuardedAndLiveInTheNamespace() {
         for (const SourceFile& file : sourceFiles({"core", "editor", "app"}, {".h"})) {
             if (file.path.section('/', -1).startsWith("abi")) continue; // C includes it too

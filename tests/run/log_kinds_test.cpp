@@ -95,12 +95,12 @@ std::vector<std::string> messagesOf(const std::vector<Diagnostic>& all) {
 class LogKindsTest : public QObject {
     Q_OBJECT
 
-    static std::unique_ptr<Log> logOf(const World& world, const char* kind,
-                                      std::map<std::string, ResolvedValue, std::less<>> values) {
+    static std::unique_ptr<RunLog> logOf(const World& world, const char* kind,
+                                         std::map<std::string, ResolvedValue, std::less<>> values) {
         Diagnostics diagnostics;
         return makeLog(logSpec(kind, "log", std::move(values)), world, diagnostics);
     }
-    static std::string textOf(Log& log, const World& world, double time = 0.5) {
+    static std::string textOf(RunLog& log, const World& world, double time = 0.5) {
         std::string text;
         log.header(text);
         log.rows(world, time, text);

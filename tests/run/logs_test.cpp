@@ -12,7 +12,7 @@ class LogsTest : public QObject {
 
     static std::string csvOf(FakeWorld& world, const ComponentSpec& spec) {
         Diagnostics diagnostics;
-        const std::unique_ptr<Log> log = makeLog(spec, world, diagnostics);
+        const std::unique_ptr<RunLog> log = makeLog(spec, world, diagnostics);
         if (diagnostics.hasErrors()) return diagnostics.all()[0].message;
         std::string csv;
         log->header(csv);

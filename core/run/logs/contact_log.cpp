@@ -11,7 +11,7 @@ namespace {
 /// The first word of a path: "robot0" of "robot0/chassis/bumper".
 std::string_view ownerOf(std::string_view path) { return path.substr(0, path.find('/')); }
 
-class ContactLog final : public Log {
+class ContactLog final : public RunLog {
 public:
     /// With an empty set, all contacts are logged.
     explicit ContactLog(std::set<std::string, std::less<>> robots) : m_robots(std::move(robots)) {}
@@ -55,7 +55,7 @@ void ContactLogSettings::describe(Describe<ContactLogSettings>& d) {
     describeLogSettings(d);
 }
 
-std::unique_ptr<Log> makeContactLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+std::unique_ptr<RunLog> makeContactLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     std::set<std::string, std::less<>> names;
     if (!spec.texts("Robot").empty())
         for (const std::size_t robot : chooseRobots(spec, world.experiment().robots, diagnostics))

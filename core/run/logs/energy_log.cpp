@@ -6,7 +6,7 @@
 namespace trundle {
 namespace {
 
-class EnergyLog final : public Log {
+class EnergyLog final : public RunLog {
 public:
     explicit EnergyLog(std::vector<std::size_t> robots) : m_robots(std::move(robots)) {}
 
@@ -40,7 +40,7 @@ void EnergyLogSettings::describe(Describe<EnergyLogSettings>& d) {
     describeLogSettings(d);
 }
 
-std::unique_ptr<Log> makeEnergyLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+std::unique_ptr<RunLog> makeEnergyLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     return std::make_unique<EnergyLog>(chooseRobots(spec, world.experiment().robots, diagnostics));
 }
 

@@ -7,7 +7,7 @@
 namespace trundle {
 namespace {
 
-class FrameLog final : public Log {
+class FrameLog final : public RunLog {
 public:
     FrameLog(std::string name, const FrameLogSettings& settings)
         : m_name(std::move(name)), m_pictureOptions{settings.camera.value_or(""), settings.view.value_or(""),
@@ -56,7 +56,7 @@ void FrameLogSettings::describe(Describe<FrameLogSettings>& d) {
     describeLogSettings(d);
 }
 
-std::unique_ptr<Log> makeFrameLog(const ComponentSpec& spec, const World&, Diagnostics&) {
+std::unique_ptr<RunLog> makeFrameLog(const ComponentSpec& spec, const World&, Diagnostics&) {
     return std::make_unique<FrameLog>(spec.name, settingsFrom<FrameLogSettings>(spec));
 }
 

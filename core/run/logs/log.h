@@ -29,9 +29,9 @@ struct PictureOptions {
 /// Saves an image and returns the time (s) that it shows: earlier than now for a camera with an UpdatePeriod.
 using PictureSaver = std::function<Result<double>(const PictureOptions&, const std::string& fileName)>;
 
-class Log {
+class RunLog {
 public:
-    virtual ~Log() = default;
+    virtual ~RunLog() = default;
     /// Called before all other functions.
     virtual void usePictures(PictureSaver) {}
     /// The header row; rows() appends the rows for the world's current state.
@@ -63,12 +63,12 @@ template <class T> void describeLogSettings(Describe<T>& d) {
 }
 
 // One factory per kind. An unknown name is an error that lists the existing names; the result is then nullptr.
-std::unique_ptr<Log> makePoseLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
-std::unique_ptr<Log> makeSignalLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
-std::unique_ptr<Log> makeContactLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
-std::unique_ptr<Log> makeFrameLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
-std::unique_ptr<Log> makeEnergyLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
-std::unique_ptr<Log> makeRadioLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
-std::unique_ptr<Log> makeLinkMatrix(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<RunLog> makePoseLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<RunLog> makeSignalLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<RunLog> makeContactLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<RunLog> makeFrameLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<RunLog> makeEnergyLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<RunLog> makeRadioLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<RunLog> makeLinkMatrix(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -15,7 +15,7 @@ namespace {
 struct LogKind {
     const char* name;
     Kind (*kind)(std::string name);
-    std::unique_ptr<Log> (*make)(const ComponentSpec&, const World&, Diagnostics&);
+    std::unique_ptr<RunLog> (*make)(const ComponentSpec&, const World&, Diagnostics&);
 };
 
 template <class T> Kind logKind(std::string name) { return kindOf<T>(std::move(name), Role::Log, {"", "Repeat", "Ring"}, true); }
@@ -35,7 +35,7 @@ Status addLogKinds(Registry& registry) {
     return {};
 }
 
-std::unique_ptr<Log> makeLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+std::unique_ptr<RunLog> makeLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     for (const LogKind& log : kLogKinds)
         if (spec.kind == log.name) return log.make(spec, world, diagnostics);
     return nullptr; // not reached: the resolver rejects unknown kinds

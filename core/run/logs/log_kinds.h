@@ -10,7 +10,7 @@ namespace trundle {
 [[nodiscard]] Status addLogKinds(Registry& registry);
 
 /// Creates the log for a spec; nullptr, with a diagnostic, on failure.
-[[nodiscard]] std::unique_ptr<Log> makeLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+[[nodiscard]] std::unique_ptr<RunLog> makeLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 
 /// The value of `File`, or a name such as "path.csv" for a log `path`.
 [[nodiscard]] std::string logFileName(const ComponentSpec& spec);

@@ -7,7 +7,7 @@
 namespace trundle {
 namespace {
 
-class PoseLog final : public Log {
+class PoseLog final : public RunLog {
 public:
     explicit PoseLog(std::vector<std::size_t> robots) : m_robots(std::move(robots)) {}
 
@@ -44,7 +44,7 @@ void PoseLogSettings::describe(Describe<PoseLogSettings>& d) {
     describeLogSettings(d);
 }
 
-std::unique_ptr<Log> makePoseLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+std::unique_ptr<RunLog> makePoseLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     return std::make_unique<PoseLog>(chooseRobots(spec, world.experiment().robots, diagnostics));
 }
 

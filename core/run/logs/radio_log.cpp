@@ -37,7 +37,7 @@ private:
 
 double rounded(double decibels) { return std::round(decibels * 1000) / 1000; }
 
-class RadioLog final : public Log {
+class RadioLog final : public RunLog {
 public:
     RadioLog(Medium& medium, RadioChoice robots) : m_medium(medium), m_robots(std::move(robots)), m_trace(medium.trace()) {}
 
@@ -57,7 +57,7 @@ private:
 };
 
 /// Captures the frames as a sniffer next to every sender would.
-class PacketCapture final : public Log {
+class PacketCapture final : public RunLog {
 public:
     PacketCapture(Medium& medium, RadioChoice robots) : m_robots(std::move(robots)), m_trace(medium.trace()) {}
 
@@ -74,7 +74,7 @@ private:
     std::shared_ptr<RadioTrace> m_trace;
 };
 
-class LinkMatrix final : public Log {
+class LinkMatrix final : public RunLog {
 public:
     LinkMatrix(const Medium& medium, RadioChoice robots) : m_medium(medium), m_robots(std::move(robots)) {}
 
@@ -124,7 +124,7 @@ void LinkMatrixSettings::describe(Describe<LinkMatrixSettings>& d) {
     describeLogSettings(d);
 }
 
-std::unique_ptr<Log> makeRadioLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+std::unique_ptr<RunLog> makeRadioLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     Medium* medium = world.medium();
     if (!medium) return nullptr;
     RadioChoice choice(*medium, robotsOf(spec, world, diagnostics));
@@ -132,7 +132,7 @@ std::unique_ptr<Log> makeRadioLog(const ComponentSpec& spec, const World& world,
     return std::make_unique<RadioLog>(*medium, std::move(choice));
 }
 
-std::unique_ptr<Log> makeLinkMatrix(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+std::unique_ptr<RunLog> makeLinkMatrix(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     const Medium* medium = world.medium();
     if (!medium) return nullptr;
     return std::make_unique<LinkMatrix>(*medium, RadioChoice(*medium, robotsOf(spec, world, diagnostics)));

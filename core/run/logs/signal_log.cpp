@@ -9,7 +9,7 @@
 namespace trundle {
 namespace {
 
-class SignalLog final : public Log {
+class SignalLog final : public RunLog {
 public:
     explicit SignalLog(const std::vector<const SignalEntry*>& signals) {
         for (const SignalEntry* entry : signals) {
@@ -58,7 +58,7 @@ void SignalLogSettings::describe(Describe<SignalLogSettings>& d) {
     describeLogSettings(d);
 }
 
-std::unique_ptr<Log> makeSignalLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+std::unique_ptr<RunLog> makeSignalLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     return std::make_unique<SignalLog>(chooseSignals(spec, world.layout(), diagnostics));
 }
 

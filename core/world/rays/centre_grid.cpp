@@ -6,16 +6,16 @@ namespace trundle {
 
 namespace {
 
-bool isPlace(const Ball& b) { return std::isfinite(b.x * b.x + b.y * b.y + b.z * b.z + b.r); }
+bool isPlace(const GeomBall& b) { return std::isfinite(b.x * b.x + b.y * b.y + b.z * b.z + b.r); }
 
 } // namespace
 
-void CentreGrid::build(std::span<const Ball> balls) {
+void CentreGrid::build(std::span<const GeomBall> balls) {
     double x1 = -1e300, y1 = -1e300;
     m_x0 = m_y0 = 1e300;
     m_reach = 0;
     std::size_t count = 0;
-    for (const Ball& b : balls) {
+    for (const GeomBall& b : balls) {
         if (!isPlace(b)) continue;
         ++count;
         m_x0 = std::min(m_x0, b.x);
@@ -36,7 +36,7 @@ void CentreGrid::build(std::span<const Ball> balls) {
     m_begin.assign(m_columns * m_rows + 1, 0);
     m_cellOf.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        const Ball& b = balls[i];
+        const GeomBall& b = balls[i];
         const bool finite = isPlace(b);
         m_cellOf[i] = finite ? static_cast<std::uint32_t>(row(b.y) * m_columns + column(b.x)) : 0xffffffffu;
         if (finite) ++m_begin[m_cellOf[i]];

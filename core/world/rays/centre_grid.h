@@ -11,7 +11,7 @@
 
 namespace trundle {
 
-struct Ball {
+struct GeomBall {
     double x, y, z, r;
     std::uint32_t geom, actor;
 };
@@ -21,7 +21,7 @@ public:
     explicit CentreGrid(double cell) : m_wanted(cell) {}
 
     /// Balls whose numbers, or their squares, are not finite are left out.
-    void build(std::span<const Ball> balls);
+    void build(std::span<const GeomBall> balls);
 
     /// All whose centre is within the longest radius of a rectangle, and some more: visit(ball).
     template <class Visit> void near(double x0, double x1, double y0, double y1, Visit visit) const {
@@ -46,7 +46,7 @@ private:
     double m_wanted, m_cell = 1, m_perCell = 1, m_x0 = 0, m_y0 = 0, m_reach = 0; ///< m_reach: the longest radius
     std::size_t m_columns = 1, m_rows = 1;
     std::vector<std::uint32_t> m_begin, m_cellOf; ///< by cell, one more at the end; by given ball
-    std::vector<Ball> m_balls;                    ///< in the order of their cells
+    std::vector<GeomBall> m_balls;                ///< in the order of their cells
 };
 
 template <class Visit> void CentreGrid::along(const Vec3& from, const Vec3& way, Visit visit) const {

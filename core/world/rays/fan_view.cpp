@@ -33,7 +33,7 @@ FanView::FanView(const RayFan& fan, const BeamTable& table)
     m_perStep = table.bearingStep != 0 && table.count > 1 ? 1 / table.bearingStep : 0;
 }
 
-bool FanView::aim(const Ball& ball, Aim& aim) const {
+bool FanView::aim(const GeomBall& ball, Aim& aim) const {
     const Vec3 p(ball.x - m_fan.origin.x(), ball.y - m_fan.origin.y(), ball.z - m_fan.origin.z());
     const double far = m_fan.range + ball.r;
     if (!(p.squaredNorm() <= far * far)) return false;

@@ -25,7 +25,7 @@ public:
         bool holds; ///< the fan is in it or above it: the sector is a full turn
     };
     /// False: no beam can meet it.
-    [[nodiscard]] bool aim(const Ball& ball, Aim& aim) const;
+    [[nodiscard]] bool aim(const GeomBall& ball, Aim& aim) const;
     /// Whether beams of this layer can meet the ball.
     [[nodiscard]] bool crosses(std::size_t layer, const Aim& aim, double radius) const {
         const Direction& d = m_table.layers[layer];

@@ -28,7 +28,7 @@ struct SingleRay {
 
 inline constexpr std::uint32_t kNoGeom = 0xffffffffu;
 
-struct RayHit {
+struct SingleHit {
     double distance = 0;
     Vec3 normal = Vec3::UnitZ(); ///< against the ray
     std::uint32_t geom = kNoGeom;
@@ -46,7 +46,7 @@ class RayTargets {
 public:
     virtual ~RayTargets() = default;
     /// Nothing for what is no ray.
-    [[nodiscard]] virtual std::optional<RayHit> ray(const SingleRay& ray, std::uint32_t without) const = 0;
+    [[nodiscard]] virtual std::optional<SingleHit> ray(const SingleRay& ray, std::uint32_t without) const = 0;
     virtual void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const = 0;
     virtual void castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const = 0;
     /// How often poses were taken over for casts: once in a tick with casts.

@@ -28,7 +28,7 @@ void RayScene::update() {
     if (m_filed != m_geoms.size()) {
         m_filed = m_geoms.size();
         for (auto* list : {&m_planes, &m_meshes, &m_movingSmall, &m_large}) list->clear();
-        std::vector<Ball> still;
+        std::vector<GeomBall> still;
         for (std::uint32_t i = 0; i < m_geoms.size(); ++i) {
             const RayGeom& g = m_geoms[i];
             if (g.shape.kind == RayShape::Plane) m_planes.push_back(i);
@@ -44,7 +44,7 @@ void RayScene::update() {
     m_moving.build(m_balls);
 }
 
-Ball RayScene::ballOf(std::uint32_t geom) const {
+GeomBall RayScene::ballOf(std::uint32_t geom) const {
     const RayGeom& g = m_geoms[geom];
     return {g.centre.x(), g.centre.y(), g.centre.z(), g.bound * (1 + kInflate) + kInflate, geom, g.actor};
 }
@@ -80,7 +80,7 @@ void RayScene::castRay(const SingleRay& ray, std::uint32_t without, const RayHit
         }
         cast(geom, row, beams, roots);
     };
-    const auto visit = [&](const Ball& ball) {
+    const auto visit = [&](const GeomBall& ball) {
         const Vec3 p = Vec3(ball.x, ball.y, ball.z) - ray.origin;
         const double along = std::clamp(p.dot(ray.direction), 0., distance[0]);
         if ((p - along * ray.direction).squaredNorm() <= ball.r * ball.r) test(ball.geom);

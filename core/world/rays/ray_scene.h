@@ -51,7 +51,7 @@ public:
 private:
     struct FanCast; ///< ray_scene_fan.cpp
 
-    [[nodiscard]] Ball ballOf(std::uint32_t geom) const;
+    [[nodiscard]] GeomBall ballOf(std::uint32_t geom) const;
     [[nodiscard]] LocalBeams local(const RayGeom& geom, const Vec3& origin, const Vec3& a, const Vec3& b, const Vec3& c) const;
     void cast(std::uint32_t geom, const BeamRow& row, const LocalBeams& beams, const RayRoots& roots) const {
         const RayShape& shape = m_geoms[geom].shape;
@@ -65,7 +65,7 @@ private:
     std::size_t m_filed = 0; ///< geoms that are in the lists
     std::vector<std::uint32_t> m_planes, m_meshes, m_movingSmall;
     std::vector<std::uint32_t> m_large; ///< that are tested by every cast
-    std::vector<Ball> m_balls;
+    std::vector<GeomBall> m_balls;
     CentreGrid m_still, m_moving;
     BeamTables m_tables;
     std::vector<double> m_distances, m_nearest, m_parts; ///< of the beams of a cast, layer by layer; m_nearest: geoms

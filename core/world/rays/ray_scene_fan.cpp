@@ -62,7 +62,7 @@ struct RayScene::FanCast {
         }
     }
 
-    void ball(const Ball& ball) {
+    void ball(const GeomBall& ball) {
         FanView::Aim aim;
         if (isOwn(ball.actor) || !view.aim(ball, aim)) return;
         const RayGeom& g = scene.m_geoms[ball.geom];
@@ -102,7 +102,7 @@ void RayScene::castFan(const RayFan& fan, std::uint32_t without, const RayHits& 
     for (const std::uint32_t plane : m_planes) cast.plane(plane);
     Vec3 lo, hi;
     cast.view.bounds(lo, hi);
-    const auto visit = [&](const Ball& ball) { cast.ball(ball); };
+    const auto visit = [&](const GeomBall& ball) { cast.ball(ball); };
     m_still.near(lo.x(), hi.x(), lo.y(), hi.y(), visit);
     m_moving.near(lo.x(), hi.x(), lo.y(), hi.y(), visit);
     for (const std::uint32_t large : m_large) visit(ballOf(large));

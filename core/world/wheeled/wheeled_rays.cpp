@@ -81,11 +81,11 @@ void WheeledRays::update() const {
     m_scene.update();
 }
 
-std::optional<RayHit> WheeledRays::ray(const SingleRay& ray, std::uint32_t without) const {
+std::optional<SingleHit> WheeledRays::ray(const SingleRay& ray, std::uint32_t without) const {
     const double length = ray.direction.norm();
     if (!ray.origin.allFinite() || !std::isfinite(length) || !(length > 1e-12) || !(ray.range > 0) || !std::isfinite(ray.range))
         return {};
-    RayHit hit;
+    SingleHit hit;
     double normal[3];
     update();
     m_scene.castRay({ray.origin, ray.direction / length, ray.range}, without, {&hit.distance, &hit.geom, normal});

@@ -13,7 +13,7 @@ public:
     explicit WheeledRays(const WheeledObjects& objects) : m_objects(objects) {}
 
     void markMoved() { m_moved = true; }
-    [[nodiscard]] std::optional<RayHit> ray(const SingleRay& ray, std::uint32_t without) const override;
+    [[nodiscard]] std::optional<SingleHit> ray(const SingleRay& ray, std::uint32_t without) const override;
     void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const override;
     void castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const override;
     [[nodiscard]] std::uint64_t updates() const override { return m_updates; }

@@ -62,7 +62,7 @@ void Gizmo::addArrow(int axis) {
     if (line.length() < 8) return;
     const QPointF d = (line.p2() - line.p1()) / line.length(), n(-d.y(), d.x());
     const QPointF start = line.p1() + 11 * d, neck = line.p2() - 13 * d;
-    m_shapes.push_back({{Handle::Kind::Axis, axis},
+    m_shapes.push_back({{GizmoHandle::Kind::Axis, axis},
                         axisColour(axis),
                         {QPolygonF{start, neck}},
                         {},
@@ -83,18 +83,18 @@ void Gizmo::addPlane(int axis) {
         face << *corner;
         middle += 0.25 * *corner;
     }
-    m_shapes.push_back({{Handle::Kind::Plane, axis}, axisColour(axis), {}, {}, face, middle});
+    m_shapes.push_back({{GizmoHandle::Kind::Plane, axis}, axisColour(axis), {}, {}, face, middle});
 }
 
 void Gizmo::addScreen() {
     const QPointF at = *m_project(m_place.origin);
-    m_shapes.push_back({{Handle::Kind::Screen, 0}, QColor(235, 235, 235), {}, {}, square(at, kScreen), at});
+    m_shapes.push_back({{GizmoHandle::Kind::Screen, 0}, QColor(235, 235, 235), {}, {}, square(at, kScreen), at});
 }
 
 void Gizmo::addRing(int axis) {
     const Vec3 u = m_place.axes.col((axis + 1) % 3), v = m_place.axes.col((axis + 2) % 3);
     const double radius = kRing * m_place.metresPerPixel;
-    Shape shape{{Handle::Kind::Ring, axis}, axisColour(axis), {}, {}, {}, {}};
+    Shape shape{{GizmoHandle::Kind::Ring, axis}, axisColour(axis), {}, {}, {}, {}};
     QPolygonF run;
     bool runInFront = true;
     double best = -2;
@@ -128,23 +128,25 @@ void Gizmo::addSize(int axis, int side) {
     // The line of a layout's extent ends at its edge, so that it does not cover the handles of the first member.
     const auto start = m_place.layout ? m_project(m_place.origin + (m_place.half[axis] + m_place.margin) * along) : from;
     if (!start) return;
-    const Handle handle{Handle::Kind::Size, axis, side, m_place.layout};
+    const GizmoHandle handle{GizmoHandle::Kind::Size, axis, side, m_place.layout};
     const QPolygonF face = m_place.layout ? diamond(*to, 7.5) : square(*to, 5.5);
     m_shapes.push_back({handle, axisColour(axis), {QPolygonF{*start, *to}}, {}, face, *to});
 }
 
-Handle Gizmo::hit(const QPointF& at) const {
+GizmoHandle Gizmo::hit(const QPointF& at) const {
     for (auto shape = m_shapes.rbegin(); shape != m_shapes.rend(); ++shape)
-        if (shape->face.containsPoint(at, Qt::WindingFill) && shape->handle.kind != Handle::Kind::Plane) return shape->handle;
-    Handle nearest;
+        if (shape->face.containsPoint(at, Qt::WindingFill) && shape->handle.kind != GizmoHandle::Kind::Plane)
+            return shape->handle;
+    GizmoHandle nearest;
     double best = 1e9;
     for (const Shape& shape : m_shapes) {
         std::vector<QPolygonF> lines = shape.lines;
-        if (shape.handle.kind == Handle::Kind::Axis || shape.handle.kind == Handle::Kind::Size) lines.push_back(shape.face);
+        if (shape.handle.kind == GizmoHandle::Kind::Axis || shape.handle.kind == GizmoHandle::Kind::Size)
+            lines.push_back(shape.face);
         for (const QPolygonF& line : lines) {
             const double distance = distanceTo(line, at);
             // Of overlapping arrows, the one that is more perpendicular to the line of sight is preferred.
-            const double score = distance + (shape.handle.kind == Handle::Kind::Axis
+            const double score = distance + (shape.handle.kind == GizmoHandle::Kind::Axis
                                                  ? kFaceOn * std::abs(m_place.axes.col(shape.handle.axis).dot(m_place.forward))
                                                  : 0);
             if (distance < kLineReach && score < best) best = score, nearest = shape.handle;
@@ -160,13 +162,13 @@ Handle Gizmo::hit(const QPointF& at) const {
     return nearest;
 }
 
-std::optional<QPointF> Gizmo::spot(const Handle& handle) const {
+std::optional<QPointF> Gizmo::spot(const GizmoHandle& handle) const {
     for (const Shape& shape : m_shapes)
         if (shape.handle == handle) return shape.spot;
     return std::nullopt;
 }
 
-void Gizmo::paint(QPainter& painter, const Handle& hot, bool dragged) const {
+void Gizmo::paint(QPainter& painter, const GizmoHandle& hot, bool dragged) const {
     for (const Shape& shape : m_shapes) {
         const bool isHot = hot == shape.handle;
         if (dragged && !isHot) continue;
@@ -187,9 +189,9 @@ void Gizmo::paint(QPainter& painter, const Handle& hot, bool dragged) const {
         }
         if (shape.face.isEmpty()) continue;
         QColor fill = colour;
-        if (shape.handle.kind == Handle::Kind::Plane) fill.setAlpha(isHot ? 190 : 110);
-        if (shape.handle.kind == Handle::Kind::Screen) fill.setAlpha(isHot ? 220 : 120);
-        painter.setPen(QPen(shape.handle.kind == Handle::Kind::Plane ? colour : QColor(10, 12, 16, 120), 1));
+        if (shape.handle.kind == GizmoHandle::Kind::Plane) fill.setAlpha(isHot ? 190 : 110);
+        if (shape.handle.kind == GizmoHandle::Kind::Screen) fill.setAlpha(isHot ? 220 : 120);
+        painter.setPen(QPen(shape.handle.kind == GizmoHandle::Kind::Plane ? colour : QColor(10, 12, 16, 120), 1));
         painter.setBrush(fill);
         painter.drawPolygon(shape.face);
     }

@@ -18,13 +18,13 @@ class QPainter;
 namespace trundle {
 
 /// A handle: Axis, Plane (`axis` is its normal), Screen, Ring or Size.
-struct Handle {
+struct GizmoHandle {
     enum class Kind { None, Axis, Plane, Screen, Ring, Size };
     Kind kind = Kind::None;
     int axis = 0;        ///< 0 x, 1 y, 2 z
     int side = 1;        ///< for Size: 1 on the positive side of the axis, -1 on the negative side
     bool layout = false; ///< for Size: of the extent of a whole Grid or Scatter
-    bool operator==(const Handle&) const = default;
+    bool operator==(const GizmoHandle&) const = default;
     explicit operator bool() const { return kind != Kind::None; }
 };
 
@@ -64,15 +64,15 @@ public:
     /// Handles that cannot be dragged sensibly from this view are left out.
     Gizmo(Tool tool, const GizmoPose& place, const Projector& project);
 
-    [[nodiscard]] Handle hit(const QPointF& at) const;
+    [[nodiscard]] GizmoHandle hit(const QPointF& at) const;
     /// `hot` is drawn highlighted, and alone while it is dragged.
-    void paint(QPainter& painter, const Handle& hot, bool dragged) const;
+    void paint(QPainter& painter, const GizmoHandle& hot, bool dragged) const;
     /// Centre of a handle on the screen, for hints and tests.
-    [[nodiscard]] std::optional<QPointF> spot(const Handle& handle) const;
+    [[nodiscard]] std::optional<QPointF> spot(const GizmoHandle& handle) const;
 
 private:
     struct Shape {
-        Handle handle;
+        GizmoHandle handle;
         QColor colour;
         std::vector<QPolygonF> lines, faint; ///< faint: on the far side
         QPolygonF face;                      ///< filled

@@ -20,9 +20,9 @@ double snapped(double value, double step) { return step > 0 ? step * std::round(
 
 } // namespace
 
-GizmoDrag::GizmoDrag(const Handle& handle, const GizmoPose& place, const ViewRay& start, const QPointF& pixel)
+GizmoDrag::GizmoDrag(const GizmoHandle& handle, const GizmoPose& place, const ViewRay& start, const QPointF& pixel)
     : m_handle(handle), m_place(place), m_startPixel(pixel) {
-    m_edgeOn = handle.kind == Handle::Kind::Ring && std::abs(place.axes.col(handle.axis).dot(place.forward)) < kEdgeOn;
+    m_edgeOn = handle.kind == GizmoHandle::Kind::Ring && std::abs(place.axes.col(handle.axis).dot(place.forward)) < kEdgeOn;
     m_start = place.origin;
     m_start = pointOf(start);
     m_lastAngle = angleOf(m_start);
@@ -31,14 +31,14 @@ GizmoDrag::GizmoDrag(const Handle& handle, const GizmoPose& place, const ViewRay
 /// The point on the handle's line or plane that is nearest to the ray; the start point if there is none.
 Vec3 GizmoDrag::pointOf(const ViewRay& ray) const {
     const Vec3 axis = m_place.axes.col(m_handle.axis);
-    if (m_handle.kind == Handle::Kind::Axis || m_handle.kind == Handle::Kind::Size) {
+    if (m_handle.kind == GizmoHandle::Kind::Axis || m_handle.kind == GizmoHandle::Kind::Size) {
         const Vec3 between = m_place.origin - ray.origin;
         const double b = axis.dot(ray.direction), d = axis.dot(between), e = ray.direction.dot(between), n = 1 - b * b;
         if (n < 1e-6) return m_start;
         const double along = (b * e - d) / n;
         return std::abs(along) > kReach ? m_start : Vec3(m_place.origin + along * axis);
     }
-    const Vec3 normal = m_handle.kind == Handle::Kind::Screen ? m_place.forward : axis;
+    const Vec3 normal = m_handle.kind == GizmoHandle::Kind::Screen ? m_place.forward : axis;
     const double towards = normal.dot(ray.direction);
     if (std::abs(towards) < 1e-6) return m_start;
     const double far = normal.dot(m_place.origin - ray.origin) / towards;
@@ -53,7 +53,7 @@ double GizmoDrag::angleOf(const Vec3& point) const {
 
 void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, double rotationStep, bool aboutCentre) {
     m_aboutCentre = aboutCentre;
-    if (m_handle.kind == Handle::Kind::Ring) {
+    if (m_handle.kind == GizmoHandle::Kind::Ring) {
         if (m_edgeOn) {
             m_turned = kRadPerPixel * (pixel.x() - m_startPixel.x());
         } else {
@@ -67,9 +67,9 @@ void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, do
     const Vec3 by = m_place.axes.transpose() * (pointOf(ray) - m_start);
     for (int k = 0; k < 3; ++k) {
         const bool along =
-            m_handle.kind == Handle::Kind::Screen || (m_handle.kind == Handle::Kind::Plane) != (k == m_handle.axis);
-        const double size = m_handle.kind == Handle::Kind::Size ? m_place.sizes[k].ofHalf : 1;
-        const double outward = m_handle.kind == Handle::Kind::Size ? m_handle.side : 1;
+            m_handle.kind == GizmoHandle::Kind::Screen || (m_handle.kind == GizmoHandle::Kind::Plane) != (k == m_handle.axis);
+        const double size = m_handle.kind == GizmoHandle::Kind::Size ? m_place.sizes[k].ofHalf : 1;
+        const double outward = m_handle.kind == GizmoHandle::Kind::Size ? m_handle.side : 1;
         const double share = isOneSided() ? 0.5 : 1; // the side follows the mouse, the centre moves half as far
         m_amount[k] = along ? snapped(size * outward * share * by[k], moveStep) / size : 0;
     }
@@ -101,7 +101,7 @@ std::optional<Vec3> GizmoDrag::typedNumbers() const {
         std::erase(unit, ' ');
         at = next == end ? end : next + 1;
         if (unit.empty()) continue;
-        const auto value = convertUnit(values[k], unit, m_handle.kind == Handle::Kind::Ring ? "deg" : "m");
+        const auto value = convertUnit(values[k], unit, m_handle.kind == GizmoHandle::Kind::Ring ? "deg" : "m");
         if (!value) return std::nullopt;
         values[k] = *value;
     }
@@ -112,8 +112,8 @@ Vec3 GizmoDrag::amount() const {
     const auto typed = typedNumbers();
     if (!typed) return m_amount;
     Vec3 amount = Vec3::Zero();
-    if (m_handle.kind == Handle::Kind::Screen) return *typed;
-    if (m_handle.kind == Handle::Kind::Plane) {
+    if (m_handle.kind == GizmoHandle::Kind::Screen) return *typed;
+    if (m_handle.kind == GizmoHandle::Kind::Plane) {
         // The plane's two axes in the order x, y, z.
         int next = 0;
         for (int k = 0; k < 3; ++k)
@@ -121,7 +121,7 @@ Vec3 GizmoDrag::amount() const {
         return amount;
     }
     amount[m_handle.axis] = typed->x();
-    if (m_handle.kind != Handle::Kind::Size) return amount;
+    if (m_handle.kind != GizmoHandle::Kind::Size) return amount;
     // The value typed is the size itself, as in the property row.
     if (typed->x() <= 0) return m_amount;
     amount[m_handle.axis] = typed->x() / m_place.sizes[m_handle.axis].ofHalf - m_place.half[m_handle.axis];
@@ -134,15 +134,15 @@ double GizmoDrag::degrees() const {
 }
 
 bool GizmoDrag::isOneSided() const {
-    if (m_handle.kind != Handle::Kind::Size) return false;
+    if (m_handle.kind != GizmoHandle::Kind::Size) return false;
     const Sides sides = m_place.sizes[m_handle.axis].sides;
     return sides == Sides::Upper || sides == Sides::Lower || (sides == Sides::Both && !m_aboutCentre);
 }
 
 Pose GizmoDrag::motion() const {
-    if (m_handle.kind == Handle::Kind::Size)
+    if (m_handle.kind == GizmoHandle::Kind::Size)
         return {isOneSided() ? Vec3(m_handle.side * (m_place.axes * amount())) : Vec3::Zero(), Quat::Identity()};
-    if (m_handle.kind != Handle::Kind::Ring) return {m_place.axes * amount(), Quat::Identity()};
+    if (m_handle.kind != GizmoHandle::Kind::Ring) return {m_place.axes * amount(), Quat::Identity()};
     const Vec3 axis = m_place.axes.col(m_handle.axis);
     const Quat turn(Eigen::AngleAxisd(degrees() * std::numbers::pi / 180, axis));
     return {m_place.origin - turn * m_place.origin, turn};
@@ -152,9 +152,9 @@ QString GizmoDrag::readOut() const {
     static constexpr const char* kNames[] = {"X", "Y", "Z"};
     const auto number = [](double value, double step) { return QString::fromStdString(steppedNumber(value, step)); };
     QString text;
-    if (m_handle.kind == Handle::Kind::Ring) {
+    if (m_handle.kind == GizmoHandle::Kind::Ring) {
         text = QStringLiteral("%1  %2°").arg(QLatin1String(kNames[m_handle.axis]), number(degrees(), 0.01));
-    } else if (m_handle.kind == Handle::Kind::Size) {
+    } else if (m_handle.kind == GizmoHandle::Kind::Size) {
         const SizeName& size = m_place.sizes[m_handle.axis];
         const double now = size.ofHalf * (m_place.half[m_handle.axis] + amount()[m_handle.axis]);
         text = QStringLiteral("%1  %2 m").arg(size.name, number(std::max(0.0, now), 1e-4));
@@ -162,7 +162,7 @@ QString GizmoDrag::readOut() const {
         const Vec3 by = amount();
         for (int k = 0; k < 3; ++k) {
             const bool along =
-                m_handle.kind == Handle::Kind::Screen || (m_handle.kind == Handle::Kind::Plane) != (k == m_handle.axis);
+                m_handle.kind == GizmoHandle::Kind::Screen || (m_handle.kind == GizmoHandle::Kind::Plane) != (k == m_handle.axis);
             if (!along) continue;
             if (!text.isEmpty()) text += QStringLiteral("   ");
             text += QStringLiteral("%1  %2 m").arg(QLatin1String(kNames[k]), number(by[k], 1e-4));

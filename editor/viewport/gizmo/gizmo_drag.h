@@ -9,7 +9,7 @@ namespace trundle {
 
 class GizmoDrag {
 public:
-    GizmoDrag(const Handle& handle, const GizmoPose& place, const ViewRay& start, const QPointF& pixel);
+    GizmoDrag(const GizmoHandle& handle, const GizmoPose& place, const ViewRay& start, const QPointF& pixel);
 
     /// Updates the drag to the mouse position. Steps in m and degrees; 0: no snapping. A side-to-side size grows at the dragged
     /// side only, or at both with `aboutCentre`.
@@ -18,7 +18,7 @@ public:
     bool type(int key, const QString& text);
     [[nodiscard]] const std::string& typed() const { return m_typed; }
 
-    [[nodiscard]] const Handle& handle() const { return m_handle; }
+    [[nodiscard]] const GizmoHandle& handle() const { return m_handle; }
     /// m along the axes of the gizmo (Axis, Plane, Screen), or the change of half the extent (Size).
     [[nodiscard]] Vec3 amount() const;
     [[nodiscard]] double degrees() const; ///< rotation angle of a Ring
@@ -34,7 +34,7 @@ private:
     [[nodiscard]] double angleOf(const Vec3& point) const;
     [[nodiscard]] std::optional<Vec3> typedNumbers() const;
 
-    Handle m_handle;
+    GizmoHandle m_handle;
     GizmoPose m_place;
     Vec3 m_start, m_amount = Vec3::Zero();
     QPointF m_startPixel;

@@ -100,36 +100,36 @@ void GizmoTool::addSight(GizmoPose& place) const {
 std::optional<Gizmo> GizmoTool::gizmo(bool asShown, bool layout) {
     std::optional<GizmoPose> at = place(layout);
     if (!at || (m_drag && m_drag->handle().layout != layout)) return std::nullopt;
-    if (m_drag && m_drag->handle().kind != Handle::Kind::Ring) at->origin = m_drag->motion() * m_startPlace.origin;
-    if (m_drag && m_drag->handle().kind == Handle::Kind::Size) at->half += m_drag->amount();
+    if (m_drag && m_drag->handle().kind != GizmoHandle::Kind::Ring) at->origin = m_drag->motion() * m_startPlace.origin;
+    if (m_drag && m_drag->handle().kind == GizmoHandle::Kind::Size) at->half += m_drag->amount();
     return Gizmo(m_view.context().settings.tool(), *at,
                  [this, asShown](const Vec3& p) { return asShown ? m_view.shownPixelOf(p) : m_view.camera().pixelOf(p); });
 }
 
-std::optional<QPointF> GizmoTool::spot(const Handle& handle) {
+std::optional<QPointF> GizmoTool::spot(const GizmoHandle& handle) {
     const auto gizmo = this->gizmo(false, handle.layout);
     return gizmo ? gizmo->spot(handle) : std::nullopt;
 }
 
-Handle GizmoTool::hit(const QPointF& at) {
+GizmoHandle GizmoTool::hit(const QPointF& at) {
     for (const bool layout : {false, true})
         if (const auto gizmo = this->gizmo(false, layout))
-            if (const Handle handle = gizmo->hit(at)) return handle;
+            if (const GizmoHandle handle = gizmo->hit(at)) return handle;
     return {};
 }
 
 bool GizmoTool::press(const Pointer& pointer) {
     if (pointer.button != Qt::LeftButton) return false;
-    const Handle handle = hit(pointer.at);
+    const GizmoHandle handle = hit(pointer.at);
     if (!handle) return false;
     m_mergeKey = "gizmo " + std::to_string(m_view.context().document.revision());
     m_startPlace = *place(handle.layout);
     m_dragged = std::make_unique<TransformSelection>(m_view.context(), purpose());
     m_drag = std::make_unique<GizmoDrag>(handle, m_startPlace, m_view.camera().rayAt(pointer.at), pointer.at);
     const QString title = m_dragged->title();
-    m_name = handle.kind == Handle::Kind::Ring   ? tr("Turn %1").arg(title)
-             : handle.kind == Handle::Kind::Size ? tr("Resize %1").arg(title)
-                                                 : tr("Move %1").arg(title);
+    m_name = handle.kind == GizmoHandle::Kind::Ring   ? tr("Turn %1").arg(title)
+             : handle.kind == GizmoHandle::Kind::Size ? tr("Resize %1").arg(title)
+                                                      : tr("Move %1").arg(title);
     m_hot = handle;
     m_pointer = pointer;
     m_view.context().document.edits().endMerge();
@@ -150,7 +150,7 @@ void GizmoTool::drag(const Pointer& pointer) {
     showStatus();
 }
 
-Fineness GizmoTool::fineness(bool snapped) const {
+DragFineness GizmoTool::fineness(bool snapped) const {
     if (snapped) return {};
     return {decimalBelow(m_startPlace.metresPerPixel), 0.1};
 }
@@ -161,9 +161,10 @@ void GizmoTool::apply() {
     QElapsedTimer cost;
     cost.start();
     const bool toggled = m_pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
-    const Fineness fine = fineness(!m_drag->typed().empty() || m_view.context().settings.snaps() != toggled);
+    const DragFineness fine = fineness(!m_drag->typed().empty() || m_view.context().settings.snaps() != toggled);
     const int side = m_drag->isOneSided() ? m_drag->handle().side : 0;
-    const Status done = m_drag->handle().kind != Handle::Kind::Size ? m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine)
+    const Status done = m_drag->handle().kind != GizmoHandle::Kind::Size
+                            ? m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine)
                         : m_drag->handle().layout ? m_dragged->resizeLayout(m_drag->amount(), side, m_name, m_mergeKey, fine)
                                                   : m_dragged->resize(m_drag->amount(), side, m_name, m_mergeKey, fine);
     if (!done) m_view.hints().setHint(QString::fromStdString(done.error().message));
@@ -176,8 +177,8 @@ void GizmoTool::showStatus() {
     m_view.hints().setHovered({}, m_drag->readOut());
     QString hint =
         tr("Type an exact value, with or without a unit · Enter applies · Esc cancels · Ctrl or Shift toggles snapping");
-    const Handle& handle = m_drag->handle();
-    if (handle.kind == Handle::Kind::Size && m_startPlace.sizes[handle.axis].hasTwoSides())
+    const GizmoHandle& handle = m_drag->handle();
+    if (handle.kind == GizmoHandle::Kind::Size && m_startPlace.sizes[handle.axis].hasTwoSides())
         hint += tr(" · Alt keeps the centre fixed");
     m_view.hints().setHint(hint);
     m_view.widget().update();
@@ -204,7 +205,7 @@ void GizmoTool::cancel() {
 }
 
 bool GizmoTool::hover(const Pointer& pointer) {
-    const Handle hot = hit(pointer.at);
+    const GizmoHandle hot = hit(pointer.at);
     if (!(hot == m_hot)) {
         m_hot = hot;
         m_view.widget().update();

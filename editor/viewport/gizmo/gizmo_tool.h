@@ -28,7 +28,7 @@ public:
     void paint(QPainter& painter) override;
 
     /// Screen position of a handle, if it is visible.
-    [[nodiscard]] std::optional<QPointF> spot(const Handle& handle);
+    [[nodiscard]] std::optional<QPointF> spot(const GizmoHandle& handle);
 
 private:
     [[nodiscard]] TransformSelection::Operation purpose() const;
@@ -36,19 +36,19 @@ private:
     /// `layout`: of the handles for the extent of a whole Grid or Scatter.
     [[nodiscard]] std::optional<GizmoPose> place(bool layout);
     [[nodiscard]] std::optional<Gizmo> gizmo(bool asShown, bool layout);
-    [[nodiscard]] Handle hit(const QPointF& at);
+    [[nodiscard]] GizmoHandle hit(const QPointF& at);
     void addSight(GizmoPose& place) const; ///< what depends on the camera
     void apply();
     void showStatus();
     bool nudge(const QKeyEvent& event);
-    [[nodiscard]] Fineness fineness(bool snapped) const;
+    [[nodiscard]] DragFineness fineness(bool snapped) const;
 
     ToolView& m_view;
     std::unique_ptr<TransformSelection> m_held; // null: to be rebuilt from the selection
     std::unique_ptr<TransformSelection> m_dragged;
     std::unique_ptr<GizmoDrag> m_drag;
     GizmoPose m_startPlace;
-    Handle m_hot;
+    GizmoHandle m_hot;
     Pointer m_pointer;
     std::string m_mergeKey;
     QString m_name;

@@ -11,7 +11,10 @@
 #include "editor/viewport/context/view_context.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/text_in_place.h"
+#include "lang/characters.h"
 #include "lang/number_text.h"
+#include "model/dotted_path.h"
+#include "model/provenance.h"
 #include "model/robot_path.h"
 #include "project/objects/object_location.h"
 #include "project/objects/part_values.h"
@@ -66,7 +69,58 @@ Pose movedLocal(const Pose& local, const Pose& frame, const DescribedFrame& desc
 /// Whether what is inside is described in a frame of its own.
 bool holdsFrame(const Part* part) { return part->isPartUse() || part->isRepeat(); }
 
-bool usesIndex(const std::string& text) { return text.find("index") != std::string::npos; }
+bool usesIndex(std::string_view text) {
+    for (std::size_t at = 0; (at = text.find("index", at)) != std::string_view::npos; at += 5) {
+        const std::size_t end = at + (text.substr(at + 5).starts_with("2") ? 6 : 5);
+        if ((at == 0 || !isIdent(text[at - 1])) && (end == text.size() || !isIdent(text[end]))) return true;
+    }
+    return false;
+}
+
+/// Whether a pose is worked out from the number of a member of a Repeat, so that another value would put all members in one place.
+/// `place`: of the object; a value that is written for one member is that one's.
+bool isPlacedByIndex(const LoadedProject& loaded, const std::string& path, const ObjectLocation& place) {
+    const bool isRepeated = place.part->isRepeat() || !place.around.empty() || std::ranges::any_of(place.above, &Part::isRepeat);
+    for (const char* key : {".Pos", ".HPR"}) {
+        if (!isRepeated) return false;
+        const auto from = provenanceOf(*loaded.outline, path + key);
+        const bool isOfAll = place.members.empty() || !textInPlace(loaded, path + key).empty();
+        if (from && from->value.known() && isOfAll && usesIndex(loaded.sources.slice(from->value))) return true;
+    }
+    return false;
+}
+
+/// The config or instance that a path leads into: "rover", "RobotConfig.Kit".
+std::string rootOf(const std::string& path, const ObjectLocation& place) {
+    if (place.instance && !place.instance->isPartUse() && !place.within.empty())
+        return path.substr(0, path.size() - place.within.size() - 1);
+    const std::size_t kind = path.find('.');
+    return path.substr(0, kind == std::string::npos ? kind : path.find('.', kind + 1));
+}
+
+/// Whether an object moves with one of `others`: it is in that, or it, or what it is in, counts from that by In.
+bool movesWith(const LoadedProject& loaded, const std::string& path, const std::vector<std::string>& others, int depth = 0) {
+    constexpr int kDeepest = 100;
+    const auto isIn = [&](const std::string& other) { return isInside(path, other); };
+    if (std::ranges::any_of(others, isIn)) return true;
+    const auto whole = placeOf(loaded, path);
+    if (!whole || !whole->part || depth > kDeepest) return false;
+    const std::string root = rootOf(path, *whole);
+    for (std::string at = path; at.size() > root.size(); at = std::string(withoutLastWord(at))) {
+        const auto place = placeOf(loaded, at);
+        const auto in = place && place->part ? valueAt(loaded, *place, "In") : std::nullopt;
+        if (!in || in->texts.empty()) continue;
+        std::string body; // in a member of a Repeat, and by a Param, also of what is around it
+        for (std::string around = std::string(withoutLastWord(at)); body.empty(); around = std::string(withoutLastWord(around))) {
+            const auto found = placeOf(loaded, around + "." + in->texts[0]);
+            if (found && found->part && found->part->is(Role::Body)) body = around + "." + in->texts[0];
+            if (around.size() <= root.size()) break;
+        }
+        if (body.empty()) continue;
+        if (std::ranges::find(others, body) != others.end() || movesWith(loaded, body, others, depth + 1)) return true;
+    }
+    return false;
+}
 
 QString placedByIndex(const std::string& path) {
     return tr("The members of %1 are each in a place of their own, computed from index.").arg(QString::fromStdString(path));
@@ -78,8 +132,7 @@ TransformSelection::TransformSelection(const ViewContext& context, Operation pur
     : m_context(context), m_objects(context.world.objects()), m_running(context.world.isRunning()) {
     const std::vector<std::string>& paths = context.selection.paths();
     for (const std::string& path : paths) {
-        const bool goesAlong = std::any_of(paths.begin(), paths.end(), [&](const std::string& p) { return isInside(path, p); });
-        if (goesAlong) continue;
+        if (paths.size() > 1 && m_context.document.isOpen() && movesWith(*m_context.document.loaded(), path, paths)) continue;
         take(path);
         if (purpose == Operation::Scale && !m_running && !m_items.empty() && m_items.back().path == path) addSizes(path);
     }
@@ -109,6 +162,7 @@ void TransformSelection::take(const std::string& path) {
         return void(m_refusal = tr("%1 is a member of %2, which sets its pose.")
                                     .arg(QString::fromStdString(path), QString::fromStdString(m_layout)));
     }
+    if (isPlacedByIndex(*m_context.document.loaded(), path, *place)) return void(m_refusal = placedByIndex(path));
     if (place->part && holdsFrame(place->part)) return takePart(path, *place, object);
     const bool isAllOfRepeat = !place->around.empty() && place->members.empty(); // they have one text
     const std::string one = isAllOfRepeat ? m_objects->pathOf(object) : path;
@@ -161,7 +215,6 @@ void TransformSelection::takePart(const std::string& path, const ObjectLocation&
               describedFrame(loaded, place),
               textOf(path + ".Pos"),
               textOf(path + ".HPR")};
-    if (place.part->isRepeat() && usesIndex(item.posText + item.hprText)) return void(m_refusal = placedByIndex(path));
     const bool isInWorld = place.part->isInWorld || place.part->is(Role::Layout);
     const bool isInBody = std::ranges::any_of(place.above, [](const Part* part) { return part->is(Role::Body); });
     const Pose around = isInBody ? frameAsShown(*m_objects, inside, *m_context.world.poses()) : m_context.world.poseOf(whole);
@@ -192,7 +245,7 @@ Bounds TransformSelection::boundsOf(std::size_t item) const {
     return all;
 }
 
-std::vector<ValueEdit> TransformSelection::editsOf(Item& item, const Pose& local, Fineness fineness) const {
+std::vector<ValueEdit> TransformSelection::editsOf(Item& item, const Pose& local, DragFineness fineness) const {
     std::vector<ValueEdit> edits;
     // Once a drag has edited a property it keeps writing it, even when it returns to the start.
     item.posEdited |= (item.local.position - local.position).cwiseAbs().maxCoeff() > 1e-9;
@@ -213,7 +266,7 @@ Status TransformSelection::apply(const std::vector<ValueEdit>& edits, const QStr
     return done;
 }
 
-Status TransformSelection::move(const Pose& motion, const QString& name, const std::string& mergeKey, Fineness fineness) {
+Status TransformSelection::move(const Pose& motion, const QString& name, const std::string& mergeKey, DragFineness fineness) {
     if (m_running) {
         for (const Item& item : m_items)
             if (!m_context.session.robots().place(item.path, motion * item.world))
@@ -316,7 +369,7 @@ void TransformSelection::resizeByParam(Item& item, const Vec3& growth, int side,
 }
 
 Status TransformSelection::resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey,
-                                  Fineness fineness) {
+                                  DragFineness fineness) {
     std::vector<ValueEdit> edits;
     for (Item& item : m_items) {
         if (item.sizes) resizeByParam(item, growth, side, fineness.lengthM, edits);
@@ -327,7 +380,7 @@ Status TransformSelection::resize(const Vec3& growth, int side, const QString& n
 }
 
 Status TransformSelection::resizeLayout(const Vec3& growth, int side, const QString& name, const std::string& mergeKey,
-                                        Fineness fineness) {
+                                        DragFineness fineness) {
     if (!m_layoutExtent) return {};
     const LayoutExtent::Change change = m_layoutExtent->grown(growth, side, fineness.lengthM);
     Item& item = m_layoutItem.front();

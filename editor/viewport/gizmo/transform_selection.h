@@ -19,7 +19,7 @@ namespace trundle {
 struct ViewContext;
 
 /// Rounding steps of written numbers.
-struct Fineness {
+struct DragFineness {
     double lengthM = 1e-6, degrees = 1e-4;
 };
 
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] QString title() const;
 
     /// Moves every object to motion * its original pose. All calls with one merge key form one undo entry.
-    Status move(const Pose& motion, const QString& name, const std::string& mergeKey, Fineness fineness = {});
+    Status move(const Pose& motion, const QString& name, const std::string& mergeKey, DragFineness fineness = {});
     /// Moves each object by its own offset (m, world), in the order of paths().
     Status moveEach(const std::vector<Vec3>& offsets, const QString& name);
     [[nodiscard]] std::vector<std::string> paths() const;
@@ -59,13 +59,13 @@ public:
     /// Grows the shapes along their own axes: side-to-side sizes by twice `growth`, radii and heights by `growth` (m). `side` is
     /// the side that moves: 1 the positive one, -1 the negative one, 0 both; Pos is adjusted so that the other side stays. For
     /// instances, the Params that set the extents are changed.
-    Status resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, Fineness fineness);
+    Status resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, DragFineness fineness);
 
     /// The extent of the Grid or Scatter selected last, for Scale; nullptr without one.
     [[nodiscard]] const LayoutExtent* layoutExtent() const { return m_layoutExtent ? &*m_layoutExtent : nullptr; }
     [[nodiscard]] double memberReach() const { return m_memberReach; } ///< m, of a member from its centre, in the plane
     /// Grows that extent: Spacing and, so that the other side stays, Pos; or Area. Arguments as for resize().
-    Status resizeLayout(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, Fineness fineness);
+    Status resizeLayout(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, DragFineness fineness);
 
     [[nodiscard]] bool isRunning() const { return m_running; }
 
@@ -91,7 +91,7 @@ private:
                     std::vector<ValueEdit>& edits);
     /// Adds the edit of Pos that keeps the opposite side in place after side-to-side sizes changed from `before` to `after`.
     void follow(Item& item, const Vec3& before, const Vec3& after, int side, std::vector<ValueEdit>& edits) const;
-    [[nodiscard]] std::vector<ValueEdit> editsOf(Item& item, const Pose& local, Fineness fineness) const;
+    [[nodiscard]] std::vector<ValueEdit> editsOf(Item& item, const Pose& local, DragFineness fineness) const;
     Status apply(const std::vector<ValueEdit>& edits, const QString& name, const std::string& mergeKey);
 
     const ViewContext& m_context;

@@ -80,7 +80,7 @@ void OdeLoop::updateBoxes() {
     }
 }
 
-void OdeLoop::look(std::size_t geom, const SingleRay& ray, std::optional<RayHit>& best) const {
+void OdeLoop::look(std::size_t geom, const SingleRay& ray, std::optional<SingleHit>& best) const {
     const double range = best ? best->distance : ray.range;
     dGeomRaySetLength(m_ray, range);
     dGeomRaySet(m_ray, ray.origin.x(), ray.origin.y(), ray.origin.z(), ray.direction.x(), ray.direction.y(), ray.direction.z());
@@ -89,8 +89,8 @@ void OdeLoop::look(std::size_t geom, const SingleRay& ray, std::optional<RayHit>
     best = {found.depth, Vec3(found.normal[0], found.normal[1], found.normal[2]), static_cast<std::uint32_t>(geom)};
 }
 
-std::optional<RayHit> OdeLoop::cast(const SingleRay& ray, std::uint32_t without) const {
-    std::optional<RayHit> best;
+std::optional<SingleHit> OdeLoop::cast(const SingleRay& ray, std::uint32_t without) const {
+    std::optional<SingleHit> best;
     for (const Actor& actor : m_actors) {
         if (actor.index == without && without != kNoGeom) continue;
         const bool plane = m_geoms[actor.begin].plane;

@@ -26,7 +26,7 @@ public:
     void place(std::size_t geom, const Pose& pose);
     /// Of actors, after geoms were placed.
     void updateBoxes();
-    [[nodiscard]] std::optional<RayHit> cast(const SingleRay& ray, std::uint32_t without) const;
+    [[nodiscard]] std::optional<SingleHit> cast(const SingleRay& ray, std::uint32_t without) const;
 
 private:
     struct Geom {
@@ -43,7 +43,7 @@ private:
         std::uint32_t index = kNoGeom;
         Box3 box;
     };
-    void look(std::size_t geom, const SingleRay& ray, std::optional<RayHit>& best) const;
+    void look(std::size_t geom, const SingleRay& ray, std::optional<SingleHit>& best) const;
 
     dGeomID m_ray;
     std::vector<Geom> m_geoms;

@@ -38,7 +38,7 @@ private:
 
 /// Drags the gizmo's x arrow back and forth at the event rate of a mouse.
 void drag(BenchWindow& w) {
-    const auto spot = w.view().tools().gizmo().spot({Handle::Kind::Axis, 0});
+    const auto spot = w.view().tools().gizmo().spot({GizmoHandle::Kind::Axis, 0});
     if (!spot) qFatal("there is no handle to drag");
     w.mouse(QEvent::MouseMove, *spot);
     w.mouse(QEvent::MouseButtonPress, *spot);

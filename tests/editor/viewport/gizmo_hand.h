@@ -6,7 +6,7 @@
 namespace trundle {
 
 /// Drags a handle of the gizmo at `origin` (in W) by `by` along its axis or plane. False if there is no such handle.
-inline bool dragHandle(ViewWindow& window, const Handle& handle, const Vec3& by, const Vec3& origin,
+inline bool dragHandle(ViewWindow& window, const GizmoHandle& handle, const Vec3& by, const Vec3& origin,
                        Qt::KeyboardModifiers modifiers = {}) {
     View& view = window.view();
     const auto spot = view.tools().gizmo().spot(handle);
@@ -14,7 +14,7 @@ inline bool dragHandle(ViewWindow& window, const Handle& handle, const Vec3& by,
     // The point under the handle's pixel, on its axis or plane.
     const ViewRay ray = view.camera().rayAt(*spot);
     Vec3 start;
-    if (handle.kind == Handle::Kind::Plane) {
+    if (handle.kind == GizmoHandle::Kind::Plane) {
         start = ray.origin + (origin - ray.origin)[handle.axis] / ray.direction[handle.axis] * ray.direction;
     } else {
         const Vec3 axis = by.normalized();

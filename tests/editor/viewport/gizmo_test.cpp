@@ -8,8 +8,8 @@ using namespace trundle;
 
 namespace {
 
-constexpr Handle kMoveX{Handle::Kind::Axis, 0}, kMoveZ{Handle::Kind::Axis, 2}, kPlaneZ{Handle::Kind::Plane, 2},
-    kTurnZ{Handle::Kind::Ring, 2};
+constexpr GizmoHandle kMoveX{GizmoHandle::Kind::Axis, 0}, kMoveZ{GizmoHandle::Kind::Axis, 2},
+    kPlaneZ{GizmoHandle::Kind::Plane, 2}, kTurnZ{GizmoHandle::Kind::Ring, 2};
 
 } // namespace
 
@@ -122,7 +122,7 @@ private Q_SLOTS:
         open("StaticConfig Yard {\n  Cylinder drum { Radius=0.2 Length=0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
         take("StaticConfig.Yard.drum", "tool.scale");
         const auto type = [&](int axis, const char* typed) {
-            const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Size, axis});
+            const QPointF from = *m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, axis});
             m_window->press(from);
             m_window->move(from + QPointF(12, 12), {}, Qt::LeftButton);
             m_window->type(QString::fromLatin1(typed));
@@ -180,101 +180,10 @@ private Q_SLOTS:
     }
 
     /// A Part moves in the frame of its config; what is in a mirrored Part moves with the mouse, its numbers the mirrored way.
-    void partsMove() {
-        const QByteArray text = "PartConfig Wheel { Body wheel { Box tyre { Size=0.2,0.2,0.2 Mass=1 } } }\n"
-                                "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
-                                "  Part right { Config=Wheel Pos=0,-0.5,0 Mirror=y } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\n"
-                                "Robot robot1 { Config=Kit Pos=0,3,0.2 }\n";
-        open(text);
-        m_window->look({-1.6, -2.2, 1.2}, {0, -0.3, 0.2});
-        take("RobotConfig.Kit.right", "tool.move");
-        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, -0.5, 0.2});
-        QVERIFY2(m_window->text().contains("Part right { Config=Wheel Pos=0,-0.5,0.1 Mirror=y }"), m_window->text().constData());
-        open(text);
-        take("robot0.right.wheel", "tool.move");
-        dragBy({Handle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
-        QVERIFY2(m_window->text().contains("Robot robot0 { Config=Kit Pos=0,0,0.2 right.wheel.Pos=0,-0.1,0 }"),
-                 m_window->text().constData());
-    }
-
-    /// What is in a member of a Repeat or Ring moves in the frame of the member; the Ring itself in that of its config.
-    void repeatsMove() {
-        const QByteArray text = "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
-                                "  Ring arm { Count=4 Radius=0.5 Body tip { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
-                                "  Repeat row { Count=2 Pos=$(0.3*index),0.8,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
-                                "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n";
-        open(text);
-        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
-        take("RobotConfig.Kit.arm", "tool.move");
-        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.2});
-        QVERIFY2(m_window->text().contains("Mass=1 } } Pos=0,0,0.1 }"), m_window->text().constData());
-        open(text);
-        take("robot0.arm_3.tip", "tool.move"); // its x points to -y
-        dragBy({Handle::Kind::Axis, 1}, {0, -0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
-        QVERIFY2(m_window->text().contains("arm_3.tip.Pos=0.1,0,0 }"), m_window->text().constData());
-        open(text);
-        take("robot0.row_1.c", "tool.move");
-        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.3, 0.8, 0.2});
-        QVERIFY2(m_window->text().contains("row_1.c.Pos=0,0,0.1 }"), m_window->text().constData());
-        open("RobotConfig Kit { Body c { HPR=90,0,0 Ring arm { Count=4 Radius=0.5 Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
-             "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n");
-        take("robot0.c.arm_2.b", "tool.move"); // of a ring of geoms in a body
-        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, -0.5, 0.2});
-        QVERIFY2(m_window->text().contains("arm_2.b.Pos=0,0,0.1 }"), m_window->text().constData());
-    }
-
-    /// What is in a Repeat of the world moves in the frame of its member, all members alike.
-    void repeatedRobotsMove() {
-        open("RobotConfig Kit { Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
-             "StaticConfig Post { Box b { Size=0.2,0.2,0.2 } }\n"
-             "Ring fence { Count=4 Radius=0.5 Pos=0,0,0.2 Robot cart { Config=Kit } }\n"
-             "Repeat row { Count=2 Pos=$(0.5*index),0.9,0.1 Static post { Config=Post } }\n");
-        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
-        take("fence_3.cart", "tool.move"); // its x points to -y
-        dragBy({Handle::Kind::Axis, 1}, {0, -0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
-        QVERIFY2(m_window->text().contains("Robot cart { Config=Kit Pos=0.1,0,0 }"), m_window->text().constData());
-        take("row_1.post", "tool.move");
-        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.5, 0.9, 0.1});
-        QVERIFY2(m_window->text().contains("Static post { Config=Post Pos=0,0,0.1 }"), m_window->text().constData());
-        QCOMPARE(m_window->panel->world().objectsOf("fence").size(), std::size_t(4));
-        QCOMPARE(m_window->panel->world().objectsOf("fence.cart.c").size(), std::size_t(4));
-        QCOMPARE(m_window->panel->world().objectsOf("row_1").size(), std::size_t(1));
-        open("RobotConfig Kit { Body c { Box b { Size=0.1,0.1,0.1 Mass=1 } } }\n"
-             "Ring fence { Count=4 Radius=0.5 Pos=0,0,0.2 Grid herd { Config=Kit Count=2 Spacing=0.3 } }\n");
-        take("fence.herd", "tool.move"); // at the place of its first member
-        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.5, 0, 0.2});
-        QVERIFY2(m_window->text().contains("Spacing=0.3 Pos=0,0,0.1 }"), m_window->text().constData());
-    }
-
-    /// A body moves along with the one that it is placed in, and its own numbers are in that one's frame.
-    void bodiesInBodiesMove() {
-        const QByteArray text = "PartConfig Wheel { Body w { Box t { Size=0.2,0.2,0.2 Mass=1 } } }\n"
-                                "RobotConfig Kit { Body base { HPR=90,0,0 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
-                                "  Body arm { In=base Pos=0.5,0,0 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
-                                "  Part left { Config=Wheel In=base Pos=0,0.5,0 } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\n";
-        open(text);
-        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
-        const auto at = [&](const char* path) {
-            const ViewportScene& world = m_window->panel->world();
-            return world.poseOf(*world.find(path)).position;
-        };
-        QVERIFY((at("robot0.arm") - Vec3(0, 0.5, 0.2)).norm() < 1e-9);
-        take("RobotConfig.Kit.arm", "tool.move"); // its x points to y
-        dragBy({Handle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {0, 0.5, 0.2});
-        QVERIFY2(m_window->text().contains("Body arm { In=base Pos=0.6,0,0 "), m_window->text().constData());
-        take("RobotConfig.Kit.left", "tool.move");
-        dragBy({Handle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {-0.5, 0, 0.2});
-        QVERIFY2(m_window->text().contains("Part left { Config=Wheel In=base Pos=0.1,0.5,0 }"), m_window->text().constData());
-        take("RobotConfig.Kit.base", "tool.move");
-        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.2});
-        QVERIFY((at("robot0.arm") - Vec3(0, 0.6, 0.3)).norm() < 1e-9);
-        QVERIFY((at("robot0.left.w") - Vec3(-0.5, 0.1, 0.3)).norm() < 1e-9);
-    }
-
     void aShapeIsSizedBySides() {
         open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n");
         take("StaticConfig.Yard.crate", "tool.scale");
-        const Handle side{Handle::Kind::Size, 0};
+        const GizmoHandle side{GizmoHandle::Kind::Size, 0};
         QVERIFY(m_window->view().tools().gizmo().spot(side));
         dragBy(side, {0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
         QVERIFY2(m_window->text().contains("Size=0.5, 0.4, 0.4  Pos=0.05,0,0.2"), m_window->text().constData());
@@ -289,21 +198,21 @@ private Q_SLOTS:
             "$(high/2) }\n}\nStatic yard { Config=Yard }\n";
         open(walled);
         take("StaticConfig.Yard.wall", "tool.scale");
-        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.15});
+        dragBy({GizmoHandle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.15});
         QVERIFY2(m_window->text().contains("Size=40 cm, 0.2, 0.5  Pos=$(high-0.3), 0, 0.25 }"), m_window->text().constData());
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         m_window->document.edits().undo();
         QCOMPARE(m_window->text(), walled);
         // The handle at the other end moves the other side.
         take("StaticConfig.Yard.wall", "tool.scale");
-        dragBy({Handle::Kind::Size, 0, -1}, {-0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.15});
+        dragBy({GizmoHandle::Kind::Size, 0, -1}, {-0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.15});
         QVERIFY2(m_window->text().contains("Size=50 cm, 0.2, $high  Pos=-0.05, 0, $(high/2) }"), m_window->text().constData());
     }
 
     void withoutStepsTheOtherSideStaysExactly() {
         open("StaticConfig Yard {\n  Box wall { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
         take("StaticConfig.Yard.wall", "tool.scale");
-        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.1234567}, Qt::ControlModifier, {0, 0, 0.2});
+        dragBy({GizmoHandle::Kind::Size, 2}, {0, 0, 0.1234567}, Qt::ControlModifier, {0, 0, 0.2});
         const GeomSpec& wall = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QVERIFY(wall.size.z() > 0.5 && wall.size.z() < 0.55);
         QVERIFY2(std::abs(wall.pose.position.z() - 0.5 * wall.size.z()) < 1e-12, m_window->text().constData());
@@ -313,7 +222,7 @@ private Q_SLOTS:
         open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
         take("StaticConfig.Yard.crate", "tool.scale");
         const Vec3 middle(0, 0, 0.2);
-        const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0});
+        const QPointF from = *m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 0});
         const QPointF way =
             *m_window->view().camera().pixelOf(middle + Vec3(0.1, 0, 0)) - *m_window->view().camera().pixelOf(middle);
         m_window->press(from);
@@ -332,7 +241,7 @@ private Q_SLOTS:
         take("StaticConfig.Yard.post", "tool.scale");
         const GeomSpec before = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         const Vec3 axis = before.pose.rotation * Vec3::UnitZ();
-        const Handle along{Handle::Kind::Size, 2};
+        const GizmoHandle along{GizmoHandle::Kind::Size, 2};
         QVERIFY(std::abs(axis.z()) < 1e-9); // the axis is horizontal
         dragBy(along, 0.2 * axis, Qt::NoModifier, {0.2, 0, 0.3});
         const GeomSpec& after = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
@@ -340,7 +249,7 @@ private Q_SLOTS:
         QCOMPARE(after.radius, 0.1);
         QVERIFY((after.pose.position - 0.3 * axis - (before.pose.position - 0.2 * axis)).norm() < 1e-6);
         // A radius has no opposite side.
-        dragBy({Handle::Kind::Size, 0}, 0.1 * (before.pose.rotation * Vec3::UnitX()), Qt::NoModifier, after.pose.position);
+        dragBy({GizmoHandle::Kind::Size, 0}, 0.1 * (before.pose.rotation * Vec3::UnitX()), Qt::NoModifier, after.pose.position);
         const GeomSpec& wide = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QCOMPARE(wide.radius, 0.2);
         QCOMPARE(wide.pose.position, after.pose.position);
@@ -438,7 +347,7 @@ private:
         m_window->trigger(tool);
     }
     /// Drags a handle at `origin` (in W) by `by`.
-    void dragBy(const Handle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, Vec3 origin = {-0.5, 0, 0}) {
+    void dragBy(const GizmoHandle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, Vec3 origin = {-0.5, 0, 0}) {
         QVERIFY(dragHandle(*m_window, handle, by, origin, modifiers));
     }
 

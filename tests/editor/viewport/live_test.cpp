@@ -181,7 +181,7 @@ private Q_SLOTS:
         step();
         m_window->selection.select("robot0");
         m_window->trigger("tool.move");
-        const Handle x{Handle::Kind::Axis, 0};
+        const GizmoHandle x{GizmoHandle::Kind::Axis, 0};
         QVERIFY(m_window->view().tools().gizmo().spot(x));
         const QPointF from = *m_window->view().tools().gizmo().spot(x);
         m_window->drag(from, from + QPointF(120, 0));
@@ -201,7 +201,7 @@ private Q_SLOTS:
         m_window->selection.select("robot0");
         m_window->trigger("tool.move");
         const Vec3 before = m_window->session.robots().pose("robot0")->position;
-        const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Axis, 0});
+        const QPointF from = *m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Axis, 0});
         m_window->press(from);
         m_window->move(from + QPointF(120, 0), {}, Qt::LeftButton);
         QVERIFY((m_window->session.robots().pose("robot0")->position - before).norm() > 0.05);
@@ -214,7 +214,7 @@ private Q_SLOTS:
         step();
         m_window->selection.select("robot0.chassis.hull");
         m_window->trigger("tool.move");
-        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Axis, 0}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Axis, 0}));
     }
 
     void ctrlAndADragPushesABody() {

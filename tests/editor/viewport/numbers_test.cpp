@@ -85,7 +85,7 @@ private Q_SLOTS:
                     point[(axis + 2) % 3] = std::sin(a);
                     return rayTo(place, point);
                 };
-                GizmoDrag drag({Handle::Kind::Ring, axis, 1}, place, at(30), {});
+                GizmoDrag drag({GizmoHandle::Kind::Ring, axis, 1}, place, at(30), {});
                 for (int tens = 1; tens <= 50; ++tens) {
                     drag.to(at(30 + way * 10 * tens), {}, 0, 0);
                     QVERIFY(std::abs(drag.degrees() - way * 10 * tens) < 1e-6);
@@ -105,13 +105,13 @@ private Q_SLOTS:
         const GizmoPose place = turned();
         const Vec3 by(0.32, -0.21, 0.44);
         for (int axis = 0; axis < 3; ++axis) {
-            GizmoDrag along({Handle::Kind::Axis, axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+            GizmoDrag along({GizmoHandle::Kind::Axis, axis, 1}, place, rayTo(place, Vec3::Zero()), {});
             along.to(rayTo(place, Vec3::Unit(axis) * by[axis]), {}, 0, 0);
             QVERIFY((along.amount() - Vec3::Unit(axis) * by[axis]).norm() < 1e-9);
             QVERIFY((along.motion().position - place.axes.col(axis) * by[axis]).norm() < 1e-9);
             Vec3 inPlane = by;
             inPlane[axis] = 0;
-            GizmoDrag plane({Handle::Kind::Plane, axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+            GizmoDrag plane({GizmoHandle::Kind::Plane, axis, 1}, place, rayTo(place, Vec3::Zero()), {});
             plane.to(rayTo(place, inPlane), {}, 0, 0);
             QVERIFY((plane.amount() - inPlane).norm() < 1e-9);
             plane.to(rayTo(place, inPlane), {}, 0.1, 0);
@@ -124,10 +124,10 @@ private Q_SLOTS:
         QTest::addColumn<int>("axis");
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QList<double>>("amount");
-        const auto row = [](const char* name, Handle::Kind kind, int axis, const char* typed, QList<double> amount) {
+        const auto row = [](const char* name, GizmoHandle::Kind kind, int axis, const char* typed, QList<double> amount) {
             QTest::newRow(name) << int(kind) << axis << typed << amount;
         };
-        using Kind = Handle::Kind;
+        using Kind = GizmoHandle::Kind;
         row("x", Kind::Axis, 0, "1.5", {1.5, 0, 0});
         row("z with a unit", Kind::Axis, 2, "-20 cm", {0, 0, -0.2});
         row("plane x", Kind::Plane, 0, "1,2", {0, 1, 2});
@@ -144,14 +144,14 @@ private Q_SLOTS:
         QFETCH(QString, typed);
         QFETCH(QList<double>, amount);
         const GizmoPose place = turned();
-        GizmoDrag drag({static_cast<Handle::Kind>(kind), axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+        GizmoDrag drag({static_cast<GizmoHandle::Kind>(kind), axis, 1}, place, rayTo(place, Vec3::Zero()), {});
         typeAll(drag, typed.toLatin1().constData());
         const Vec3 expected(amount[0], amount[1], amount[2]);
         QVERIFY((drag.amount() - expected).norm() < 1e-12);
         QVERIFY((drag.motion().position - place.axes * expected).norm() < 1e-12);
         while (!drag.typed().empty()) QVERIFY(drag.type(Qt::Key_Backspace, {}));
         QVERIFY(drag.amount().norm() < 1e-12); // the mouse counts again
-        GizmoDrag ring({Handle::Kind::Ring, axis, 1}, place, rayTo(place, Vec3::Unit((axis + 1) % 3)), {});
+        GizmoDrag ring({GizmoHandle::Kind::Ring, axis, 1}, place, rayTo(place, Vec3::Unit((axis + 1) % 3)), {});
         typeAll(ring, "2rad");
         QVERIFY(std::abs(ring.degrees() - 360 / std::numbers::pi) < 1e-9);
     }
@@ -161,10 +161,10 @@ private Q_SLOTS:
         QTest::addColumn<int>("axis");
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("said");
-        const auto row = [](const char* name, Handle::Kind kind, int axis, const char* typed, const char* said) {
+        const auto row = [](const char* name, GizmoHandle::Kind kind, int axis, const char* typed, const char* said) {
             QTest::newRow(name) << int(kind) << axis << typed << QString::fromUtf8(said);
         };
-        using Kind = Handle::Kind;
+        using Kind = GizmoHandle::Kind;
         row("x", Kind::Axis, 0, "", "X  0.1235 m");
         row("z", Kind::Axis, 2, "", "Z  0.5 m");
         row("plane y", Kind::Plane, 1, "", "X  0.1235 m   Z  0.5 m");
@@ -178,17 +178,18 @@ private Q_SLOTS:
         QFETCH(int, axis);
         QFETCH(QString, typed);
         const GizmoPose place = turned();
-        GizmoDrag drag({static_cast<Handle::Kind>(kind), axis, 1}, place, rayTo(place, Vec3::Zero()), {});
-        if (static_cast<Handle::Kind>(kind) == Handle::Kind::Axis)
+        GizmoDrag drag({static_cast<GizmoHandle::Kind>(kind), axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+        if (static_cast<GizmoHandle::Kind>(kind) == GizmoHandle::Kind::Axis)
             drag.to(rayTo(place, Vec3::Unit(axis) * (axis == 2 ? 0.5 : 0.12345678)), {}, 0, 0);
-        if (static_cast<Handle::Kind>(kind) == Handle::Kind::Plane) drag.to(rayTo(place, {0.12345678, 0, 0.5}), {}, 0, 0);
+        if (static_cast<GizmoHandle::Kind>(kind) == GizmoHandle::Kind::Plane)
+            drag.to(rayTo(place, {0.12345678, 0, 0.5}), {}, 0, 0);
         typeAll(drag, typed.toLatin1().constData());
         QTEST(drag.readOut(), "said");
     }
 
     void keysThatAreNumbers() {
         const GizmoPose place = turned();
-        GizmoDrag drag({Handle::Kind::Axis, 0, 1}, place, rayTo(place, Vec3::Zero()), {});
+        GizmoDrag drag({GizmoHandle::Kind::Axis, 0, 1}, place, rayTo(place, Vec3::Zero()), {});
         for (const char* refused : {"c", " ", "+", "/", "12", ""}) QVERIFY2(!drag.type(0, QLatin1String(refused)), refused);
         QVERIFY(drag.type(Qt::Key_Backspace, {})); // nothing to take back
         for (const char* taken : {"-", "1", ".", "5", " ", "c", "m", ","}) QVERIFY2(drag.type(0, QLatin1String(taken)), taken);
@@ -218,7 +219,7 @@ private Q_SLOTS:
         place.half = {0.1, 0.2, 0.3};
         place.sizes[1] = {QStringLiteral("Length"), 2, static_cast<Sides>(sides)};
         for (const int side : {1, -1}) {
-            GizmoDrag drag({Handle::Kind::Size, 1, side}, place, rayTo(place, {0, 0.2 * side, 0}), {});
+            GizmoDrag drag({GizmoHandle::Kind::Size, 1, side}, place, rayTo(place, {0, 0.2 * side, 0}), {});
             drag.to(rayTo(place, {0, 0.26 * side, 0}), {}, 0, 0, aboutCentre);
             const double grown = oneSided ? 0.03 : 0.06; // half the extent
             QVERIFY((drag.amount() - Vec3(0, grown, 0)).norm() < 1e-9);

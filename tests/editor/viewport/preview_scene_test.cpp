@@ -43,7 +43,7 @@ private Q_SLOTS:
         open(kRover);
         m_window->selection.select("RobotConfig.Rover.chassis.mast");
         m_window->trigger("tool.move");
-        const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Axis, 0});
+        const QPointF from = *m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Axis, 0});
         m_window->press(from);
         m_window->type(QStringLiteral("0.1"));
         m_window->key(Qt::Key_Return);

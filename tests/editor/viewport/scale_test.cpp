@@ -21,23 +21,23 @@ private Q_SLOTS:
         take("wall", "tool.scale");
         const Vec3 middle(1, 0.5, 0.25);
         // Its x axis is the y axis of the world: one side moves, the opposite side stays.
-        dragBy({Handle::Kind::Size, 0}, {0, 0.5, 0}, Qt::NoModifier, middle);
+        dragBy({GizmoHandle::Kind::Size, 0}, {0, 0.5, 0}, Qt::NoModifier, middle);
         QVERIFY2(m_window->text().contains("Pos=1,0.75,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         QCOMPARE(m_window->document.edits().history().entries()[0].name, QStringLiteral("Resize wall"));
         m_window->document.edits().undo();
         QCOMPARE(m_window->text(), walled);
-        dragBy({Handle::Kind::Size, 0, -1}, {0, -0.5, 0}, Qt::NoModifier, middle);
+        dragBy({GizmoHandle::Kind::Size, 0, -1}, {0, -0.5, 0}, Qt::NoModifier, middle);
         QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
         // Only upwards from the floor: there is no handle below.
-        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 2, -1}));
-        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {1, 0.25, 0.25});
+        QVERIFY(!m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 2, -1}));
+        dragBy({GizmoHandle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {1, 0.25, 0.25});
         QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 height=0.7 }"), m_window->text().constData());
         const GeomSpec& bricks = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QVERIFY((bricks.size - Vec3(2.5, 0.1, 0.7)).norm() < 1e-9);
         QVERIFY(std::abs(bricks.pose.position.z() - 0.35) < 1e-9); // on the floor
         // A typed number becomes the Param's value.
-        const QPointF from = *m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0});
+        const QPointF from = *m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 0});
         m_window->press(from);
         m_window->move(from + QPointF(12, 12), {}, Qt::LeftButton);
         m_window->type(QStringLiteral("3"));
@@ -65,7 +65,7 @@ private Q_SLOTS:
         const auto robots = m_window->document.loaded()->experiment->robots;
         const auto first = std::ranges::find_if(robots, [](const RobotSpec& robot) { return robot.name != "other"; });
         const Pose at = first->pose;
-        dragBy({Handle::Kind::Size, 0}, at.rotation * Vec3(0.1, 0, 0), Qt::NoModifier, at.position);
+        dragBy({GizmoHandle::Kind::Size, 0}, at.rotation * Vec3(0.1, 0, 0), Qt::NoModifier, at.position);
         const QByteArray after = m_window->text();
         QVERIFY2(after.contains(layout + "long=1 }"), after.constData()); // both sides move
         const ExperimentSpec& now = *m_window->document.loaded()->experiment;
@@ -116,7 +116,7 @@ private Q_SLOTS:
         open(text);
         take("balls", "tool.scale");
         m_window->panel->settings().setSteps(0.1, 15);
-        const Handle handle{Handle::Kind::Size, 0, side, true};
+        const GizmoHandle handle{GizmoHandle::Kind::Size, 0, side, true};
         if (alt) { // pressed without it, since Alt and the left button orbit
             const Vec3 edge(0.6, 0, 0.1);
             const QPointF from = m_window->view().tools().gizmo().spot(handle).value(),
@@ -130,12 +130,12 @@ private Q_SLOTS:
         }
         QVERIFY2(m_window->text().contains(after), m_window->text().constData());
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
-        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 2, 1, true})); // the layout is flat
+        QVERIFY(!m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 2, 1, true})); // the layout is flat
         m_window->document.edits().undo();
         QCOMPARE(m_window->text(), text);
-        QVERIFY(m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0})); // of the first member
+        QVERIFY(m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 0})); // of the first member
         m_window->trigger("tool.move");
-        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0, 1, true}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 0, 1, true}));
     }
 
     void paramsAreSizedWhateverTheirFormulaAndUnit_data() {
@@ -170,7 +170,7 @@ private Q_SLOTS:
              own + "}\n");
         take("thing", "tool.scale");
         m_window->panel->settings().setSteps(0.1, 15);
-        dragBy({Handle::Kind::Size, 0}, {0.2, 0, 0}, Qt::NoModifier, {0, 0, 0.5});
+        dragBy({GizmoHandle::Kind::Size, 0}, {0.2, 0, 0}, Qt::NoModifier, {0, 0, 0.5});
         QVERIFY2(m_window->text().contains("Static thing { Config=Thing " + after), m_window->text().constData());
         const StaticSpec& other = m_window->document.loaded()->experiment->statics.at(0);
         const StaticSpec& thing = m_window->document.loaded()->experiment->statics.at(1);
@@ -182,9 +182,9 @@ private Q_SLOTS:
         open("StaticConfig Pair {\nParam a = 0.5\nParam b = 0.3\nParam high = 0.4\n"
              "Box box { Size=$(a+b),0.2,$high Pos=0,0,$(high/2) }\n}\nStatic pair { Config=Pair }\n");
         take("pair", "tool.scale");
-        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 0}));
-        QVERIFY(!m_window->view().tools().gizmo().spot({Handle::Kind::Size, 1}));
-        QVERIFY(m_window->view().tools().gizmo().spot({Handle::Kind::Size, 2}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 0}));
+        QVERIFY(!m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 1}));
+        QVERIFY(m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Size, 2}));
         const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
         QVERIFY(banner->isVisible());
         const QString reportOf = banner->findChild<QLabel*>()->text();
@@ -195,7 +195,7 @@ private Q_SLOTS:
     void resizesSingleShapeWithoutParam() {
         open("StaticConfig Lump {\nBox lump { Size=0.4,0.4,0.4 Pos=0,0,0.2 }\n}\nStatic lump { Config=Lump }\n");
         take("lump", "tool.scale");
-        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.2});
+        dragBy({GizmoHandle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.2});
         const GeomSpec& lump = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QVERIFY2((lump.size - Vec3(0.4, 0.4, 0.6)).norm() < 1e-9, m_window->text().constData());
         QVERIFY((lump.pose.position - Vec3(0, 0, 0.3)).norm() < 1e-9);
@@ -216,7 +216,7 @@ private Q_SLOTS:
         const auto geom = [&] { return m_window->document.loaded()->experiment->statics.at(0).geoms->at(0); };
         const Vec3 axis = geom().pose.rotation * Vec3::UnitZ(), end = geom().pose.position - 0.2 * side * axis;
         take("lump.c", "tool.scale");
-        dragBy({Handle::Kind::Size, 2, side}, 0.2 * side * axis, Qt::NoModifier, {0, 0, 0.5});
+        dragBy({GizmoHandle::Kind::Size, 2, side}, 0.2 * side * axis, Qt::NoModifier, {0, 0, 0.5});
         const double length = geom().shape == GeomShape::Box ? geom().size.z() : geom().length;
         QVERIFY2(std::abs(length - 0.6) < 1e-9, m_window->text().constData());
         QVERIFY2((geom().pose.position - 0.3 * side * axis - end).norm() < 1e-9, m_window->text().constData());
@@ -226,10 +226,10 @@ private Q_SLOTS:
         open("#import objects/crate.sim\n#import objects/barrel.sim\nRobot crate { Config=Crate Pos=0,0,0 }\n"
              "Robot barrel { Config=Barrel Pos=1,0,0 }\n");
         take("crate", "tool.scale");
-        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.15}, Qt::NoModifier, {0, 0, 0.125});
+        dragBy({GizmoHandle::Kind::Size, 2}, {0, 0, 0.15}, Qt::NoModifier, {0, 0, 0.125});
         QVERIFY2(m_window->text().contains("Pos=0,0,0 side=0.4 }"), m_window->text().constData());
         take("barrel", "tool.scale");
-        dragBy({Handle::Kind::Size, 0}, {0.1, 0, 0}, Qt::NoModifier, {1, 0, 0.175});
+        dragBy({GizmoHandle::Kind::Size, 0}, {0.1, 0, 0}, Qt::NoModifier, {1, 0, 0.175});
         QVERIFY2(m_window->text().contains("Pos=1,0,0 radius=0.22 }"), m_window->text().constData()); // around its centre
     }
 
@@ -243,7 +243,7 @@ private:
         m_window->selection.select(path);
         m_window->trigger(tool);
     }
-    void dragBy(const Handle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, const Vec3& origin) {
+    void dragBy(const GizmoHandle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, const Vec3& origin) {
         QVERIFY(dragHandle(*m_window, handle, by, origin, modifiers));
     }
 

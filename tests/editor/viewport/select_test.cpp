@@ -1,7 +1,14 @@
 // Selecting objects in a 3D view by clicks and rectangles.
 #include <QtTest>
 
+#include <QImage>
+#include <QLabel>
+#include <QPainter>
+
+#include "editor/viewport/context/view_hints.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/gizmo/gizmo_tool.h"
+#include "editor/viewport/view/view.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
 
@@ -154,6 +161,60 @@ private Q_SLOTS:
         // A selected Grid includes all its members.
         QCOMPARE(m_window->panel->world().objectsOf("swarm").size(), std::size_t(6));
         QCOMPARE(m_window->panel->world().objectsOf("RobotConfig.SimpleRobot.leftWheel").size(), std::size_t(6));
+    }
+
+    /// Also of the geoms of a body: all members are highlighted, and there are handles.
+    void aRepeatIsAllItsMembers() {
+        QVERIFY(m_window->open("RobotConfig Kit { Body frame { Box bed { Size=0.2,0.2,0.2 Mass=1 }\n"
+                               "    Ring bolt { Count=6 Radius=0.2 Box head { Size=0.05,0.05,0.05 Mass=0.1 } } }\n"
+                               "  Repeat roller { Count=3 Pos=0,0.5,0\n"
+                               "    Body drum { Pos=$(0.3*index),0,0 Box tube { Size=0.1,0.1,0.1 Mass=1 } } } }\n"
+                               "Robot one { Config=Kit Pos=0,0,0.2 }\nRobot two { Config=Kit Pos=0,2,0.2 }\n"));
+        const auto count = [&](const char* path) { return m_window->panel->world().objectsOf(path).size(); };
+        QCOMPARE(count("one.frame.bolt"), std::size_t(6));
+        QCOMPARE(count("one.frame.bolt.head"), std::size_t(6));
+        QCOMPARE(count("one.frame.bolt_2"), std::size_t(1));
+        QCOMPARE(count("RobotConfig.Kit.frame.bolt"), std::size_t(12));
+        QCOMPARE(count("one.roller"), std::size_t(3));
+        QCOMPARE(count("one.roller.drum.tube"), std::size_t(3));
+        QCOMPARE(count("one.frame.nothing"), std::size_t(0));
+        m_window->trigger("tool.move");
+        m_window->selection.select("one.frame.bolt");
+        QVERIFY(m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Axis, 0}));
+    }
+
+    void aRegionSaysWhyItHasNoHandles() {
+        QVERIFY(m_window->open(kRoom + "Region goal { Pos=0,0,0.1 Size=0.2,0.2,0.2 Robots=robot0 }\n"));
+        m_window->trigger("tool.move");
+        m_window->selection.select("goal");
+        const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
+        QVERIFY(banner->isVisible());
+        QVERIFY(banner->findChild<QLabel*>()->text().startsWith(QStringLiteral("goal is a Region")));
+        m_window->selection.select("robot0");
+        QVERIFY(!banner->isVisible());
+    }
+
+    /// What is beside the cursor gives way to the hint at the lower edge.
+    void textsOfAViewDoNotOverlap() {
+        ViewHints hints;
+        const QSize size(600, 300);
+        const auto painted = [&](const QPoint& cursor) {
+            QImage image(size, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::transparent);
+            QPainter painter(&image);
+            hints.paint(painter, size, cursor);
+            return image;
+        };
+        hints.setHint(QStringLiteral("Type an exact value"));
+        const QImage hint = painted({});
+        hints.setHovered({}, QStringLiteral("x 0.125 m"));
+        for (int y = 0; y < size.height(); y += 5) {
+            const QImage both = painted({size.width() / 2, y});
+            for (int row = 0; row < size.height(); ++row)
+                for (int x = 0; x < size.width(); ++x)
+                    if (qAlpha(hint.pixel(x, row)) > 0) QCOMPARE(both.pixel(x, row), hint.pixel(x, row));
+            QVERIFY(both != hint);
+        }
     }
 
     void nothingToPickInAnEmptyText() {

@@ -15,7 +15,7 @@ public:
     /// Bodies have moved, or something was added.
     void markMoved() { m_moved = true; }
 
-    [[nodiscard]] std::optional<RayHit> ray(const SingleRay& ray, std::uint32_t without) const override;
+    [[nodiscard]] std::optional<SingleHit> ray(const SingleRay& ray, std::uint32_t without) const override;
     void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const override;
     void castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const override;
     [[nodiscard]] std::uint64_t updates() const override { return m_updates; }

@@ -174,7 +174,7 @@ double JointInertias::between(std::span<const std::uint32_t> bodies, std::span<c
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(6 * i);
         const Mat6 inverse = inertiaOf(bodies[i]).inverse();
-        weighted.middleRows<6>(at) = inverse * g.middleCols<6>(at).transpose();
+        if (count > 0) weighted.middleRows<6>(at) = inverse * g.middleCols<6>(at).transpose();
         moved.segment<6>(at) = inverse * force.segment<6>(at);
     }
     double mobility = force.dot(moved);

@@ -4,7 +4,7 @@
 
 namespace trundle {
 
-OdeWorld::OdeWorld(const EngineSettings& settings) : m_id(dWorldCreate()) {
+OdeWorld::OdeWorld(const EngineSettings& settings) : m_id(dWorldCreate()), m_memory(m_id) {
     if (settings.threads > 1) m_team = std::make_unique<WorkTeam>(settings.threads);
     if (m_team && m_team->size() == 1) m_team.reset();
     makeThreading();
@@ -34,7 +34,19 @@ void OdeWorld::makeThreading() {
     if (m_threading) dWorldSetStepThreadingImplementation(m_id, dThreadingImplementationGetFunctions(m_threading), m_threading);
 }
 
-void OdeWorld::replaceThreading() {
+void OdeWorld::step(double h) {
+    m_memory.use();
+    dWorldStep(m_id, h);
+}
+
+void OdeWorld::quickStep(double h) {
+    m_memory.use();
+    dWorldQuickStep(m_id, h);
+}
+
+void OdeWorld::recover() {
+    dWorldCleanupWorkingMemory(m_id);
+    m_memory.freeAll();
     if (m_threading) abandon(m_threading);
     makeThreading();
 }

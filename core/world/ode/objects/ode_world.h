@@ -6,8 +6,9 @@
 #include <ode/ode.h>
 
 #include "world/engine.h"
-#include "world/ode/objects/ode_fault.h"
 #include "world/ode/objects/island_threads.h"
+#include "world/ode/objects/ode_fault.h"
+#include "world/ode/objects/step_memory.h"
 
 namespace trundle {
 
@@ -19,8 +20,11 @@ public:
     OdeWorld& operator=(const OdeWorld&) = delete;
 
     [[nodiscard]] dWorldID id() const { return m_id; }
-    /// After a fault thrown out of the middle of a step: its list of jobs is half done, so it gets a new implementation.
-    void replaceThreading();
+    void step(double h); ///< exact; may throw OdeFault, after which recover() is to be called
+    void quickStep(double h);
+    /// After a fault thrown out of the middle of a step: its list of jobs is half done, so it gets a new implementation of threads, and new
+    /// working memory.
+    void recover();
     /// The same where the world is not stepped again.
     void abandonThreading() { m_abandoned = true; }
     /// Whether the next steps are shared by all threads, which is worth it for many islands.
@@ -32,6 +36,7 @@ private:
     void makeThreading();
 
     dWorldID m_id = nullptr;
+    StepMemory m_memory;
     std::unique_ptr<WorkTeam> m_team;            ///< with more than one thread
     std::unique_ptr<IslandThreads> m_islands;    ///< of the team
     dThreadingImplementationID m_threading = nullptr; ///< without a team: ODE's for the calling thread

@@ -68,7 +68,7 @@ void ClusterSolver::stepAllQuickly(double h) {
     seed();
     m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
     m_world.useOneThread(true); // its random numbers are of the thread
-    dWorldQuickStep(m_world.id(), h);
+    m_world.quickStep(h);
     m_drift.shiftBack(m_objects.bodies);
 }
 
@@ -79,9 +79,9 @@ bool ClusterSolver::tryExactly(double h) {
     m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
     bool whole = true;
     try {
-        dWorldStep(m_world.id(), h);
+        m_world.step(h);
     } catch (const OdeFault&) {
-        m_world.replaceThreading();
+        m_world.recover();
         whole = false;
     }
     m_drift.shiftBack(m_objects.bodies);
@@ -291,7 +291,7 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
             dBodySetForce(m_objects.bodies[body].id, s.force[0], s.force[1], s.force[2]);
             dBodySetTorque(m_objects.bodies[body].id, s.torque[0], s.torque[1], s.torque[2]);
         }
-        dWorldQuickStep(m_world.id(), part);
+        m_world.quickStep(part);
         dJointGroupEmpty(m_group.get());
         for (std::size_t i = 0; i < m_iterated.size(); ++i) {
             OdeContact& c = m_moved[i];

@@ -1,0 +1,188 @@
+// The gizmo on what Parts, Repeats and In place: numbers are in the frame in which they are written.
+#include <QLabel>
+#include <QtTest>
+
+#include "editor/viewport/gizmo_hand.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr GizmoHandle kMoveZ{GizmoHandle::Kind::Axis, 2};
+
+} // namespace
+
+class MovePartsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() { m_window = std::make_unique<ViewWindow>(m_render.get()); }
+    void cleanup() { m_window.reset(); }
+
+    void partsMove() {
+        const QByteArray text = "PartConfig Wheel { Body wheel { Box tyre { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                "  Part right { Config=Wheel Pos=0,-0.5,0 Mirror=y } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\n"
+                                "Robot robot1 { Config=Kit Pos=0,3,0.2 }\n";
+        open(text);
+        m_window->look({-1.6, -2.2, 1.2}, {0, -0.3, 0.2});
+        take("RobotConfig.Kit.right", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Part right { Config=Wheel Pos=0,-0.5,0.1 Mirror=y }"), m_window->text().constData());
+        open(text);
+        take("robot0.right.wheel", "tool.move");
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Robot robot0 { Config=Kit Pos=0,0,0.2 right.wheel.Pos=0,-0.1,0 }"),
+                 m_window->text().constData());
+    }
+
+    /// What is in a member of a Repeat or Ring moves in the frame of the member; the Ring itself in that of its config.
+    void repeatsMove() {
+        const QByteArray text = "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                "  Ring arm { Count=4 Radius=0.5 Body tip { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                "  Repeat row { Count=2 Pos=$(0.3*index),0.8,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
+                                "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n";
+        open(text);
+        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
+        take("RobotConfig.Kit.arm", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Mass=1 } } Pos=0,0,0.1 }"), m_window->text().constData());
+        open(text);
+        take("robot0.arm_3.tip", "tool.move"); // its x points to -y
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, -0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("arm_3.tip.Pos=0.1,0,0 }"), m_window->text().constData());
+        open(text);
+        take("robot0.row_1.c", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.3, 0.8, 0.2});
+        QVERIFY2(m_window->text().contains("row_1.c.Pos=0,0,0.1 }"), m_window->text().constData());
+        open("RobotConfig Kit { Body c { HPR=90,0,0 Ring arm { Count=4 Radius=0.5 Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
+             "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n");
+        take("robot0.c.arm_2.b", "tool.move"); // of a ring of geoms in a body
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("arm_2.b.Pos=0,0,0.1 }"), m_window->text().constData());
+    }
+
+    /// What is in a Repeat of the world moves in the frame of its member, all members alike.
+    void repeatedRobotsMove() {
+        open("RobotConfig Kit { Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+             "StaticConfig Post { Box b { Size=0.2,0.2,0.2 } }\n"
+             "Ring fence { Count=4 Radius=0.5 Pos=0,0,0.2 Robot cart { Config=Kit } }\n"
+             "Repeat row { Count=2 Pos=$(0.5*index),0.9,0.1 Static post { Config=Post } }\n");
+        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
+        take("fence_3.cart", "tool.move"); // its x points to -y
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, -0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Robot cart { Config=Kit Pos=0.1,0,0 }"), m_window->text().constData());
+        take("row_1.post", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.5, 0.9, 0.1});
+        QVERIFY2(m_window->text().contains("Static post { Config=Post Pos=0,0,0.1 }"), m_window->text().constData());
+        QCOMPARE(m_window->panel->world().objectsOf("fence").size(), std::size_t(4));
+        QCOMPARE(m_window->panel->world().objectsOf("fence.cart.c").size(), std::size_t(4));
+        QCOMPARE(m_window->panel->world().objectsOf("row_1").size(), std::size_t(1));
+        open("RobotConfig Kit { Body c { Box b { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+             "Ring fence { Count=4 Radius=0.5 Pos=0,0,0.2 Grid herd { Config=Kit Count=2 Spacing=0.3 } }\n");
+        take("fence.herd", "tool.move"); // at the place of its first member
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0.5, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Spacing=0.3 Pos=0,0,0.1 }"), m_window->text().constData());
+    }
+
+    /// A body moves along with the one that it is placed in, and its own numbers are in that one's frame.
+    void bodiesInBodiesMove() {
+        const QByteArray text = "PartConfig Wheel { Body w { Box t { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                "RobotConfig Kit { Body base { HPR=90,0,0 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+                                "  Body arm { In=base Pos=0.5,0,0 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+                                "  Part left { Config=Wheel In=base Pos=0,0.5,0 } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\n";
+        open(text);
+        m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
+        const auto at = [&](const char* path) {
+            const ViewportScene& world = m_window->panel->world();
+            return world.poseOf(*world.find(path)).position;
+        };
+        QVERIFY((at("robot0.arm") - Vec3(0, 0.5, 0.2)).norm() < 1e-9);
+        take("RobotConfig.Kit.arm", "tool.move"); // its x points to y
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {0, 0.5, 0.2});
+        QVERIFY2(m_window->text().contains("Body arm { In=base Pos=0.6,0,0 "), m_window->text().constData());
+        take("RobotConfig.Kit.left", "tool.move");
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {-0.5, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Part left { Config=Wheel In=base Pos=0.1,0.5,0 }"), m_window->text().constData());
+        take("RobotConfig.Kit.base", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.2});
+        QVERIFY((at("robot0.arm") - Vec3(0, 0.6, 0.3)).norm() < 1e-9);
+        QVERIFY((at("robot0.left.w") - Vec3(-0.5, 0.1, 0.3)).norm() < 1e-9);
+    }
+
+    /// A body that counts from a selected one by In, also through another or in a Part, moves along once.
+    void whatCountsFromASelectedBodyMovesOnce() {
+        const QByteArray text =
+            "PartConfig Wheel { Body w { Box t { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+            "RobotConfig Kit { Body base { Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+            "  Body mast { In=base Pos=0.5,0,0 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+            "  Body head { In=mast Pos=0,0,0.3 Box b { Size=0.1,0.1,0.1 Mass=1 } }\n"
+            "  Part left { Config=Wheel In=mast Pos=0,0.5,0 } Body apart { Pos=-1,0,0 Box b { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+            "Robot robot0 { Config=Kit Pos=0,0,0.2 }\n";
+        const auto dragged = [&](std::vector<std::string> paths, const Vec3& handle) {
+            open(text);
+            m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
+            m_window->selection.set(std::move(paths));
+            m_window->trigger("tool.move");
+            dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, handle);
+            return m_window->text();
+        };
+        const auto with = [&](const char* from, const char* to, QByteArray in) { return in.replace(from, to); };
+        const QByteArray mast = with("mast { In=base Pos=0.5,0,0 ", "mast { In=base Pos=0.5,0,0.1 ", text);
+        QCOMPARE(dragged({"robot0.head", "robot0.mast"}, {0.5, 0, 0.2}), mast);
+        QCOMPARE(dragged({"RobotConfig.Kit.left", "RobotConfig.Kit.mast"}, {0.5, 0, 0.2}), mast);
+        QCOMPARE(dragged({"robot0.left.w", "robot0.head", "robot0.mast"}, {0.5, 0, 0.2}), mast);
+        QCOMPARE(dragged({"robot0.apart", "robot0.head"}, {0.5, 0, 0.5}),
+                 with("apart { Pos=-1,0,0 ", "apart { Pos=-1,0,0.1 ", with("Pos=0,0,0.3", "Pos=0,0,0.4", text)));
+    }
+
+    /// A place that is worked out from index is none to be dragged, wherever it is written; that of one member is.
+    void placesFromIndexAreNotDragged_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<bool>("refused");
+        QTest::newRow("a Repeat of the config") << "RobotConfig.Kit.row" << true;
+        QTest::newRow("through a robot") << "robot0.row" << true;
+        QTest::newRow("in a Part") << "robot0.left.lamp" << true;
+        QTest::newRow("what all members have") << "robot0.rim.disc" << true;
+        QTest::newRow("in the config") << "RobotConfig.Kit.rim.disc" << true;
+        QTest::newRow("of one member") << "robot0.rim_1.disc" << false;
+        QTest::newRow("a Param called indexer") << "RobotConfig.Kit.other" << false;
+    }
+    void placesFromIndexAreNotDragged() {
+        QFETCH(QString, path);
+        QFETCH(bool, refused);
+        const QByteArray text =
+            "PartConfig Lamps { Repeat lamp { Count=2 Pos=$(0.3*index),0.8,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
+            "RobotConfig Kit { Param indexer = 0.1 Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
+            "  Repeat row { Count=2 Pos=$(0.3*index),0.8,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+            "  Repeat rim { Count=2 Body disc { Pos=$(0.3*index + 0.1),-0.8,0 Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+            "  Repeat other { Count=1 Pos=$indexer,0,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+            "  Part left { Config=Lamps } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n";
+        open(text);
+        take(path.toStdString(), "tool.move");
+        QCOMPARE(!m_window->view().tools().gizmo().spot(kMoveZ).has_value(), refused);
+        const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
+        QCOMPARE(banner->isVisible() && banner->findChild<QLabel*>()->text().contains(u"computed from index"), refused);
+    }
+
+private:
+    void open(const QByteArray& text) {
+        QVERIFY(m_window->open(text));
+        m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
+        m_window->view().setFocus();
+    }
+    void take(const std::string& path, const char* tool) {
+        m_window->selection.select(path);
+        m_window->trigger(tool);
+    }
+    /// Drags a handle at `origin` (in W) by `by`.
+    void dragBy(const GizmoHandle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, Vec3 origin) {
+        QVERIFY(dragHandle(*m_window, handle, by, origin, modifiers));
+    }
+
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(MovePartsTest)
+#include "move_parts_test.moc"
