@@ -52,6 +52,7 @@ ExitCode writeAll(const std::vector<ChangedFile>& changed) {
 struct EditedText {
     ExitCode code = kExitDone; ///< otherwise the reason has already been reported
     std::vector<ChangedFile> files;
+    std::string opened; ///< content of FILE, without the changes
 };
 
 /// Whether the values bring errors elsewhere into the text: an override of a member that there is no more.
@@ -67,22 +68,22 @@ EditedText edited(Application& application, const EditArguments& arguments) {
     const Result<std::shared_ptr<const LoadedProject>> opened = application.open(arguments.file, arguments.open);
     if (!opened) {
         printProblem(opened.error().message);
-        return {kExitUsage, {}};
+        return {kExitUsage, {}, {}};
     }
     const LoadedProject& loaded = *opened.value();
     if (setsFailed(loaded)) { // other errors in the text are ignored, since this command may be the one that fixes them
         printDiagnostics(loaded.diagnostics.all(), loaded.sources);
-        return {kExitText, {}};
+        return {kExitText, {}, {}};
     }
     if (breaks(application, arguments, loaded)) {
         printDiagnostics(loaded.diagnostics.all(), loaded.sources);
         printProblem("nothing is changed: the text would have this error");
-        return {kExitText, {}};
+        return {kExitText, {}, {}};
     }
     Result<std::vector<ChangedFile>> changed = changedFiles(loaded);
-    if (changed) return {kExitDone, std::move(changed).value()};
+    if (changed) return {kExitDone, std::move(changed).value(), std::string(loaded.trees[0]->source().bytes())};
     printProblem(changed.error().message);
-    return {kExitText, {}};
+    return {kExitText, {}, {}};
 }
 
 /// Which files change is only known after reading them, so they are then locked and read again.
@@ -112,8 +113,9 @@ ExitCode edit(Application& application, const EditArguments& arguments) {
         if (now.files.size() > 1) writeOut("// " + cleanLine(file.path) + "\n");
         if (!writeOut(file.bytes)) return kExitText;
     }
-    if (now.files.empty()) printProblem("nothing to change");
-    return kExitDone;
+    if (!now.files.empty()) return kExitDone;
+    printProblem("nothing to change");
+    return writeOut(now.opened) ? kExitDone : kExitText;
 }
 
 constexpr const char* kEditExamples = R"(Examples:

@@ -62,6 +62,22 @@ std::string materialsProblem(const fs::path& path) {
     return isMaterials(path.string()) ? "cannot be read" : "does not end in .mtl";
 }
 
+/// An OBJ file with 0.5 in its vertices for .5, which assimp takes for no number.
+std::string withLeadingZeros(const std::string& obj) {
+    std::string out;
+    std::size_t copied = 0;
+    bool isVertex = false;
+    for (std::size_t i = 0; i < obj.size(); ++i) {
+        const bool begins = i == 0 || obj[i - 1] == '\n';
+        if (begins) isVertex = obj[i] == 'v';
+        const bool isLone = isVertex && obj[i] == '.' && !begins && (obj[i - 1] == ' ' || obj[i - 1] == '\t');
+        if (!isLone || i + 1 == obj.size() || obj[i + 1] < '0' || obj[i + 1] > '9') continue;
+        out.append(obj, copied, i - copied) += '0';
+        copied = i;
+    }
+    return copied == 0 ? obj : out.append(obj, copied);
+}
+
 std::string realPath(const fs::path& path) {
     std::error_code fault;
     const fs::path real = fs::weakly_canonical(path, fault);
@@ -109,6 +125,8 @@ Assimp::IOStream* RestrictedIOSystem::Open(const char* file, const char* mode) {
         else if (m_missingMaterials.empty()) m_missingMaterials = shownName.substr(0, 80) + ", " + materialsProblem(path);
         return nullptr;
     }
+    if (const fs::path ending = fs::path(file).extension(); ending == ".obj" || ending == ".OBJ")
+        return new MemoryStream(withLeadingZeros(bytes.value()));
     if (isMaterials(file)) return new MemoryStream(withoutPictureOptions(bytes.value(), m_placements));
     return new MemoryStream(std::move(bytes).value());
 }

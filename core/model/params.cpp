@@ -27,6 +27,15 @@ bool isPick(const Expression& e) {
 /// The Param that an expression names: itself, or of which it takes an element.
 const std::string& nameIn(const Expression& e) { return isPick(e) ? e.arguments[0].name : e.name; }
 
+void warnIfTaken(const SourceParam& param, Diagnostics& diagnostics) {
+    const std::string& name = param.name->text;
+    const auto warn = [&](const std::string& what) {
+        diagnostics.warning(Code::DuplicateName, param.nameRange(), "the name " + name + " is taken by " + what);
+    };
+    if (name == "pi") warn("the number pi, which this Param replaces in $( )");
+    else if (std::ranges::find(functionNames(), name) != functionNames().end()) warn("a function of $( ), " + name + "(...)");
+}
+
 } // namespace
 
 void ParamScope::declare(const std::vector<SourceParam>& params) {
@@ -97,8 +106,11 @@ std::optional<GivenValue> Evaluator::evaluate(const Value& value, FileId file, P
 }
 
 void Evaluator::checkAll(ParamScope& scope) {
-    for (auto& [name, entry] : scope.m_entries)
-        if (entry.param.name) (void)paramValue(name, {entry.param.file, entry.param.name->range}, scope);
+    for (auto& [name, entry] : scope.m_entries) {
+        if (!entry.param.name) continue;
+        warnIfTaken(entry.param, m_diagnostics);
+        (void)paramValue(name, {entry.param.file, entry.param.name->range}, scope);
+    }
 }
 
 bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scope, GivenValue& out) {
@@ -226,7 +238,7 @@ bool Evaluator::checkUnits(const GivenValue& value) {
 void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& scope) {
     std::string message = "there is no Param " + std::string(name);
     if (name == "index") message += " here; it is there in a Repeat or Ring, not in its Count, and in the values of a Grid or Scatter; a part gets it by a Param";
-    if (name == "index2") message += "; it is there in a Repeat with two numbers, Count=5,2";
+    if (name == "index2") message += "; it is there in a Repeat or Grid with two numbers, Count=5,2";
     // excludes the `$` of `$name` from the range
     const std::string_view text = m_texts.slice(place);
     if (text.size() == name.size() + 1 && text.front() == '$') ++place.range.begin;
@@ -234,7 +246,8 @@ void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& sc
     if (name == "index" || name == "index2") return; // no other word is meant
     constexpr std::size_t kMany = 1000, kFirst = 20; // with many Params, suggestions for each error would take minutes
     if (manyAlready(m_diagnostics)) return;
-    const std::vector<std::string> names = scope.names();
+    std::vector<std::string> names = scope.names();
+    if (name == "PI" || name == "Pi") names.emplace_back("pi");
     if (names.size() > kMany && m_diagnostics.all().size() > kFirst) return;
     suggest(d, name, names, place);
     if (d.suggestions.empty() && !names.empty()) d.message += "; there are " + listText(names, "and");

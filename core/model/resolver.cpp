@@ -118,6 +118,8 @@ void resolveLog(ResolveContext& context, AppearanceChecker& looks, const Expande
         if (!record.values[i] || record.values[i]->origin == Origin::Default) continue;
         std::vector<std::string>& texts = record.values[i]->value.texts;
         for (std::string& text : texts) nameInMember(expanded, property.name, text);
+        const auto isFailed = [&](const std::string& text) { return context.isFailedRobot(text); };
+        if (property.name == "Robot" && std::ranges::any_of(texts, isFailed)) good = false; // reported at the robot
         const bool robots =
             property.type == PropertyType::Reference && std::count(property.choices.begin(), property.choices.end(), "Robot");
         if (robots) good = checkRobots(context, property, *record.values[i]) && good;

@@ -98,7 +98,8 @@ private:
     }
 
     void setParam(const SourceParam& param, const Part* part, const std::string& key) {
-        m_applied.targets.push_back({part, key, valueRange(), {param.valueFile, param.value->range}});
+        if (param.required) m_applied.targets.push_back({part, "Param " + key, valueRange(), {}}); // it is declared nowhere
+        else m_applied.targets.push_back({part, key, valueRange(), {param.valueFile, param.value->range}});
         if (!m_lays) return;
         auto& own = const_cast<SourceParam&>(param);
         own.value = &m_set->item->value;

@@ -11,7 +11,7 @@ namespace trundle {
 /// One value set on the command line, on top of the text.
 struct SetTarget {
     const Part* part = nullptr; ///< block that it belongs to; nullptr: the top level of the opened file
-    std::string key;            ///< relative to the block: "Tick", "leftMotor.Resistance"
+    std::string key; ///< relative to the block: "Tick", "leftMotor.Resistance"; "Param carrier" declares an implied one
     SourceRange value;          ///< the new value, in its own `--set#N` text
     SourceRange before;         ///< the value that it replaces; unknown: there is none
 };

@@ -41,6 +41,9 @@ public:
     [[nodiscard]] double gain(const Vec3& direction) const;
     [[nodiscard]] double gain(double azimuth, double elevation) const; ///< dBi; angles in rad
     [[nodiscard]] double peak() const { return m_peak; }               ///< dBi
+    /// What it sends to the left is sent to the right.
+    [[nodiscard]] AntennaPattern mirrored() const;
+    [[nodiscard]] bool isSymmetric() const { return !m_table; } ///< to left and right, as all models are
     /// Efficiency: the mean gain over all directions; 1 for a lossless antenna.
     [[nodiscard]] double radiated() const;
 

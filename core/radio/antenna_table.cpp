@@ -89,6 +89,20 @@ AntennaPattern AntennaPattern::fromTable(Table table) {
     return p;
 }
 
+AntennaPattern AntennaPattern::mirrored() const {
+    if (!m_table) return *this;
+    const std::size_t rows = m_table->elevations.size();
+    std::map<double, std::size_t> columns; // by the mirrored azimuth
+    for (std::size_t i = 0; i < m_table->azimuths.size(); ++i) columns.emplace(wrapped(0 - m_table->azimuths[i]), i);
+    Table table{{}, m_table->elevations, {}};
+    for (const auto& [azimuth, column] : columns) {
+        table.azimuths.push_back(azimuth);
+        const auto gains = m_table->gains.begin() + static_cast<std::ptrdiff_t>(column * rows);
+        table.gains.insert(table.gains.end(), gains, gains + static_cast<std::ptrdiff_t>(rows));
+    }
+    return fromTable(std::move(table));
+}
+
 AntennaPattern AntennaPattern::fromCuts(std::vector<GainPoint> azimuth, std::vector<GainPoint> elevation) {
     azimuth = sorted(std::move(azimuth), true);
     elevation = sorted(std::move(elevation), false);

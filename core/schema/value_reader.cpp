@@ -1,6 +1,7 @@
 #include "schema/value_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "base/units.h"
@@ -30,6 +31,12 @@ std::string dimensionWord(std::string_view unit) {
     return info ? std::string(info->dimension) : std::string();
 }
 
+/// A converted number, without the last digits that the conversion has made up: 0.0011 for 1.1 mm.
+std::string convertedText(double value) {
+    char buffer[40];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 12).ptr};
+}
+
 class Reader {
 public:
     Reader(const Property& property, const GivenValue& given, Diagnostics& diagnostics)
@@ -54,7 +61,18 @@ private:
                                             m_property.name + " has " + std::to_string(count) +
                                                 (count == 1 ? " element" : " elements") + ", it takes " + countText(m_property));
         suggestPoint(d);
+        if (const GivenElement* element = fromList()) addSourceNote(d, *element);
         return false;
+    }
+
+    /// The first element of the Param that is the whole value, or is a list in it; nullptr: the number of elements is that of the text.
+    const GivenElement* fromList() const {
+        const std::vector<GivenElement>& all = m_given.elements;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const bool isList = i + 1 < all.size() && all[i].range == all[i + 1].range;
+            if (all[i].source.known() && (isList || all[i].range == m_given.range)) return &all[i];
+        }
+        return nullptr;
     }
 
     /// Suggests a decimal point for a decimal comma: `0,25`.
@@ -93,7 +111,8 @@ private:
         const std::string is = element.kind == ElementKind::Boolean
                                    ? elementText(element)
                                    : std::string(kindWord(element.kind)) + " (" + elementText(element) + ")";
-        Diagnostic& d = m_diagnostics.error(Code::WrongType, m_given.range, subject() + " is " + is + ", it must be " + needed);
+        Diagnostic& d =
+            m_diagnostics.error(Code::WrongType, placeOf(element), subject() + " is " + is + ", it must be " + needed);
         addSourceNote(d, element);
         return d;
     }
@@ -103,6 +122,11 @@ private:
     bool wrongType(const GivenElement& element, const std::string& needed) {
         typeFault(element, needed);
         return false;
+    }
+
+    /// In a list, that of the element.
+    SourceRange placeOf(const GivenElement& element) const {
+        return m_given.elements.size() > 1 && element.range.known() ? element.range : m_given.range;
     }
 
     /// "Radius", or "the 2nd number of Size" in a list.
@@ -153,7 +177,7 @@ private:
     bool outOfRange(const GivenElement& element, double value) {
         std::string limit = brokenLimitText(limits(), value);
         if (limit.empty()) limit = "smaller";
-        Diagnostic& d = m_diagnostics.error(Code::OutOfRange, m_given.range,
+        Diagnostic& d = m_diagnostics.error(Code::OutOfRange, placeOf(element),
                                             subject() + " is " + elementText(element) + ", it must be " + limit);
         addSourceNote(d, element);
         if (!element.literal || element.number >= 0) return false;
@@ -174,7 +198,7 @@ private:
 
     std::optional<double> inPropertyUnit(const GivenElement& element) {
         if (element.unit.empty() || element.unit == m_property.unit) return element.number;
-        const SourceRange place = element.unitRange.known() ? element.unitRange : m_given.range;
+        const SourceRange place = element.unitRange.known() ? element.unitRange : placeOf(element);
         const UnitInfo* unit = findUnit(element.unit);
         if (!unit && !exponentsOf(element.unit)) {
             Diagnostic& d = m_diagnostics.error(Code::UnknownUnit, place, "there is no unit " + element.unit);
@@ -204,9 +228,13 @@ private:
         return std::nullopt;
     }
 
-    static void dropUnit(Diagnostic& d, const GivenElement& element) {
+    /// The number without a unit is the same amount in SI.
+    void dropUnit(Diagnostic& d, const GivenElement& element) const {
         if (!element.literal || !element.unitRange.known()) return;
-        d.fixes.push_back({numberText(element.number), {{element.range, numberText(element.number)}}});
+        const UnitInfo* unit = findUnit(element.unit);
+        const double plain = unit ? element.number * unit->factor : element.number;
+        if (!inRange(plain) || (m_property.type == PropertyType::Integer && plain != std::floor(plain))) return;
+        d.fixes.push_back({convertedText(plain), {{element.range, convertedText(plain)}}});
     }
 
     std::vector<std::string> fittingUnits() const {
@@ -242,7 +270,7 @@ private:
             return true;
         }
         Diagnostic& d =
-            m_diagnostics.error(Code::UnknownChoice, m_given.range,
+            m_diagnostics.error(Code::UnknownChoice, placeOf(element),
                                 subject() + " is " + elementText(element) + ", it must be " + listText(m_property.choices));
         addSourceNote(d, element);
         suggest(d, element.text, m_property.choices, element.literal ? element.range : SourceRange{});

@@ -24,6 +24,13 @@ std::string plural(PropertyType type, bool many) {
     return {};
 }
 
+/// For reading: 200000, where the shortest text is 2e+05.
+std::string readableText(double value) {
+    if (std::abs(value) >= 1e15 || value != std::floor(value)) return numberText(value);
+    char buffer[40];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value, std::chars_format::fixed).ptr};
+}
+
 std::string countWord(std::uint32_t count) {
     static const char* const words[] = {"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
     return count < std::size(words) ? words[count] : std::to_string(count);
@@ -40,17 +47,17 @@ std::string numberText(double value) {
 
 std::string elementText(const GivenElement& element) {
     switch (element.kind) {
-    case GivenElement::Kind::Number: return numberText(element.number) + (element.unit.empty() ? "" : " " + element.unit);
+    case GivenElement::Kind::Number: return readableText(element.number) + (element.unit.empty() ? "" : " " + element.unit);
     case GivenElement::Kind::Boolean: return element.boolean ? "true" : "false";
     default: return element.text.size() > 60 ? element.text.substr(0, 57) + "..." : element.text;
     }
 }
 
 std::string limitText(const Property& p) {
-    const auto amount = [&](double limit) { return numberText(limit) + (limit == 0 || p.unit.empty() ? "" : " " + p.unit); };
+    const auto amount = [&](double limit) { return readableText(limit) + (limit == 0 || p.unit.empty() ? "" : " " + p.unit); };
     const bool low = std::isfinite(p.minimum), high = std::isfinite(p.maximum);
     if (low && high && !p.minExclusive && !p.maxExclusive) {
-        return "from " + numberText(p.minimum) + " to " + amount(p.maximum);
+        return "from " + readableText(p.minimum) + " to " + amount(p.maximum);
     }
     std::string text;
     if (low) text = (p.minExclusive ? "above " : "at least ") + amount(p.minimum);

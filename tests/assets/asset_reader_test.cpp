@@ -41,6 +41,14 @@ private Q_SLOTS:
         QVERIFY(holds(*mesh.value(), {1, 2, 0}));
     }
 
+    /// Some programs write .5 for 0.5.
+    void numbersOfAnObjMayBeginWithTheirPoint() {
+        const auto mesh = m_reader->mesh(sample("short.obj", "# .5 .5\nv .5 0 -.25\nv 1\t.75 0\nv 0 1 .125\nf 1 2 3\n"));
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
+        QVERIFY(holds(*mesh.value(), {0.5, 0, -0.25}) && holds(*mesh.value(), {1, 0.75, 0}) &&
+                holds(*mesh.value(), {0, 1, 0.125}));
+    }
+
     void negativeObjIndicesCountFromTheEnd() {
         const auto mesh = m_reader->mesh(sample("back.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf -3 -2 -1\n"));
         QVERIFY(mesh.ok());

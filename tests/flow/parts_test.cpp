@@ -36,7 +36,7 @@ const char* const kChassis = "RobotConfig Kit { Body chassis { Box hull { Size=0
 const char* const kDrive = " RightMotor=%2 WheelRadius=0.05 WheelSeparation=0.25 }\n}\n"
                            "Grid g { Config=Kit Count=2 Spacing=1 HPR=30,0,0 LinearMotion brain { Distance=0.3 Speed=0.3 } }\n";
 
-/// One side by hand; its bodies A to D are in the order of the names of those of the parts. `s` is "" or "-", the sign of what is mirrored.
+/// One side by hand, with other names. `s` is "" or "-", the sign of what is mirrored.
 QString side(const QString& n, const QString& s) {
     const QString m = s.isEmpty() ? QStringLiteral("-") : QString();
     const QString low = QString::fromLatin1(s.isEmpty() ? "-100" : "-170"),
@@ -44,23 +44,23 @@ QString side(const QString& n, const QString& s) {
     const QString roller = QString::fromLatin1(s.isEmpty() ? "roller" : "roller2");
     QString text =
         QStringLiteral(
-            "Body @nD { Pos=0.06,@s0.125,0.05 Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,@s90 Mass=0.15 Material=black "
+            "Body @n1 { Pos=0.06,@s0.125,0.05 Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,@s90 Mass=0.15 Material=black "
             "Surface=rubber }\n Box cleat { Size=0.02,0.01,0.02 Pos=0.01,@s0.02,0.01 HPR=@s10,20,@s30 Mass=0.01 Material=red "
             "Surface=rubber } }\n"
-            "Body @nC { Pos=-0.1,@s0.08,0.05 Box bar { Size=0.02,0.02,0.02 Pos=0.01,@s0.005,0 Mass=0.05 Material=grey "
+            "Body @n2 { Pos=-0.1,@s0.08,0.05 Box bar { Size=0.02,0.02,0.02 Pos=0.01,@s0.005,0 Mass=0.05 Material=grey "
             "Surface=plastic } }\n"
-            "Body @nB { Pos=$(-0.1-0.02),$(@s0.08+@s0.01),$(0.05-0.03) Sphere tyre { Radius=0.02 Mass=0.05 Material=black "
+            "Body @n3 { Pos=$(-0.1-0.02),$(@s0.08+@s0.01),$(0.05-0.03) Sphere tyre { Radius=0.02 Mass=0.05 Material=black "
             "Surface=@roller } }\n"
-            "Body @nA { Pos=0.16,@s0.06,0.07 Box board { Size=0.01,0.1,0.04 Mass=0.05 Material=red Surface=plastic } }\n") +
-        QStringLiteral("Hinge @nAxle { Parent=chassis Child=@nD Axis=0,1,0 Damping=0.001 }\n"
-                       "Hinge @nSwivel { Parent=chassis Child=@nC Axis=0,0,1 LowStop=@low HighStop=@high }\n"
-                       "Hinge @nRoll { Parent=@nC Child=@nB Axis=0,1,0 }\n"
-                       "Slider @nSpring { Parent=chassis Child=@nA Axis=1,@s0.2,0 LowStop=-0.01 HighStop=0 "
+            "Body @n4 { Pos=0.16,@s0.06,0.07 Box board { Size=0.01,0.1,0.04 Mass=0.05 Material=red Surface=plastic } }\n") +
+        QStringLiteral("Hinge @nAxle { Parent=chassis Child=@n1 Axis=0,1,0 Damping=0.001 }\n"
+                       "Hinge @nSwivel { Parent=chassis Child=@n2 Axis=0,0,1 LowStop=@low HighStop=@high }\n"
+                       "Hinge @nRoll { Parent=@n2 Child=@n3 Axis=0,1,0 }\n"
+                       "Slider @nSpring { Parent=chassis Child=@n4 Axis=1,@s0.2,0 LowStop=-0.01 HighStop=0 "
                        "Stiffness=200 Damping=2 }\n"
                        "RotaryMotor @nMotor { Joint=@nAxle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 GearRatio=30 "
                        "MaxVoltage=12 }\n"
                        "Encoder @nEncoder { Joint=@nAxle CountsPerRevolution=512 }\n"
-                       "TouchSensor @nTouch { Geom=@nA.board }\n");
+                       "TouchSensor @nTouch { Geom=@n4.board }\n");
     for (const auto& [word, value] :
          {std::pair{"@roller", roller}, {"@low", low}, {"@high", high}, {"@n", n}, {"@s", s}, {"@m", m}})
         text.replace(QLatin1String(word), value);
@@ -373,9 +373,20 @@ private Q_SLOTS:
                                "  Part l { Config=DrivenWheel carrier=hull } Part r { Config=DrivenWheel carrier=hull }\n"
                                "  OmniDrive drive { Motors=l.motor,r.motor,l.motor WheelRadius=0.05 WheelDistance=0.1 } }\n"
                                "RobotConfig Kit { Part base { Config=Base Mirror=y } }\nRobot r { Config=Kit }\n";
-        QVERIFY(writeFile(folder.filePath("omni.sim"), kHead + QByteArray(kParts) + car));
-        const Outcome check = cli({"check", folder.filePath("omni.sim")});
-        QVERIFY2(check.code != 0 && check.err.contains("error E306: OmniDrive drive has no mirror image"), shown(check));
+        const auto refuses = [&](const QByteArray& text, const QByteArray& base) {
+            const QString file = folder.filePath("base.sim");
+            if (!writeFile(file, kHead + QByteArray(kParts) + text)) return false;
+            const Outcome check = cli({"check", file});
+            return check.code != 0 && check.err.contains("error E306: " + base + " drive has no mirror image");
+        };
+        QVERIFY(refuses(car, "OmniDrive"));
+        QByteArray mecanum = car;
+        mecanum.replace(
+            "OmniDrive drive { Motors=l.motor,r.motor,l.motor WheelRadius=0.05 WheelDistance=0.1",
+            "MecanumDrive drive { FrontLeftMotor=l.motor FrontRightMotor=r.motor BackLeftMotor=l.motor BackRightMotor=r.motor "
+            "WheelRadius=0.05 WheelSeparation=0.2 WheelBase=0.2");
+        QVERIFY(!refuses(mecanum, "MecanumDrive"));
+        QVERIFY(refuses(mecanum.replace("Mirror=y", "Mirror=z"), "MecanumDrive"));
     }
 
     /// `check --model` looks at the models alone, with places in their file.

@@ -182,7 +182,8 @@ private Q_SLOTS:
         row("x = $(sqrt(2 m))", "E213 m to the power of 0.5 is not a unit\n");
         row("x = $(3 dB * 2 m)", "E213 dB cannot be multiplied or divided with units\n");
         row("x = $(2 ^ (1 m))", "E213 an exponent has no unit, this is in m\n");
-        row("x = $(2furlong)", "E113 there is no unit furlong\n");
+        row("x = $(2*PI)", "E211 there is no Param PI\n");
+        row("x = $(2furlong)", "E205 there is no unit furlong\n");
         row("x = $(mod(1))", "E113 `mod` takes two arguments\n");
         row("x = $(abs(1, 2))", "E113 `abs` takes one argument\n");
         row("x = $(sine(30))",
@@ -253,7 +254,8 @@ private Q_SLOTS:
                                                 "Robot plain { Config=Ball }\nRobot set { Config=Ball size=0.5 }\n"
                                                 "Robot own { Param size = 0.7 Config=Ball size=$size Pos=$size,$outer,0 }\n",
                                             {"outer=0.8"});
-        SAYS(r, "E316 Sphere s names no Material and no Surface: the built-in default is used\n");
+        SAYS(r, "E303 the name pi is taken by the number pi, which this Param replaces in $( )\n"
+                "E316 Sphere s names no Material and no Surface: the built-in default is used\n");
         const auto body = [&](std::size_t robot) { return r.config(robot).bodies.at(0); };
         QCOMPARE(body(0).pose.position, Vec3(0.3, 0.4, 0.8));
         QCOMPARE(body(1).pose.position, Vec3(0.3, 1.0, 0.8));

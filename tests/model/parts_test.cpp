@@ -284,6 +284,10 @@ private Q_SLOTS:
             << "E208 Config names Wheal, but there is no such PartConfig\n"
             << "Wheal"
             << "";
+        QTest::newRow("itself") << "Part left { Config=Wheel carrier=left.wheel }"
+                                << "E307 the child of Hinge axle is its parent as well\n"
+                                << "left.wheel"
+                                << "it is used here: $carrier";
         QTest::newRow("config of another kind") << "Part left { Config=Kit }"
                                                 << "E208 Config names Kit, a RobotConfig; a Part takes a PartConfig\n"
                                                 << "Kit"

@@ -66,6 +66,17 @@ private Q_SLOTS:
         QVERIFY(isAt(r, "bolt_1.pin", {0.5, 0, 1}));
     }
 
+    /// Of a Part, also to what a Part or Repeat further down has.
+    void namesWhatIsFurtherDown() {
+        const Resolved r =
+            kit("Part first { Config=Wheel In=row_1.b Pos=0,0,1 } Repeat row { Count=2 Pos=$index,0,0 Body b { @ } }\n"
+                "Repeat late { Count=2 In=last.hub Pos=0,$index,0 Body c { @ } } Part last { Config=Wheel Pos=5,0,0 }\n",
+                "PartConfig Wheel { Body hub { @ } }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QVERIFY(isAt(r, "first.hub", {1, 0, 1}));
+        QVERIFY(isAt(r, "late_1.c", {5, 1, 0}));
+    }
+
     void anInstanceSetsIt() {
         const Resolved r = resolved("Material m { } Surface s { }\nRobotConfig Kit { Body a { Pos=1,0,0 " + kGeom +
                                     " } Body b { " + kGeom + " } }\nRobot r { Config=Kit b.In=a b.Pos=0,1,0 }\n");

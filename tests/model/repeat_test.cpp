@@ -172,7 +172,7 @@ private Q_SLOTS:
             "there is no Param index");
         row("second", kit("  Repeat a { Count=2 Pos=$index2,0,0 " + body + " }\n"), "there is no Param index2");
         row("count", kit("  Repeat a { Count=$(index+2) " + body + " }\n"), "there is no Param index");
-        row("none", kit("  Repeat a { Count=0 " + body + " }\n"), "Count is 0, it must be from 1 to 2e+05");
+        row("none", kit("  Repeat a { Count=0 " + body + " }\n"), "Count is 0, it must be from 1 to 200000");
         row("many", kit("  Repeat a { Count=1000,1000 " + body + " }\n"), "would be configs of more than 200000 objects");
         row("many by a value", kit("  Param n=1\n  Repeat a { Count=$n,200 " + body + " }\n", "n=100000"),
             "would hold more than 200000 objects");

@@ -1,5 +1,6 @@
 #pragma once
 // Kinds of devices, logs and a controller, and a robot made of them: the model has no such kinds of its own.
+#include <array>
 #include <cassert>
 #include <memory>
 #include <optional>
@@ -66,8 +67,13 @@ struct Encoder {
 };
 
 struct Camera {
+    std::string body;
+    std::array<double, 3> pos{}, hpr{};
     double nearPlane = 0.05, farPlane = 100;
     static void describe(Describe<Camera>& d) {
+        d.field("Body", &Camera::body, reference("Body"), "It looks from.");
+        d.field("Pos", &Camera::pos, metres(), "In the body.");
+        d.field("HPR", &Camera::hpr, degrees(), "In the body.");
         d.field("Near", &Camera::nearPlane, metres().above(0), "What is nearer is not seen.");
         d.field("Far", &Camera::farPlane, metres().above(0), "What is farther is not seen.");
     }

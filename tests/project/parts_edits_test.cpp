@@ -87,6 +87,40 @@ private Q_SLOTS:
         QCOMPARE(plan.value().selects.at(0).c_str(), "a.left.wheel.cap");
     }
 
+    /// A Param of a Part that a robot sets: back, up into the Part, down from it; one that is declared nowhere is declared.
+    void paramsOfPartsMoveUpAndDown() {
+        const auto text = [&](const Result<EditPlan>& plan) { return m_fixture.text(m_loaded, plan); };
+        const std::string all = kWheel + kKit + kRobots;
+        const auto with = [&](std::string from, const std::string& to, std::string in) {
+            const std::size_t at = in.find(from);
+            return at == std::string::npos ? "no " + from : in.replace(at, from.size(), to);
+        };
+        const std::string reset = with(" right.r=0.07", "", all);
+        QCOMPARE(text(planReset(*m_loaded, {"b.right.r"})), reset);
+        QCOMPARE(text(planPushOverride(*m_loaded, "b.right.r")), with("r=0.06", "r=0.07", reset));
+        QCOMPARE(text(planPullOverride(*m_loaded, "a.right.r")),
+                 with("Robot a { Config=Kit }", "Robot a { Config=Kit right.r=0.06 }", all));
+        QCOMPARE(text(planPullOverride(*m_loaded, "a.left.r")),
+                 with("Robot a { Config=Kit }", "Robot a { Config=Kit left.r=0.05 }", all));
+        QVERIFY(text(planReset(*m_loaded, {"RobotConfig.Kit.left.carrier"})).find("must be given") != std::string::npos);
+        const std::string pushed = text(planPushOverride(*m_loaded, "RobotConfig.Kit.left.carrier"));
+        QVERIFY2(pushed.find("Param carrier = chassis") != std::string::npos &&
+                     pushed.find("Parent=$carrier Child") != std::string::npos &&
+                     pushed.find("Pos=0,0.1,0 motor") != std::string::npos,
+                 pushed.c_str());
+        const auto after = m_fixture.open(pushed);
+        QCOMPARE(messages(*after), std::string());
+        m_loaded = m_fixture.open(all);
+        const Result<FileEdits> edits =
+            editsForValues(*m_loaded, {{DottedPath("PartConfig.Wheel.carrier"), ParsedValue("chassis")}});
+        QVERIFY(edits.ok());
+        const std::string declared = text(EditPlan{edits.value(), {}});
+        QVERIFY2(declared.find("Param carrier=chassis") != std::string::npos &&
+                     declared.find("Parent=$carrier Child") != std::string::npos,
+                 declared.c_str());
+        QCOMPARE(messages(*m_fixture.open(declared)), std::string());
+    }
+
     void values_data() {
         QTest::addColumn<QString>("object");
         QTest::addColumn<QString>("property");

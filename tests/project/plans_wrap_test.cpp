@@ -15,7 +15,7 @@ Surface floor { Friction=1 }
 
 // A robot.
 RobotConfig Kit {
-  Param r = 5 cm
+  Param r = 5 cm { Min=1 cm Max=20 cm Help="of the wheel" }
   Param half = $(2 * r)
   Body chassis {
     Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=floor }
@@ -43,7 +43,7 @@ const std::string kPart = R"(Material red { ColorRGB=1,0,0 }
 Surface floor { Friction=1 }
 
 PartConfig Left {
-  Param r = 5 cm
+  Param r = 5 cm { Min=1 cm Max=20 cm Help="of the wheel" }
   Param half = $(2 * r)
   Body leftWheel { // driven
     Pos=0,$half,$r
@@ -56,7 +56,7 @@ PartConfig Left {
 
 // A robot.
 RobotConfig Kit {
-  Param r = 5 cm
+  Param r = 5 cm { Min=1 cm Max=20 cm Help="of the wheel" }
   Param half = $(2 * r)
   Body chassis {
     Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=floor }

@@ -154,6 +154,23 @@ private Q_SLOTS:
         QCOMPARE(mixed.peak(), plain.peak());
     }
 
+    /// To the left is to the right; with the bits of a table that is written mirrored.
+    void tablesHaveMirrorImages() {
+        const std::vector<GainPoint> elevation{{-80 * kDegree, -14}, {0, 6}, {50 * kDegree, -4}};
+        const AntennaPattern plain =
+            AntennaPattern::fromCuts({{0, 6}, {100 * kDegree, 1}, {200 * kDegree, -7}, {290 * kDegree, 3}}, elevation);
+        const AntennaPattern written =
+            AntennaPattern::fromCuts({{0, 6}, {-100 * kDegree, 1}, {-200 * kDegree, -7}, {-290 * kDegree, 3}}, elevation);
+        const AntennaPattern mirrored = plain.mirrored();
+        for (int azimuth = -180; azimuth <= 360; azimuth += 7)
+            for (int angle = -90; angle <= 90; angle += 10) {
+                QCOMPARE(mirrored.gain(azimuth * kDegree, angle * kDegree), written.gain(azimuth * kDegree, angle * kDegree));
+                QVERIFY(near(mirrored.mirrored().gain(azimuth * kDegree, angle * kDegree),
+                             plain.gain(azimuth * kDegree, angle * kDegree), 1e-9));
+            }
+        QCOMPARE(mirrored.peak(), plain.peak());
+    }
+
     void reportsBadFilesWithPosition_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("words");

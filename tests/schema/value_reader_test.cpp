@@ -150,6 +150,46 @@ private Q_SLOTS:
         QCOMPARE(text.replace(edit.range.range.begin, edit.range.range.size(), QString::fromStdString(edit.text)), fixed);
     }
 
+    /// What is offered without a unit is the same amount, in SI.
+    void suggestsTheNumberWithoutItsUnit_data() {
+        QTest::addColumn<QString>("property");
+        QTest::addColumn<double>("amount");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<QString>("offered");
+        QTest::newRow("mm") << "Extra" << 5.0 << "mm"
+                            << "0.005";
+        QTest::newRow("digits of the conversion") << "Extra" << 1.1 << "mm"
+                                                  << "0.0011";
+        QTest::newRow("SI") << "Extra" << 5.0 << "m"
+                            << "5";
+        QTest::newRow("a product in SI") << "Extra" << 5.0 << "m^2 kg/s^2"
+                                         << "5";
+        QTest::newRow("out of range") << "Ratio" << 3.0 << "m"
+                                      << "";
+        QTest::newRow("in range") << "Ratio" << 30.0 << "cm"
+                                  << "0.3";
+        QTest::newRow("no whole number") << "Count" << 150.0 << "cm"
+                                         << "";
+        QTest::newRow("a whole number") << "Count" << 200.0 << "cm"
+                                        << "2";
+    }
+    void suggestsTheNumberWithoutItsUnit() {
+        QFETCH(QString, property);
+        QFETCH(double, amount);
+        QFETCH(QString, unit);
+        QFETCH(QString, offered);
+        GivenElement e = number(amount, unit.toStdString());
+        e.range = {0, {0, 6}};
+        e.unitRange = {0, {2, 6}};
+        GivenValue given;
+        given.elements = {e};
+        const Kind kind = kindOf<Thing>("Thing", Role::Device, {});
+        Diagnostics d;
+        QVERIFY(!readValue(*kind.find(property.toStdString()), given, d));
+        QCOMPARE(d.all()[0].fixes.empty(), offered.isEmpty());
+        if (!offered.isEmpty()) QCOMPARE(QString::fromStdString(d.all()[0].fixes[0].edits.at(0).text), offered);
+    }
+
     /// A number that only becomes infinite in SI units is out of range too.
     void numbersStayFiniteInSiUnits() {
         Property p;

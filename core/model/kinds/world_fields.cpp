@@ -103,7 +103,7 @@ void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
 
 void PartConfigFields::describe(Describe<PartConfigFields>& d) {
     d.help("Something that robots, scenery or other parts have several times: a wheel with its motor, an axle, a fence. Used by "
-           "Part. `$name` as a reference to something outside of it is a Param that every use gives.");
+           "Part. A reference to something outside of it, $name, is a Param that every use gives.");
     describeVariant(d, "PartConfig");
 }
 

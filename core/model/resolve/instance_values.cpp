@@ -36,8 +36,8 @@ public:
         extra.take = [&](const SourceAssignment& a) {
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
                 const std::vector<std::string> own = propertyNames(*m_part.kind);
-                return !likely && m_part.assignments.find("Config") &&
-                       nearestWords(a.key, own).empty(); // of an unknown config the Params are unknown too
+                const bool isUnknown = likely ? isBaseMissing(*likely) : m_part.assignments.find("Config") != nullptr;
+                return isUnknown && nearestWords(a.key, own).empty(); // of an unknown config the Params are unknown too
             }
             taken.push_back(&a);
             return true;
@@ -45,7 +45,8 @@ public:
         Record record = m_context.read(m_part, m_scope, outer, Origin::Instance, extra);
         config = m_context.configOf(record, m_part, kind);
         const ResolvedValue* count = m_part.is(Role::Layout) ? record.find("Count") : nullptr;
-        if (count) setIndex(m_scope, member, count->value.numbers);
+        // With a wrong Count, which is reported, the members have both numbers.
+        if (m_part.is(Role::Layout)) setIndex(m_scope, member, count ? count->value.numbers : std::vector<double>{1, 1});
         if (!config) return record;
         checkOwnParams(*config);
         for (const SourceAssignment* a : taken) takeValue(*config, *a);
@@ -117,9 +118,13 @@ private:
     }
 
     bool noSuchPath(const Part& part, const SourceAssignment& a, std::size_t i) {
-        if (part.isPartUse() && !part.config) return false; // its config is reported as unknown
+        const Part* config = part.is(Role::Config) ? &part : part.config;
+        if ((part.isPartUse() && !config) || (config && isBaseMissing(*config)))
+            return false; // what is unknown there is reported
         std::vector<std::string> words;
-        eachBlock(part, [&](const Part& inner) { words.push_back(inner.name); });
+        eachBlock(part, [&](const Part& inner) {
+            if (!inner.name.empty()) words.push_back(inner.name);
+        });
         if (i + 1 == a.path.size()) {
             words = propertyNames(*part.kind);
             if (part.config)
@@ -164,9 +169,10 @@ bool inside(const SourceRange& a, const SourceRange& b) {
 bool moveToValue(Diagnostic& d, const InstanceValues& given) {
     if (d.notes.empty() || d.notes[0].first != kGivenHere) return false;
     const SourceRange value = d.notes[0].second;
-    if (std::ranges::none_of(given.params, [&](const auto& p) { return inside(value, p.second.range); })) return false;
+    const auto param = std::ranges::find_if(given.params, [&](const auto& p) { return inside(value, p.second.range); });
+    if (param == given.params.end()) return false;
     d.notes[0] = {kUsedHere, d.range};
-    d.range = value;
+    d.range = d.code == Code::WrongCount ? param->second.range : value;
     d.fixes.clear();
     if (d.code == Code::UnknownReference && !d.suggestions.empty())
         d.fixes.push_back({d.suggestions.front(), {{value, d.suggestions.front()}}});

@@ -2,11 +2,15 @@
 // inertia I becomes M I M. All of these change signs only, so that a mirrored part has the bits of its copy by hand.
 #include "model/resolve/mirror.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace trundle {
 
 namespace {
+
+/// An axis at 45 degrees to the mirror plane is as far from its image as from the reverse of that: it takes the image, whatever its last bits.
+constexpr double kAcross = 1e-9;
 
 double negated(double value) { return 0.0 - value; } // never -0
 
@@ -20,9 +24,16 @@ void exchange(ComponentSpec& device, const std::string& one, const std::string& 
     }
 }
 
+/// 180 degrees - `angle`, with the bits that it has written in degrees.
+double supplement(double angle) {
+    constexpr double kDegree = std::numbers::pi / 180;
+    const double written = std::round(angle / kDegree * 1e9) / 1e9;
+    return written * kDegree == angle ? (180 - written) * kDegree : std::numbers::pi - angle;
+}
+
 /// The direction of a belt in its geom, whose image is M R M.
 double mirroredHeading(double heading, int axis) {
-    return axis == 0 ? std::numbers::pi - heading : axis == 1 ? negated(heading) : heading;
+    return axis == 0 ? supplement(heading) : axis == 1 ? negated(heading) : heading;
 }
 
 /// Stops of an axis that turns the other way.
@@ -41,7 +52,7 @@ PartPlacement::PartPlacement(const PartFields& fields)
              : fields.mirror == "y" ? 1
              : fields.mirror == "z" ? 2
                                     : -1),
-      m_pose(poseOf(fields.pos, fields.hpr)) {}
+      m_given(poseOf(fields.pos, fields.hpr)), m_pose(m_given) {}
 
 Vec3 PartPlacement::mirrored(const Vec3& vector) const {
     Vec3 image = vector;
@@ -63,11 +74,11 @@ Vec3 PartPlacement::mirroredAxis(const Vec3& axis, bool& isReversed) const {
     Vec3 image = axis; // an angular velocity is an axial vector: its mirror image is -M w
     for (int i = 0; i < 3; ++i)
         if (i != m_axis) negateAt(image, i);
-    isReversed = image.dot(axis) < 0;
+    isReversed = image.dot(axis) < -kAcross;
     return isReversed ? Vec3(negated(image.x()), negated(image.y()), negated(image.z())) : image;
 }
 
-void PartPlacement::countFrom(const Pose& frame) { m_pose = PartPlacement(frame).pose(m_pose); }
+void PartPlacement::countFrom(const Pose& frame) { m_pose = PartPlacement(frame).pose(m_given); }
 
 Pose PartPlacement::pose(const Pose& described) const {
     const Pose image{mirrored(described.position), mirrored(described.rotation)};
@@ -149,9 +160,9 @@ bool PartPlacement::reverses(JointType type, Vec3& axis) const {
 /// mirror images along x and z are that of y, turned by half a turn about z or x.
 Vec3 PartPlacement::mirroredHpr(const Vec3& hpr) const {
     const double heading = hpr[0], pitch = hpr[1], roll = hpr[2];
-    if (m_axis == 0) return {std::numbers::pi - heading, pitch, negated(roll)};
+    if (m_axis == 0) return {supplement(heading), pitch, negated(roll)};
     if (m_axis == 1) return {negated(heading), pitch, negated(roll)};
-    return {heading, negated(pitch), std::numbers::pi - roll};
+    return {heading, negated(pitch), supplement(roll)};
 }
 
 void PartPlacement::place(ComponentSpec& device, bool isOnOwnBody) const {
@@ -173,14 +184,14 @@ void PartPlacement::place(ComponentSpec& device, bool isOnOwnBody) const {
     if (const auto heading = device.values.find("Heading"); device.kind == "Belt" && heading != device.values.end())
         for (double& value : heading->second.value.numbers) value = mirroredHeading(value, m_axis);
     if (isOnOwnBody) return;
-    const bool isTurned = m_pose.rotation.coeffs() != Quat::Identity().coeffs();
+    const bool isTurned = m_given.rotation.coeffs() != Quat::Identity().coeffs();
     if (pos) {
         const Vec3 described(pos->data());
-        const Vec3 placed = m_pose.position + (isTurned ? Vec3(m_pose.rotation * described) : described);
+        const Vec3 placed = m_given.position + (isTurned ? Vec3(m_given.rotation * described) : described);
         *pos = {placed[0], placed[1], placed[2]};
     }
     if (hpr && isTurned) {
-        const Vec3 turned = hprFromRotation(m_pose.rotation * rotationFromHpr(Vec3(hpr->data())));
+        const Vec3 turned = hprFromRotation(m_given.rotation * rotationFromHpr(Vec3(hpr->data())));
         *hpr = {turned[0], turned[1], turned[2]};
     }
 }

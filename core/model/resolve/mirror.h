@@ -11,13 +11,14 @@ class PartPlacement {
 public:
     PartPlacement() = default; ///< as described
     explicit PartPlacement(const PartFields& fields);
-    explicit PartPlacement(const Pose& pose) : m_pose(pose) {}
+    explicit PartPlacement(const Pose& pose) : m_given(pose), m_pose(pose) {}
 
     [[nodiscard]] bool isMirrored() const { return m_axis >= 0; }
     /// Whether a base of this kind drives as it does in the mirror image: its wheels keep their sense, so those of an OmniDrive no longer
-    /// turn it all the same way, and a car's steered wheels are behind.
+    /// turn it all the same way, a car's steered wheels are behind, and the rollers of a MecanumDrive lie the other way below than above.
     [[nodiscard]] bool canPlace(std::string_view device) const {
-        return !(device == "OmniDrive" && (m_axis == 0 || m_axis == 1)) && !(device == "AckermannDrive" && m_axis == 0);
+        return !(device == "OmniDrive" && (m_axis == 0 || m_axis == 1)) && !(device == "AckermannDrive" && m_axis == 0) &&
+               !(device == "MecanumDrive" && m_axis == 2);
     }
 
     [[nodiscard]] Pose pose(const Pose& described) const;
@@ -28,8 +29,8 @@ public:
     /// A geom of a StaticConfig, whose frame is that of the part.
     [[nodiscard]] bool place(ResolveContext& context, GeomSpec& geom) const;
     /// The mirror image of a joint moves as the joint does: what slides goes the mirrored way; what turns keeps its sense, so that
-    /// its axis is the mirrored line in the direction nearest to the described one, and its stops are where the mirror image has
-    /// them.
+    /// its axis is the mirrored line in the direction nearest to the described one (at 45 degrees, that of the image), and its stops are
+    /// where the mirror image has them.
     void place(JointSpec& joint) const;
     void place(SpringSpec& spring) const;
     /// Whether the mirror image of a joint has its sense reversed against the described one, so that what couples it with another
@@ -48,7 +49,8 @@ private:
     [[nodiscard]] Vec3 mirroredHpr(const Vec3& hpr) const;
 
     int m_axis = -1; ///< that is mirrored: 0 x, 1 y, 2 z
-    Pose m_pose;
+    Pose m_given;    ///< its Pos and HPR
+    Pose m_pose;     ///< the same in the frame of what holds the Part, from where they count by In
 };
 
 } // namespace trundle

@@ -82,6 +82,7 @@ PartExpansion::PartExpansion(ResolveContext& context, const Part& config, ParamS
     root.overrides = withVariants(config, scope, overrides);
     root.isOpen = config.kind->name == "PartConfig";
     expand(root);
+    placeFrames();
 }
 
 PartExpansion::PartExpansion(ResolveContext& context) : m_context(context), m_isScenery(true) {
@@ -89,6 +90,7 @@ PartExpansion::PartExpansion(ResolveContext& context) : m_context(context), m_is
     root.scope = &context.globals;
     for (const Part* part : context.outline.world.all())
         if (!isFull()) add(root, *part);
+    placeFrames();
 }
 
 /// The blocks of a config; of a variant first those of what it is a variant of, as if they were written in it.
@@ -206,6 +208,15 @@ bool PartExpansion::expandMember(const Part& repeat, PartFrame& outer, std::size
         layMember(*one, both);
         frame.overrides = &both;
     }
+    if (counts.empty() && (repeat.assignments.find("Count") || below(frame.overrides, "Count"))) { // it is reported already
+        OverrideNode& counted = m_overrides.emplace_back();
+        if (frame.overrides) counted = *frame.overrides;
+        GivenElement one;
+        one.kind = GivenElement::Kind::Number;
+        one.number = 1;
+        counted.children["Count"].value = std::make_shared<const GivenValue>(GivenValue{{one}, {}, false});
+        frame.overrides = &counted;
+    }
     m_context.evaluator.checkAll(*frame.scope);
     const Record record = m_context.read(repeat, *frame.scope, frame.overrides, Origin::Config);
     const bool isRing = repeat.kind->name == "Ring";
@@ -214,9 +225,9 @@ bool PartExpansion::expandMember(const Part& repeat, PartFrame& outer, std::size
     if (!hasAxis)
         m_context.diagnostics.error(Code::BadJoint, record.rangeOf("Axis", repeat.nameRange()),
                                     "the Axis of " + repeat.title() + " is zero, it has no direction");
-    const bool isPlaced = takeIn(m_context, frame, record);
     nameUses(first, frame);
-    if (!record.complete || counts.empty() || !hasAxis || !isPlaced) return false;
+    if (!record.complete || counts.empty() || !hasAxis) return false;
+    placeLater(frame, record);
     if (isRing) frame.placement = PartPlacement(memberPose(ring, member));
     else {
         const RepeatFields f = fieldsFrom<RepeatFields>(record);
@@ -255,9 +266,9 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
     own.declare(use.params);
     m_context.evaluator.checkAll(own);
     const Record record = readInstance(m_context, use, own, frame.given, frame.config, "PartConfig", outside);
-    const bool isPlaced = takeIn(m_context, frame, record);
     if (outer.use) nameUses(first, outer);
-    if (!frame.config || !isPlaced) return;
+    if (!frame.config) return;
+    placeLater(frame, record);
     frame.prefix = outer.prefix + use.name + ".";
     if (isCircle(frame, record.rangeOf("Config", use.nameRange()))) return;
     OverrideNode& overrides = m_overrides.emplace_back();
@@ -273,6 +284,22 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
     m_context.evaluator.checkAll(*frame.scope);
     nameUses(values, frame);
     expand(frame);
+}
+
+/// Its In may name what is further down in the text.
+void PartExpansion::placeLater(PartFrame& frame, const Record& record) {
+    if (const ResolvedValue* in = record.find("In"); in && !in->value.texts.empty()) m_toPlace.emplace_back(&frame, record);
+}
+
+void PartExpansion::placeFrames() {
+    std::set<const Part*> failed; // the other members of a Repeat would repeat it
+    for (auto& [frame, record] : m_toPlace) {
+        const std::size_t first = m_context.diagnostics.all().size();
+        if (failed.contains(frame->use) || takeIn(m_context, *frame, record)) continue;
+        failed.insert(frame->use);
+        nameUses(first, frame->member ? *frame : *frame->outer);
+    }
+    m_toPlace.clear();
 }
 
 /// The body that a Part or Repeat is placed from. False, with a diagnostic, if it names none.

@@ -43,6 +43,12 @@ struct ExpandedPart {
 
     [[nodiscard]] const OverrideNode* overrides() const { return below(frame->overrides, part->name); }
     [[nodiscard]] std::string name() const { return frame->prefix + part->name; }
+    /// Whether it is a mirror image of what is described, not only turned.
+    [[nodiscard]] bool isMirrored() const {
+        bool is = false;
+        for (const PartFrame* at = frame; at->use; at = at->outer) is ^= at->placement.isMirrored();
+        return is;
+    }
     /// Puts a pose described in the innermost frame into the config that is resolved, or into the world.
     [[nodiscard]] Pose placed(Pose pose) const {
         for (const PartFrame* at = frame; at->use; at = at->outer) pose = at->placement.pose(pose);
@@ -105,6 +111,8 @@ private:
     void checkMembers(const Part& repeat, const PartFrame& outer, std::size_t count);
     [[nodiscard]] bool isFull();
     [[nodiscard]] bool takeParams(PartFrame& frame, const OverrideNode* outside, ParamScope& scope);
+    void placeLater(PartFrame& frame, const Record& record);
+    void placeFrames();
     [[nodiscard]] static bool takeIn(ResolveContext& context, PartFrame& frame, const Record& record);
     [[nodiscard]] bool isCircle(const PartFrame& frame, SourceRange place);
     void checkContent(const Part& part, const PartFrame& frame);
@@ -116,6 +124,7 @@ private:
     std::deque<ParamScope> m_scopes;
     std::deque<OverrideNode> m_overrides;
     std::vector<ExpandedPart> m_parts;
+    std::vector<std::pair<PartFrame*, Record>> m_toPlace; ///< that have an In
     std::set<const Part*> m_faulty; ///< blocks of Repeats with errors: the other members would repeat them
 };
 

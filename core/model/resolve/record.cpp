@@ -19,6 +19,13 @@ bool Record::given(std::string_view property) const {
     return value && value->origin != Origin::Default;
 }
 
+SourceRange Record::givenOutside(std::string_view property) const {
+    for (const auto& [index, value] : names)
+        if (kind->properties[index].name == property && value.elements.size() == 1 && value.elements[0].level > 0)
+            return value.elements[0].source;
+    return {};
+}
+
 double ComponentSpec::number(std::string_view key, double otherwise) const {
     const ResolvedValue* v = find(key);
     return v && !v->value.numbers.empty() ? v->value.numbers[0] : otherwise;

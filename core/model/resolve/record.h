@@ -37,6 +37,8 @@ struct Record {
     /// The source range of a property's value, or `otherwise` if it has none.
     [[nodiscard]] SourceRange rangeOf(std::string_view property, SourceRange otherwise) const;
     [[nodiscard]] bool given(std::string_view property) const;
+    /// Where a reference is written that a Param brought in from outside of the block's config; not known for others.
+    [[nodiscard]] SourceRange givenOutside(std::string_view property) const;
 };
 
 /// An object of T with the record's values. The record's kind must have been made by kindOf<T>.

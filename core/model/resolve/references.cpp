@@ -5,7 +5,8 @@
 #include "base/spelling.h"
 #include "model/config_blocks.h"
 #include "model/dotted_path.h"
-#include "model/resolve/part_expansion.h"
+#include "model/name_walk.h"
+#include "model/resolve/resolve_steps.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -41,38 +42,50 @@ public:
     FittingNames(const Property& property, bool geoms) : m_property(property), m_geoms(geoms) {}
 
     std::vector<std::string> in(const PartFrame& frame) {
-        for (const PartFrame* at = &frame; at && at->config; at = at->member ? at->outer : nullptr) add(*at->config, "", 0);
+        for (const PartFrame* at = &frame; at && at->config; at = at->member ? at->outer : nullptr) add(*at->config);
         if (takesWorld(m_property, frame)) m_names.push_back("world");
         return std::move(m_names);
     }
 
 private:
-    void add(const Part& config, const std::string& prefix, int depth) {
-        constexpr std::size_t kMost = 500;
-        constexpr int kDeepest = 8;
-        if (isVariant(config)) add(*config.config, prefix, depth + 1);
-        for (const Part& part : config.parts) {
-            if (m_names.size() > kMost || depth > kDeepest) return;
-            if (part.isRepeat()) {
-                add(part, prefix + part.name + "_0.", depth + 1);
-                continue;
-            }
-            if (part.kind && !part.name.empty() && kindFits(part, m_property.choices)) m_names.push_back(prefix + part.name);
-            if (part.config) add(*part.config, prefix + part.name + ".", depth + 1);
-            if (m_geoms && part.is(Role::Body)) addGeoms(part, prefix + part.name + ".");
-        }
-    }
-    void addGeoms(const Part& body, const std::string& prefix) {
-        for (const Part& geom : body.parts) {
-            if (geom.isRepeat()) addGeoms(geom, prefix + geom.name + "_0.");
-            else if (geom.kind && kindFits(geom, m_property.choices)) m_names.push_back(prefix + geom.name);
-        }
+    void add(const Part& config) {
+        constexpr std::size_t kMost = 500, kMostBlocks = 10'000;
+        NameWalk(kMostBlocks).inside(config, {}, [&](const Part& part, const std::string& prefix) {
+            if (m_names.size() > kMost) return false;
+            const bool fits = part.kind && !part.isRepeat() && !part.name.empty() && kindFits(part, m_property.choices);
+            if (fits) m_names.push_back(prefix + part.name);
+            return m_geoms || !part.is(Role::Body);
+        });
     }
 
     const Property& m_property;
     bool m_geoms;
     std::vector<std::string> m_names;
 };
+
+/// Where a value is written that a Param has brought in; not known for others.
+SourceRange sourceOf(const Record& record, std::string_view property) {
+    for (const auto& [index, value] : record.names)
+        if (record.kind->properties[index].name == property && value.elements.size() == 1) return value.elements[0].source;
+    return {};
+}
+
+/// How far from a block's own text a value comes: what is nearest to it was right before the other one was given.
+int distanceOf(const ResolveContext& context, const Record& record, const Part& part, const char* property) {
+    const ResolvedValue* value = record.find(property);
+    if (!value) return 0;
+    if (value->origin == Origin::Instance || value->origin == Origin::CommandLine) return 4;
+    if (record.givenOutside(property).known()) return 3;
+    if (value->origin != Origin::Param) return 0;
+    const SourceRange source = sourceOf(record, property);
+    const auto holds = [](const Part& config, const SourceRange& range) {
+        return config.range.file == range.file && config.range.range.begin <= range.range.begin &&
+               config.range.range.end >= range.range.end;
+    };
+    const bool isDefault = std::ranges::any_of(
+        context.outline.configs.all(), [&](const Part* config) { return holds(*config, part.range) && holds(*config, source); });
+    return source.known() && !isDefault ? 2 : 1;
+}
 
 /// The frame that a name is looked up in: a word that a Param brought in from outside belongs there, and the default of a Param may
 /// name something of the part or of what uses it.
@@ -105,8 +118,8 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
     if (&d == &diagnostics.all().back()) unknown.last = diagnostics.all().size();
     if (manyAlready(diagnostics)) return;
     std::vector<std::string> near;
-    for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`
-        if (candidate.size() > name.size() && candidate.ends_with("." + name)) near.push_back(candidate);
+    for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`, `cart.b` for `lane.cart.b`
+        if (candidate.ends_with("." + name) || name.ends_with("." + candidate)) near.push_back(candidate);
     }
     for (std::string& word : nearestWords(name, candidates)) {
         if (!std::count(near.begin(), near.end(), word)) near.push_back(std::move(word));
@@ -140,9 +153,9 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
         if (unknown && firstWord(name) != name) return false; // reported at its block
         unknownReference(property.name, what, name, range, literal,
                          manyAlready(diagnostics) ? std::vector<std::string>() : FittingNames(property, geoms).in(frame));
-        if ((frame.isOpen || frame.use) && !given && diagnostics.all().size() > before)
+        if ((frame.isOpen || frame.use) && !given && !first && diagnostics.all().size() > before)
             diagnostics.at(before).message +=
-                "; what is outside of a PartConfig comes in by a Param, " + property.name + "=$" + name;
+                "; what is outside of a PartConfig comes in by a Param, " + property.name + "=$" + std::string(lastWord(name));
         return false;
     }
     if (!part->kind) return false; // reported at its block
@@ -197,6 +210,17 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
         }
     }
     return good;
+}
+
+void reportTwo(ResolveContext& context, const Record& record, const Part& part, const char* first, const char* second,
+               const std::string& message) {
+    const bool isFirst = distanceOf(context, record, part, first) > distanceOf(context, record, part, second);
+    const char* wrong = isFirst ? first : second;
+    const SourceRange place = record.rangeOf(wrong, part.nameRange()), outside = record.givenOutside(wrong),
+                      source = sourceOf(record, wrong);
+    Diagnostic& d = context.diagnostics.error(Code::BadJoint, outside.known() ? outside : place, message);
+    if (outside.known()) d.notes.emplace_back(kUsedHere, place);
+    else if (source.known()) d.notes.emplace_back(kGivenHere, source);
 }
 
 std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& record, const PartFrame& frame) {

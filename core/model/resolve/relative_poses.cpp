@@ -23,6 +23,10 @@ std::optional<Pose> RelativePoses::of(const std::string& body) {
     return it->second.pose;
 }
 
+void RelativePoses::completeFrames(PartFrame& frame) {
+    for (PartFrame* at = &frame; at->use; at = at->outer) (void)complete(*at);
+}
+
 /// Whether it has to be completed now; reports a circle.
 bool RelativePoses::enter(State& state, const std::string& name, SourceRange place) {
     if (state == State::Busy) {

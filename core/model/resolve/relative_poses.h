@@ -15,6 +15,8 @@ public:
     /// The pose of a body in the frame that it is described in; also completes the placements of the frames around it. Nothing, with
     /// a diagnostic, if poses count from each other in a circle, or from a body outside of the frame.
     [[nodiscard]] std::optional<Pose> of(const std::string& body);
+    /// Has the placements of a frame, and of those around it, count from the config's frame too, whether there are bodies in it or not.
+    void completeFrames(PartFrame& frame);
 
 private:
     enum class State { Fresh, Busy, Done, Failed };

@@ -166,6 +166,8 @@ private:
             m_body.mass = sum(solids);
             return true;
         }
+        // The mass may be in a block of an unknown kind, which is reported.
+        if (std::ranges::any_of(m_part.parts, [](const Part& part) { return !part.kind; })) return false;
         Diagnostic& d = m_context.diagnostics.error(Code::BadMass, m_part.nameRange(),
                                                     m_part.title() + " has no mass; give one to it or to its geoms");
         m_context.fixAdd(d, m_part, "Mass", "1");

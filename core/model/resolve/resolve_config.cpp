@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/body_geom.h"
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
@@ -62,11 +63,12 @@ bool hasMirrorImage(ResolveContext& context, const ExpandedPart& device) {
 bool hasGeoms(ResolveContext& context, const Record& record, const std::vector<BodySpec>& bodies) {
     for (std::size_t i = 0; i < record.values.size(); ++i) {
         const Property& property = record.kind->properties[i];
-        if (property.type != PropertyType::Reference || !record.values[i]) continue;
+        if (property.type != PropertyType::Reference || !record.values[i] || !std::ranges::count(property.choices, "Geom"))
+            continue;
         for (const std::string& name : record.values[i]->value.texts) {
             const BodyGeom at = geomAt(bodies, name);
             const bool isBody = std::ranges::find(bodies, name, &BodySpec::name) != bodies.end();
-            if (at.body < 0 || at.geom >= 0 || isBody || !std::ranges::count(property.choices, "Geom")) continue;
+            if (at.body < 0 || at.geom >= 0 || isBody) continue;
             const BodySpec& body = bodies[static_cast<std::size_t>(at.body)];
             std::vector<std::string> names;
             for (const GeomSpec& geom : body.geoms) names.push_back(body.name + "." + geom.name);
@@ -76,6 +78,15 @@ bool hasGeoms(ResolveContext& context, const Record& record, const std::vector<B
         }
     }
     return true;
+}
+
+/// What its antennas send to the left they send to the right.
+void mirrorAntennas(ResolveContext& context, ComponentSpec& device, const Kind& kind) {
+    for (const Property& property : kind.properties) {
+        const auto value = device.values.find(property.name);
+        if (value == device.values.end() || !std::ranges::count(property.choices, "AntennaPattern")) continue;
+        for (std::string& name : value->second.value.texts) name = mirroredAntenna(context, name);
+    }
 }
 
 std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const ExpandedPart& expanded,
@@ -89,11 +100,14 @@ std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Expand
     if (!record.complete || !known || !checkOrder(context, record, part) || !hasMirrorImage(context, expanded)) return std::nullopt;
     ComponentSpec device = componentFrom(record, part);
     expanded.place(device);
+    if (expanded.isMirrored()) mirrorAntennas(context, device, *record.kind);
     device.name = expanded.name();
     return device;
 }
 
-void resolveBodies(ResolveContext& context, PartExpansion& expansion, BodyIndices& places, RobotConfigSpec& spec) {
+/// Behind those that the spec already has. Then all frames of the expansion are placed.
+BodyIndices resolveBodies(ResolveContext& context, PartExpansion& expansion, RobotConfigSpec& spec) {
+    BodyIndices places;
     RelativePoses poses(context);
     std::map<const Part*, std::map<const PartFrame*, BodySpec>> described;
     expansion.each(Role::Body, [&](const ExpandedPart& part) {
@@ -118,13 +132,14 @@ void resolveBodies(ResolveContext& context, PartExpansion& expansion, BodyIndice
         places.emplace(body.name, static_cast<int>(spec.bodies.size()));
         spec.bodies.push_back(std::move(body));
     });
+    for (const Role role : {Role::Geom, Role::Joint, Role::Device})
+        expansion.each(role, [&](const ExpandedPart& part) { poses.completeFrames(*part.frame); });
+    return places;
 }
 
-/// Behind the bodies that the spec already has.
-void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfigSpec& spec) {
-    BodyIndices places;
+void resolveJointsAndDevices(ResolveContext& context, PartExpansion& expansion, const BodyIndices& places,
+                             RobotConfigSpec& spec) {
     JoinedPairs pairs;
-    resolveBodies(context, expansion, places, spec);
     const auto isKind = [](const ExpandedPart& part, std::string_view kind) { return part.part->kind->name == kind; };
     expansion.each(Role::Joint, [&](const ExpandedPart& part) {
         if (isKind(part, "Gear")) return;
@@ -144,6 +159,10 @@ void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfig
     expansion.each(Role::Device, [&](const ExpandedPart& part) {
         if (auto device = resolveDevice(context, part, spec.bodies)) spec.devices.push_back(std::move(*device));
     });
+}
+
+void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfigSpec& spec) {
+    resolveJointsAndDevices(context, expansion, resolveBodies(context, expansion, spec), spec);
 }
 
 /// Whether a name is that of a body or of what it is in: "q_1.d" is in "q_1.d", "q_1", "q.d" and "q".
@@ -212,12 +231,6 @@ std::shared_ptr<const StaticConfigSpec> resolveStaticConfig(ResolveContext& cont
     auto spec = std::make_shared<StaticConfigSpec>();
     (void)readConfig(context, config, scope, overrides);
     PartExpansion expansion(context, config, scope, overrides);
-    expansion.each(Role::Geom, [&](const ExpandedPart& part) {
-        std::optional<GeomSpec> geom = resolveGeom(context, *part.part, *part.frame->scope, part.overrides(), false);
-        if (!geom || !part.place(*geom, context)) return;
-        geom->name = part.name();
-        spec->geoms.push_back(std::move(*geom));
-    });
     RobotConfigSpec moving;
     moving.name = config.name;
     moving.range = config.range;
@@ -227,8 +240,17 @@ std::shared_ptr<const StaticConfigSpec> resolveStaticConfig(ResolveContext& cont
     frame.mass = {0, Vec3::Zero(), Mat3::Zero()};
     frame.range = config.range;
     frame.nameRange = config.nameRange();
-    const std::size_t errors = context.diagnostics.errorCount();
-    resolveParts(context, expansion, moving);
+    std::size_t errors = context.diagnostics.errorCount();
+    const BodyIndices places = resolveBodies(context, expansion, moving);
+    const std::size_t ofBodies = context.diagnostics.errorCount() - errors;
+    expansion.each(Role::Geom, [&](const ExpandedPart& part) { // they may count from a body
+        std::optional<GeomSpec> geom = resolveGeom(context, *part.part, *part.frame->scope, part.overrides(), false);
+        if (!geom || !part.place(*geom, context)) return;
+        geom->name = part.name();
+        spec->geoms.push_back(std::move(*geom));
+    });
+    errors = context.diagnostics.errorCount() - ofBodies;
+    resolveJointsAndDevices(context, expansion, places, moving);
     std::size_t joints = 0;
     expansion.each(Role::Joint, [&](const ExpandedPart&) { ++joints; });
     // A joint with an error that was reported before does not count as a further one.
@@ -251,10 +273,7 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
     });
     const bool hasUses =
         std::ranges::any_of(config.parts, [](const Part& part) { return part.isRepeat() || (part.isPartUse() && !part.config); });
-    const Part* base = &config;
-    while (base->config) base = base->config;
-    const bool isBaseMissing = base->assignments.find("Config"); // reported: unknown, or a circle
-    if (!bodies && !hasUses && !isBaseMissing && !context.brokenText(config.range)) {
+    if (!bodies && !hasUses && !isBaseMissing(config) && !context.brokenText(config.range)) {
         context.diagnostics.error(Code::MissingRequired, config.nameRange(),
                                   config.title() + " needs a Body: the first one carries the robot's pose");
     }

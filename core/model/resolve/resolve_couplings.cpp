@@ -40,8 +40,7 @@ std::optional<SpringSpec> resolveSpring(ResolveContext& context, const ExpandedP
     if (!record) return std::nullopt;
     const auto f = fieldsFrom<SpringFields>(*record);
     if (f.parent == f.child) {
-        context.diagnostics.error(Code::BadJoint, record->rangeOf("Child", part.nameRange()),
-                                  "the child of " + part.title() + " is its parent as well");
+        reportTwo(context, *record, part, "Parent", "Child", "the child of " + part.title() + " is its parent as well");
         return std::nullopt;
     }
     const auto child = places.find(f.child), parent = places.find(f.parent);
@@ -79,7 +78,10 @@ std::optional<GearSpec> resolveGear(ResolveContext& context, const ExpandedPart&
     GearSpec gear{expanded.name(), indexOf(f.joint), indexOf(f.other), f.ratio, part.range, part.nameRange()};
     const int count = static_cast<int>(joints.size());
     if (gear.joint == count || gear.other == count) return std::nullopt; // they have errors of their own
-    if (f.joint == f.other) return fail("Other", part.title() + " couples " + f.joint + " with itself");
+    if (f.joint == f.other) {
+        reportTwo(context, *record, part, "Joint", "Other", part.title() + " couples " + f.joint + " with itself");
+        return std::nullopt;
+    }
     if (!(std::abs(f.ratio) >= 1e-6))
         return fail("Ratio", "the Ratio of " + part.title() + " is zero; a joint that does not move is Fixed");
     const JointSpec &joint = joints[static_cast<std::size_t>(gear.joint)], &other = joints[static_cast<std::size_t>(gear.other)];

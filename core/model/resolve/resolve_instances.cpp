@@ -163,19 +163,18 @@ private:
     void addStatics(const ExpandedPart& expanded) {
         const Part& part = *expanded.part;
         m_instance = &part;
+        const std::size_t first = m_context.diagnostics.all().size();
         std::vector<Described> all{describe(expanded, 0, "StaticConfig")};
         if (!all[0].config || !all[0].record.complete) return;
         const std::size_t members = membersOf(part, all[0].record);
         const SourceRange place = all[0].record.rangeOf("Count", part.nameRange());
         if (!roomFor(part, static_cast<double>(members) * m_sizes.of(*all[0].config), place)) return;
         if (!resolveScenery(part, all[0])) return;
-        for (std::size_t i = 1; all[0].isNumbered && i < members; ++i) {
-            all.push_back(describe(expanded, i, "StaticConfig"));
-            if (!all[i].config || !resolveScenery(part, all[i])) return;
-        }
+        const auto resolve = [&](Described& d) { return resolveScenery(part, d); };
+        if (!describeOthers(expanded, "StaticConfig", first, members, resolve, all)) return;
         const std::vector<Pose> poses = posesOf(expanded, all);
         for (std::size_t i = 0; i < poses.size(); ++i) {
-            const Described& d = all.size() > 1 ? all[i] : all[0];
+            const Described& d = all[std::min(i, all.size() - 1)];
             const std::string name = memberName(expanded, i);
             if (!isFree(part, name)) continue;
             const Pose pose = expanded.placed(poses[i]);
@@ -247,6 +246,29 @@ private:
         return d;
     }
 
+    /// Adds the other members if their numbers matter, up to the first with an error: the others, which would repeat it, are shown
+    /// as that one. `first`: index of the first diagnostic of the layout. False if one cannot be resolved.
+    template <class Resolve>
+    bool describeOthers(const ExpandedPart& expanded, std::string_view kind, std::size_t first, std::size_t members,
+                        const Resolve& resolve, std::vector<Described>& all) {
+        const Part& part = *expanded.part;
+        const auto hasError = [&] {
+            const std::vector<Diagnostic>& said = m_context.diagnostics.all();
+            return std::any_of(said.begin() + static_cast<std::ptrdiff_t>(first), said.end(),
+                               [](const Diagnostic& d) { return d.severity == Severity::Error; });
+        };
+        for (std::size_t i = 1; all[0].isNumbered && i < members && !hasError(); ++i) {
+            const std::size_t before = m_context.diagnostics.all().size();
+            all.push_back(describe(expanded, i, kind));
+            const bool isGood = all[i].config && resolve(all[i]);
+            for (std::size_t k = before; k < m_context.diagnostics.all().size(); ++k)
+                m_context.diagnostics.at(k).notes.emplace_back("in its member " + part.name + "_" + std::to_string(i),
+                                                               part.nameRange());
+            if (!isGood) return false;
+        }
+        return true;
+    }
+
     /// False if there would be too many objects, or the robot has no body.
     bool resolveMember(const Part& part, Described& d) {
         d.spec = robotConfig(*d.config, d.given);
@@ -258,19 +280,18 @@ private:
         const Part& part = *expanded.part;
         m_instance = &part;
         m_context.failedRobots.insert(&part); // until it is there
+        const std::size_t first = m_context.diagnostics.all().size();
         std::vector<Described> all{describe(expanded, 0, "RobotConfig")};
         if (!all[0].config || !all[0].record.complete) return;
         const std::size_t members = membersOf(part, all[0].record);
         const SourceRange place = all[0].record.rangeOf("Count", part.nameRange());
         if (!roomFor(part, static_cast<double>(members) * m_sizes.of(*all[0].config), place)) return;
         if (!resolveMember(part, all[0])) return; // reported
-        for (std::size_t i = 1; all[0].isNumbered && i < members; ++i) {
-            all.push_back(describe(expanded, i, "RobotConfig"));
-            if (!all[i].config || !resolveMember(part, all[i])) return;
-        }
+        const auto resolve = [&](Described& d) { return resolveMember(part, d); };
+        if (!describeOthers(expanded, "RobotConfig", first, members, resolve, all)) return;
         const std::vector<Pose> poses = posesOf(expanded, all);
         for (std::size_t i = 0; i < poses.size(); ++i) {
-            const Described& d = all.size() > 1 ? all[i] : all[0];
+            const Described& d = all[std::min(i, all.size() - 1)];
             const std::string name = memberName(expanded, i);
             if (!isFree(part, name)) continue;
             m_context.out.robots.push_back(robot(part, name, expanded.placed(poses[i]), d.spec, d.brains));

@@ -35,12 +35,17 @@ JointFields jointFields(const std::string& kind, const Record& record, JointType
 
 class JointReader {
 public:
-    JointReader(ResolveContext& context, const Part& part, const Record& record)
-        : m_context(context), m_part(part), m_record(record) {}
+    /// `scope`: of the Params in its values; nullptr: no instance gives them.
+    JointReader(ResolveContext& context, const Part& part, const Record& record, ParamScope* scope = nullptr)
+        : m_context(context), m_part(part), m_record(record), m_scope(scope) {}
 
     bool read(JointSpec& joint) {
         const JointFields f = jointFields(m_part.kind->name, m_record, joint.type);
-        if (f.parent == f.child) return fail("Child", "the child of " + m_part.title() + " is its parent as well");
+        if (f.parent == f.child) {
+            reportTwo(m_context, m_record, m_part, "Parent", "Child",
+                      "the child of " + m_part.title() + " is its parent as well");
+            return false;
+        }
         joint.name = m_part.name;
         joint.range = m_part.range;
         joint.nameRange = m_part.nameRange();
@@ -88,16 +93,31 @@ private:
             if (highStop && *highStop < 0) startsOutside(highName, "above");
             return true;
         }
-        const SourceRange low = m_record.rangeOf(lowName, m_part.nameRange()),
-                          high = m_record.rangeOf(highName, m_part.nameRange());
-        Diagnostic& d = m_context.diagnostics.error(
-            Code::BadJoint, low, std::string("the ") + lowName + " of " + m_part.title() + " is above its " + highName);
-        if (low.known() && high.known() && low != high) {
+        Record record = m_record;
+        for (const char* stop : {lowName, highName}) addSource(record, stop);
+        const std::size_t before = m_context.diagnostics.all().size();
+        reportTwo(m_context, record, m_part, highName, lowName,
+                  std::string("the ") + lowName + " of " + m_part.title() + " is above its " + highName);
+        const SourceRange low = m_record.find(lowName)->range, high = m_record.find(highName)->range;
+        if (m_context.diagnostics.all().size() > before && isOwnText(lowName) && isOwnText(highName) && low.file == high.file) {
             const std::string lowText(m_context.texts.slice(low)), highText(m_context.texts.slice(high));
-            d.fixes.push_back({"exchange them", {{low, highText}, {high, lowText}}});
+            m_context.diagnostics.at(before).fixes.push_back({"exchange them", {{low, highText}, {high, lowText}}});
         }
         return false;
     }
+
+    /// Adds what a stop takes from a Param.
+    void addSource(Record& record, const char* stop) {
+        const SourceAssignment* a = m_part.assignments.find(stop);
+        if (!a || !m_scope || m_record.find(stop)->range != a->valueRange()) return;
+        if (std::optional<GivenValue> given = m_context.evaluator.evaluate(*a->value, a->file, *m_scope))
+            record.names.emplace(indexOf(stop), std::move(*given));
+    }
+
+    std::size_t indexOf(const char* property) const {
+        return static_cast<std::size_t>(m_record.kind->find(property) - m_record.kind->properties.data());
+    }
+    bool isOwnText(const char* stop) const { return m_record.literal[indexOf(stop)]; }
 
     /// A joint counts from where its bodies are placed.
     void startsOutside(const char* stop, const std::string& side) {
@@ -109,6 +129,7 @@ private:
     ResolveContext& m_context;
     const Part& m_part;
     const Record& m_record;
+    ParamScope* m_scope;
 };
 
 /// False: it exists but has errors of its own.
@@ -136,13 +157,14 @@ std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPar
     Record record = context.read(part, own, expanded.overrides(), Origin::Config);
     const bool known = context.checkReferences(record, *expanded.frame);
     if (!record.complete || !known) return std::nullopt;
-    std::optional<JointSpec> joint = readJoint(context, part, record);
+    JointSpec joint;
+    const bool isGood = JointReader(context, part, record, &own).read(joint);
     const std::string &parent = record.find("Parent")->value.texts[0], &child = record.find("Child")->value.texts[0];
-    if (!joint || !findBody(places, child, joint->child) || (parent != "world" && !findBody(places, parent, joint->parent)))
+    if (!isGood || !findBody(places, child, joint.child) || (parent != "world" && !findBody(places, parent, joint.parent)))
         return std::nullopt;
-    expanded.place(*joint);
-    joint->name = expanded.name();
-    if (!record.given("Anchor")) joint->anchor = bodies[static_cast<std::size_t>(joint->child)].pose.position;
+    expanded.place(joint);
+    joint.name = expanded.name();
+    if (!record.given("Anchor")) joint.anchor = bodies[static_cast<std::size_t>(joint.child)].pose.position;
     return joint;
 }
 

@@ -13,6 +13,28 @@ namespace {
 
 constexpr std::size_t kMostNames = 500; // that a message chooses from
 
+/// A name of the world as it is written in a frame: in a member of a Repeat without the name of the member. Empty for what another
+/// member has.
+std::string nameWithin(const PartFrame& frame, std::string_view name) {
+    for (const PartFrame* at = &frame; at && at->member; at = at->outer) {
+        if (name.starts_with(at->prefix)) return std::string(name.substr(at->prefix.size()));
+        const std::string& around = at->outer->prefix;
+        if (name.starts_with(around) && isMemberOf(firstWord(name.substr(around.size())), at->config->name)) return {};
+    }
+    return std::string(name);
+}
+
+/// The robots that can be named in a member of a Repeat.
+std::vector<std::string> robotNamesIn(const ResolveContext& context, const PartFrame& frame) {
+    std::vector<std::string> names;
+    const auto add = [&](const Part& part) {
+        if (part.kind && (part.kind->name == "Robot" || part.is(Role::Layout))) names.push_back(part.name);
+    };
+    for (const PartFrame* at = &frame; at && at->member; at = at->outer) std::ranges::for_each(at->config->parts, add);
+    for (const Part* part : context.outline.world.all()) add(*part);
+    return names;
+}
+
 /// One end of a joint: a body of a robot, or the world.
 struct LinkEnd {
     int robot = kWorldBody, body = 0;
@@ -95,14 +117,14 @@ private:
         if (name == "world" && std::string_view(property) == "Parent") return LinkEnd{kWorldBody, kWorldBody};
         const auto [robot, body] = robotAt(name, frame);
         if (robot == m_robots.end()) {
-            if (!m_context.isFailedRobot(nameMeant(name, frame))) unknownRobot(property, name, value);
+            if (!m_context.isFailedRobot(nameMeant(name, frame))) unknownRobot(property, name, value, frame);
             return std::nullopt;
         }
         const std::vector<BodySpec>& bodies = m_context.out.robots[static_cast<std::size_t>(robot->second)].config->bodies;
         const auto found = std::ranges::find(bodies, body, &BodySpec::name);
         if (found != bodies.end() && found->isFixed) return LinkEnd{kWorldBody, kWorldBody};
         if (found != bodies.end()) return LinkEnd{robot->second, static_cast<int>(found - bodies.begin())};
-        unknown(property, name, value, robot->second);
+        unknown(property, name, value, robot->second, frame);
         return std::nullopt;
     }
 
@@ -122,7 +144,7 @@ private:
     }
 
     /// A robot of the text that is not in the world has errors of its own.
-    void unknownRobot(const char* property, const std::string& name, const ResolvedValue& value) {
+    void unknownRobot(const char* property, const std::string& name, const ResolvedValue& value, const PartFrame& frame) {
         const std::string first(firstWord(name));
         const Part* part = m_context.outline.world.find(first);
         if (part && part->is(Role::Layout) && m_robots.contains(first + "_0")) {
@@ -141,16 +163,17 @@ private:
         const bool hasErrors = m_context.outline.unknown.contains(first) ||
                                (part && (part->is(Role::Instance) || part->is(Role::Layout))) ||
                                (layoutOfMember(m_context.outline, first) && m_robots.empty());
-        if (!hasErrors) unknown(property, name, value, kWorldBody);
+        if (!hasErrors) unknown(property, name, value, kWorldBody, frame);
     }
 
     /// `robot`: the one whose bodies are meant; kWorldBody: all.
-    void unknown(const char* property, const std::string& name, const ResolvedValue& value, int robot) {
+    void unknown(const char* property, const std::string& name, const ResolvedValue& value, int robot, const PartFrame& frame) {
         std::vector<std::string> names;
         for (const RobotSpec& spec : m_context.out.robots) {
             if (robot != kWorldBody && &spec != &m_context.out.robots[static_cast<std::size_t>(robot)]) continue;
+            const std::string own = nameWithin(frame, spec.name);
             for (const BodySpec& body : spec.config->bodies)
-                if (!body.isFixed && names.size() < kMostNames) names.push_back(spec.name + "." + body.name);
+                if (!own.empty() && !body.isFixed && names.size() < kMostNames) names.push_back(own + "." + body.name);
         }
         m_context.unknownReference(property, "body of a robot (robot.body)", name, value.range, value.origin != Origin::Param,
                                    names);
@@ -180,6 +203,18 @@ std::vector<std::size_t> robotsOf(const ResolveContext& context, const std::vect
     return robots;
 }
 
+/// False, with a diagnostic, if there is no such robot in a member of a Repeat or around it.
+bool knowsRobot(ResolveContext& context, const Property& property, const ResolvedValue& value, const std::string& name,
+                const PartFrame& frame) {
+    const std::string meant = nameMeant(name, frame);
+    const Outline& outline = context.outline;
+    if (!frame.member || outline.world.find(meant) || layoutOfMember(outline, meant) || outline.unknown.contains(meant))
+        return true;
+    const bool isLiteral = value.value.texts.size() == 1 && value.origin != Origin::Param;
+    context.unknownReference(property.name, "robot", name, value.range, isLiteral, robotNamesIn(context, frame));
+    return false;
+}
+
 void resolveRegion(ResolveContext& context, const ExpandedPart& expanded) {
     const Part& part = *expanded.part;
     ParamScope scope(expanded.frame->scope);
@@ -188,8 +223,12 @@ void resolveRegion(ResolveContext& context, const ExpandedPart& expanded) {
     Record record = context.read(part, scope, nullptr, Origin::Config);
     for (std::size_t i = 0; i < record.values.size(); ++i) {
         if (record.kind->properties[i].name != "Robots" || !record.values[i]) continue;
-        for (std::string& name : record.values[i]->value.texts) name = nameMeant(name, *expanded.frame);
-        record.complete = checkRobots(context, record.kind->properties[i], *record.values[i]) && record.complete;
+        const Property& property = record.kind->properties[i];
+        ResolvedValue& value = *record.values[i];
+        for (const std::string& name : value.value.texts)
+            if (!knowsRobot(context, property, value, name, *expanded.frame)) return;
+        for (std::string& name : value.value.texts) name = nameMeant(name, *expanded.frame);
+        record.complete = checkRobots(context, property, value) && record.complete;
     }
     if (!record.complete) return;
     const auto f = fieldsFrom<RegionFields>(record);

@@ -136,6 +136,17 @@ void resolveRadio(ResolveContext& context) {
     context.out.medium.seed = context.out.settings.seed;
 }
 
+std::string mirroredAntenna(ResolveContext& context, const std::string& name) {
+    auto& antennas = context.out.antennas;
+    const auto named = [&](const std::string& wanted) { return std::ranges::find(antennas, wanted, &AntennaSpec::name); };
+    const std::string image = name + " mirrored"; // no name in a text has a blank
+    if (named(image) != antennas.end()) return image;
+    const auto described = named(name);
+    if (described == antennas.end() || described->pattern->isSymmetric()) return name;
+    antennas.push_back({image, std::make_shared<const AntennaPattern>(described->pattern->mirrored()), described->range});
+    return image;
+}
+
 std::shared_ptr<const AntennaPattern> antennaNamed(const ExperimentSpec& experiment, const std::string& name) {
     for (const AntennaSpec& antenna : experiment.antennas)
         if (antenna.name == name) return antenna.pattern;

@@ -24,6 +24,10 @@ using BodyIndices = std::unordered_map<std::string, int>;
                                                       const std::vector<BodySpec>& bodies, const BodyIndices& places);
 /// A joint's own values, without its bodies; nothing, with a diagnostic, if they are wrong.
 [[nodiscard]] std::optional<JointSpec> readJoint(ResolveContext& context, const Part& part, const Record& record);
+/// Reports two values of a block that do not go together, at the one that came from farthest outside, by an override or a Param; else at
+/// the second.
+void reportTwo(ResolveContext& context, const Record& record, const Part& part, const char* first, const char* second,
+               const std::string& message);
 /// Requires all joints of the config.
 [[nodiscard]] std::optional<GearSpec> resolveGear(ResolveContext& context, const ExpandedPart& expanded,
                                                   const std::vector<JointSpec>& joints);
@@ -41,6 +45,8 @@ struct StaticConfigSpec {
 void checkPartConfig(ResolveContext& context, const Part& config);
 /// Antenna patterns and the medium; requires the settings.
 void resolveRadio(ResolveContext& context);
+/// The name of the mirror image of an antenna pattern or antenna model; the same name if it has none of its own.
+[[nodiscard]] std::string mirroredAntenna(ResolveContext& context, const std::string& name);
 void resolveLogs(ResolveContext& context, PartExpansion& world);
 /// Joints and springs at the top level, regions, and robots that do not touch each other; requires the robots.
 void resolveLinks(ResolveContext& context, PartExpansion& world);

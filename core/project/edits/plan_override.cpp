@@ -18,7 +18,8 @@ struct OverrideTarget {
     ObjectLocation place;               ///< of the object that has the property
     std::string key;                    ///< "Resistance"
     const Property* property = nullptr; ///< nullptr: it is a Param
-    const SourceParam* param = nullptr; ///< declared by the instance's config
+    const SourceParam* param = nullptr; ///< of the instance's config, or of what a Part in that uses
+    bool isOfPart = false;              ///< `param`: the Part gives it its value
     std::string within;                 ///< path in the instance, "leftMotor.Resistance"; empty: not reached through an instance
 
     /// The instance's own assignment; nullptr if it does not override the value.
@@ -50,6 +51,11 @@ std::optional<OverrideTarget> targetOf(const LoadedProject& loaded, const std::s
         t.place.part = config;
     } else if (place->instance && !self && std::ranges::find(place->above, config) != place->above.end()) {
         t.within = place->within + "." + t.key;
+    }
+    if (!self && !t.property && place->part->isPartUse() && place->part->config) {
+        t.param = place->part->config->param(t.key);
+        t.isOfPart = t.param != nullptr;
+        if (!t.param) t.property = place->part->config->kind->find(t.key);
     }
     return t.property || t.param ? std::optional(t) : std::nullopt;
 }
@@ -100,6 +106,8 @@ bool fromCommandLine(const LoadedProject& loaded, const SourceAssignment& a) {
 
 /// Whether the property is required, by itself or as the last of its alternatives.
 bool isRequired(const OverrideTarget& t) {
+    const bool isOwn = t.isOfPart ? !t.override() : t.param != nullptr; // the value of a Part, not one above it
+    if (t.param && t.param->required && t.param->value->elements.empty()) return isOwn;
     if (!t.property || t.override()) return false;
     const Kind* kind = t.place.part ? t.place.part->kind : nullptr;
     if (t.property->required || !kind) return t.property->required;
@@ -151,7 +159,10 @@ Result<EditPlan> planPushOverride(const LoadedProject& loaded, const std::string
     const auto set = [&](FileId file, const Value& value) {
         sheet.add(editSetValue(*loaded.trees[file], value, inFile(loaded, file, text.value())));
     };
-    if (t->param) set(t->param->valueFile, *t->param->value);
+    if (t->param && !t->isOfPart && t->param->required)
+        sheet.addItem(t->place.part->file, t->place.part->block,
+                      "Param " + t->key + " = " + inFile(loaded, t->place.part->file, text.value()));
+    else if (t->param && !t->isOfPart) set(t->param->valueFile, *t->param->value);
     else if (const SourceAssignment* own = t->own()) set(own->file, *own->value);
     else
         sheet.addAssignment(t->place.part->file, t->place.part->block, t->key, inFile(loaded, t->place.part->file, text.value()));
@@ -166,14 +177,16 @@ Result<EditPlan> planPullOverride(const LoadedProject& loaded, const std::string
     const Part& instance = *t->place.instance;
     if (t->override()) return Error{Code::DuplicateKey, t->key + " is set in " + instance.title() + " already"};
     std::string text;
-    if (t->param) {
+    const SourceAssignment* own = t->own();
+    if (t->param && !(t->isOfPart && own)) {
         const Value& value = *t->param->value;
         const bool plain = std::all_of(value.elements.begin(), value.elements.end(), [](const Element& e) {
             return e.kind != Element::Kind::ParamRef && e.kind != Element::Kind::Expression;
         });
         if (!plain) return Error{Code::UnknownParam, t->key + " is worked out from other Params; set it by hand"};
+        if (value.elements.empty()) return Error{Code::MissingValue, t->key + " has no value that could be copied"};
         text = loaded.outline->texts().slice({t->param->valueFile, value.range});
-    } else if (const SourceAssignment* own = t->own()) {
+    } else if (own) {
         const Result<std::string> there = textElsewhere(loaded, *t, *own);
         if (!there.ok()) return there.error();
         text = there.value();

@@ -144,7 +144,13 @@ private:
         const auto isNumber = [](const Element& e) { return e.kind != Element::Kind::Word; };
         if (value.elements.empty() || !std::ranges::all_of(value.elements, isNumber)) return;
         takeParamsOf(value);
-        m_declared.push_back("Param " + name + " = " + std::string(m_texts.slice({param->valueFile, value.range})));
+        m_declared.push_back("Param " + name + " = " + std::string(m_texts.slice({param->valueFile, value.range})) +
+                             descriptionOf(*param));
+    }
+    /// Limits and help of a Param, in their braces.
+    std::string descriptionOf(const SourceParam& param) const {
+        if (!param.item || param.item->close.size() == 0) return {};
+        return std::string(m_texts.slice({param.file, {param.item->value.range.end, param.item->close.end}}));
     }
 
     void keepOtherNames() {

@@ -1,0 +1,160 @@
+// A mistake is reported once, at the value that is wrong: at that of an instance rather than in the config that it uses.
+#include <QTest>
+
+#include "model_fixture.h"
+#include "schema/value_reader.h"
+
+using namespace trundle;
+using sample::Resolved;
+
+namespace {
+
+const std::string kHead = "Material g { } Surface s { }\n";
+const std::string kBox = "Box h { Size=0.1,0.1,0.1 Mass=1 Material=g Surface=s }";
+
+/// Each error with the text that it is about, its notes with theirs, and what its fix writes. One that several uses of a value cause is
+/// reported once, as by the project.
+QString reported(const Resolved& r) {
+    QStringList all;
+    for (const Diagnostic& d : r.diagnostics.all()) {
+        if (d.severity == Severity::Hint) continue;
+        std::string text = codeName(d.code) + " " + d.message + " | " + r.slice(d.range);
+        for (const auto& [note, range] : d.notes) {
+            text += " | " + note + ": " + r.slice(range);
+            if (note == kUsedHere) break;
+        }
+        if (!d.fixes.empty()) text += " | fix " + d.fixes[0].title;
+        const QString line = QString::fromStdString(text);
+        const auto isSame = [&](const QString& said) { return said.section(" | ", 0, 1) == line.section(" | ", 0, 1); };
+        const bool isUse = !d.notes.empty() && d.notes[0].first == kUsedHere;
+        if (!isUse || std::ranges::none_of(all, isSame)) all += line;
+    }
+    return all.join(u'\n');
+}
+
+} // namespace
+
+class MessagePlacesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void messages_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char* name, const std::string& text, const char* message) {
+            QTest::newRow(name) << QString::fromStdString(kHead + text) << message;
+        };
+        const std::string post =
+            "StaticConfig P { Param h = 0.1 { Min=0.05 Max=1 } Box w { Size=0.1,0.1,$h Material=g Surface=s } }\n";
+        row("a grid", post + "Grid n { Config=P Count=5 Spacing=1 h=$(1.5+index) }\n",
+            "E203 h is 1.5, it must be from 0.05 to 1 | $(1.5+index) | its values are described here: { Min=0.05 Max=1 }");
+        row("a later member", post + "Grid n { Config=P Count=5 Spacing=1 h=$(0.5+0.5*index) }\n",
+            "E203 h is 1.5, it must be from 0.05 to 1 | $(0.5+0.5*index) | its values are described here: { Min=0.05 Max=1 } | "
+            "in its "
+            "member n_2: n");
+        row("a scatter of robots",
+            "RobotConfig K { Param m = 1 { Max=2 } Body b { " + kBox +
+                " } Body c { Mass=$m Sphere s { Radius=1 Material=g Surface=s } } }\n"
+                "Scatter n { Config=K Count=5 Area=-50,-50,50,50 m=$(2+index) }\n",
+            "E203 m is 3, it must be at most 2 | $(2+index) | its values are described here: { Max=2 } | in its member n_1: n");
+
+        const std::string boxes =
+            "Box a { Size=1,1,1 Pos=$v Material=g Surface=s } Box b { Size=1,1,1 Pos=$v Material=g Surface=s }";
+        row("a list", "StaticConfig P { Param v = 1,2,3 " + boxes + " }\nStatic n { Config=P v=1,2 }\n",
+            "E204 Pos has 2 elements, it takes three numbers | 1,2 | it is used here: $v");
+        row("a list for a number",
+            "StaticConfig P { Param h = 1 Box a { Size=0.1,$h,$h Material=g Surface=s } }\nStatic n { Config=P h=1,2 }\n",
+            "E204 Size has 5 elements, it takes three numbers | 1,2 | it is used here: 0.1,$h,$h");
+        row("a list for a name",
+            "StaticConfig P { Param c = g Box a { Size=1,1,1 Material=$c Surface=s } }\nStatic n { Config=P c=g,g,g }\n",
+            "E204 Material has 3 elements, it takes a name | g,g,g | it is used here: $c");
+        row("a list of a part",
+            "PartConfig W { Param v = 1,2,3 Box a { Size=$v Material=g Surface=s } }\nStaticConfig P { Part w { Config=W v=1,2 } "
+            "}\n",
+            "E204 Size has 2 elements, it takes three numbers | 1,2 | it is used here: $v");
+        row("a list of the text",
+            "StaticConfig P { Param h = 1 Box a { Size=$h,$h Material=g Surface=s } }\nStatic n { Config=P h=2 }\n",
+            "E204 Size has 2 elements, it takes three numbers | $h,$h");
+
+        const auto hinge = [](const std::string& stops, const std::string& more) {
+            return "RobotConfig A { Param m = 10 Param k = 10 Body b { " + kBox + " } Hinge h { Parent=world Child=b " + stops +
+                   " } }\n" + more;
+        };
+        row("stops", hinge("LowStop=20 HighStop=10", ""),
+            "E307 the LowStop of Hinge h is above its HighStop | 20 | fix exchange them");
+        row("a stop of a robot", hinge("LowStop=-10 HighStop=10", "Robot n { Config=A h.LowStop=50 }\n"),
+            "E307 the LowStop of Hinge h is above its HighStop | 50");
+        row("the other stop of a robot", hinge("LowStop=-10 HighStop=10", "Robot n { Config=A h.HighStop=-50 }\n"),
+            "E307 the LowStop of Hinge h is above its HighStop | -50");
+        row("a stop by a Param", hinge("LowStop=-10 HighStop=$m", "Robot n { Config=A m=-50 }\n"),
+            "E307 the LowStop of Hinge h is above its HighStop | -50 | it is used here: $m");
+        row("one of two stops by Params", hinge("LowStop=$(-1*m) HighStop=$k", "Robot n { Config=A k=-50 }\n"),
+            "E307 the LowStop of Hinge h is above its HighStop | -50 | it is used here: $k");
+        row("a stop of a part",
+            "PartConfig W { Param k = 10 Body b { " + kBox +
+                " } Hinge h { Parent=world Child=b LowStop=-10 HighStop=$k } }\n"
+                "RobotConfig A { Part w { Config=W k=-50 } }\n",
+            "E307 the LowStop of Hinge h is above its HighStop | -50 | it is used here: $k");
+        row("a stop by a default", hinge("LowStop=20 HighStop=$m", ""),
+            "E307 the LowStop of Hinge h is above its HighStop | $m | the value is given here: 10");
+
+        const std::string three =
+            "RobotConfig A { Param p = b Body b { " + kBox + " } Body b2 { " + kBox + " } Body b3 { " + kBox +
+            " }\n Slider h { Parent=$p Child=b2 } Slider h2 { Parent=b Child=b3 } Slider h3 { Parent=b Child=b2 }\n"
+            " Gear g { Joint=h Other=h2 Ratio=1 } }\n";
+        const char* const twice = "E307 two joints join the same bodies: h and h3 | h3\n";
+        const auto overridden = [&](const char* name, const char* config, const std::string& message) {
+            row(name, three + config, (twice + message).c_str());
+        };
+        overridden("a parent of a variant", "RobotConfig B { Config=A h3.Parent=b2 }\n",
+                   "E307 the child of Slider h3 is its parent as well | b2");
+        overridden("a parent of a robot", "Robot n { Config=A h2.Parent=b3 }\n",
+                   "E307 the child of Slider h2 is its parent as well | b3");
+        overridden("a child of a robot", "Robot n { Config=A h2.Child=b }\n",
+                   "E307 the child of Slider h2 is its parent as well | b");
+        overridden("a joint of a gear", "Robot n { Config=A g.Joint=h2 }\n", "E307 Gear g couples h2 with itself | h2");
+        overridden("a parent by a Param", "Robot n { Config=A p=b2 }\n",
+                   "E307 the child of Slider h is its parent as well | b2 | it is used here: $p");
+        row("a ratio with a unit", sample::with(three, "Ratio=1", "Ratio=5 mm"),
+            (twice + std::string("E206 Ratio has no unit, it cannot be in mm | mm | fix 0.005")).c_str());
+
+        const std::string lane = "RobotConfig A { Body b { " + kBox +
+                                 " } }\nRobot out { Config=A Pos=9,9,9 }\n"
+                                 "Repeat lane { Count=2 Pos=0,$index,0 Robot r { Config=A } ";
+        row("a body with the name of the Repeat", lane + "Hinge h { Parent=world Child=lane.r.b } }\n",
+            "E208 Child names lane.r.b, but there is no such body of a robot (robot.body) | lane.r.b | fix r.b");
+        row("a body of a member", lane + "Hinge h { Parent=world Child=r.chassis } }\n",
+            "E208 Child names r.chassis, but there is no such body of a robot (robot.body); there is r.b | r.chassis");
+        row("robots of a member", lane + "Region n { Size=1,1,1 Robots=rrrrr } }\n",
+            "E208 Robots names rrrrr, but there is no such robot; there are r and out | rrrrr");
+        row("a robot of a member", lane + "Region n { Size=1,1,1 Robots=outt } }\n",
+            "E208 Robots names outt, but there is no such robot | outt | fix out");
+
+        row("an element", "Region n { Size=1,1,0 }\n", "E203 the 3rd element of Size is 0, it must be above 0 | 0");
+        row("a count", post + "Grid n { Config=P Count=2,zero Spacing=1 }\n",
+            "E202 the 2nd element of Count is a word (zero), it must be a whole number | zero");
+        row("the numbers of members without a count",
+            post + "Grid n { Config=P Count=2,0.5 Spacing=1 h=$(0.1+0.1*index2+index) }\n",
+            "E202 the 2nd element of Count is a number (0.5), it must be a whole number | 0.5");
+        row("a second number", post + "Grid n { Config=P Count=2 Spacing=1 h=$(0.1+index2) }\n",
+            "E211 there is no Param index2; it is there in a Repeat or Grid with two numbers, Count=5,2 | index2");
+        row("pi", "Param pi = 3\n", "E303 the name pi is taken by the number pi, which this Param replaces in $( ) | pi");
+        row("a function",
+            "StaticConfig P { Param sin = 4 Box a { Size=$sin,1,1 Material=g Surface=s } }\nStatic n { Config=P sin=3 }\n",
+            "E303 the name sin is taken by a function of $( ), sin(...) | sin");
+    }
+    void messages() {
+        QFETCH(QString, text);
+        QTEST(reported(sample::resolved(text.toStdString())), "message");
+    }
+
+    /// All members of a Grid are there, those behind a wrong one too.
+    void membersBehindAWrongOne() {
+        const Resolved r =
+            sample::resolved(kHead + "StaticConfig P { Param h = 0.1 { Max=1 } Box w { Size=0.1,0.1,0.1 Pos=0,0,$h } }\n"
+                                     "Grid n { Config=P Count=5 Spacing=1 h=$(0.4+0.4*index) }\n");
+        QCOMPARE(r.experiment->statics.size(), std::size_t{5});
+    }
+};
+
+QTEST_APPLESS_MAIN(MessagePlacesTest)
+#include "message_places_test.moc"
