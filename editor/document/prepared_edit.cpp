@@ -14,9 +14,8 @@
 namespace trundle {
 namespace {
 
-/// The instances that will use a copy of a config: those through which it is edited, if they are in its file, else all instances
-/// of the file. `edited`: paths of the edited objects.
-std::vector<const Part*> instancesForCopy(const LoadedProject& loaded, const std::vector<std::string>& edited,
+/// The instances of a config through which it is edited. `edited`: paths of the edited objects.
+std::vector<const Part*> instancesThrough(const LoadedProject& loaded, const std::vector<std::string>& edited,
                                           const Part& config) {
     std::vector<const Part*> through;
     for (const std::string& path : edited) {
@@ -28,6 +27,14 @@ std::vector<const Part*> instancesForCopy(const LoadedProject& loaded, const std
         if (instance && configOf(loaded, *instance) == &config && std::ranges::find(through, instance) == through.end())
             through.push_back(instance);
     }
+    return through;
+}
+
+/// The instances that will use a copy of a config: those through which it is edited, if they are in its file, else all instances
+/// of the file.
+std::vector<const Part*> instancesForCopy(const LoadedProject& loaded, const std::vector<std::string>& edited,
+                                          const Part& config) {
+    const std::vector<const Part*> through = instancesThrough(loaded, edited, config);
     const FileId home = through.empty() ? FileId{0} : through.front()->file;
     std::vector<const Part*> all = instancesOf(loaded, config);
     std::erase_if(all, [&](const Part* p) {
@@ -59,10 +66,28 @@ std::string PreparedEdit::renamed(const std::string& path) const {
     return path;
 }
 
-std::vector<const Part*> PreparedEdit::copyUsers(const Part& config) const {
+std::vector<std::string> PreparedEdit::editedPaths() const {
     std::vector<std::string> edited;
     for (const std::string& path : m_paths) edited.push_back(renamed(path));
-    return instancesForCopy(*m_loaded, edited, config);
+    return edited;
+}
+
+std::vector<const Part*> PreparedEdit::copyUsers(const Part& config) const {
+    return instancesForCopy(*m_loaded, editedPaths(), config);
+}
+
+const Part* PreparedEdit::holderToDecide(const Part& config) const {
+    std::vector<const Part*> users = copyUsers(config);
+    const bool isAll = instancesThrough(*m_loaded, editedPaths(), config).empty();
+    if (isAll) // also what shipped configs have of it
+        for (const Part* user : instancesOf(*m_loaded, config))
+            if (isShippedFile(*m_loaded, user->file)) users.push_back(user);
+    for (const Part* user : users) {
+        const Part* holder = holderOf(*m_loaded, *user);
+        if (!holder || isDecided(*holder)) continue;
+        if (!isAll || !isShippedFile(*m_loaded, holder->file) || isUsedByOwnTexts(*m_loaded, *holder)) return holder;
+    }
+    return nullptr;
 }
 
 void PreparedEdit::changesFilesOf(const EditPlan& plan) {
@@ -72,6 +97,19 @@ void PreparedEdit::changesFilesOf(const EditPlan& plan) {
 QString PreparedEdit::shown(const std::string& file) const { return toQString(m_document->texts().shown(file)); }
 
 Status PreparedEdit::copy(const Part& config) {
+    const std::string name = config.name;
+    const Part* now = &config; // each copy loads the project again
+    for (int copies = 0; copies < kMaxCopies; ++copies) {
+        const Part* holder = holderToDecide(*now);
+        if (!holder || !isShippedFile(*m_loaded, holder->file)) return copyItself(*now);
+        if (Status done = copy(*holder); !done) return done;
+        now = m_loaded->outline->configs.find(name);
+        if (!now) return Error{Code::EditRefused, name + " could not be copied"};
+    }
+    return Error{Code::EditRefused, name + " is used by too many configs at once"};
+}
+
+Status PreparedEdit::copyItself(const Part& config) {
     const LoadedProject& loaded = *m_loaded;
     const std::vector<const Part*> instances = copyUsers(config);
     const bool isShipped = isShippedFile(loaded, config.file);

@@ -31,6 +31,9 @@ public:
     [[nodiscard]] std::string keyOf(const Part& config) const; ///< file and name
     /// The instances that a copy of the config would be for.
     [[nodiscard]] std::vector<const Part*> copyUsers(const Part& config) const;
+    /// A config that a copy of `config` would change, since it has the Part that the copy would be for; those that are decided are left
+    /// out. nullptr: there is none.
+    [[nodiscard]] const Part* holderToDecide(const Part& config) const;
 
     /// Files that the edit will change; configs imported from them are copied too.
     void changesFile(const std::string& path) { m_changed.insert(path); }
@@ -41,6 +44,7 @@ public:
     [[nodiscard]] bool isCopied(const std::string& path) const { return m_copies.contains(path); }
     [[nodiscard]] const std::string& copyOf(const std::string& path) const { return m_copies.at(path); }
 
+    /// Before it, the shipped configs that have what the copy is for.
     [[nodiscard]] Status copy(const Part& config);
     /// A shipped material, surface, antenna pattern or Param, and the shipped configs that use it.
     [[nodiscard]] Status copyDefinition(const std::string& definition);
@@ -54,6 +58,8 @@ public:
     [[nodiscard]] QString notice() const { return m_notices.join(u"; "); } ///< which copies were made; empty: none
 
 private:
+    [[nodiscard]] std::vector<std::string> editedPaths() const; ///< as they are now
+    [[nodiscard]] Status copyItself(const Part& config);
     [[nodiscard]] Status reload(const EditPlan& plan);
     [[nodiscard]] QString shown(const std::string& file) const;
 

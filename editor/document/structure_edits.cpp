@@ -144,6 +144,7 @@ std::optional<Status> StructureEdits::decide(const std::shared_ptr<PendingEdit>&
                        config.file == 0 && prepared.copyUsers(config).size() == target.instances;
     const auto known = m_chosen.find(prepared.keyOf(config));
     if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
+        if (const Part* holder = prepared.holderToDecide(config)) return decide(work, *holder); // its Part would use the copy
         if (Status done = prepared.copy(config); !done) return refuse(done.error());
         return std::nullopt;
     }

@@ -80,6 +80,30 @@ std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& co
     return instances;
 }
 
+const Part* holderOf(const LoadedProject& loaded, const Part& user) {
+    if (user.is(Role::Config)) return &user;
+    for (const Part* config : loaded.outline->configs.all()) {
+        bool has = false;
+        eachPartUse(*config, [&](const Part& use) { has |= &use == &user; });
+        if (has) return config;
+    }
+    return nullptr;
+}
+
+bool isUsedByOwnTexts(const LoadedProject& loaded, const Part& config) {
+    std::set<const Part*> seen{&config};
+    for (std::vector<const Part*> open{&config}; !open.empty();) {
+        const Part* next = open.back();
+        open.pop_back();
+        for (const Part* user : instancesOf(loaded, *next)) {
+            if (!isShippedFile(loaded, user->file)) return true;
+            const Part* holder = holderOf(loaded, *user);
+            if (holder && seen.insert(holder).second) open.push_back(holder);
+        }
+    }
+    return false;
+}
+
 std::string shippedDefinitionAt(const LoadedProject& loaded, const std::string& path) {
     const Outline& outline = *loaded.outline;
     const std::optional<ObjectLocation> place = placeOf(loaded, path);

@@ -35,6 +35,11 @@ struct EditTarget {
 /// The Robots, Statics, Grids and Scatters of a load that use a config, or the Parts, in text order.
 [[nodiscard]] std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config);
 
+/// The config that has a Part, or that is a variant, so that it changes with the Config of that; nullptr for what is at the top level.
+[[nodiscard]] const Part* holderOf(const LoadedProject& loaded, const Part& user);
+/// Whether something in the user's own texts uses a config, also through shipped configs.
+[[nodiscard]] bool isUsedByOwnTexts(const LoadedProject& loaded, const Part& config);
+
 /// The path of the material, surface, antenna pattern or top-level Param of a shipped file that a path leads to: "Material.red",
 /// "side". Empty for everything else.
 [[nodiscard]] std::string shippedDefinitionAt(const LoadedProject& loaded, const std::string& path);

@@ -1,0 +1,135 @@
+// Copies of configs that Parts use: the configs that have those Parts change with them, so they are copied or asked about first.
+
+#include <QTest>
+
+#include "editor/document/structure_edits.h"
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+
+namespace {
+
+const char* const kNested = R"(Material m { }
+Surface s { }
+PartConfig Wheel { Body w { Sphere t { Radius=0.1 Mass=1 Material=m Surface=s } } } // the wheel
+PartConfig Side { Body rail { Box b { Size=0.1,0.1,0.1 Mass=1 Material=m Surface=s } }
+  Part front { Config=Wheel Pos=0.2,0,0 }
+  Part back  { Config=Wheel Pos=-0.2,0,0 } }
+RobotConfig Kit { Body chassis { Box b { Size=0.1,0.1,0.1 Mass=1 Material=m Surface=s } }
+  Part left  { Config=Side Pos=0,0.2,0 }
+  Part right { Config=Side Pos=0,-0.2,0 } }
+Robot rover { Config=Kit }
+Robot other { Config=Kit Pos=0,2,0 }
+)";
+
+/// Answers the questions by config; asks for those that are not listed with ChangeForAll.
+class Answers {
+public:
+    Answers(Document& document, std::vector<QString> copied) {
+        document.structure().setShareQuestionHandler(
+            [this, copied](const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
+                asked += question.config;
+                answer(std::ranges::find(copied, question.config) == copied.end() ? ShareChoice::ChangeForAll
+                                                                                  : ShareChoice::MakeCopy);
+            });
+    }
+    QStringList asked;
+};
+
+Status insertBox(Document& d, const std::string& at) {
+    return d.structure().apply(u"Insert"_qs, {at}, [=](const LoadedProject& loaded, const auto& renamed) {
+        return planInsert(loaded, renamed(at), "Box cap { Size=0.1,0.1,0.1 Mass=1 Material=m Surface=s }");
+    });
+}
+
+} // namespace
+
+class CopiesInPartsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_application = makeApplication(); }
+
+    /// A copy for one Part of a shared PartConfig changes that: it is asked about, and what has it in turn.
+    void asksAboutWhatHasThePart() {
+        const DocumentFixture fixture;
+        const std::string file = fixture.write("configs/nested.sim", kNested);
+        {
+            Document d(*m_application);
+            QVERIFY(d.opening().open(file).ok());
+            const Answers answers(d, {u"Wheel"_qs});
+            QVERIFY(insertBox(d, "rover.right.back.w").ok());
+            QCOMPARE(answers.asked, (QStringList{u"Wheel"_qs, u"Side"_qs}));
+            const std::string text = *d.texts().text(file);
+            QVERIFY2(holds(text, "Part back  { Config=Wheel2 Pos=-0.2,0,0 }") && holds(text, "Part front { Config=Wheel Pos") &&
+                         !holds(text, "Side2"),
+                     text.c_str());
+            QCOMPARE(messages(*d.loaded()), "");
+            QCOMPARE(d.edits().history().entries().size(), 1u);
+            d.edits().undo();
+            QCOMPARE(*d.texts().text(file), kNested);
+        }
+        Document fresh(*m_application);
+        QVERIFY(fresh.opening().open(file).ok());
+        const Answers answers(fresh, {u"Wheel"_qs, u"Side"_qs, u"Kit"_qs});
+        const Status inserted = insertBox(fresh, "rover.right.back.w");
+        QVERIFY2(inserted.ok(), inserted.ok() ? "" : inserted.error().message.c_str());
+        QCOMPARE(answers.asked, (QStringList{u"Wheel"_qs, u"Side"_qs, u"Kit"_qs}));
+        const std::string text = *fresh.texts().text(file);
+        QVERIFY2(holds(text, "Robot rover { Config=Kit2 }") && holds(text, "Robot other { Config=Kit Pos") &&
+                     holds(text, "Part right { Config=Side2 Pos=0,-0.2,0 }") && holds(text, "Config=Wheel2"),
+                 text.c_str());
+        QCOMPARE(messages(*fresh.loaded()), "");
+        QVERIFY(placeOf(*fresh.loaded(), "rover.right.back.w.cap"));
+        for (const char* path : {"rover.right.front.w.cap", "rover.left.back.w.cap", "other.right.back.w.cap"})
+            QVERIFY(!placeOf(*fresh.loaded(), path));
+    }
+
+    /// Of a shipped robot all configs on the way are copied, without questions, for all that the file has of them.
+    void copiesAllShippedConfigsOnTheWay() {
+        const DocumentFixture fixture;
+        const std::string file = fixture.write(
+            "configs/cars.sim", "#import robots/car.sim\n\nRobot car { Config=Car }\nRobot b { Config=Car Pos=0,1,0 }\n");
+        Document d(*m_application);
+        QVERIFY(d.opening().open(file).ok());
+        const Answers answers(d, {});
+        QVERIFY(d.structure()
+                    .apply(u"Remove"_qs, {"car.frontRight.wheel.wheel.mark"},
+                           [](const LoadedProject& loaded, const auto& renamed) {
+                               return planRemove(loaded, {renamed("car.frontRight.wheel.wheel.mark")});
+                           })
+                    .ok());
+        QVERIFY(answers.asked.empty());
+        QCOMPARE(messages(*d.loaded()), "");
+        const std::string text = *d.texts().text(file);
+        for (const char* made : {"RobotConfig Car2", "PartConfig CarFront2", "PartConfig CarWheel2", "Robot car { Config=Car2 }",
+                                 "Robot b { Config=Car2 Pos"})
+            QVERIFY2(holds(text, made), (made + (" is not in\n" + text.substr(text.find("Robot car")))).c_str());
+        for (const char* path : {"car.frontRight.wheel.wheel.mark", "b.frontRight.wheel.wheel.mark"})
+            QVERIFY2(!placeOf(*d.loaded(), path), path);
+        QVERIFY(placeOf(*d.loaded(), "car.backRight.wheel.wheel.mark")); // of another config
+        QCOMPARE(d.edits().history().entries().size(), 1u);
+    }
+
+    /// A value of a shipped PartConfig changes what the robots of the file have of it.
+    void aValueOfAShippedPartReachesTheRobots() {
+        const DocumentFixture fixture;
+        const std::string file = fixture.write("configs/cars.sim", "#import robots/car.sim\n\nRobot car { Config=Car }\n");
+        Document d(*m_application);
+        QVERIFY(d.opening().open(file).ok());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {{"PartConfig.CarWheel.wheel.tyre.Mass", "0.2"}}).ok());
+        QCOMPARE(messages(*d.loaded()), "");
+        int wheels = 0;
+        for (const BodySpec& body : d.loaded()->experiment->robots.at(0).config->bodies)
+            for (const GeomSpec& geom : body.geoms)
+                if (geom.name == "tyre") wheels += geom.mass == 0.2;
+        QCOMPARE(wheels, 4);
+        QCOMPARE(d.edits().history().entries().size(), 1u);
+    }
+
+private:
+    std::unique_ptr<Application> m_application;
+};
+
+QTEST_GUILESS_MAIN(CopiesInPartsTest)
+#include "copies_in_parts_test.moc"
