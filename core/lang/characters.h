@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace trundle {
@@ -25,6 +26,12 @@ namespace trundle {
 
 /// import, loadModule and common misspellings of them (any case, #include), without the `#`.
 [[nodiscard]] bool isDirectiveLike(std::string_view name);
+
+/// The unit that is meant by one without `^`: "m/s^2" for "m/s2"; empty if there is none.
+[[nodiscard]] std::string unitWithPower(std::string_view written);
+
+/// `${name}` as the lexer reads it.
+[[nodiscard]] constexpr bool isBracedParam(std::string_view token) { return token.size() > 3 && token.starts_with("${"); }
 
 /// End of a text in 'single' or typographic quotes that begins at `at` and is closed shortly after on the same line; `at` if
 /// there is none.

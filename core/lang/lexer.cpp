@@ -96,7 +96,8 @@ void Lexer::number(std::size_t end) {
 void Lexer::unitInExpression() {
     const std::size_t unit = m_scan.skipBlanks(m_at);
     const std::size_t stop = m_scan.unitEnd(unit);
-    if (stop == unit || !findUnit(m_text.substr(unit, stop - unit))) return;
+    const std::string_view written = m_text.substr(unit, stop - unit);
+    if (stop == unit || (!findUnit(written) && unitWithPower(written).empty())) return;
     if (unit > m_at) emit(TokenKind::Space, unit);
     emit(TokenKind::Unit, stop);
 }
@@ -144,11 +145,26 @@ void Lexer::dollar() {
     } else if (m_scan.wordStartsAt(m_at + 1)) {
         emit(TokenKind::ParamRef, m_scan.identEnd(m_at + 1));
         m_parens = 0;
+    } else if (const std::size_t end = m_scan.bracedParamEnd(m_at); end > m_at) {
+        emit(TokenKind::Unknown, end);
+        if (m_parens > 0) return;
     } else {
         return unknown();
     }
     m_state = LexerState::AfterElement;
     m_sameLine = m_numbers = true;
+}
+
+/// In an expression: whether its last token can be compared. In `$(a/2 Mass=1` it cannot: the `)` is missing and Mass is a key.
+bool Lexer::operandPrecedes() const {
+    if (m_last != TokenKind::Word)
+        return m_last == TokenKind::Number || m_last == TokenKind::Unit || m_last == TokenKind::CloseParen;
+    std::size_t i = m_tokens.size(), words = 0;
+    while (i > 0 && (isTrivia(m_tokens[i - 1].kind) || words++ == 0)) --i; // to the token before that word
+    if (i == 0) return false;
+    const TokenKind before = m_tokens[i - 1].kind;
+    return before != TokenKind::Word && before != TokenKind::Number && before != TokenKind::Unit &&
+           before != TokenKind::CloseParen && before != TokenKind::Dot;
 }
 
 void Lexer::hash() {
@@ -207,8 +223,12 @@ void Lexer::punctuation() {
     case '}': return structure(TokenKind::CloseBrace);
     case '=':
         if (m_parens > 0 && m_scan.startsWith(m_at, "==")) return emit(TokenKind::Unknown, m_at + 2); // a comparison
+        if (m_parens > 0 && operandPrecedes()) return emit(TokenKind::Equals, m_at + 1);              // meant as one
         return m_scan.startsWith(m_at, "==") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Equals, 1);
-    case ':': return m_scan.startsWith(m_at, ":=") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Unknown, 1);
+    case ':':
+        if (m_parens > 0 && m_scan.at(m_at + 1) != '=' && operandPrecedes())
+            return emit(TokenKind::Unknown, m_at + 1); // `a ? b : c`
+        return m_scan.startsWith(m_at, ":=") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Unknown, 1);
     case ',':
         if (m_parens == 0 && m_state == LexerState::AfterElement) m_state = LexerState::Value;
         return emit(TokenKind::Comma, m_at + 1);

@@ -39,6 +39,7 @@ private:
     void unknown();
     void expressionLineEnd();
     [[nodiscard]] bool blockMayFollow() const;
+    [[nodiscard]] bool operandPrecedes() const;
 
     std::string_view m_text;
     TextScanner m_scan{m_text};

@@ -8,12 +8,32 @@
 #include "base/utf8.h"
 
 namespace trundle {
+namespace {
+
+constexpr int kLongestPath = 64; ///< longest key path examined, which bounds the lookahead
+
+} // namespace
 
 bool isDirectiveLike(std::string_view name) {
     std::string lower;
     for (const char c : name.substr(0, 12)) lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     constexpr std::array<std::string_view, 6> kLike{"import", "imports", "include", "loadmodule", "loadmodules", "load_module"};
     return std::find(kLike.begin(), kLike.end(), lower) != kLike.end();
+}
+
+std::string unitWithPower(std::string_view written) {
+    std::string meant;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        const std::string_view rest = written.substr(i);
+        if (rest.starts_with("\u00B2") || rest.starts_with("\u00B3")) {
+            meant += rest.starts_with("\u00B2") ? "^2" : "^3";
+            ++i;
+            continue;
+        }
+        if (isDigit(written[i]) && !meant.empty() && isIdentStart(meant.back())) meant += '^';
+        meant += written[i];
+    }
+    return meant != written && findUnit(meant) ? meant : std::string();
 }
 
 std::size_t foreignQuoteEnd(std::string_view text, std::size_t at) {
@@ -144,24 +164,47 @@ std::size_t TextScanner::unitEnd(std::size_t from) const {
     const bool isDescribed = at(skipBlanks(ident)) == '{' && findUnit(m_text.substr(from, ident - from));
     if (isReservedWord(from, ident) || (!isDescribed && isKeyOrKind(from, ident))) return from;
 
+    const auto powerAt = [this](std::size_t i) { return startsWith(i, "\u00B2") || startsWith(i, "\u00B3"); };
     std::size_t run = from;
-    while ((letterAt(run) || ((at(run) == '/' || at(run) == '^') && letterAt(run + 1))) && !commentAt(run))
-        run += std::max<std::size_t>(letterAt(run), 1);
+    while ((letterAt(run) || powerAt(run) || ((at(run) == '/' || at(run) == '^') && letterAt(run + 1))) && !commentAt(run))
+        run += powerAt(run) ? 2 : std::max<std::size_t>(letterAt(run), 1);
     constexpr std::size_t kLongestUnit = 12;
+    if (run - from <= kLongestUnit && !unitWithPower(m_text.substr(from, run - from)).empty()) return run;
     for (std::size_t end = std::min(run, from + kLongestUnit); end > from; --end)
         if (!letterAt(end) && findUnit(m_text.substr(from, end - from))) return end;
     const bool touches = from > 0 && !isBlank(at(from - 1));
-    if (!touches && isNamedBlock(ident)) return from;
+    if (!touches && (isNamedBlock(ident) || isKeyWithoutEquals(from))) return from;
     return run;
+}
+
+bool TextScanner::isKeyWithoutEquals(std::size_t from) const {
+    std::size_t last = from, end = identEnd(from);
+    for (int parts = 0; parts < kLongestPath && at(end) == '.' && wordStartsAt(end + 1); ++parts) {
+        last = end + 1;
+        end = identEnd(last);
+    }
+    const std::size_t value = skipBlanks(end);
+    if (at(last) < 'A' || at(last) > 'Z' || value == end) return false;
+    if (at(value) == '"' || at(value) == '$' || numberEnd(value, true) > value) return true;
+    return wordStartsAt(value) && !isKeyOrKind(value, identEnd(value)) && !isNamedBlock(identEnd(value));
+}
+
+std::size_t TextScanner::bracedParamEnd(std::size_t i) const {
+    constexpr std::size_t kLongest = 200;
+    if (!startsWith(i, "${")) return i;
+    const std::size_t first = skipBlanks(i + 2);
+    if (!letterAt(first) && at(first) != '(' && at(first) != '$') return i;
+    for (std::size_t end = first; end < i + kLongest; ++end) {
+        if (at(end) == '}') return end + 1;
+        if (at(end) == '\0' || std::string_view("{=\"\n\r").find(at(end)) != std::string_view::npos) return i;
+    }
+    return i;
 }
 
 bool TextScanner::isReservedWord(std::size_t from, std::size_t end) const {
     const std::string_view word = m_text.substr(from, end - from);
     return word == "Param" || word == "true" || word == "false";
 }
-
-/// Longest key path examined, which bounds the lookahead.
-constexpr int kLongestPath = 64;
 
 bool TextScanner::isKeyOrKind(std::size_t from, std::size_t end) const {
     if (m_text.substr(from, end - from) == "Param") return true;

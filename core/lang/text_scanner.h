@@ -30,12 +30,15 @@ public:
     [[nodiscard]] std::size_t wordEnd(std::size_t from) const;
     [[nodiscard]] std::size_t numberEnd(std::size_t from, bool sign) const; ///< `from` if no number begins there
     [[nodiscard]] std::size_t unitEnd(std::size_t from) const;              ///< `from` if no unit begins there
+    [[nodiscard]] std::size_t bracedParamEnd(std::size_t i) const; ///< after `${name}` of other languages; `i` if there is none
     /// True for a word before `=`, `.key =` or `{`: it begins a new item and is never part of a value.
     [[nodiscard]] bool isKeyOrKind(std::size_t from, std::size_t end) const;
     /// True for a kind as in `Kind name {`, where the kind ends at `end`.
     [[nodiscard]] bool isNamedBlock(std::size_t end) const;
 
 private:
+    /// True for a word with a capital letter, or a path to one, that has a value behind it on its line: its `=` is missing.
+    [[nodiscard]] bool isKeyWithoutEquals(std::size_t from) const;
     [[nodiscard]] bool isReservedWord(std::size_t from, std::size_t end) const;
 
     std::string_view m_text;

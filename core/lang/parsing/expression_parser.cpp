@@ -49,37 +49,16 @@ void ExpressionParser::element(Element& e, Value& v) {
     e.kind = Element::Kind::Expression;
     const std::size_t start = position();
     advance();
-    Sum inner = comparison(1);
+    Sum inner = whole(1);
     if (inner.ok && kind() != TokenKind::CloseParen) {
         const bool over = atEnd() || newLine() || kind() == TokenKind::OpenBrace || kind() == TokenKind::CloseBrace ||
                           kind() == TokenKind::Comma || startsItem();
-        const TextRange open = m_tokens.at(start).range;
-        if (over) {
-            inner = fault(Code::BadExpression, open, "`$(` lacks its `)`");
-            if (Diagnostic* d = m_report.lastAt(open); d && kind() != TokenKind::Comma)
-                fix(*d, "add `)`", {edit({previous().end, previous().end}, ")")});
-        } else if (kind() == TokenKind::Word && adjacent()) {
-            inner = fault(Code::BadExpression, range(), "there is no unit " + std::string(text()));
-        } else {
-            inner = fault(Code::BadExpression, range(), "operator or `)` expected");
-        }
+        if (m_foreign.list(start)) inner = failed();
+        else if (over) inner = unclosed(m_tokens.at(start).range);
+        else inner = fault(Code::BadExpression, range(), "operator or `)` expected");
     }
     if (!inner.ok) {
-        // Skip to the `)` of this expression, but not beyond its line, list or block.
-        int parens = 0;
-        for (std::size_t i = start + 1; i < position(); ++i) {
-            const TokenKind k = m_tokens.at(i).kind;
-            parens += k == TokenKind::OpenParen ? 1 : k == TokenKind::CloseParen ? -1 : 0;
-        }
-        while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && !startsItem() &&
-               kind() != TokenKind::Directive) {
-            if (kind() == TokenKind::CloseParen && parens-- <= 0) break;
-            if (kind() == TokenKind::OpenParen) ++parens;
-            if (kind() == TokenKind::ExprOpen || kind() == TokenKind::String || kind() == TokenKind::ParamRef) {
-                if (parens <= 0) break;
-            }
-            advance();
-        }
+        skipToEnd(start);
         v.broken = true;
         inner.expression = {};
     }
@@ -89,8 +68,37 @@ void ExpressionParser::element(Element& e, Value& v) {
     e.expression = std::make_shared<const Expression>(std::move(inner.expression));
 }
 
+ExpressionParser::Sum ExpressionParser::unclosed(TextRange open) {
+    Sum none = fault(Code::BadExpression, open, "`$(` lacks its `)`");
+    if (Diagnostic* d = m_report.lastAt(open); d && kind() != TokenKind::Comma)
+        fix(*d, "add `)`", {edit({previous().end, previous().end}, ")")});
+    return none;
+}
+
+/// Skips to the `)` of the expression that began at `start`, but not beyond its line, list or block.
+void ExpressionParser::skipToEnd(std::size_t start) {
+    int parens = 0;
+    for (std::size_t i = start + 1; i < position(); ++i) {
+        const TokenKind k = m_tokens.at(i).kind;
+        parens += k == TokenKind::OpenParen ? 1 : k == TokenKind::CloseParen ? -1 : 0;
+    }
+    while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && !startsItem() &&
+           kind() != TokenKind::Directive) {
+        if (kind() == TokenKind::CloseParen && parens-- <= 0) break;
+        if (kind() == TokenKind::OpenParen) ++parens;
+        if (kind() == TokenKind::ExprOpen || kind() == TokenKind::String || kind() == TokenKind::ParamRef) {
+            if (parens <= 0) break;
+        }
+        advance();
+    }
+}
+
 ExpressionParser::Sum ExpressionParser::fault(Code code, TextRange r, std::string message) {
     error(code, r, std::move(message));
+    return failed();
+}
+
+ExpressionParser::Sum ExpressionParser::failed() {
     Sum none;
     none.ok = false;
     return none;
@@ -112,11 +120,23 @@ ExpressionParser::Sum ExpressionParser::binary(Expression::Op op, Sum left, Sum 
     return both;
 }
 
+/// A comparison, with nothing behind it that other languages have there.
+ExpressionParser::Sum ExpressionParser::whole(int depth) {
+    Sum first = comparison(depth);
+    return first.ok && m_foreign.behindOperand() ? failed() : first;
+}
+
 /// At most one: 1 for true, 0 for false.
 ExpressionParser::Sum ExpressionParser::comparison(int depth) {
     Sum left = sum(depth);
-    if (!left.ok || kind() != TokenKind::Unknown || std::ranges::find(kComparisons, text()) == kComparisons.end()) return left;
-    const std::string op(text());
+    const bool single = kind() == TokenKind::Equals && !newLine();
+    const bool compares = kind() == TokenKind::Unknown && std::ranges::find(kComparisons, text()) != kComparisons.end();
+    if (!left.ok || (!single && !compares)) return left;
+    const std::string op(single ? "==" : text());
+    if (single) {
+        Diagnostic& d = error(Code::BadExpression, range(), "a comparison is written `==`, not `=`");
+        fix(d, "==", {edit(range(), "==")});
+    }
     advance();
     Sum both = binary(Expression::Op::Call, std::move(left), sum(depth));
     both.expression.name = op;
@@ -149,6 +169,7 @@ ExpressionParser::Sum ExpressionParser::product(int depth) {
 ExpressionParser::Sum ExpressionParser::signedTerm(int depth) {
     if (depth > kMaxExpressionDepth)
         return fault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
+    if (m_foreign.beforeOperand()) return failed();
     if (kind() != TokenKind::Plus && kind() != TokenKind::Minus) return power(depth);
     const bool minus = kind() == TokenKind::Minus;
     const std::uint32_t begin = range().begin;
@@ -167,7 +188,14 @@ ExpressionParser::Sum ExpressionParser::signedTerm(int depth) {
 /// 2^3^2 is 2^(3^2), -2^2 is -(2^2), 2^-1 is allowed.
 ExpressionParser::Sum ExpressionParser::power(int depth) {
     Sum base = primary(depth);
-    if (!base.ok || kind() != TokenKind::Caret) return base;
+    const bool stars = kind() == TokenKind::Star && kind(1) == TokenKind::Star && adjacent(1);
+    if (!base.ok || (kind() != TokenKind::Caret && !stars)) return base;
+    if (stars) {
+        const TextRange both{range().begin, range(1).end};
+        Diagnostic& d = error(Code::BadExpression, both, "a power is written `^`, not `**`");
+        fix(d, "^", {edit(both, "^")});
+        advance();
+    }
     advance();
     return binary(Expression::Op::Power, std::move(base), signedTerm(depth + 1));
 }
@@ -176,19 +204,7 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
     Sum s;
     s.expression.range = range();
     switch (kind()) {
-    case TokenKind::Number: {
-        const std::string_view digits = text();
-        const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), s.expression.number);
-        if (failure != std::errc() || end != digits.data() + digits.size())
-            return fault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
-        advance();
-        if (kind() == TokenKind::Unit) {
-            s.expression.name = text(); // its unit
-            s.expression.range.end = range().end;
-            advance();
-        }
-        return s;
-    }
+    case TokenKind::Number: return number();
     case TokenKind::Word:
         if (newLine() && startsItem()) return fault(Code::BadExpression, previous(), "a number or a name is missing here");
         if (kind(1) == TokenKind::OpenParen && !newLine(1)) return call(depth);
@@ -198,7 +214,7 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
         return s;
     case TokenKind::OpenParen: {
         advance();
-        s = comparison(depth + 1);
+        s = whole(depth + 1);
         if (!s.ok) return s;
         if (kind() != TokenKind::CloseParen)
             return fault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`)` expected");
@@ -215,11 +231,45 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
     }
     case TokenKind::CloseParen: return fault(Code::BadExpression, range(), "a number or a name is missing before `)`");
     default:
+        if (m_foreign.bracedParam()) {
+            advance();
+            return failed();
+        }
         if (newLine() || atEnd() || kind() == TokenKind::CloseBrace || kind() == TokenKind::OpenBrace)
             return fault(Code::BadExpression, previous(), "a number or a name is missing here");
         return fault(Code::BadExpression, range(),
                      "a number or a name expected, not `" + std::string(text().substr(0, 20)) + "`");
     }
+}
+
+ExpressionParser::Sum ExpressionParser::number() {
+    Sum s;
+    s.expression.range = range();
+    const std::string_view digits = text();
+    const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), s.expression.number);
+    if (failure != std::errc() || end != digits.data() + digits.size())
+        return fault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
+    advance();
+    if (kind() == TokenKind::Unit && !m_foreign.isRemainder()) {
+        const std::string meant = unitWithPower(text());
+        s.expression.name = meant.empty() ? text() : meant;
+        s.expression.range.end = range().end;
+        if (!meant.empty()) {
+            Diagnostic& d = error(Code::UnknownUnit, range(), "the unit `" + std::string(text()) + "` is written " + meant);
+            fix(d, meant, {edit(range(), meant)});
+        }
+        advance();
+        return s;
+    }
+    if (!m_foreign.isUnit()) return s;
+    const TextRange unit = range();
+    const std::string word(text());
+    Sum none = fault(Code::UnknownUnit, unit, "there is no unit " + word);
+    if (Diagnostic* d = m_report.lastAt(unit)) {
+        d->suggestions = nearestWords(word, allUnitNames());
+        for (const std::string& each : d->suggestions) fix(*d, each, {edit(unit, each)});
+    }
+    return none;
 }
 
 ExpressionParser::Sum ExpressionParser::call(int depth) {
@@ -233,20 +283,15 @@ ExpressionParser::Sum ExpressionParser::call(int depth) {
         std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == functionName; });
     if (function == kFunctions.end()) {
         std::vector<std::string> names;
-        std::string known;
-        for (const Function& f : kFunctions) known += " " + names.emplace_back(f.name);
-        Sum none = fault(Code::BadExpression, nameRange, "there is no function `" + functionName + "`; there are" + known);
-        if (Diagnostic* d = m_report.lastAt(nameRange)) {
-            d->suggestions = nearestWords(functionName, names);
-            if (!d->suggestions.empty()) fix(*d, d->suggestions[0], {edit(nameRange, d->suggestions[0])});
-        }
-        return none;
+        for (const Function& f : kFunctions) names.emplace_back(f.name);
+        m_foreign.unknownFunction(names);
+        return failed();
     }
     advance();
     advance();
     int height = 0;
     while (kind() != TokenKind::CloseParen) {
-        Sum argument = comparison(depth + 1);
+        Sum argument = whole(depth + 1);
         if (!argument.ok) return argument;
         height = std::max(height, argument.height);
         s.expression.arguments.push_back(std::move(argument.expression));

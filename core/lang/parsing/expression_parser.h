@@ -2,13 +2,13 @@
 // Parses `$( ... )`: sums, products, powers (right-associative, binding stronger than a sign), calls. Depth is bounded: nested
 // parentheses use recursion here, and long sums use recursion in the code that evaluates them. Private to core/lang.
 
-#include "lang/parsing/parser_part.h"
+#include "lang/parsing/foreign_operators.h"
 
 namespace trundle {
 
 class ExpressionParser : ParserPart {
 public:
-    ExpressionParser(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report) {}
+    ExpressionParser(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report), m_foreign(tokens, report) {}
 
     /// The expression whose `$(` is the current token; `v` is broken if it has errors.
     void element(Element& e, Value& v);
@@ -19,15 +19,22 @@ private:
         int height = 1;
         bool ok = true;
     };
+    Sum whole(int depth);
     Sum comparison(int depth);
     Sum sum(int depth);
     Sum product(int depth);
     Sum signedTerm(int depth);
     Sum power(int depth);
     Sum primary(int depth);
+    Sum number();
     Sum call(int depth);
     Sum binary(Expression::Op op, Sum left, Sum right);
+    static Sum failed();
     Sum fault(Code code, TextRange r, std::string message);
+    Sum unclosed(TextRange open);
+    void skipToEnd(std::size_t start);
+
+    ForeignOperators m_foreign;
 };
 
 } // namespace trundle

@@ -93,9 +93,14 @@ bool ItemErrors::missingEquals(std::vector<Item>& out) {
     if (adjacent(1)) d.fixes.back().edits[0].text = "=";
     AssignmentItem node;
     const TextRange key = range();
-    node.path.push_back(name());
+    for (std::size_t at = 0, dot = 0; dot != std::string::npos; at = dot + 1) { // here `b.Size` is one word
+        dot = word.find('.', at);
+        const auto begin = static_cast<std::uint32_t>(key.begin + at);
+        node.path.push_back({word.substr(at, dot - at),
+                             {begin, dot == std::string::npos ? key.end : static_cast<std::uint32_t>(key.begin + dot)}});
+        m_grammar.rejectReserved(node.path.back(), "a key");
+    }
     node.pathRange = key;
-    m_grammar.rejectReserved(node.path[0], "a key");
     advance();
     node.value = m_grammar.value(word, key, {key.end, key.end});
     out.push_back({{key.begin, std::max(key.end, node.value.range.end)}, std::move(node)});

@@ -21,7 +21,7 @@ protected:
     [[nodiscard]] bool atEnd() const { return m_tokens.atEnd(); }
     [[nodiscard]] std::size_t position() const { return m_tokens.position(); }
     [[nodiscard]] bool wrongEquals(std::size_t ahead) const { return m_tokens.wrongEquals(ahead); }
-    [[nodiscard]] bool startsItem() const { return m_tokens.startsItem(); }
+    [[nodiscard]] bool startsItem(std::size_t ahead = 0) const { return m_tokens.startsItem(ahead); }
     [[nodiscard]] bool startsElement() const { return m_tokens.startsElement(); }
     [[nodiscard]] bool namedBlock() const { return m_tokens.namedBlock(); }
     void advance() { m_tokens.advance(); }

@@ -19,6 +19,20 @@ Diagnostic& SyntaxReporter::report(Severity severity, Code code, TextRange r, st
     return d;
 }
 
+void SyntaxReporter::semicolon(TextRange r) {
+    constexpr std::size_t kMaxEdits = 10'000; // bounds the size of the fix
+    if (m_semicolon == 0) {
+        Diagnostic& d = error(Code::UnexpectedText, r, "no `;` is needed");
+        d.fixes.push_back({"remove `;`", {}});
+        m_semicolon = indexOf(d);
+        if (m_semicolon == 0) return;
+    }
+    Fix& fix = at(m_semicolon).fixes.back();
+    if (fix.edits.size() == kMaxEdits) return;
+    if (fix.edits.size() == 1) fix.title = "remove each `;`";
+    fix.edits.push_back({{m_file, r}, ""});
+}
+
 Diagnostic* SyntaxReporter::lastAt(TextRange r) {
     return !m_diagnostics.empty() && m_diagnostics.back().range.range == r ? &m_diagnostics.back() : nullptr;
 }

@@ -18,6 +18,8 @@ public:
     Diagnostic& error(Code code, TextRange r, std::string message) {
         return report(Severity::Error, code, r, std::move(message));
     }
+    /// A `;`: one message for all of them, with a fix that removes them.
+    void semicolon(TextRange r);
     /// Errors from this offset on may only be caused by parsing having stopped there: they are not reported.
     void setCut(std::uint32_t offset) { m_cut = offset; }
     void changeLast(std::string message) { m_diagnostics.back().message = std::move(message); }
@@ -29,7 +31,10 @@ public:
     [[nodiscard]] Diagnostic& at(std::size_t index) { return m_diagnostics[index - 1]; } ///< 1-based
     [[nodiscard]] FileId file() const { return m_file; }
 
-    void clear() { m_diagnostics.clear(); }
+    void clear() {
+        m_diagnostics.clear();
+        m_semicolon = 0;
+    }
     [[nodiscard]] std::vector<Diagnostic> takeSorted(); ///< in the order of their positions
 
 private:
@@ -38,6 +43,7 @@ private:
     FileId m_file;
     std::uint32_t m_cut = std::numeric_limits<std::uint32_t>::max();
     std::vector<Diagnostic> m_diagnostics;
+    std::size_t m_semicolon = 0; ///< 1-based index of the message about `;`
     Diagnostic m_unreported; ///< receives diagnostics beyond the limit
 };
 

@@ -62,14 +62,16 @@ bool TokenCursor::wrongEquals(std::size_t ahead) const {
     return sign == ":" && !(after < bytes.size() && (bytes[after] == '/' || bytes[after] == '\\'));
 }
 
-bool TokenCursor::startsItem() const {
-    if (kind() != TokenKind::Word) return false;
-    if (text() == "Param" || kind(1) == TokenKind::Equals || kind(1) == TokenKind::OpenBrace || wrongEquals(1)) return true;
+bool TokenCursor::startsItem(std::size_t ahead) const {
+    if (kind(ahead) != TokenKind::Word) return false;
+    const std::size_t next = ahead + 1;
+    if (text(ahead) == "Param" || kind(next) == TokenKind::Equals || kind(next) == TokenKind::OpenBrace || wrongEquals(next))
+        return true;
     constexpr std::size_t kLongestPath = 64;
-    std::size_t i = 1;
+    std::size_t i = next;
     while (i < 2 * kLongestPath && kind(i) == TokenKind::Dot && kind(i + 1) == TokenKind::Word && adjacent(i) && adjacent(i + 1))
         i += 2;
-    return i > 1 && kind(i) == TokenKind::Equals;
+    return i > next && kind(i) == TokenKind::Equals;
 }
 
 bool TokenCursor::startsElement() const {
@@ -78,6 +80,7 @@ bool TokenCursor::startsElement() const {
     case TokenKind::String:
     case TokenKind::ParamRef:
     case TokenKind::ExprOpen: return true;
+    case TokenKind::Unknown: return isBracedParam(text());
     case TokenKind::Word: return !startsItem();
     default: return false;
     }

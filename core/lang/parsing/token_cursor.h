@@ -30,9 +30,9 @@ public:
     [[nodiscard]] const Token& at(std::size_t position) const { return m_tokens[m_significant[position].token]; }
 
     // What the tokens ahead look like.
-    [[nodiscard]] bool wrongEquals(std::size_t ahead) const; ///< `==`, `:=` or `:`
-    [[nodiscard]] bool startsItem() const;                   ///< a key before `=`, a kind before `{`, Param
-    [[nodiscard]] bool startsElement() const;                ///< of a value
+    [[nodiscard]] bool wrongEquals(std::size_t ahead) const;    ///< `==`, `:=` or `:`
+    [[nodiscard]] bool startsItem(std::size_t ahead = 0) const; ///< a key before `=`, a kind before `{`, Param
+    [[nodiscard]] bool startsElement() const;                   ///< of a value
     [[nodiscard]] bool namedBlock() const {
         return kind() == TokenKind::Word && kind(1) == TokenKind::Word && kind(2) == TokenKind::OpenBrace;
     }

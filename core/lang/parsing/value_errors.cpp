@@ -71,25 +71,71 @@ void ValueErrors::checkNumberTail(Element& e, Value& v) {
     v.broken = true;
 }
 
-/// `0.3 m /s`, `9.81 m/s ^2`: the pieces form one unit.
+void ValueErrors::unitWithoutPower(Element& e) {
+    const std::string meant = unitWithPower(e.unit);
+    if (meant.empty()) return;
+    Diagnostic& d = error(Code::UnknownUnit, e.unitRange, "the unit `" + e.unit + "` is written " + meant);
+    fix(d, meant, {edit(e.unitRange, meant)});
+    e.unit = meant;
+}
+
+/// Adds the part of a unit that begins `ahead` to `written` and returns its tokens; 0 if none begins there.
+std::size_t ValueErrors::pieceOfUnit(std::size_t ahead, std::string& written) const {
+    if (newLine(ahead)) return 0;
+    const auto inLine = [&](std::size_t i, TokenKind k) { return kind(ahead + i) == k && !newLine(ahead + i); };
+    const bool stars = inLine(0, TokenKind::Star) && inLine(1, TokenKind::Star) && inLine(2, TokenKind::Number);
+    const bool power = inLine(0, TokenKind::Caret) && inLine(1, TokenKind::Number);
+    const bool times = inLine(0, TokenKind::Star) && inLine(1, TokenKind::Word);
+    const bool over = inLine(0, TokenKind::Slash) && inLine(1, TokenKind::Word);
+    const std::size_t count = stars ? 3 : power || times || over ? 2 : inLine(0, TokenKind::Word) && !startsItem(ahead) ? 1 : 0;
+    if (count == 0) return 0;
+    written += power || stars ? "^" : over ? "/" : "";
+    written += text(ahead + count - 1);
+    return count;
+}
+
+/// `0.3 m /s`, `9.81 m/s ^2`, `2 kg m2`: the pieces form one unit.
 bool ValueErrors::unitInPieces(Element& e) {
     if (e.unit.empty()) return false;
     constexpr std::size_t kMaxPieces = 8;
-    std::string joined = e.unit;
-    std::size_t count = 0;
-    const auto pieceAt = [this](std::size_t i) {
-        const bool over = kind(i) == TokenKind::Slash && kind(i + 1) == TokenKind::Word;
-        const bool power = kind(i) == TokenKind::Caret && kind(i + 1) == TokenKind::Number;
-        return (over || power) && !newLine(i) && !newLine(i + 1);
-    };
-    for (; count < kMaxPieces && pieceAt(count); count += 2) joined.append(text(count)).append(text(count + 1));
-    if (count == 0 || !findUnit(joined)) return false;
-    for (; count > 0; --count) advance();
-    e.unit = joined;
+    std::string joined = e.unit, meant;
+    std::size_t count = 0, tokens = 0;
+    bool blanksOnly = true;
+    for (std::size_t i = 0; i < kMaxPieces && count < kMaxPieces; ++i) {
+        const bool product =
+            kind(count) == TokenKind::Word || (kind(count) == TokenKind::Star && kind(count + 1) == TokenKind::Word);
+        const std::string left = joined;
+        const std::size_t piece = pieceOfUnit(count, joined);
+        if (piece == 0) break;
+        count += piece;
+        std::string factor = product ? joined.substr(left.size()) : std::string();
+        if (product) // `m ^2`: the power belongs to the factor
+            if (const std::size_t power = kind(count) == TokenKind::Caret ? pieceOfUnit(count, factor) : 0; power > 0) {
+                joined = left + factor;
+                count += power;
+            }
+        const std::string whole = findUnit(joined) ? joined : unitWithPower(joined);
+        if (whole.empty()) continue;
+        if (product) { // `m s` is no ms
+            const auto a = exponentsOf(left), c = exponentsOf(unitWithPower(factor).empty() ? factor : unitWithPower(factor));
+            auto both = exponentsOf(whole);
+            if (!a || !c || !both) break;
+            for (std::size_t k = 0; k < both->size(); ++k) (*both)[k] -= (*a)[k] + (*c)[k];
+            if (*both != UnitExponents{}) break;
+        }
+        blanksOnly = whole == joined && !product;
+        meant = whole;
+        tokens = count;
+    }
+    if (meant.empty()) return false;
+    for (; tokens > 0; --tokens) advance();
     e.unitRange.end = e.range.end = previous().end;
-    const std::string whole = std::string(slice({e.range.begin, e.unitRange.begin})) + joined;
-    Diagnostic& d = error(Code::UnknownUnit, e.range, "a unit has no blanks inside");
-    fix(d, whole, {edit(e.range, whole)});
+    const std::string whole = std::string(slice({e.range.begin, e.unitRange.begin})) + meant;
+    Diagnostic& d = blanksOnly ? error(Code::UnknownUnit, e.range, "a unit has no blanks inside")
+                               : error(Code::UnknownUnit, e.unitRange,
+                                       "the unit `" + std::string(slice(e.unitRange)) + "` is written " + meant);
+    fix(d, blanksOnly ? whole : meant, {edit(e.range, whole)});
+    e.unit = meant;
     return true;
 }
 
@@ -98,7 +144,7 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     const auto operandAt = [this](std::size_t i) {
         const TokenKind k = kind(i);
         return k == TokenKind::Number || k == TokenKind::ParamRef || k == TokenKind::ExprOpen || k == TokenKind::Word ||
-               k == TokenKind::OpenParen;
+               k == TokenKind::OpenParen || isBracedParam(text(i));
     };
     const bool number = e.kind == Element::Kind::Number;
     const bool word = e.kind == Element::Kind::Word;
@@ -188,6 +234,33 @@ void ValueErrors::foreignQuotes(Element& e, Value& v) {
     advance();
 }
 
+void ValueErrors::bracedParam(Element& e, Value& v) {
+    std::string inner(text().substr(2, text().size() - 3));
+    std::erase(inner, '$');
+    while (isBlank(inner.front())) inner.erase(0, 1);
+    while (isBlank(inner.back())) inner.pop_back();
+    advance();
+    v.broken = true;
+    e.kind = Element::Kind::ParamRef;
+    e.text = inner;
+    if (isOperator(kind()) && !newLine() && !newLine(1)) return arithmetic(e, v);
+    const auto isPart = [this] {
+        return adjacent() &&
+               (kind() == TokenKind::Word || kind() == TokenKind::Number || kind() == TokenKind::Dot || isBracedParam(text()));
+    };
+    const bool isPartOfWord = isPart();
+    while (isPart()) advance();
+    e.range.end = previous().end;
+    if (isPartOfWord) return void(error(Code::UnexpectedText, e.range, "a Param is written $name, and cannot be part of a word"));
+    const bool isName = isIdentStart(inner[0]) && std::ranges::all_of(inner, isIdent);
+    const std::string meant = isName ? "$" + inner : "$(" + inner + ")";
+    Diagnostic& d = error(Code::UnexpectedText, e.range,
+                          isName ? "a Param is written `$" + inner + "` or `$(" + inner + ")`, without braces"
+                                 : "an expression is written `$(...)`, without braces");
+    fix(d, meant, {edit(e.range, meant)});
+    if (!isName) e.kind = Element::Kind::Number;
+}
+
 void ValueErrors::unquotedText(Element& e, Value& v) {
     const bool begun =
         e.range.end <= previous().end && position() > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
@@ -220,8 +293,6 @@ void ValueErrors::unquotedText(Element& e, Value& v) {
         fix(d, "-", {edit(dash, "-")});
     } else if (written == "$" || std::count(written.begin(), written.end(), '"') > 0) {
         error(Code::UnexpectedText, e.range, "syntax error: unexpected `" + written + "`");
-    } else if (written.starts_with("${")) {
-        error(Code::UnexpectedText, e.range, "a Param is written $name");
     } else {
         Diagnostic& d =
             error(Code::UnexpectedText, e.range,
@@ -250,8 +321,9 @@ void ValueErrors::arithmetic(Element& e, Value& v) {
         else if (k == TokenKind::CloseParen && parens > 0) --parens;
         else if (k == TokenKind::Unit) units = true;
         else if ((k == TokenKind::Number && (operand || adjacent())) ||
-                 (operand && (k == TokenKind::ParamRef || k == TokenKind::ExprOpen || (k == TokenKind::Word && !startsItem())))) {
-            refs = refs || k == TokenKind::ParamRef || k == TokenKind::ExprOpen;
+                 (operand && (k == TokenKind::ParamRef || k == TokenKind::ExprOpen || isBracedParam(text()) ||
+                              (k == TokenKind::Word && !startsItem())))) {
+            refs = refs || k == TokenKind::ParamRef || k == TokenKind::ExprOpen || k == TokenKind::Unknown;
             operand = parens > 0;
             if (k == TokenKind::ExprOpen) ++parens;
         } else if (!(parens > 0 && (k == TokenKind::Comma || k == TokenKind::Number || k == TokenKind::Word))) {
@@ -262,7 +334,7 @@ void ValueErrors::arithmetic(Element& e, Value& v) {
     e.range.end = previous().end;
     Diagnostic& d = error(Code::BadExpression, e.range, "arithmetic is written in $( )");
     std::string inside(slice(e.range));
-    if (refs) std::erase(inside, '$');
+    if (refs) std::erase_if(inside, [](char c) { return c == '$' || c == '{' || c == '}'; });
     if (!units && parens == 0 && inside.size() < 60) fix(d, "$(" + inside + ")", {edit(e.range, "$(" + inside + ")")});
     e.kind = Element::Kind::Number;
     e.unit.clear();

@@ -22,6 +22,10 @@ public:
     void continuesAt(Element& e, Value& v);
     /// 'text', or text in the typographic quotes of word processors.
     void foreignQuotes(Element& e, Value& v);
+    /// `${name}` of a shell, `${2 * name}` of xacro.
+    void bracedParam(Element& e, Value& v);
+    /// `m/s2`, `cm3`.
+    void unitWithoutPower(Element& e);
     /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
     void unquotedText(Element& e, Value& v);
     void reportGaps(Value& v, const std::vector<TextRange>& gaps);
@@ -30,6 +34,7 @@ public:
 
 private:
     [[nodiscard]] bool unitInPieces(Element& e);
+    [[nodiscard]] std::size_t pieceOfUnit(std::size_t ahead, std::string& written) const;
     void arithmetic(Element& e, Value& v);
 
     std::function<bool(Value&)> m_element;

@@ -61,12 +61,7 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
     v.range = {equals.end, equals.end};
     std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or a `;` written instead
     TextRange bracket;
-    if (kind() == TokenKind::Equals) {
-        Diagnostic& d = error(Code::UnexpectedText, range(), "one `=` is enough");
-        fix(d, "remove `=`", {edit(range(), "")});
-        while (kind() == TokenKind::Equals) advance();
-        v.broken = true;
-    }
+    skipEquals(v);
     if (openBracket()) {
         bracket = range();
         v.broken = true;
@@ -80,8 +75,8 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
         const std::size_t before = position();
         if (!noneHere() && element(v)) {
             if (position() == before) break; // not expected; guards against an endless loop
-            if (afterElement(v, gaps)) continue;
-            break;
+            if ((bracket.size() == 0 && keyFollows(v, !gaps.empty())) || !afterElement(v, gaps)) break;
+            continue;
         }
         v.broken = true;
         if (kind() == TokenKind::Comma) {
@@ -107,11 +102,46 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
     return v;
 }
 
+void ValueParser::skipEquals(Value& v) {
+    if (kind() != TokenKind::Equals) return;
+    Diagnostic& d = error(Code::UnexpectedText, range(), "one `=` is enough");
+    fix(d, "remove `=`", {edit(range(), "")});
+    while (kind() == TokenKind::Equals) advance();
+    v.broken = true;
+}
+
 Value ValueParser::paramValue(std::string_view key, TextRange keyRange, TextRange equals) {
     m_mayBeDescribed = true;
     Value v = value(key, keyRange, equals);
     m_mayBeDescribed = false;
     return v;
+}
+
+/// Whether the current word is a key whose `=` is missing: it begins with a capital letter and has a value behind it. Only capital
+/// words, and words after a gap, are one text without quotes.
+bool ValueParser::keyFollows(const Value& v, bool gaps) const {
+    const auto isCapital = [](std::string_view word) { return !word.empty() && word[0] >= 'A' && word[0] <= 'Z'; };
+    if (kind() != TokenKind::Word || newLine() || newLine(1) || startsItem() || namedBlock()) return false;
+    const std::string_view word = text();
+    const std::size_t dot = word.rfind('.');
+    if (!isCapital(dot == std::string_view::npos ? word : word.substr(dot + 1))) return false;
+    if (!std::ranges::all_of(word, [](char c) { return isIdent(c) || c == '.'; })) return false;
+    switch (kind(1)) {
+    case TokenKind::Number:
+    case TokenKind::String:
+    case TokenKind::ParamRef:
+    case TokenKind::ExprOpen: break;
+    case TokenKind::Word:
+        if (startsItem(1)) return false;
+        break;
+    default: return false;
+    }
+    const auto isWord = [](const Element& e) { return e.kind == Element::Kind::Word; };
+    if (kind(1) != TokenKind::Word || text(1) == "true" || text(1) == "false" || !std::ranges::all_of(v.elements, isWord))
+        return true;
+    const bool capital = dot == std::string_view::npos && isCapital(text(1)) &&
+                         std::ranges::all_of(v.elements, [&](const Element& e) { return isCapital(e.text); });
+    return !capital && !gaps;
 }
 
 /// True if another element follows. The current token is the one after an element.
@@ -162,7 +192,8 @@ bool ValueParser::element(Value& v) {
     case TokenKind::Star: m_errors.unquotedText(e, v); break;
     case TokenKind::Unknown:
         if (wrongEquals(0) || text() == ";" || text() == "]" || text() == "[" || text() == "*/") return false;
-        if (foreignQuoteEnd(bytes(), range().begin) == range().end) m_errors.foreignQuotes(e, v);
+        if (isBracedParam(text())) m_errors.bracedParam(e, v);
+        else if (foreignQuoteEnd(bytes(), range().begin) == range().end) m_errors.foreignQuotes(e, v);
         else m_errors.unquotedText(e, v);
         break;
     default: return false;
@@ -219,6 +250,7 @@ void ValueParser::numberElement(Element& e, Value& v) {
         e.unit = sign.unit;
     }
     advance();
+    m_errors.unitWithoutPower(e);
 }
 
 void ValueParser::stringElement(Element& e, Value& v) {

@@ -22,11 +22,13 @@ public:
     [[nodiscard]] bool element(Value& v);
 
 private:
+    void skipEquals(Value& v); ///< of which one is enough
     void wordElement(Element& e);
     void numberElement(Element& e, Value& v);
     void stringElement(Element& e, Value& v);
     bool afterElement(Value& v, std::vector<TextRange>& gaps);
     [[nodiscard]] bool openBracket() const;
+    [[nodiscard]] bool keyFollows(const Value& v, bool gaps) const;
 
     ExpressionParser m_expressions;
     ValueErrors m_errors;
