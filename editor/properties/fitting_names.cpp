@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/config_blocks.h"
+#include "model/name_walk.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -22,23 +23,16 @@ bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices
     });
 }
 
-constexpr std::size_t kMostNames = 2000; // Parts may hold very many
+/// Parts may hold very many.
+constexpr std::size_t kMostNames = 2000, kMostBlocks = 20'000;
 
 void addInside(const Part& config, const std::string& before, const std::vector<std::string>& choices, bool geoms,
                std::vector<std::string>& names) {
-    if (isVariant(config)) addInside(*config.config, before, choices, geoms, names);
-    for (const Part& part : config.parts) {
-        if (names.size() > kMostNames) return;
-        if (part.isRepeat()) {
-            addInside(part, before + part.name + "_0.", choices, geoms, names);
-            continue;
-        }
-        if (fits(part, choices)) names.push_back(before + part.name);
-        if (part.config) addInside(*part.config, before + part.name + ".", choices, geoms, names);
-        if (!geoms || !part.is(Role::Body)) continue;
-        for (const Part& geom : part.parts)
-            if (fits(geom, choices)) names.push_back(before + part.name + "." + geom.name);
-    }
+    NameWalk(kMostBlocks).inside(config, before, [&](const Part& part, const std::string& prefix) {
+        if (names.size() > kMostNames) return false;
+        if (!part.isRepeat() && fits(part, choices)) names.push_back(prefix + part.name);
+        return geoms || !part.is(Role::Body);
+    });
 }
 
 } // namespace
@@ -62,6 +56,30 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
     if (looks && !std::count(found.begin(), found.end(), "default")) found.insert(found.begin(), "default");
     if (names("world")) found.emplace_back("world");
     return found;
+}
+
+bool isBodyToCountFrom(const Kind& kind, const Property& property) {
+    const bool hasIn = kind.role == Role::Body || kind.role == Role::Repeat || kind.name == "Part";
+    return hasIn && property.name == "In";
+}
+
+std::optional<std::vector<std::string>> bodiesForIn(const LoadedProject& loaded, const std::string& path) {
+    const std::optional<ObjectLocation> place = placeOf(loaded, path);
+    if (!place || !place->part) return std::nullopt;
+    const std::vector<const Part*>& above = place->above;
+    const auto is = [&](Role role) { return std::ranges::any_of(above, [&](const Part* p) { return p->is(role); }); };
+    if (!is(Role::Config) || is(Role::Body)) return std::nullopt;
+    const auto holds = [](const Part* p) { return p->is(Role::Config) || p->isRepeat(); };
+    auto holder = std::find_if(above.rbegin(), above.rend(), holds);
+    for (auto next = std::next(holder); next != above.rend() && isVariant(**next) && (*next)->config == *holder; ++next)
+        holder = next; // a variant has what its base has, and more
+    std::vector<std::string> names;
+    addInside(**holder, {}, {"Body"}, false, names);
+    const std::string own = place->part->name;
+    std::erase_if(names, [&](const std::string& name) { // it cannot count from itself, nor from what is in it
+        return name == own || name.starts_with(own + ".") || (place->part->isRepeat() && name.starts_with(own + "_0."));
+    });
+    return names;
 }
 
 std::vector<std::string> robotNames(const LoadedProject& loaded) {

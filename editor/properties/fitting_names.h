@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,10 @@ namespace trundle {
 /// The names that are valid for a reference, in the order of the text. `config`: the one that contains the object or that it is
 /// an instance of; may be null.
 [[nodiscard]] std::vector<std::string> fittingNames(const LoadedProject& loaded, const Property& property, const Part* config);
+/// Whether the property is the In of a Body, Part, Repeat or Ring.
+[[nodiscard]] bool isBodyToCountFrom(const Kind& kind, const Property& property);
+/// The bodies that In of an object may name. Nothing: In has no meaning at the top level and for the geoms of a Body.
+[[nodiscard]] std::optional<std::vector<std::string>> bodiesForIn(const LoadedProject& loaded, const std::string& path);
 /// Names of robots, grids and scatters.
 [[nodiscard]] std::vector<std::string> robotNames(const LoadedProject& loaded);
 

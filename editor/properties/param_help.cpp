@@ -20,7 +20,7 @@ const SourceParam* declarationOf(const LoadedProject& loaded, const std::string&
     const std::optional<ObjectLocation> place = placeOf(loaded, owner);
     if (!place || !place->part) return nullptr;
     if (const SourceParam* own = place->part->param(name)) return own;
-    const Part* config = place->part == place->instance ? configOf(loaded, *place->part) : nullptr;
+    const Part* config = isPlaced(*place->part) ? configOf(loaded, *place->part) : nullptr;
     return config ? config->param(name) : nullptr;
 }
 

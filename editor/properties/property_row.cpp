@@ -20,15 +20,21 @@
 namespace trundle {
 namespace {
 
+/// A path that does not fit into `room` pixels in two lines, that of the object above the key; what is still too long is
+/// shortened in the middle, so that it can be seen which object it is.
+QString pathHtml(const QString& path, const QFontMetrics& metrics, int room) {
+    if (metrics.horizontalAdvance(path) <= room) return path.toHtmlEscaped();
+    const qsizetype dot = path.lastIndexOf(QLatin1Char('.'));
+    const auto shortened = [&](const QString& text) { return metrics.elidedText(text, Qt::ElideMiddle, room).toHtmlEscaped(); };
+    return shortened(path.left(dot)) + QStringLiteral("<br>") + shortened(path.mid(dot + 1));
+}
+
 /// The label elided to `room` pixels, followed by the unit if the row has several fields.
 QString labelHtml(const Row& row, const QFontMetrics& metrics, int room) {
     const Property* p = row.property();
     const bool unit = p && row.fieldCount() > 1 && !p->unit.empty();
-    if (!unit)
-        return (room > 0
-                    ? metrics.elidedText(row.label, row.label.contains(QLatin1Char('.')) ? Qt::ElideLeft : Qt::ElideRight, room)
-                    : row.label)
-            .toHtmlEscaped();
+    if (!unit && room > 0 && row.label.contains(QLatin1Char('.'))) return pathHtml(row.label, metrics, room);
+    if (!unit) return (room > 0 ? metrics.elidedText(row.label, Qt::ElideRight, room) : row.label).toHtmlEscaped();
     return QStringLiteral("%1 <span style='color:%2'>%3</span>")
         .arg(row.label.toHtmlEscaped(), ink(Ink::Faint).name(), QString::fromStdString(p->unit).toHtmlEscaped());
 }
@@ -52,7 +58,7 @@ void PropertyRow::layOut() {
     grid->setContentsMargins(10, 1, 2, 1);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(0);
-    grid->addWidget(m_label, 0, 0, Qt::AlignTop);
+    grid->addWidget(m_label, 0, 0, 4, 1, Qt::AlignTop); // its second line is beside what is below the editor
     grid->addWidget(m_editor, 0, 1);
     grid->addWidget(m_mark, 0, 2, Qt::AlignTop);
     grid->addWidget(m_now, 1, 0, 1, 2);
@@ -186,12 +192,13 @@ void PropertyRow::showOverride() {
         return QStringLiteral("<a href='%1' style='color:%2; text-decoration:none'>%3</a>")
             .arg(QLatin1String(name), ink(Ink::Accent).name(), QString(shown).replace(QLatin1Char(' '), QChar(QChar::Nbsp)));
     };
-    QString text = QStringLiteral("<span style='color:%1'>%2</span> &nbsp;")
+    // A gap may end a line, but not begin one.
+    QString text = QStringLiteral("<span style='color:%1'>%2</span>&nbsp; ")
                        .arg(ink(Ink::Faint).name(),
                             (one ? overrideWords(m_row.first()) : tr("override in %1 of %2").arg(count).arg(m_row.values.size()))
                                 .toHtmlEscaped());
     text += link("reset", tr("Reset"));
-    if (one) text += QStringLiteral(" &nbsp;") + link("push", tr("Push Up"));
+    if (one) text += QStringLiteral("&nbsp; ") + link("push", tr("Push Up"));
     m_override->setText(text);
     m_override->setToolTip(one ? tr("Reset takes the override out; Push Up writes the value into %1")
                                      .arg(QString::fromStdString(m_row.first().config))

@@ -54,20 +54,13 @@ public:
 private:
     void add(std::string id, const QString& section, FieldValue value, const Kind* kind) {
         const std::string name = value.property ? value.property->name : std::string(lastWord(value.path));
-        const Part* config = id == "In" && m_object.isInstance() ? holder() : m_object.config();
-        m_listed.push_back({std::move(id), toQString(name), section, std::move(value), kind, config});
-    }
-
-    /// The config that a Part is placed in, whose bodies its In may name.
-    [[nodiscard]] const Part* holder() const {
-        const std::optional<ObjectLocation> place = placeOf(*m_loaded, m_object.path());
-        const std::vector<const Part*> above = place ? place->above : std::vector<const Part*>();
-        const auto config = std::find_if(above.rbegin(), above.rend(), [](const Part* part) { return part->is(Role::Config); });
-        return config == above.rend() ? nullptr : *config;
+        m_listed.push_back({std::move(id), toQString(name), section, std::move(value), kind, m_object.config()});
     }
 
     void addProperties(ObjectValues& object, const std::string& prefix, const QString& section) {
         for (FieldValue& v : object.properties()) {
+            const bool isIn = isBodyToCountFrom(*object.kind(), *v.property);
+            if (isIn && !v.given() && !bodiesForIn(*m_loaded, object.path())) continue; // it would be refused
             const QString own = section.isEmpty() ? sectionOf(*object.kind(), *v.property) : section;
             const std::string id = prefix + v.property->name;
             add(id, own, std::move(v), object.kind());
@@ -192,7 +185,11 @@ void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Doc
     const std::shared_ptr<const LoadedProject> loaded = row.loaded;
     if (const Property* p = listed.value.property) {
         const Part* config = listed.config;
-        if (p->type == PropertyType::Reference)
+        if (listed.kind && isBodyToCountFrom(*listed.kind, *p))
+            row.candidates = [loaded, path = std::string(withoutLastWord(listed.value.path))] {
+                return bodiesForIn(*loaded, path).value_or(std::vector<std::string>());
+            };
+        else if (p->type == PropertyType::Reference)
             row.candidates = [loaded, p, config] { return fittingNames(*loaded, *p, config); };
         else if (listed.kind && p->name == "Robot" && namesWorld(*listed.kind, *p))
             row.candidates = [loaded] { return robotNames(*loaded); };

@@ -25,7 +25,7 @@ class Completer {
 public:
     Completer(const LoadedProject& loaded, FileId file, std::uint32_t offset, const FileFolders& folders)
         : m_loaded(loaded), m_tree(*loaded.trees[file]), m_text(m_tree.source().bytes()), m_folders(folders),
-          m_context(completionContext(m_tree, offset)), m_place(placeAt(loaded, file, m_context.word.begin)) {}
+          m_context(completionContext(m_tree, offset)), m_offset(offset), m_place(placeAt(loaded, file, m_context.word.begin)) {}
 
     Completions complete() {
         m_out.word = m_context.word;
@@ -293,9 +293,11 @@ private:
 
     void value() {
         const Property* p = property();
+        const std::string_view typed =
+            m_context.quoted ? m_text.substr(m_context.word.begin, m_offset - m_context.word.begin) : m_context.before;
         if (p && p->type == PropertyType::File) files(folders(m_folders.assets), p->choices);
         else if (p)
-            for (Completion& c : valuesOf(m_loaded, m_place, *p, m_context.before)) {
+            for (Completion& c : valuesOf(m_loaded, m_place, *p, m_context.before, typed)) {
                 c.insert = m_context.before.empty() ? asWord(c.insert) : c.insert;
                 c.select = c.caret = c.insert.size();
                 m_out.items.push_back(std::move(c));
@@ -360,6 +362,7 @@ private:
     std::string_view m_text;
     const FileFolders& m_folders;
     CompletionContext m_context;
+    std::uint32_t m_offset;
     TextLocation m_place;
     Completions m_out;
 };

@@ -1,9 +1,11 @@
 #include "editor/text/completion/completion_values.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
 #include "editor/text/symbols/property_text.h"
-#include "model/config_blocks.h"
+#include "model/name_walk.h"
 #include "model/port_kinds.h"
 #include "project/objects/name_references.h"
 #include "project/objects/object_location.h"
@@ -14,8 +16,10 @@ namespace {
 
 class Values {
 public:
-    Values(const LoadedProject& loaded, const TextLocation& place, const Property& property, const std::string& before)
-        : m_loaded(loaded), m_place(place), m_property(property), m_before(before) {}
+    Values(const LoadedProject& loaded, const TextLocation& place, const Property& property, const std::string& before,
+           std::string_view typed)
+        : m_loaded(loaded), m_place(place), m_property(property), m_before(before),
+          m_path(typed.substr(0, typed.rfind('.') + 1)) {}
 
     std::vector<Completion> list() {
         switch (m_property.type) {
@@ -37,8 +41,7 @@ private:
         if (!full.starts_with(m_before)) return;
         std::string rest = full.substr(m_before.size());
         if (rest.empty()) return;
-        const bool there = std::any_of(m_out.begin(), m_out.end(), [&](const Completion& c) { return c.label == rest; });
-        if (there) return;
+        if (!m_labels.insert(rest).second) return;
         m_out.push_back({sort, rest, rest, 0, 0, std::move(detail), std::move(help), false});
     }
 
@@ -60,6 +63,7 @@ private:
     }
 
     void references() {
+        bool isLocal = false;
         for (const std::string& choice : m_property.choices) {
             const Kind* kind = m_loaded.registry->find(choice);
             if (const NameSpace* space = kind ? referenceSpace(*m_loaded.outline, *kind) : nullptr) {
@@ -69,46 +73,64 @@ private:
                     add(CompletionSort::Value, "default", "", "The default where none is named.");
             } else if (choice == "world") {
                 add(CompletionSort::Value, "world", "", "The ground that nothing moves.");
-            } else if (m_place.config) {
-                local(*m_place.config, choice);
-            } else if (m_place.kind && m_place.kind->role == Role::Joint) {
-                bodiesOfRobots(choice);
+            } else if (!std::exchange(isLocal, true)) {
+                if (!m_place.config && m_place.kind && m_place.kind->role == Role::Joint) bodiesOfRobots();
+                else local();
             }
         }
     }
 
     /// Of a joint at the top level.
-    void bodiesOfRobots(const std::string& choice) {
+    void bodiesOfRobots() {
         for (const auto& [part, name] : firstMembers(*m_loaded.outline))
-            if (const Part* config = isPlaced(*part) ? configOf(m_loaded, *part) : nullptr) local(*config, choice, name + ".");
+            if (const Part* config = isPlaced(*part) ? configOf(m_loaded, *part) : nullptr) namesIn(*config, name + ".");
     }
 
-    [[nodiscard]] bool fits(const Part& part, const std::string& choice) const {
+    [[nodiscard]] bool fits(const Part& part) const {
         if (!part.kind) return false;
-        if (m_property.type == PropertyType::Text && portFits(choice, part.kind->name)) return true;
-        return part.kind->name == choice || roleName(part.kind->role) == choice;
+        const bool isPort = m_property.type == PropertyType::Text; // one without choices uses any device
+        if (isPort && m_property.choices.empty()) return part.is(Role::Device);
+        return std::ranges::any_of(m_property.choices, [&](const std::string& choice) {
+            return (isPort && portFits(choice, part.kind->name)) || part.kind->name == choice ||
+                   roleName(part.kind->role) == choice;
+        });
     }
-    /// Names in a config; those in a Repeat without the member in front only from inside it.
-    void local(const Part& config, const std::string& choice, const std::string& prefix = {}) {
-        if (isVariant(config)) local(*config.config, choice, prefix);
-        for (const Part& part : config.parts) {
-            if (&part == own()) continue;
-            if (fits(part, choice)) named(part, prefix);
-            for (const Part& geom : part.parts)
-                if (part.is(Role::Body) && fits(geom, choice)) named(geom, prefix + part.name + ".");
-            if (!part.isRepeat()) continue;
-            const bool isAround = std::ranges::find(m_place.parts, &part) != m_place.parts.end();
-            local(part, choice, isAround ? prefix : prefix + part.name + "_0.");
+
+    /// Names in a config; those in a Repeat without the member in front only from inside it. What a Part names is beside it, in an
+    /// override also in its config.
+    void local() {
+        const Part* beside = nullptr;
+        for (auto it = m_place.parts.rbegin(); it != m_place.parts.rend() && !beside; ++it) {
+            if ((*it)->is(Role::Config)) beside = *it;
+            else if (*it != own() && (*it)->isRepeat() && !(*it)->isInWorld) namesIn(**it, {});
         }
+        if (beside) namesIn(*beside, {});
+        const bool isOfPart = own() && own()->isPartUse() && own()->kind->find(m_property.name) == &m_property;
+        if (m_place.config && m_place.config != beside && !isOfPart) namesIn(*m_place.config, {});
+    }
+    void namesIn(const Part& holder, const std::string& prefix) {
+        walk(holder, prefix, [&](const Part& part, const std::string& before) {
+            if (&part == own()) return false;
+            if (part.isRepeat()) return std::ranges::find(m_place.parts, &part) == m_place.parts.end();
+            if (fits(part)) named(part, before);
+            return true;
+        });
     }
     [[nodiscard]] const Part* own() const { return m_place.parts.empty() ? nullptr : m_place.parts.back(); }
+
+    /// Visits what is inside of `holder`, first that of the Part that was typed: of very many Parts the others are not all visited.
+    template <class Visit> void walk(const Part& holder, const std::string& prefix, const Visit& visit) {
+        if (m_path.size() > prefix.size() && m_path.starts_with(prefix)) {
+            const std::string_view inner = std::string_view(m_path).substr(prefix.size(), m_path.size() - prefix.size() - 1);
+            if (const Part* part = holder.findPath(inner)) NameWalk(kMostInParts).inside(*part, m_path, visit);
+        }
+        if (prefix.starts_with(m_before) || m_before.starts_with(prefix)) m_walk.inside(holder, prefix, visit);
+    }
 
     void texts() {
         if (!m_place.kind) return;
         if (namesWorld(*m_place.kind, m_property)) return world();
-        if (m_place.kind->role != Role::Controller || !m_place.config) return;
-        if (m_property.choices.empty()) return local(*m_place.config, roleName(Role::Device)); // those that it uses
-        for (const std::string& needed : m_property.choices) local(*m_place.config, needed);
+        if (m_place.kind->role == Role::Controller && m_place.config) local(); // the devices that it uses
     }
 
     /// Robots and, for a log of signals, their signals.
@@ -124,28 +146,31 @@ private:
         }
     }
     /// Signals of a config's devices or a robot's controller.
-    void signalsOf(const Part& owner, Role role, const std::string& before) {
-        if (isVariant(owner)) signalsOf(*owner.config, role, before);
-        for (const Part& part : owner.parts) {
-            if (part.isRepeat()) signalsOf(part, role, before + part.name + "_0.");
-            if (!part.is(role)) continue;
-            for (const SignalDescription& signal : part.kind->signals)
-                add(CompletionSort::Reference, before + part.name + "/" + signal.name, signal.unit, signal.help);
-        }
+    void signalsOf(const Part& owner, Role role, const std::string& prefix) {
+        walk(owner, prefix, [&](const Part& part, const std::string& before) {
+            if (part.is(role))
+                for (const SignalDescription& signal : part.kind->signals)
+                    add(CompletionSort::Reference, before + part.name + "/" + signal.name, signal.unit, signal.help);
+            return !part.is(Role::Body);
+        });
     }
 
+    static constexpr std::size_t kMostInParts = 2000;
     const LoadedProject& m_loaded;
     const TextLocation& m_place;
     const Property& m_property;
     const std::string& m_before;
+    std::string m_path; ///< what is typed, to its last dot
+    NameWalk m_walk{kMostInParts};
+    std::unordered_set<std::string> m_labels;
     std::vector<Completion> m_out;
 };
 
 } // namespace
 
 std::vector<Completion> valuesOf(const LoadedProject& loaded, const TextLocation& place, const Property& property,
-                                 const std::string& before) {
-    return Values(loaded, place, property, before).list();
+                                 const std::string& before, std::string_view typed) {
+    return Values(loaded, place, property, before, typed).list();
 }
 
 } // namespace trundle

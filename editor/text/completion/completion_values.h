@@ -2,6 +2,7 @@
 // The possible values of a property at an offset. Private to completion.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "editor/text/completion/completion_item.h"
@@ -9,8 +10,9 @@
 
 namespace trundle {
 
-/// For numbers only the default. `before`: the typed part of a name with dots or slashes ("chassis.").
+/// For numbers only the default. `before`: the typed part of a name with dots or slashes ("chassis."), which the values continue;
+/// `typed`: the same, in quotes all that is typed.
 [[nodiscard]] std::vector<Completion> valuesOf(const LoadedProject& loaded, const TextLocation& place, const Property& property,
-                                               const std::string& before);
+                                               const std::string& before, std::string_view typed);
 
 } // namespace trundle

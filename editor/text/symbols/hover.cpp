@@ -8,6 +8,7 @@
 #include "editor/text/symbols/text_location.h"
 #include "editor/text/symbols/text_navigation.h"
 #include "model/params.h"
+#include "schema/allowed_parents.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -41,9 +42,26 @@ private:
             if (!isOn(a.path[i].range, m_at)) continue;
             if (i + 1 < a.path.size()) return named();
             if (const Property* p = propertyOf(m_place, key)) return property(*p, a.path[i].range);
+            if (const std::string use = givenByParts(paramOf(key)); !use.empty())
+                return Hover{a.path[i].range, "Param " + key.back(), {use}};
             return named();
         }
         return value(a.value, propertyOf(m_place, key));
+    }
+
+    /// The Param of its config that an instance sets by a key there; nullptr: it is none.
+    [[nodiscard]] const SourceParam* paramOf(const std::vector<std::string>& key) const {
+        const Part* config = m_place.instance ? m_place.config : nullptr;
+        for (std::size_t i = 0; config && i + 1 < key.size(); ++i) {
+            config = config->find(key[i]);
+            if (config && i + 2 == key.size()) config = config->config;
+        }
+        return config ? config->param(key.back()) : nullptr;
+    }
+
+    /// What is said about a Param that no text declares; empty: it is none.
+    [[nodiscard]] static std::string givenByParts(const SourceParam* param) {
+        return param && param->required ? "Every Part gives it; it has no default." : std::string();
     }
 
     std::optional<Hover> property(const Property& p, TextRange word) const {
@@ -71,13 +89,21 @@ private:
     std::optional<Hover> evaluated(const Element& e) {
         Hover hover{e.range, slice(e.range), {}};
         const std::string result = resultOf({e.range, {e}, false});
-        hover.lines.push_back(result.empty() ? "has no value" : "= " + result);
+        const std::string use = e.kind == Element::Kind::ParamRef ? givenByParts(paramNamed(e.text)) : std::string();
+        if (!use.empty()) hover.lines.push_back(use);
+        else hover.lines.push_back(result.empty() ? "has no value" : "= " + result);
         if (const auto given = definitionAt(m_loaded, m_place.file, m_at); given && given->place.known()) {
             const SourceText& text = m_loaded.trees[given->place.file]->source();
             hover.lines.push_back("set in " + text.path() + ", line " +
                                   std::to_string(text.position(given->place.range.begin).line));
         }
         return hover;
+    }
+
+    [[nodiscard]] const SourceParam* paramNamed(const std::string& name) const {
+        for (const SourceParam* param : paramsAt(m_loaded, m_place))
+            if (param->name->text == name) return param;
+        return nullptr;
     }
 
     [[nodiscard]] std::string resultOf(const Value& value) const {
@@ -120,12 +146,17 @@ private:
         for (const Property& p : kind->properties)
             if (p.required) needed.push_back(p.name);
         if (!needed.empty()) hover.lines.push_back("Needs " + listText(needed, "and") + ".");
-        std::vector<std::string> parents = kind->parents;
-        std::replace(parents.begin(), parents.end(), std::string(), std::string("the top level"));
-        const bool top = parents.size() == 1 && parents.front() == "the top level";
-        if (!parents.empty()) hover.lines.push_back((top ? "Allowed at " : "Allowed in ") + listText(parents) + ".");
+        if (const std::string places = placesText(*kind); !places.empty()) hover.lines.push_back(places);
         if (!kind->module.empty()) hover.lines.push_back("From " + kind->module);
         return hover;
+    }
+
+    [[nodiscard]] static std::string placesText(const Kind& kind) {
+        std::vector<std::string> parents = allowedParents(kind);
+        if (parents.empty()) return {};
+        const bool top = std::erase(parents, std::string()) > 0;
+        if (parents.empty()) return "Allowed at the top level.";
+        return "Allowed in " + listText(parents) + (top ? ", and at the top level." : ".");
     }
 
     std::optional<Hover> param(const ParamItem& p) {

@@ -29,8 +29,6 @@ Q_SIGNALS:
     void textChanged();
 
 private:
-    void paintHint(QPainter& painter, const QSize& size) const;
-
     QString m_hint, m_hoverHint;
     std::string m_hovered;
 };

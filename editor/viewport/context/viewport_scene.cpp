@@ -13,15 +13,19 @@
 namespace trundle {
 namespace {
 
-/// Whether what has a name is in a Part, a Repeat or one of its members: "roller_3.rim" is in "roller" and in "roller_3".
-bool isNamedInside(std::string_view name, std::string_view part) {
-    for (; !part.empty(); part = withoutFirstWord(part), name = withoutFirstWord(name)) {
+/// What `part` has after the words of `name`, of which a member of a Repeat is named by that too: of "roller.rim" it is "rim"
+/// after "roller_3". Empty: what has the name is it, or in it. Nothing if it leads elsewhere.
+std::optional<std::string_view> restInside(std::string_view name, std::string_view part) {
+    for (; !part.empty() && !name.empty(); part = withoutFirstWord(part), name = withoutFirstWord(name)) {
         const std::string_view word = firstWord(name), wanted = firstWord(part);
         const std::optional<MemberName> member = memberName(word);
-        if (word != wanted && (!member || member->stem != wanted)) return false;
+        if (word != wanted && (!member || member->stem != wanted)) return std::nullopt;
     }
-    return true;
+    return part;
 }
+
+/// Whether what has a name is in a Part, a Repeat or one of its members: "roller_3.rim" is in "roller" and in "roller_3".
+bool isNamedInside(std::string_view name, std::string_view part) { return restInside(name, part) == std::string_view(); }
 
 /// True if the text has syntax errors; missing objects are then no sign of what the author intended.
 bool hasBrokenSyntax(const LoadedProject& loaded) {
@@ -166,8 +170,14 @@ void ViewportScene::addInside(const std::string& instance, std::string_view part
     const RobotSpec* robot = bodies ? &m_objects->experiment().robots[*bodies] : nullptr;
     const StaticSpec* fixed = object ? m_objects->staticOf(*object) : nullptr;
     if (part.empty()) return;
-    for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i)
-        if (isNamedInside(robot->config->bodies[i].name, part)) objects.push_back({ObjectKind::Body, *bodies, i});
+    for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i) {
+        const BodySpec& body = robot->config->bodies[i];
+        const std::optional<std::string_view> rest = restInside(body.name, part);
+        if (!rest) continue;
+        if (rest->empty()) objects.push_back({ObjectKind::Body, *bodies, i});
+        for (std::uint32_t k = 0; !rest->empty() && k < body.geoms.size(); ++k)
+            if (isNamedInside(body.geoms[k].name, *rest)) objects.push_back({ObjectKind::Geom, *bodies, i, k});
+    }
     for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
         if (isNamedInside((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
 }

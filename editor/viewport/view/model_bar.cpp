@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include "editor/document/document.h"
 #include "editor/widgets/actions.h"
@@ -20,15 +21,7 @@ ModelBar::ModelBar(const Document& document, Actions& actions, QWidget* parent)
     setBackgroundRole(QPalette::AlternateBase);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 4, 6, 4);
-    useFont(*m_title, [] {
-        QFont bold = interfaceFont();
-        bold.setWeight(QFont::DemiBold);
-        return bold;
-    });
-    m_detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_detail->setForegroundRole(QPalette::PlaceholderText);
-    row->addWidget(m_title);
-    row->addWidget(m_detail, 1);
+    addTexts(*row);
     const auto button = [&](const char* name, const char* action) {
         auto* made = new QPushButton;
         made->setObjectName(QLatin1String(name));
@@ -63,6 +56,23 @@ ModelBar::ModelBar(const Document& document, Actions& actions, QWidget* parent)
     showDriving();
 }
 
+/// Below each other, since the buttons leave little room.
+void ModelBar::addTexts(QHBoxLayout& row) {
+    useFont(*m_title, [] {
+        QFont bold = interfaceFont();
+        bold.setWeight(QFont::DemiBold);
+        return bold;
+    });
+    m_detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_detail->setWordWrap(true);
+    m_detail->setForegroundRole(QPalette::PlaceholderText);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(0);
+    texts->addWidget(m_title);
+    texts->addWidget(m_detail);
+    row.addLayout(texts, 1);
+}
+
 QString ModelBar::detail() const {
     const Part* config = m_document.editedModel().config();
     if (!config) return {};
@@ -82,11 +92,15 @@ void ModelBar::show() {
     fitDetail();
 }
 
-/// What does not fit beside the buttons ends in an ellipsis; the whole text is its tooltip.
+/// What does not fit into two lines beside the buttons ends in an ellipsis; the whole text is its tooltip.
 void ModelBar::fitDetail() {
-    if (isVisible()) layout()->activate();
     const QString whole = detail();
-    m_detail->setText(m_detail->fontMetrics().elidedText(whole, Qt::ElideRight, m_detail->width()));
+    m_detail->setVisible(!whole.isEmpty());
+    if (isVisible()) layout()->activate();
+    const QFontMetrics metrics = m_detail->fontMetrics();
+    const QSize needed = metrics.boundingRect(QRect(0, 0, m_detail->width(), 0), Qt::TextWordWrap, whole).size();
+    const bool fits = needed.height() <= 2 * metrics.lineSpacing() && needed.width() <= m_detail->width();
+    m_detail->setText(fits ? whole : metrics.elidedText(whole, Qt::ElideRight, m_detail->width()));
     m_detail->setToolTip(whole);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <QFrame>
 
+class QHBoxLayout;
 class QLabel;
 
 namespace trundle {
@@ -19,6 +20,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void addTexts(QHBoxLayout& row);
     void show();
     void fitDetail();
     [[nodiscard]] QString detail() const;

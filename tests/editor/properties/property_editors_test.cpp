@@ -53,6 +53,22 @@ private Q_SLOTS:
                  QStringLiteral("Between the wheels, in metres."));
     }
 
+    /// Reached through a robot, also one with a Part in a Part.
+    void aParamOfAPartHasTheHelpOfItsConfig() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(
+            "PartConfig Wheel { Param r = 0.1 { Help=\"of the tyre\" } Body wheel { Sphere s { Radius=$r Mass=1 } } }\n"
+            "PartConfig Side {\n  Param len = 0.3 { Help=\"distance of the axles\" }\n"
+            "  Body rail { Box b { Size=$len,0.1,0.1 Mass=1 } }\n  Part front { Config=Wheel }\n}\n"
+            "RobotConfig Kit { Part left { Config=Side } }\nRobot rover { Config=Kit Pos=0,0,1 }\n"));
+        const auto loaded = fixture.document.loaded();
+        QCOMPARE(paramHelp(*loaded, "rover.left.len"), QStringLiteral("distance of the axles"));
+        QCOMPARE(paramHelp(*loaded, "rover.left.front.r"), QStringLiteral("of the tyre"));
+        QCOMPARE(paramHelp(*loaded, "RobotConfig.Kit.left.len"), QStringLiteral("distance of the axles"));
+        QCOMPARE(paramHelp(*loaded, "RobotConfig.Kit.left.front.r"), QStringLiteral("of the tyre"));
+        QCOMPARE(paramHelp(*loaded, "rover.left.rail.len"), QString());
+    }
+
     void aDescribedParamHasItsHelpLimitsAndChoices() {
         PropertiesFixture fixture;
         QVERIFY(fixture.open("RobotConfig Kit {\n  Param r = 5 cm { Min=2 cm Max=20 cm Help=\"of the ball\" }\n"

@@ -78,6 +78,7 @@ private Q_SLOTS:
         hand.key(Qt::Key_E, Qt::ControlModifier);
         QCOMPARE(title(), QStringLiteral("Editing Rover"));
         QCOMPARE(detail(), QStringLiteral("Every edit changes all 2 instances"));
+        QCOMPARE(shownDetail(), detail()); // in two lines, as there is little room
         QCOMPARE(topRows(), QStringList{QStringLiteral("Rover")});
         QCOMPARE(selected(), QStringLiteral("RobotConfig.Rover"));
         QCOMPARE(shown(), QStringList({QStringLiteral("RobotConfig.Rover"), QStringLiteral("StaticConfig.TrundlePreviewFloor")}));
@@ -315,9 +316,11 @@ private:
         auto* bar = m_window->findChild<QWidget*>(QStringLiteral("modelBar"));
         return bar->isVisible() ? bar->findChildren<QLabel*>().at(0)->text() : QString();
     }
-    QString detail() const {
-        return m_window->findChild<QWidget*>(QStringLiteral("modelBar"))->findChildren<QLabel*>().at(1)->toolTip();
+    const QLabel& detailLabel() const {
+        return *m_window->findChild<QWidget*>(QStringLiteral("modelBar"))->findChildren<QLabel*>().at(1);
     }
+    QString detail() const { return detailLabel().toolTip(); }
+    QString shownDetail() const { return detailLabel().text(); }
     QString selected() const { return QString::fromStdString(m_window->selection().current()); }
     QStringList topRows() const {
         auto* model = m_window->findChild<OutlineView*>()->model();

@@ -90,7 +90,7 @@ private:
     /// Clicks a random row of the tree for which `fits` is true. False if there is none.
     bool selectObject(const std::function<bool(const std::string& path)>& fits = {});
     bool selectRobot();
-    bool dragHandle(const char* tool, Handle handle);
+    bool dragHandle(const char* tool, GizmoHandle handle);
     void trigger(const char* action);
     void mouse(QWidget& on, int type, const QPointF& at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {});
     void choose(QMenu& menu, bool deep);

@@ -25,7 +25,7 @@ void RandomUser::mouse(QWidget& on, int type, const QPointF& at, Qt::MouseButton
     QApplication::sendEvent(&on, &event);
 }
 
-bool RandomUser::dragHandle(const char* tool, Handle handle) {
+bool RandomUser::dragHandle(const char* tool, GizmoHandle handle) {
     trigger(tool);
     const auto spot = view().tools().gizmo().spot(handle);
     if (!spot || !view().rect().contains(spot->toPoint())) return false;
@@ -52,17 +52,17 @@ bool RandomUser::dragHandle(const char* tool, Handle handle) {
 void RandomUser::moveByGizmo() {
     const bool any = below(3) == 0;
     if (any ? !selectObject() : !selectRobot()) return;
-    if (below(4)) dragHandle("tool.move", {Handle::Kind::Axis, int(below(3))});
-    else dragHandle("tool.move", {Handle::Kind::Plane, int(below(3))});
+    if (below(4)) dragHandle("tool.move", {GizmoHandle::Kind::Axis, int(below(3))});
+    else dragHandle("tool.move", {GizmoHandle::Kind::Plane, int(below(3))});
 }
 
 void RandomUser::rotateByGizmo() {
-    if (selectRobot()) dragHandle("tool.rotate", {Handle::Kind::Ring, int(below(3))});
+    if (selectRobot()) dragHandle("tool.rotate", {GizmoHandle::Kind::Ring, int(below(3))});
 }
 
 void RandomUser::sizeByGizmo() {
     for (int tries = 0; tries < 4 && selectObject(); ++tries)
-        if (dragHandle("tool.scale", {Handle::Kind::Size, int(below(3))})) return;
+        if (dragHandle("tool.scale", {GizmoHandle::Kind::Size, int(below(3))})) return;
 }
 
 void RandomUser::nudge() {
@@ -183,7 +183,7 @@ void RandomUser::runAndPause() {
         },
         "a run to go on");
     if (below(2) && session.state() == RunState::Running) { // an edit during the run
-        if (selectRobot()) dragHandle("tool.move", {Handle::Kind::Axis, 0});
+        if (selectRobot()) dragHandle("tool.move", {GizmoHandle::Kind::Axis, 0});
     }
     trigger("sim.pause");
     waitForRun();

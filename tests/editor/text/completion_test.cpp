@@ -100,6 +100,7 @@ private Q_SLOTS:
     void bestFirst();
     void offersOwnUnitFirst();
     void everyPlaceOfABrokenTextIsSafe();
+    void ofVeryManyPartsTheTypedOneIsListed();
 
 private:
     Texts m_texts;
@@ -166,6 +167,39 @@ void CompletionTest::lists_data() {
         "a b world", "r_0.b");
     row("bodies in a Repeat, from outside", "RobotConfig A { Body a { } Repeat r { Count=2 Body b { } }\n Hinge h { Parent=| } }",
         "a r_0.b", "b");
+    const std::string corner = "PartConfig Wheel { Body wheel { Sphere tyre { Radius=0.1 Mass=1 } } Hinge axle { Parent=$carrier "
+                               "Child=wheel Axis=0,1,0 } RotaryMotor motor { Joint=axle TorqueConstant=0.02 SpeedConstant=50 "
+                               "Resistance=2 MaxVoltage=12 } }\n"
+                               "PartConfig Side { Body rail { Mass=1 Inertia=1,1,1 } Part front { Config=Wheel carrier=rail }\n"
+                               "Repeat lamp { Count=2 Body bulb { Mass=1 } } ";
+    const auto inSide = [&](const char* name, const char* text, const char* has, const char* hasNot) {
+        row(name, (corner + text).c_str(), has, hasNot);
+    };
+    inSide("what is in a Part", "Hinge h { Parent=| } }", "rail lamp_0.bulb world front.wheel", "wheel front front.axle h");
+    inSide("begun in a Part", "Hinge h { Parent=front.| } }", "wheel", "rail front.wheel axle");
+    inSide("a geom in a Part", "TouchSensor t { Geom=front.| } }", "wheel.tyre", "wheel");
+    inSide("of a member that is typed", "Hinge h { Parent=lamp_1.| } }", "bulb", "rail");
+    inSide("what a Part counts from", "Part rear { Config=Wheel In=| } }", "rail front.wheel", "wheel rear.wheel");
+    inSide("what a value set in a Part names", "Part rear { Config=Wheel axle.Parent=| } }", "rail front.wheel wheel", "axle");
+    inSide("motors of Parts", "} RobotConfig R { Part left { Config=Side }\n SkidDrive d { LeftMotors=left.front.motor,| } }",
+           "left.front.motor", "left.front.axle d");
+    inSide("motors behind a dot", "} RobotConfig R { Part left { Config=Side }\n SkidDrive d { LeftMotors=left.| } }",
+           "front.motor", "front.axle");
+    inSide("Parts of Parts behind a dot",
+           "} RobotConfig R { Part left { Config=Side }\n SkidDrive d { LeftMotors=left.front.| } }", "motor", "axle");
+    inSide("Parts of a variant", "} RobotConfig R { Part left { Config=Side } }\nRobotConfig V { Config=R Hinge h { Parent=| } }",
+           "left.rail left.front.wheel", "rail");
+    inSide("signals in Parts",
+           "} RobotConfig R { Part left { Config=Side } }\nRobot rover { Config=R }\nSignalLog l { "
+           "Signals=\"rover/left.front.mo|\" }",
+           "rover/left.front.motor/current", "rover/left.front/current");
+    inSide(
+        "signals in Parts of a robot that is typed",
+        "} RobotConfig R { Part left { Config=Side } }\nRobot rover { Config=R }\nSignalLog l { Signals=rover/left.front.mo| }",
+        "motor/current", "");
+    inSide("of a joint between robots",
+           "} RobotConfig R { Part left { Config=Side } }\nRobot rover { Config=R }\nHinge h { Parent=rover.left.| }",
+           "rail front.wheel lamp_0.bulb", "wheel");
     row("in an expression", "Param a = 2\nTick = $(a*|)", "a sqrt sin pi", "$a Tick");
     row("a Param among values", "Param a = 2\nDuration = |", "$a", "");
     row("files to import", "#import |", "parts.sim walls/maze.sim", "main.sim floor.png");
@@ -275,6 +309,23 @@ void CompletionTest::everyPlaceOfABrokenTextIsSafe() {
     const QString text =
         QStringLiteral("#import \n#loadModule x\nParam a = $(\nRobot r { Config=  leftMotor. \"x\n  Pos=1,,2 $ # } }\n/* ");
     for (qsizetype i = 0; i <= text.size(); ++i) (void)m_texts.at(QString(text).insert(i, QLatin1Char('|')));
+}
+
+void CompletionTest::ofVeryManyPartsTheTypedOneIsListed() {
+    QString text = QStringLiteral("PartConfig Wheel { Body wheel { Mass=1 } }\nPartConfig Many {\n");
+    for (int i = 0; i < 1000; ++i) text += QStringLiteral("Part w%1 { Config=Wheel }\n").arg(i);
+    text += QStringLiteral("}\nRobotConfig R {\n");
+    for (int i = 0; i < 1000; ++i) text += QStringLiteral("Part m%1 { Config=Many }\n").arg(i);
+    const QString log = QStringLiteral(" }\nRobot rover { Config=R }\nSignalLog l { Signals=");
+    const Listed all = m_texts.at(text + QStringLiteral("Body own { } Hinge h { Parent=| }") + log);
+    QVERIFY(all.labels.contains(QStringLiteral("own")) && all.labels.contains(QStringLiteral("m0.w0.wheel")));
+    QVERIFY2(all.labels.size() < 5000, qPrintable(QString::number(all.labels.size()))); // of a million
+    const Listed typed = m_texts.at(text + QStringLiteral("Hinge h { Parent=m999.w999.| }") + log);
+    QCOMPARE(typed.labels, QStringList{QStringLiteral("wheel")});
+    text.replace(QStringLiteral("Body wheel { Mass=1 }"), QStringLiteral("Body wheel { Mass=1 } Imu imu { Body=wheel }"));
+    const Listed quoted = m_texts.at(text + log + QStringLiteral("\"rover/m999.w999.|\""));
+    QVERIFY(
+        std::ranges::any_of(quoted.labels, [](const QString& l) { return l.startsWith(QLatin1String("rover/m999.w999.imu/")); }));
 }
 
 QTEST_GUILESS_MAIN(CompletionTest)

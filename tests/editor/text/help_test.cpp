@@ -30,6 +30,8 @@ private Q_SLOTS:
     void problemsAreMarked();
     void hovers_data();
     void hovers();
+    void aHoverSaysAllPlacesOfAKind();
+    void aHoverSaysThatEveryPartGivesAParam();
     void goesToDefinitions_data();
     void goesToDefinitions();
     void listsUses();
@@ -271,6 +273,41 @@ void HelpTest::hovers() {
     QVERIFY(at >= 0);
     const std::string html = hoverHtml(hoverAt(*w.document.loaded(), file, static_cast<std::uint32_t>(at)), {});
     for (const QString& s : says) QVERIFY2(QString::fromStdString(html).contains(s), html.c_str());
+}
+
+static QString hoverOf(TextFixture& w, const QByteArray& text, const char* word) {
+    w.open(w.write("a.sim", text));
+    const qsizetype at = text.indexOf(word);
+    if (at < 0) qFatal("no such word: %s", word);
+    return QString::fromStdString(hoverHtml(hoverAt(*w.document.loaded(), 0, static_cast<std::uint32_t>(at)), {}));
+}
+
+void HelpTest::aHoverSaysAllPlacesOfAKind() {
+    TextFixture w;
+    const QByteArray text = "RobotConfig A { Body b { Mass=1 }\n Imu g { Body=b } }\nPoseLog l { Robot=\"*\" }\n";
+    const QString device = hoverOf(w, text, "Imu");
+    QVERIFY2(device.contains(QStringLiteral("Allowed in RobotConfig, StaticConfig, PartConfig, Repeat or Ring.")),
+             qPrintable(device));
+    const QString log = hoverOf(w, text, "PoseLog");
+    QVERIFY2(log.contains(QStringLiteral("Allowed in Repeat or Ring, and at the top level.")), qPrintable(log));
+    const QString config = hoverOf(w, text, "RobotConfig");
+    QVERIFY2(config.contains(QStringLiteral("Allowed at the top level.")), qPrintable(config));
+}
+
+void HelpTest::aHoverSaysThatEveryPartGivesAParam() {
+    const QByteArray text = "PartConfig Wheel { Body wheel { Mass=1 } Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0 } }\n"
+                            "PartConfig Side { Body rail { Mass=1 } Part front { Config=Wheel carrier=rail }\n"
+                            "  Part rear { Config=Wheel carrier=$hull } }\n"
+                            "RobotConfig R { Body box { Mass=1 } Part left { Config=Side hull=box rear.carrier=box } }\n"
+                            "Robot r { Config=R left.hull=box left.front.carrier=box }\n";
+    TextFixture w;
+    for (const char* word :
+         {"$carrier", "carrier=rail", "carrier=$hull", "$hull", "hull=box", "carrier=box", "hull=box left.front"}) {
+        const QString shown = hoverOf(w, text, word);
+        QVERIFY2(shown.contains(QStringLiteral("Every Part gives it")),
+                 qPrintable(QLatin1String(word) + QLatin1String(": ") + shown));
+        QVERIFY2(!shown.contains(QStringLiteral("has no value")), qPrintable(shown));
+    }
 }
 
 void HelpTest::goesToDefinitions_data() {

@@ -1,0 +1,134 @@
+// Which rows an object has, what they offer, and how their texts fit into a narrow panel.
+#include "properties_fixture.h"
+
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
+#include <QToolButton>
+
+using namespace trundle;
+
+namespace {
+
+const std::string kNested = R"(
+PartConfig DrivenWheel { Body wheel { Sphere tyre { Radius=0.05 Mass=0.1 } } Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0 }
+  RotaryMotor motor { Joint=axle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 MaxVoltage=12 } }
+PartConfig Side { Body rail { Box bar { Size=0.2,0.02,0.02 Mass=0.2 } } Fixed bolt { Parent=$hull Child=rail }
+  Repeat lamp { Count=2 Body bulb { Sphere glass { Radius=0.01 Mass=0.01 } } Body cap { Sphere top { Radius=0.01 Mass=0.01 } } }
+  Part front { Config=DrivenWheel Pos=0.1,0,0 carrier=rail } }
+RobotConfig Kit { Body hull { Box box { Size=0.1,0.1,0.1 Mass=1 } Ring bolts { Count=3 Radius=0.1 Sphere head { Radius=0.01 Mass=0.1 } } }
+  Body mast { In=hull Box pole { Size=0.1,0.1,0.1 Mass=1 } }
+  Part left { Config=Side Pos=0,0.3,0 hull=hull } Part right { Config=Side Pos=0,-0.3,0 hull=hull } }
+RobotConfig Tall { Config=Kit Body flag { Box cloth { Size=0.1,0.1,0.1 Mass=1 } } }
+Robot rover { Config=Kit left.front.motor.Resistance=3 }
+Robot tall { Config=Tall Pos=0,2,0 }
+Ring fence { Count=4 Radius=3 Robot post { Config=Rover } }
+)";
+
+} // namespace
+
+class PropertyRowsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, ThemeKind::Light); }
+
+    /// In names a body beside the object; where there can be none, there is no such row.
+    void inOffersTheBodiesBesideAnObject_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("names"); // "none": no row
+        QTest::newRow("geoms of a body") << "rover.hull.bolts"
+                                         << "none";
+        QTest::newRow("the same in the config") << "RobotConfig.Kit.hull.bolts"
+                                                << "none";
+        QTest::newRow("at the top level") << "fence"
+                                          << "none";
+        QTest::newRow("a body")
+            << "RobotConfig.Kit.mast"
+            << "hull left.rail left.lamp_0.bulb left.lamp_0.cap left.front.wheel right.rail right.lamp_0.bulb "
+               "right.lamp_0.cap right.front.wheel";
+        QTest::newRow("a Part, without what is in it")
+            << "RobotConfig.Kit.left"
+            << "hull mast right.rail right.lamp_0.bulb right.lamp_0.cap right.front.wheel";
+        QTest::newRow("a body in a Part") << "rover.right.rail"
+                                          << "lamp_0.bulb lamp_0.cap front.wheel";
+        QTest::newRow("a Part in a Part") << "rover.right.front"
+                                          << "rail lamp_0.bulb lamp_0.cap";
+        QTest::newRow("a Repeat in a Part") << "rover.right.lamp"
+                                            << "rail front.wheel";
+        QTest::newRow("in a Repeat") << "rover.right.lamp.bulb"
+                                     << "cap";
+        QTest::newRow("of a variant's base") << "tall.mast"
+                                             << "hull left.rail left.lamp_0.bulb left.lamp_0.cap left.front.wheel right.rail "
+                                                "right.lamp_0.bulb right.lamp_0.cap right.front.wheel flag";
+    }
+    void inOffersTheBodiesBesideAnObject() {
+        QFETCH(QString, path);
+        QFETCH(QString, names);
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(kNested));
+        QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
+        fixture.selection.select(path.toStdString());
+        QVERIFY(fixture.row("Pos"));
+        QCOMPARE(!fixture.row("In"), names == QStringLiteral("none"));
+        if (!fixture.row("In")) return;
+        const auto* pick = fixture.field<QToolButton>("In", "pick");
+        Q_EMIT pick->menu()->aboutToShow();
+        const std::string before = fixture.text();
+        QStringList offered;
+        for (const QAction* action : pick->menu()->actions()) offered << action->text();
+        QCOMPARE(offered.join(QLatin1Char(' ')), names);
+        pick->menu()->actions().constLast()->trigger();
+        QVERIFY(fixture.text() != before);
+        QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
+    }
+
+    /// A faulty value is still shown, so that it can be taken out.
+    void aRefusedInHasARow() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(replaced(kNested, "Ring fence { ", "Ring fence { In=rover.hull ")));
+        fixture.selection.select("fence");
+        QCOMPARE(fixture.shown("In"), QStringLiteral("rover.hull"));
+    }
+
+    /// Of a long path the object stays readable, above the key.
+    void aLongPathHasTwoLines() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(kNested));
+        fixture.selection.select("rover");
+        fixture.picture("long_path");
+        QTextDocument shown;
+        shown.setHtml(fixture.field<QLabel>("override.left.front.motor.Resistance", "label")->text());
+        QCOMPARE(shown.toPlainText(), QStringLiteral("left.front.motor\nResistance"));
+        const QString tip = fixture.field<QLabel>("override.left.front.motor.Resistance", "label")->toolTip();
+        QVERIFY2(tip.startsWith(QStringLiteral("left.front.motor.Resistance")), qPrintable(tip));
+    }
+
+    /// Where the words below an overridden value wrap, the next line begins without a gap.
+    void wrappedLinksBeginWithoutAGap() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(kNested));
+        fixture.selection.select("rover.left.front.motor");
+        QTextDocument words;
+        words.setHtml(fixture.field<QLabel>("Resistance", "override")->text());
+        for (int width = 40; width < 400; width += 4) {
+            words.setTextWidth(width);
+            const QTextBlock block = words.begin();
+            for (int i = 0; i < block.layout()->lineCount(); ++i) {
+                const QString line = block.text().mid(block.layout()->lineAt(i).textStart());
+                QVERIFY2(!line.startsWith(QChar(QChar::Nbsp)) && !line.startsWith(QLatin1Char(' ')), qPrintable(line));
+            }
+        }
+    }
+
+    /// Helps are shown as plain text.
+    void helpsHaveNoMarkup() {
+        const FixtureApplication application;
+        for (const Kind* kind : application.builtIn()->all()) {
+            QVERIFY2(kind->help.find('`') == std::string::npos, kind->help.c_str());
+            for (const Property& p : kind->properties) QVERIFY2(p.help.find('`') == std::string::npos, p.help.c_str());
+        }
+    }
+};
+
+QTEST_MAIN(PropertyRowsTest)
+#include "property_rows_test.moc"
