@@ -31,7 +31,7 @@ void Parser::run() {
     m_report.clear();
     m_tree->m_items.clear();
     m_checks.checkBytes();
-    if (m_checks.isUtf16()) return;
+    if (m_checks.isUtf16() || m_checks.isOtherLanguage()) return;
     m_items.items(m_tree->m_items, 0);
     m_checks.checkTokens();
 }

@@ -66,8 +66,7 @@ std::pair<std::string, TextRange> DirectiveParser::path(TextRange directive) {
         return {path, r};
     }
     if (path.back() == ';') {
-        Diagnostic& d = error(Code::UnexpectedText, {r.end - 1, r.end}, "no `;` is needed");
-        fix(d, "remove `;`", {edit({r.end - 1, r.end}, "")});
+        m_report.semicolon({r.end - 1, r.end});
         path.pop_back();
         return {path, {r.begin, r.end - 1}};
     }

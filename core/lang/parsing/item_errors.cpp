@@ -1,6 +1,7 @@
 #include "lang/parsing/item_errors.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lang/characters.h"
 #include "lang/parsing/brace_balance.h"
@@ -34,8 +35,8 @@ bool ItemErrors::restOfComment() {
 }
 
 void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
-    if (restOfComment() || quotedName(out, depth) || nameThatBeginsWithDigit(out, depth) || paramWithoutName() ||
-        missingEquals(out) || blockInBrackets(out, depth) || nameWithSigns(out, depth) || wordBeforeAssignment() ||
+    if (restOfComment() || importWithoutSign() || quotedName(out, depth) || nameThatBeginsWithDigit(out, depth) || paramWithoutName() ||
+        missingEquals(out) || blockInBrackets(out, depth) || nameWithSigns(out, depth) || wordBeforeAssignment(out, depth) ||
         nameOfTwoWords(out, depth) || missingBrace(out, depth))
         return;
     const std::string word(text());
@@ -46,6 +47,19 @@ void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
           named ? "`{` expected after `" + shortened(what) + "`" : "`=` or `{` expected after `" + shortened(what) + "`");
     if (named) advance();
     skipLine();
+}
+
+/// `include "robot.sim"`, `from x import y`.
+bool ItemErrors::importWithoutSign() {
+    constexpr std::array kImports{"include", "import", "from", "using", "require", "source"};
+    if (std::ranges::find(kImports, text()) == kImports.end() || newLine(1)) return false;
+    if (kind(1) != TokenKind::String && kind(1) != TokenKind::Word) return false;
+    if (kind(1) == TokenKind::Word && !newLine(2) && (kind(2) == TokenKind::OpenBrace || kind(2) == TokenKind::Equals)) return false;
+    Diagnostic& d = error(Code::UnexpectedText, range(), "another file is taken in by #import and its path");
+    const bool isWhole = newLine(2) || kind(2) == TokenKind::End;
+    if (isWhole) fix(d, "#import", {edit(range(), "#import")});
+    skipLine();
+    return true;
 }
 
 /// `Robot "r" {`. This and the following functions return false if there is no such text here.
@@ -108,17 +122,20 @@ bool ItemErrors::missingEquals(std::vector<Item>& out) {
 }
 
 /// `double x = 5`.
-bool ItemErrors::wordBeforeAssignment() {
+/// `let r = 3`, `double tick = 0.01`.
+bool ItemErrors::wordBeforeAssignment(std::vector<Item>& out, int depth) {
     if (kind(1) != TokenKind::Word || newLine(1) || !(kind(2) == TokenKind::Equals || wrongEquals(2))) return false;
     const std::string word(text());
     Diagnostic& d =
         error(Code::UnexpectedText, range(), "`" + word + "` does not belong before `" + std::string(text(1)) + " =`");
-    if (word == "param" || word == "PARAM" || word == "var" || word == "let" || word == "const") {
+    constexpr std::array kDeclares{"param", "PARAM", "var", "let", "const", "auto", "def"}; // a type may stand before a setting too
+    if (std::ranges::find(kDeclares, word) != kDeclares.end()) {
         d.suggestions = {"Param"};
         fix(d, "Param", {edit(range(), "Param")});
-    } else {
-        fix(d, "remove `" + word + "`", {edit({range().begin, range(1).begin}, "")});
+        m_grammar.param(out, depth);
+        return true;
     }
+    fix(d, "remove `" + word + "`", {edit({range().begin, range(1).begin}, "")});
     advance();
     return true;
 }
@@ -268,8 +285,7 @@ bool ItemErrors::explainUnexpected() {
     }
     if (kind() != TokenKind::Unknown) return false;
     if (sign == ";") {
-        Diagnostic& d = error(Code::UnexpectedText, range(), "no `;` is needed");
-        fix(d, "remove `;`", {edit(range(), "")});
+        m_report.semicolon(range());
     } else if (sign == "*/") {
         error(Code::UnclosedComment, range(), "`*/` without `/*`; comments do not nest");
     } else if (sign[0] == '#') {

@@ -13,6 +13,8 @@ public:
     /// `Type {`, with `extra` tokens before the brace: a name, or unexpected tokens that were already reported.
     virtual void block(std::vector<Item>& out, int depth, std::size_t extra) = 0;
     virtual void blockBody(BlockItem& block, int depth) = 0;
+    /// `Param name = value`, with whatever word in place of `Param`.
+    virtual void param(std::vector<Item>& out, int depth) = 0;
     /// Skips to the `}` of a block whose `{` has been consumed, without parsing its content.
     virtual void skipBlockBody() = 0;
     [[nodiscard]] virtual Value value(std::string_view key, TextRange keyRange, TextRange equals) = 0;
@@ -39,7 +41,8 @@ private:
     [[nodiscard]] bool nameThatBeginsWithDigit(std::vector<Item>& out, int depth);
     [[nodiscard]] bool paramWithoutName();
     [[nodiscard]] bool missingEquals(std::vector<Item>& out);
-    [[nodiscard]] bool wordBeforeAssignment();
+    [[nodiscard]] bool wordBeforeAssignment(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool importWithoutSign();
     [[nodiscard]] bool nameOfTwoWords(std::vector<Item>& out, int depth);
     [[nodiscard]] bool missingBrace(std::vector<Item>& out, int depth);
     [[nodiscard]] bool explainUnexpected();

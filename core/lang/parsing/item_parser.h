@@ -31,7 +31,7 @@ private:
     void rejectReserved(const Name& name, std::string_view use) override;
     void item(std::vector<Item>& out, int depth);
     void assignment(std::vector<Item>& out);
-    void param(std::vector<Item>& out, int depth);
+    void param(std::vector<Item>& out, int depth) override;
     void description(ParamItem& param, int indent, int depth);
 
     BraceBalance& m_balance;

@@ -26,6 +26,25 @@ void TextChecks::checkTokens() {
 
 bool TextChecks::isUtf16() const { return bytes().starts_with("\xFF\xFE") || bytes().starts_with("\xFE\xFF"); }
 
+bool TextChecks::isOtherLanguage() {
+    const std::string_view all = bytes();
+    constexpr std::string_view kBlanks = " \t\r\n";
+    const std::size_t first = all.find_first_not_of(kBlanks), last = all.find_last_not_of(kBlanks);
+    if (first == std::string_view::npos || last == first) return false;
+    const std::string_view text = all.substr(first, last + 1 - first);
+    const std::size_t second = text.find_first_not_of(kBlanks, 1);
+    const char* language = nullptr;
+    if (text[0] == '<' && text.back() == '>' && (isIdentStart(text[1]) || text[1] == '?' || text[1] == '!')) language = "an XML";
+    if ((text.starts_with('{') && text.back() == '}') || (text.starts_with('[') && text.back() == ']'))
+        if (text[second] == '"' || text[second] == '{') language = "a JSON";
+    if (text.starts_with("#VRML")) language = "a VRML";
+    if (!language) return false;
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    error(Code::UnexpectedText, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + std::min<std::size_t>(end, 40))},
+          std::string("this is ") + language + " file; here blocks are written as `Robot rover { Config=Rover Pos=0,0,0 }`");
+    return true;
+}
+
 void TextChecks::checkInvisible() {
     for (const std::uint32_t i : m_tokens.invisible()) {
         const TextRange r = m_tokens.all()[i].range;
