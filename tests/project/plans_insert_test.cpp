@@ -332,13 +332,110 @@ private Q_SLOTS:
         QCOMPARE(text("settings", ""), "");
     }
 
+    /// What is in Parts, members of Repeats and the base of a variant can be named as what is in the config itself.
+    void templatesFindWhatPartsHold_data() {
+        QTest::addColumn<QString>("config");
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("parent");
+        QTest::addColumn<QString>("text");
+        const std::string wheel =
+            "PartConfig LeftWheel {\n  Body body { HPR=10,0,0 Cylinder tyre { Radius=0.07 Length=0.02 HPR=0,0,90 Mass=1 } }\n"
+            "  Hinge axle { Parent=$carrier Child=body Axis=0,1,0 }\n"
+            "  RotaryMotor leftMotor { Joint=axle TorqueConstant=1 Resistance=1 MaxVoltage=12 BackEmfConstant=1 }\n}\n";
+        const std::string chassis = "  Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=1 } }\n";
+        const std::string parts = "  Part leftWheel { Config=LeftWheel carrier=chassis Pos=0,0.14,0.07 }\n"
+                                  "  Part rightWheel { Config=LeftWheel carrier=chassis Pos=0,-0.16,0.07 Mirror=y }\n";
+        const std::string kit = "RobotConfig Kit {\n" + parts + chassis + "}\n";
+        const auto row = [](const char* what, const std::string& config, const char* kind, const char* parent, const char* text) {
+            QTest::newRow(what) << QString::fromStdString(config) << kind << parent << text;
+        };
+        const char* const base =
+            "DifferentialDrive base { LeftMotor=leftWheel.leftMotor RightMotor=rightWheel.leftMotor WheelRadius=0.07 "
+            "WheelSeparation=0.3 }";
+        row("Parts", wheel + kit + "Robot r { Config=Kit }\n", "DifferentialDrive", "r", base);
+        row("no instance", wheel + kit, "DifferentialDrive", "RobotConfig.Kit", base);
+        row("selected Part", wheel + kit, "DifferentialDrive", "RobotConfig.Kit.leftWheel", base);
+        row("wheels set by the robot's config",
+            wheel + "RobotConfig Kit {\n" + chassis + parts +
+                "}\nRobotConfig Big { Config=Kit leftWheel.body.tyre.Radius=0.09 }\n",
+            "DifferentialDrive", "RobotConfig.Big",
+            "DifferentialDrive base { LeftMotor=leftWheel.leftMotor RightMotor=rightWheel.leftMotor WheelRadius=0.09 "
+            "WheelSeparation=0.3 }");
+        const std::string nested =
+            wheel +
+            "PartConfig Axle {\n  Part a { Config=LeftWheel carrier=$to Pos=0,-0.1,0 }\n  Part b { Config=LeftWheel "
+            "carrier=$to Pos=0,0.1,0 Mirror=y }\n}\nRobotConfig Kit {\n" +
+            chassis + "  Part axle { Config=Axle to=chassis HPR=180,0,0 Pos=0,1,0 }\n}\n";
+        row("nested, by the side of the wheel", nested, "DifferentialDrive", "RobotConfig.Kit",
+            "DifferentialDrive base { LeftMotor=axle.a.leftMotor RightMotor=axle.b.leftMotor WheelRadius=0.07 "
+            "WheelSeparation=0.2 "
+            "}");
+        const std::string repeat =
+            "RobotConfig Kit {\n" + chassis +
+            "  Repeat wheel { Count=2 Pos=0,$(0.1 - 0.25*index),0\n    Body b { Sphere s { Radius=0.05 Mass=1 } }\n    Hinge h { "
+            "Parent=chassis Child=b Axis=0,1,0 }\n    RotaryMotor m { Joint=h TorqueConstant=1 Resistance=1 MaxVoltage=12 "
+            "BackEmfConstant=1 }\n  }\n}\n";
+        row("members", repeat, "DifferentialDrive", "RobotConfig.Kit",
+            "DifferentialDrive base { LeftMotor=wheel_0.m RightMotor=wheel_1.m WheelRadius=0.05 WheelSeparation=0.25 }");
+        row("several motors of a side", repeat, "SkidDrive", "RobotConfig.Kit",
+            "SkidDrive skidDrive { LeftMotors=wheel_0.m RightMotors=wheel_1.m WheelRadius=0.05 WheelSeparation=0.25 }");
+        row("in a member", repeat, "Encoder", "RobotConfig.Kit.wheel", "Encoder encoder { Joint=h }");
+        row("around a member", repeat, "Transceiver", "RobotConfig.Kit.wheel", "Transceiver transceiver { Body=b }");
+        row("joint of a member", repeat, "Encoder", "RobotConfig.Kit", "Encoder encoder { Joint=wheel_0.h }");
+        const std::string counted =
+            repeat.substr(0, repeat.size() - 2) + "  Encoder one { Joint=wheel_0.h }\n}\nRobotConfig More { Config=Kit }\n";
+        row("the next free joint, of a variant's base", counted, "Encoder", "RobotConfig.More",
+            "Encoder encoder { Joint=wheel_1.h }");
+        const std::string touch = wheel + "RobotConfig Kit {\n" + chassis + parts + "  TouchSensor t { Geom=chassis.hull }\n}\n";
+        row("touch sensor", touch, "TouchSensor", "RobotConfig.Kit", "TouchSensor touchSensor { Geom=leftWheel.body.tyre }");
+        row("body of the config first", wheel + kit, "Transceiver", "RobotConfig.Kit",
+            "Transceiver transceiver { Body=chassis }");
+        row("a free body of a Part",
+            "PartConfig Arm { Body link { Box b { Size=1,1,1 Mass=1 } } }\nRobotConfig Kit {\n" + chassis +
+                "  Part arm { Config=Arm }\n}\n",
+            "Hinge", "RobotConfig.Kit", "Hinge hinge { Parent=chassis Child=arm.link }");
+    }
+    void templatesFindWhatPartsHold() {
+        QFETCH(QString, config);
+        QFETCH(QString, kind);
+        QFETCH(QString, parent);
+        QFETCH(QString, text);
+        const auto loaded = m_fixture.open(config.toStdString());
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+        const std::string block = templateOf(*loaded, *loaded->registry->find(kind.toStdString()), parent.toStdString());
+        QCOMPARE(QString::fromStdString(block), text);
+        const auto plan = planInsert(*loaded, parent.toStdString(), block);
+        QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().message.c_str());
+        const auto again = m_fixture.apply(loaded, plan);
+        QVERIFY2(newErrors(*loaded, *again).empty(), sample::messages(*again).c_str());
+    }
+
+    /// Motors that a robot lacks come with wheels of their own.
+    void drivesDoNotPinTheRobot() {
+        const std::string motor =
+            "  RotaryMotor m { Joint=axle TorqueConstant=1 Resistance=1 MaxVoltage=12 BackEmfConstant=1 }\n}\n";
+        const std::string driven = std::string(kCart, std::string(kCart).rfind('}')) + motor;
+        const std::string one = "RobotConfig Cart {\n  Body chassis { Box hull { Size=1,1,1 Mass=1 } }\n}\n";
+        const std::string loose = "RobotConfig Cart { Body b { Mass=1 Box x { Size=1,1,1 } } }\n";
+        for (const std::string& config : {driven, one, loose}) {
+            const auto loaded = m_fixture.open(config + "Robot r { Config=Cart }\n");
+            const std::string block = templateOf(*loaded, *loaded->registry->find("DifferentialDrive"), "r");
+            QVERIFY2(block.find("world") == std::string::npos, block.c_str());
+            const auto again = m_fixture.apply(loaded, planInsert(*loaded, "r", block));
+            QVERIFY2(again && newErrors(*loaded, *again).empty(), block.c_str());
+            const auto& joints = again->experiment->robots.at(0).config->joints;
+            QCOMPARE(joints.size(), std::size_t{2});
+            for (const JointSpec& joint : joints) QVERIFY2(joint.parent >= 0, block.c_str());
+            QVERIFY2(joints[0].child != joints[1].child, block.c_str());
+        }
+    }
+
     void copiesComments() {
         sample::PlanFixture fixture;
         const auto loaded = fixture.open("Tick = 0.01\n");
-        QCOMPARE(
-            fixture.text(loaded, planInsert(*loaded, "",
-                                            "// mine\r\nMaterial red { } // hot\n\n/* cold */ Material blue { }\n// the end\n")),
-            "Tick = 0.01\n// mine\nMaterial red { } // hot\n/* cold */ Material blue { }\n// the end\n");
+        const std::string pasted = "// mine\r\nMaterial red { } // hot\n\n/* cold */ Material blue { }\n// the end\n";
+        QCOMPARE(fixture.text(loaded, planInsert(*loaded, "", pasted)),
+                 "Tick = 0.01\n// mine\nMaterial red { } // hot\n/* cold */ Material blue { }\n// the end\n");
         const auto cut = fixture.open("Material red { } // hot\nMaterial blue { } // cold\n");
         QCOMPARE(fixture.text(cut, planRemove(*cut, {"Material.red"})), "Material blue { } // cold\n");
         QCOMPARE(textOf(*cut, {"Material.red"}), "Material red { } // hot\n");

@@ -65,8 +65,7 @@ bool PastedBlocks::leadsSomewhere(const LoadedProject& loaded, const Entry& entr
         return true;
     if (seen.pastedConfig) return blockNamed(*seen.pastedConfig, first);
     if (!seen.config || named(loaded, entry, property, first)) return true;
-    const Part* part = seen.config->find(first);
-    return part && (first.size() == word.size() || part->find(word.substr(first.size() + 1)));
+    return seen.config->findPath(word);
 }
 
 std::string PastedBlocks::missingIn(const LoadedProject& loaded, const Entry& entry, const BlockItem& block,

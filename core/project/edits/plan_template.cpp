@@ -2,13 +2,13 @@
 // and missing prerequisites are written before it.
 
 #include <array>
-#include <filesystem>
 #include <set>
 
-#include "base/units.h"
+#include "model/config_blocks.h"
 #include "project/edits/plan_targets.h"
 #include "project/edits/plans.h"
 #include "project/edits/template_position.h"
+#include "project/edits/template_values.h"
 #include "project/edits/template_wheels.h"
 #include "project/objects/object_names.h"
 #include "project/objects/part_values.h"
@@ -18,28 +18,7 @@ namespace trundle {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr int kMaxDeep = 4;       ///< depth of prerequisites: a motor needs a joint, which needs a body ...
-constexpr int kMaxEntries = 5000; ///< entries of folders searched for a file
-
-bool fitsChoice(const Part& part, const std::string& choice) {
-    return part.usable && part.kind && (choice == part.kind->name || choice == roleName(part.kind->role));
-}
-
-/// A number within the limits, of a typical size for its unit.
-double likelyNumber(const Property& p) {
-    double value = p.unit == "m" ? 0.1 : p.unit == "V" ? 12 : p.unit == "N m/A" || p.unit == "Nm/A" ? 0.05 : 1;
-    if (p.name.find("Separation") != std::string::npos) value = 0.3;
-    const auto low = [&](double v) { return v > p.minimum || (v == p.minimum && !p.minExclusive); };
-    const auto high = [&](double v) { return v < p.maximum || (v == p.maximum && !p.maxExclusive); };
-    if (low(value) && high(value)) return value;
-    const bool below = std::isfinite(p.minimum), above = std::isfinite(p.maximum);
-    if (below && above) value = p.minExclusive || p.maxExclusive ? (p.minimum + p.maximum) / 2 : p.minimum;
-    else if (below) value = p.minExclusive ? p.minimum + 1 : p.minimum;
-    else value = p.maxExclusive ? p.maximum - 1 : p.maximum;
-    return p.type == PropertyType::Integer ? std::floor(value) : value;
-}
+constexpr int kMaxDeep = 4; ///< depth of prerequisites: a motor needs a joint, which needs a body ...
 
 class Template {
 public:
@@ -50,10 +29,19 @@ public:
         m_chain.push_back(place->part);
         const bool isReached = place->instance && !place->instance->isPartUse() && m_chain.front() != place->instance;
         if (isReached) m_chain.insert(m_chain.begin(), place->instance);
-        if (place->part == place->instance)
+        if (place->part == place->instance && !place->part->isPartUse())
             if (const Part* config = configOf(loaded, *place->part)) m_chain.push_back(config);
-        for (const Part* part : m_chain)
-            if (part->is(Role::Config)) m_config = part;
+        for (std::size_t i = 1; i < m_chain.size();) { // what is added to a variant is written in it
+            const bool isBase = isVariant(*m_chain[i - 1]) && m_chain[i - 1]->config == m_chain[i];
+            if (isBase) m_chain.erase(m_chain.begin() + static_cast<std::ptrdiff_t>(i));
+            else ++i;
+        }
+        bool isInBody = false; // a Repeat there is one of geoms
+        for (const Part* part : m_chain) {
+            if (part->is(Role::Config)) m_config = part, m_repeats.clear();
+            isInBody = isInBody || part->is(Role::Body);
+            if (part->isRepeat() && m_config && !isInBody) m_repeats.push_back(part);
+        }
     }
 
     std::string write(const Kind& kind) {
@@ -150,14 +138,14 @@ private:
         if (kind.name == "Scatter" && p.name == "Area") return "-1,-1,1,1";
         if ((kind.role == Role::Layout || kind.role == Role::Repeat) && p.name == "Count") return "3";
         if (kind.role == Role::Layout && p.name == "Spacing") return "1";
-        if (kind.name == "DifferentialDrive" && p.type == PropertyType::Number)
-            if (const auto wheels = m_config ? wheelsOf(m_loaded, *m_config, m_motors[0], m_motors[1]) : std::nullopt)
+        if (inConfig() && (p.name == "WheelRadius" || p.name == "WheelSeparation"))
+            if (const auto wheels = wheelsOf(*inConfig(), m_motors[0], m_motors[1]))
                 return shortNumber(p.name == "WheelRadius" ? wheels->radius : wheels->separation);
         switch (p.type) {
         case PropertyType::Reference: return reference(kind, p, depth);
         case PropertyType::Boolean: return repeated(p, "false");
         case PropertyType::Choice: return repeated(p, p.choices.empty() ? "none" : p.choices.front());
-        case PropertyType::File: return repeated(p, file(p, name));
+        case PropertyType::File: return repeated(p, likelyFile(m_loaded, p, name));
         case PropertyType::Text: return repeated(p, kind.role == Role::Log && p.name.starts_with("Signal") ? signals() : name);
         default: return repeated(p, shortNumber(likelyNumber(p)));
         }
@@ -194,18 +182,20 @@ private:
         if (const NameSpace* space = kind ? referenceSpace(*m_loaded.outline, *kind) : nullptr) {
             for (const Part* part : space->all())
                 if (part->kind == kind && part->usable && sound(*part)) names.push_back(part->name);
-        } else if (m_config) {
-            for (const Part& part : m_config->parts) {
-                if (fitsChoice(part, choice)) names.push_back(part.name);
-                for (const Part& geom : part.parts)
-                    if (part.is(Role::Body) && fitsChoice(geom, choice)) names.push_back(part.name + "." + geom.name);
-            }
+        } else if (inConfig()) {
+            names = inConfig()->fitting(choice);
         }
         for (const auto& [made, name] : m_made) {
             if (made->name == choice || (!kind && choice == roleName(made->role))) names.push_back(name);
             if (made->role == Role::Body && (choice == "Geom" || choice == "Box")) names.push_back(name + ".box");
         }
         return names;
+    }
+
+    /// nullptr: the parent is in no config.
+    const TemplateNames* inConfig() const {
+        if (m_config && !m_inConfig) m_inConfig.emplace(m_loaded, *m_config, m_repeats);
+        return m_inConfig ? &*m_inConfig : nullptr;
     }
 
     /// Whether a Repeat in the config is for geoms without a body.
@@ -245,27 +235,31 @@ private:
     /// A RobotConfig needs a body to be usable.
     bool sound(const Part& part) const {
         if (part.kind->name == "PartConfig") return fitsPart(part);
-        return part.kind->name != "RobotConfig" ||
-               std::any_of(part.parts.begin(), part.parts.end(), [](const Part& p) { return p.usable && p.is(Role::Body); });
+        return part.kind->name != "RobotConfig" || !firstBody(part).empty();
     }
 
-    /// Whether a device of the same kind already uses the name.
-    bool usedBySame(const Kind& kind, const Property& p, const std::string& name) const {
-        if (!m_config) return false;
-        return std::any_of(m_config->parts.begin(), m_config->parts.end(), [&](const Part& part) {
-            const SourceAssignment* a = part.kind == &kind ? part.assignments.find(p.name) : nullptr;
-            return a && std::any_of(a->value->elements.begin(), a->value->elements.end(),
-                                    [&](const Element& e) { return e.text == name; });
-        });
+    std::string firstBody(const Part& config) const {
+        const auto own = std::ranges::find_if(config.parts, [](const Part& p) { return p.usable && p.is(Role::Body); });
+        if (own != config.parts.end()) return own->name;
+        const std::vector<std::string> bodies = TemplateNames(m_loaded, config, {}).fitting("Body");
+        return bodies.empty() ? std::string() : bodies.front();
     }
 
     std::string reference(const Kind& kind, const Property& p, int depth) {
         std::vector<std::string> all;
         for (const std::string& choice : p.choices)
             for (std::string& name : candidates(choice)) all.push_back(std::move(name));
-        const std::string side = p.name == "LeftMotor" ? "left" : p.name == "RightMotor" ? "right" : "";
-        std::stable_partition(all.begin(), all.end(), [&](const std::string& n) { return n.starts_with(side); });
-        std::stable_partition(all.begin(), all.end(), [&](const std::string& n) { return !usedBySame(kind, p, n); });
+        const TemplateNames* names = inConfig();
+        std::map<std::string, int> misfits;
+        for (const std::string& n : all) misfits.emplace(n, sideMisfit(names, p.name, n));
+        std::ranges::stable_sort(all, {}, [&](const std::string& n) { return misfits[n]; });
+        const auto isFree = [&](const std::string& n) { return !names || !names->isUsed(kind, p.name, n); };
+        const auto used = std::stable_partition(all.begin(), all.end(), isFree);
+        const bool isOfJoint = std::ranges::any_of(p.choices, [&](const std::string& choice) {
+            const Kind* chosen = m_loaded.registry->find(choice);
+            return chosen && chosen->role == Role::Joint;
+        });
+        if (depth > 0 && isOfJoint) all.erase(used, all.end()); // a second motor of a drive has a joint of its own
         std::erase_if(all, [&](const std::string& n) { return m_used.count({&kind, n}) > 0; });
         std::string text;
         for (std::uint32_t i = 0; i < std::max(p.minCount, 1u) && i < 1000; ++i) {
@@ -274,8 +268,10 @@ private:
             m_used.emplace(&kind, name);
             text += (text.empty() ? "" : ",") + name;
         }
-        if (p.name == "LeftMotor") m_motors[0] = text;
-        if (p.name == "RightMotor") m_motors[1] = text;
+        if (std::ranges::count(p.choices, "RotaryMotor") > 0)
+            for (const std::size_t side : {0, 1})
+                if (m_motors[side].empty() && p.name.find(side == 0 ? "Left" : "Right") != std::string::npos)
+                    m_motors[side] = text.substr(0, text.find(','));
         return text;
     }
 
@@ -304,18 +300,34 @@ private:
     std::string ends(int depth) {
         if (!m_config) return endsBetweenRobots(depth);
         std::vector<std::string> bodies = candidates("Body");
-        std::string child, parent = "world";
         if (bodies.empty()) bodies.push_back(block(*m_loaded.registry->find("Body"), depth + 1));
-        for (std::size_t i = bodies.size(); i-- > 0 && child.empty();)
-            if (i > 0 && !isChild(bodies[i])) child = bodies[i];
-        if (child.empty() && !m_made.empty() && m_made.back().first->role == Role::Body) child = m_made.back().second;
-        if (child.empty() && (bodies.size() > 1 || isChild(bodies.front())))
-            child = block(*m_loaded.registry->find("Body"), depth + 1);
-        if (child.empty()) child = bodies.front();
+        const bool isAlone = bodies.size() == 1 && !isChild(bodies.front()) && m_repeats.empty();
+        const bool mayPin = depth == 0 || isScenery(); // a robot is not pinned to the world for a motor that it lacks
+        std::string child = freeBody(bodies);
+        if (child.empty()) child = isAlone && mayPin ? bodies.front() : block(*m_loaded.registry->find("Body"), depth + 1);
         m_children.push_back(child);
+        std::string parent = "world";
         for (const std::string& body : bodies)
-            if (body != child && parent == "world") parent = body;
+            if (body != child && (parent == "world" || (isInside(parent) && !isInside(body)))) parent = body;
         return " Parent=" + parent + " Child=" + child;
+    }
+    /// The last body that is no child of a joint, in as few Parts as there is one: not the first one of a config, which carries its
+    /// pose, and in a Repeat one of a member, since it can be the child of one joint only.
+    std::string freeBody(const std::vector<std::string>& bodies) const {
+        std::string found;
+        int least = 0;
+        for (std::size_t i = bodies.size(); i-- > (m_repeats.empty() ? 1 : 0);) {
+            const NamedBlock* block = inConfig()->find(bodies[i]);
+            const int depth = block ? block->depth : 0;
+            if (isChild(bodies[i]) || !isInside(bodies[i]) || (!found.empty() && depth >= least)) continue;
+            found = bodies[i];
+            least = depth;
+        }
+        return found;
+    }
+    bool isInside(const std::string& body) const {
+        const NamedBlock* block = inConfig()->find(body);
+        return !block || inConfig()->isInside(*block);
     }
     /// The same at the top level: bodies of the last two robots.
     std::string endsBetweenRobots(int depth) {
@@ -323,11 +335,8 @@ private:
         for (const Part* part : m_loaded.outline->world.all()) {
             const Part* config =
                 isPlaced(*part) && part->usable && part->kind->name != "Static" ? configOf(m_loaded, *part) : nullptr;
-            const auto first =
-                config ? std::ranges::find_if(config->parts, [](const Part& p) { return p.usable && p.is(Role::Body); })
-                       : std::vector<Part>::const_iterator();
-            if (config && first != config->parts.end())
-                bodies.push_back(part->name + (part->is(Role::Layout) ? "_0." : ".") + first->name);
+            const std::string first = config ? firstBody(*config) : std::string();
+            if (!first.empty()) bodies.push_back(part->name + (part->is(Role::Layout) ? "_0." : ".") + first);
         }
         if (bodies.empty()) bodies.push_back(block(*m_loaded.registry->find("Robot"), depth + 1) + ".chassis");
         const std::string child = bodies.back();
@@ -335,11 +344,7 @@ private:
     }
     /// Of a joint of the config, or of this template.
     bool isChild(const std::string& body) const {
-        if (std::find(m_children.begin(), m_children.end(), body) != m_children.end()) return true;
-        return m_config && std::any_of(m_config->parts.begin(), m_config->parts.end(), [&](const Part& part) {
-                   const SourceAssignment* a = part.is(Role::Joint) ? part.assignments.find("Child") : nullptr;
-                   return a && a->value->elements.size() == 1 && a->value->elements[0].text == body;
-               });
+        return std::ranges::count(m_children, body) > 0 || (inConfig() && inConfig()->isChild(body));
     }
 
     // --- geoms ---
@@ -387,35 +392,12 @@ private:
         return nullptr;
     }
 
-    // --- files ---
-
-    /// A file of a suitable type: one in the project, else one shipped with the program.
-    std::string file(const Property& p, const std::string& name) const {
-        std::string found;
-        const auto fits = [&](const std::string& path) {
-            return std::any_of(p.choices.begin(), p.choices.end(), [&](const std::string& e) { return path.ends_with("." + e); });
-        };
-        std::error_code ec;
-        int looked = 0;
-        fs::recursive_directory_iterator it(m_loaded.projectFolder, fs::directory_options::skip_permission_denied, ec), end;
-        for (; !ec && it != end && ++looked < kMaxEntries; it.increment(ec)) {
-            if (it.depth() > 4) it.disable_recursion_pending();
-            std::error_code status;
-            if (!it->is_regular_file(status) || !fits(it->path().filename().string())) continue;
-            const std::string path = it->path().lexically_relative(m_loaded.projectFolder).generic_string();
-            if (found.empty() || path < found) found = path;
-        }
-        if (found.empty())
-            found = fits("block.obj")   ? "block.obj"
-                    : fits("hills.png") ? "hills.png"
-                                        : name + "." + (p.choices.empty() ? "txt" : p.choices[0]);
-        return "\"" + found + "\"";
-    }
-
     const LoadedProject& m_loaded;
     const std::string m_parent;
     std::vector<const Part*> m_chain; ///< from the outermost block to the parent
     const Part* m_config = nullptr;
+    std::vector<const Part*> m_repeats;              ///< of the config, in which the parent is
+    mutable std::optional<TemplateNames> m_inConfig; ///< read when it is asked for
     std::vector<std::string> m_texts;
     std::vector<std::pair<const Kind*, std::string>> m_made; ///< blocks of this text
     std::vector<std::string> m_children;                     ///< bodies that its joints carry
