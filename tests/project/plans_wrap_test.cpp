@@ -153,6 +153,100 @@ private Q_SLOTS:
         checkClean(plan);
     }
 
+    /// Blocks that count from one body outside give their In to what is around them; everything stays where it is.
+    void takesIn_data() {
+        QTest::addColumn<QString>("chassis");
+        QTest::addColumn<QString>("blocks");
+        QTest::addColumn<QStringList>("texts");
+        const auto row = [](const char* what, const char* chassis, const char* blocks, const QStringList& texts) {
+            QTest::newRow(what) << chassis << blocks << texts;
+        };
+        const char* const turned = "Pos=0.1,0,0.2 HPR=90,0,0";
+        const char* const mast =
+            "Body mast { In=chassis Pos=0,0,0.3 HPR=0,20,0 Box b { Size=0.1,0.1,1 Mass=1 Material=red Surface=floor } }";
+        row("a body", turned, mast, {"In=chassis", "Body mast { Pos=0,0,0.3 HPR=0,20,0 Box"});
+        row("its fixture", turned,
+            "Body mast { In=chassis Box b { Size=0.1,0.1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Fixed foot { Parent=chassis Child=mast }",
+            {"In=chassis"});
+        row("an axis that is turned", turned,
+            "Body mast { In=chassis Pos=1,0,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Hinge foot { Parent=chassis Child=mast Axis=0,1,0 Anchor=0.1,1 m,0.5 }\n  RotaryMotor m { Joint=foot "
+            "TorqueConstant=1 "
+            "SpeedConstant=1 Resistance=2 MaxVoltage=12 }",
+            {"Axis=1,0,0 Anchor=1,0,0.3"});
+        row("default axes", turned,
+            "Body mast {\n    In=chassis\n    Pos=1,0,0\n    Box b { Size=1,1,1 Mass=1 Material=red Surface=floor }\n  }\n"
+            "  Universal foot { Parent=chassis Child=mast Axis=1,0,0 Axis2=0,1,0 }\n  Slider more { Parent=chassis Child=other "
+            "}\n"
+            "  Body other { In=chassis Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }",
+            {"Axis=0,-1,0 Axis2=1,0,0", "Body mast {\n"});
+        row("expressions are shifted", "Pos=0,0,0.2",
+            "Body mast { In=chassis Pos=$r,0,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Hinge foot { Parent=chassis Child=mast Axis=0,1,0 Anchor=0,0,$r }",
+            {"Axis=0,1,0 Anchor=0,0,$(r - 0.2)"});
+        row("the body's place is a Param, the axis is not", "Pos=0,0,$r",
+            "Body mast { In=chassis Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Hinge foot { Parent=chassis Child=mast Axis=0,1,0 }",
+            {"Axis=0,1,0"});
+        row("a chain of bodies", turned,
+            "Body mast { In=chassis Pos=1,0,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Body tip { In=mast Pos=0,1,0 HPR=0,30,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Spring s { Parent=mast Child=tip Anchor=1,1,0 Anchor2=1,2,0 Stiffness=1 }",
+            {"Body tip { In=mast", "Anchor=1,-0.9,-0.2 Anchor2=2,-0.9,-0.2"});
+        row("a Repeat", turned,
+            "Repeat row { In=chassis Count=2 Pos=$index,0,0 Body b { Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } } "
+            "Hinge h { Parent=chassis Child=b Axis=0,1,0 Anchor=0,0,1 } }",
+            {"Repeat row { Count=2", "Axis=0,1,0 Anchor=0,0,1"});
+    }
+    void takesIn() {
+        QFETCH(QString, chassis);
+        QFETCH(QString, blocks);
+        QFETCH(QStringList, texts);
+        m_loaded = m_fixture.open(kitWith(chassis, blocks));
+        QVERIFY2(!m_loaded->diagnostics.hasErrors(), sample::messages(*m_loaded).c_str());
+        const std::vector<std::string> paths = pathsOf();
+        for (const auto& plan :
+             {planMakePart(*m_loaded, paths), planMirror(*m_loaded, paths, 'y'), planRepeat(*m_loaded, paths, 1, {0, 0, 0})}) {
+            checkClean(plan);
+            const QString text = QString::fromStdString(m_fixture.text(m_loaded, plan));
+            for (const QString& part : texts) QVERIFY2(text.contains(part), qPrintable(text));
+            checkSamePoses(*m_fixture.apply(m_loaded, plan));
+        }
+    }
+
+    void refusesSeveralFrames_data() {
+        QTest::addColumn<QString>("chassis");
+        QTest::addColumn<QString>("blocks");
+        QTest::addColumn<QString>("why");
+        const QString box = " Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n";
+        const QString mast = "Body mast { In=chassis" + box;
+        QTest::newRow("none")
+            << "Pos=0,0,1" << mast + "  Body pole { Pos=1,0,0" + box
+            << "Body pole counts from RobotConfig Kit, Body mast from chassis; give both the same In, or select one of them";
+        QTest::newRow("another") << "Pos=0,0,1" << mast + "  Body pole { In=arm" + box
+                                 << "Body pole counts from arm, Body mast from chassis; select what counts from one body";
+        QTest::newRow("Param")
+            << "Pos=0,0,$r" << mast + "  Hinge h { Parent=chassis Child=mast Axis=0,1,0 Anchor=0,0,1 }"
+            << "Anchor of Hinge h counts from RobotConfig Kit and would count from chassis, whose pose depends on "
+               "Params; select it without Hinge h";
+        QTest::newRow("turned")
+            << "HPR=90,0,0" << mast + "  Hinge h { Parent=chassis Child=mast Axis=0,1,0 Anchor=0,0,$r }"
+            << "Anchor of Hinge h counts from RobotConfig Kit and would count from chassis, which is turned; write "
+               "it as three numbers first";
+    }
+    void refusesSeveralFrames() {
+        QFETCH(QString, chassis);
+        QFETCH(QString, blocks);
+        QFETCH(QString, why);
+        m_loaded = m_fixture.open(kitWith(chassis, blocks));
+        QVERIFY2(!m_loaded->diagnostics.hasErrors(), sample::messages(*m_loaded).c_str());
+        for (const auto& plan : {planMakePart(*m_loaded, pathsOf()), planRepeat(*m_loaded, pathsOf(), 2, {1, 0, 0})}) {
+            QVERIFY(!plan.ok());
+            QCOMPARE(QString::fromStdString(plan.error().message), why);
+        }
+    }
+
     void refuses() {
         const auto message = [](const Result<EditPlan>& plan) { return plan.ok() ? std::string() : plan.error().message; };
         QCOMPARE(message(planMakePart(*m_loaded, {"a"})),
@@ -164,6 +258,48 @@ private Q_SLOTS:
     }
 
 private:
+    /// The blocks behind the first two bodies of a config.
+    static std::string kitWith(const QString& chassis, const QString& blocks) {
+        return "Material red { ColorRGB=1,0,0 }\nSurface floor { Friction=1 }\nRobotConfig Kit {\n  Param r = 5 cm\n  Body "
+               "chassis { " +
+               chassis.toStdString() +
+               " Box hull { Size=1,1,1 Mass=2 Material=red Surface=floor } }\n  Body arm { Pos=5,0,0 Box b { Size=1,1,1 Mass=2 "
+               "Material=red Surface=floor } }\n  " +
+               blocks.trimmed().toStdString() + "\n}\nRobot a { Config=Kit }\n";
+    }
+    std::vector<std::string> pathsOf() const {
+        std::vector<std::string> paths;
+        const Part& kit = *m_loaded->outline->configs.find("Kit");
+        for (std::size_t i = 2; i < kit.parts.size(); ++i) paths.push_back("RobotConfig.Kit." + kit.parts[i].name);
+        return paths;
+    }
+    /// All bodies and joints of the robot are in the other one too, under longer names.
+    void checkSamePoses(const LoadedProject& after) const {
+        const RobotConfigSpec &was = *m_loaded->experiment->robots.at(0).config, &is = *after.experiment->robots.at(0).config;
+        const auto find = [](const auto& all, const std::string& name) {
+            return std::ranges::find_if(all, [&](const auto& one) { return one.name == name || one.name.ends_with("." + name); });
+        };
+        for (const BodySpec& body : was.bodies) {
+            const auto same = find(is.bodies, body.name);
+            QVERIFY2(same != is.bodies.end(), body.name.c_str());
+            QVERIFY2((same->pose.position - body.pose.position).norm() < 1e-9, body.name.c_str());
+            QVERIFY2(same->pose.rotation.angularDistance(body.pose.rotation) < 1e-7, body.name.c_str());
+        }
+        for (const JointSpec& joint : was.joints) {
+            const auto same = find(is.joints, joint.name);
+            QVERIFY2(same != is.joints.end(), joint.name.c_str());
+            const bool hasTwo = joint.type == JointType::Universal || joint.type == JointType::Suspension;
+            const bool hasAxis = joint.type != JointType::Fixed && joint.type != JointType::Ball;
+            QVERIFY2((same->anchor - joint.anchor).norm() < 1e-9, joint.name.c_str());
+            QVERIFY2(!hasAxis || (same->axis - joint.axis).norm() < 1e-9, joint.name.c_str());
+            QVERIFY2(!hasTwo || (same->axis2 - joint.axis2).norm() < 1e-9, joint.name.c_str());
+        }
+        for (const SpringSpec& spring : was.springs) {
+            const auto same = find(is.springs, spring.name);
+            QVERIFY2(same != is.springs.end(), spring.name.c_str());
+            QVERIFY((same->anchor - spring.anchor).norm() < 1e-9 && (same->anchor2 - spring.anchor2).norm() < 1e-9);
+        }
+    }
     /// The text after a plan has no errors, and formatting it changes nothing.
     void checkClean(const Result<EditPlan>& plan) {
         QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().message.c_str());

@@ -1,6 +1,6 @@
 // Needs: blocks of a config. Gives: edits that put them into a part or a Repeat, and that write mirror images of parts.
 // Method: the text of the blocks is moved; only names that lead in or out of it change. A Part is written without a pose, so that what
-// is in it has the same numbers as before, and its mirror image is that of the config.
+// is in it has the same numbers as before, and its mirror image is that of the config, or of the body that it counts from.
 #include "project/edits/plan_wrap.h"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "model/dotted_path.h"
 #include "project/edits/mirrored_text.h"
 #include "project/edits/wrapped_blocks.h"
+#include "project/edits/wrapped_frame.h"
 #include "project/objects/object_names.h"
 #include "project/objects/part_values.h"
 
@@ -40,8 +41,10 @@ public:
 
     /// With an axis also its mirror image.
     Result<EditPlan> plan(std::optional<char> axis) {
+        const Result<std::string> in = takeIn(m_loaded, m_blocks, m_references);
+        if (!in.ok()) return in.error();
         for (const NameReference& reference : m_references)
-            if (m_blocks.contains(reference.name)) bringIn(reference);
+            if (m_blocks.contains(reference.name) && !m_blocks.isRemoved(reference.name)) bringIn(reference);
         for (const Part* block : m_blocks.blocks()) takeParamsOf(block->block->items);
         const Part& config = m_blocks.config();
         const std::string step = editStyle(*m_loaded.trees[config.file]).step;
@@ -54,6 +57,7 @@ public:
         for (const std::string& param : m_declared) lines += param + "\n";
         addBefore(m_loaded, &config, config.file, blockOfLines("PartConfig " + type, lines + m_blocks.text(), step), m_sheet);
         std::string use = "Part " + name + " { Config=" + type;
+        if (!in.value().empty()) use += " In=" + in.value();
         for (const std::string& given : m_given) use += " " + given;
         use += " }";
         std::vector<std::string> selects{pathInside(m_blocks.parentPath(), name)};
@@ -120,6 +124,7 @@ private:
     }
     void takeParamsOf(const std::vector<Item>& items) {
         for (const Item& item : items) {
+            if (m_blocks.isRemoved({m_blocks.config().file, item.range})) continue;
             if (const auto* block = item.as<BlockItem>()) takeParamsOf(block->items);
             if (const auto* a = item.as<AssignmentItem>()) takeParamsOf(a->value);
             if (const auto* param = item.as<ParamItem>()) takeParamsOf(param->value);
@@ -217,11 +222,14 @@ Result<EditPlan> planRepeat(const LoadedProject& loaded, const std::vector<std::
     const std::string name = names.take(common.ends_with("s") ? common + "Row" : common + "s");
     std::string pos;
     for (int i = 0; i < 3; ++i) pos += (i ? "," : "") + (step[i] == 0 ? "0" : "$(" + shortNumber(step[i]) + "*index)");
-    const std::string head = "Count=" + std::to_string(count) + (step == Vec3::Zero() ? "" : " Pos=" + pos);
+    const std::vector<NameReference> references = referencesIn(loaded);
+    const Result<std::string> in = takeIn(loaded, blocks, references);
+    if (!in.ok()) return in.error();
+    const std::string frame = in.value().empty() ? "" : " In=" + in.value();
+    const std::string head = "Count=" + std::to_string(count) + frame + (step == Vec3::Zero() ? "" : " Pos=" + pos);
     EditBuilder sheet(loaded);
     blocks.replaceBy(blockOfLines("Repeat " + name, head + "\n" + blocks.text(), editStyle(*loaded.trees[config.file]).step),
                      sheet);
-    const std::vector<NameReference> references = referencesIn(loaded);
     for (const Part* block : blocks.blocks())
         if (!block->block->name) keepNames(config.parts, block->block->type.text, references, blocks.blocks(), sheet);
     if (Status status = blocks.prefixNames(references, name + "_0.", name + ".", sheet); !status.ok()) return status.error();

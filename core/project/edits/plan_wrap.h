@@ -10,7 +10,8 @@ namespace trundle {
 
 /// Makes a PartConfig of blocks of one config, written before that config, and a Part that uses it in their place. Poses are kept.
 /// What the blocks use outside of them becomes Params of the PartConfig, given by the Part; names that lead into the blocks lead
-/// through the Part. Fails for blocks of several configs or files and for blocks that a PartConfig cannot have.
+/// through the Part. Blocks that all have one body outside of them as their In give it to the Part. Fails for blocks of several
+/// configs or files, for blocks that count from different bodies and for blocks that a PartConfig cannot have.
 [[nodiscard]] Result<EditPlan> planMakePart(const LoadedProject& loaded, const std::vector<std::string>& paths);
 /// Writes the mirror image of each Part along `axis` ('x', 'y' or 'z') of the config behind it: "Part right { Config=... Mirror=y }".
 /// Other blocks become a part first, see planMakePart(). Fails for a Part whose pose or Mirror cannot be mirrored in the text.

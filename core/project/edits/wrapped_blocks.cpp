@@ -92,9 +92,31 @@ void WrappedBlocks::change(TextEdit edit) {
         std::vector<TextEdit>& edits = m_changes[block];
         edit.range.range.begin -= block->range.range.begin;
         edit.range.range.end -= block->range.range.begin;
-        if (std::ranges::none_of(edits, [&](const TextEdit& e) { return e.range == edit.range; })) edits.push_back(edit);
+        const auto same = std::ranges::find(edits, edit.range, &TextEdit::range);
+        if (same == edits.end()) edits.push_back(edit);
+        else if (edit.range.range.size() == 0 && same->text != edit.text) same->text += edit.text; // two additions
         return;
     }
+}
+
+void WrappedBlocks::remove(const Part& block, std::string_view key) {
+    const SourceAssignment* a = block.assignments.find(key);
+    const auto item = std::ranges::find_if(block.block->items, [&](const Item& i) { return i.as<AssignmentItem>() == a->item; });
+    if (item == block.block->items.end()) return; // in a file that the block imports
+    TextEdit edit = editRemoveItem(*m_loaded.trees[a->file], *item);
+    edit.range.file = a->file;
+    change(std::move(edit));
+    m_removed.push_back({a->file, item->range});
+}
+
+bool WrappedBlocks::isRemoved(const SourceRange& range) const {
+    return std::ranges::any_of(m_removed, [&](const SourceRange& removed) { return isWithin(range, removed); });
+}
+
+void WrappedBlocks::add(const Part& block, std::string_view key, const std::string& value) {
+    TextEdit edit = editAddAssignment(*m_loaded.trees[block.file], block.block, key, value);
+    edit.range.file = block.file;
+    change(std::move(edit));
 }
 
 std::string WrappedBlocks::text() const {

@@ -27,6 +27,12 @@ public:
 
     /// Changes text inside the blocks when text() is called.
     void change(TextEdit edit);
+    /// Removes an assignment of one of the blocks.
+    void remove(const Part& block, std::string_view key);
+    /// Whether remove() takes a text away.
+    [[nodiscard]] bool isRemoved(const SourceRange& range) const;
+    /// Adds an assignment to one of the blocks.
+    void add(const Part& block, std::string_view key, const std::string& value);
     /// The text of the blocks, one below the other, without the indent of their surroundings.
     [[nodiscard]] std::string text() const;
     /// Replaces the blocks by `text`, where the order of bodies, joints and devices stays as it is, if there is such a position.
@@ -47,6 +53,7 @@ private:
     std::string m_parentPath;
     std::vector<const Part*> m_blocks; ///< in text order
     std::map<const Part*, std::vector<TextEdit>> m_changes;
+    std::vector<SourceRange> m_removed;
 };
 
 } // namespace trundle
