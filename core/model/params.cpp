@@ -242,6 +242,10 @@ void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& sc
     // excludes the `$` of `$name` from the range
     const std::string_view text = m_texts.slice(place);
     if (text.size() == name.size() + 1 && text.front() == '$') ++place.range.begin;
+    if (const std::size_t at = text.find(name); text.starts_with("$(") && at != std::string_view::npos) { // the name alone
+        place.range.begin += static_cast<std::uint32_t>(at);
+        place.range.end = place.range.begin + static_cast<std::uint32_t>(name.size());
+    }
     Diagnostic& d = m_diagnostics.error(Code::UnknownParam, place, std::move(message));
     if (name == "index" || name == "index2") return; // no other word is meant
     constexpr std::size_t kMany = 1000, kFirst = 20; // with many Params, suggestions for each error would take minutes

@@ -204,6 +204,19 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(e.said), said);
     }
 
+    /// The suggestion for an unknown name in `$( )` replaces the name, not the expression.
+    void suggestionInAnExpression() {
+        for (const char* value : {"$(PI)", "$( Pi )", "$(2*PI)"}) {
+            const Evaluated e = evaluated(std::string("x = ") + value + "\n");
+            const std::vector<Diagnostic>& all = e.read.diagnostics.all();
+            QCOMPARE(all.size(), std::size_t{1});
+            QVERIFY(!all[0].fixes.empty());
+            const TextEdit& edit = all[0].fixes[0].edits[0];
+            QCOMPARE(edit.text, std::string("pi"));
+            QCOMPARE(QString::fromStdString(e.read.slice(edit.range)).toLower(), QString("pi"));
+        }
+    }
+
     /// The ranges name the `$name` in the value, and the value of the Param itself.
     void rangesOfAParam() {
         const Evaluated e = evaluated("Param far = 1, 20 cm\nParam near = $far\nx = 7, $near, $(1 + 1)\n");

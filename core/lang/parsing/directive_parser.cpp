@@ -9,6 +9,7 @@ void DirectiveParser::directive(std::vector<Item>& out) {
     std::string_view written = text();
     const std::uint32_t line = word.begin;
     std::string meant(written);
+    std::size_t reported = 0; // 1-based index of the message about #include, to which the quotes of its path belong
     if (written != "#import" && written != "#loadModule") {
         std::vector<std::string> known{"#import", "#loadModule"};
         const bool include =
@@ -20,6 +21,10 @@ void DirectiveParser::directive(std::vector<Item>& out) {
                                            : "unknown directive `" + std::string(written) + "`");
         d.suggestions = near;
         if (!near.empty()) fix(d, near[0], {edit(word, near[0])});
+        if (include) {
+            d.message += "; another file is taken in by #import and its path";
+            reported = m_report.indexOf(d);
+        }
         meant = near.empty() ? "" : near[0];
     } else if (!newLine()) {
         Diagnostic& d = error(Code::DirectivePlace, word, "`" + meant + "` must come first on its line");
@@ -35,7 +40,7 @@ void DirectiveParser::directive(std::vector<Item>& out) {
         if (!meant.empty()) error(Code::MissingValue, word, "`" + meant + "` needs a path");
         return;
     }
-    auto [path, pathRange] = this->path(word);
+    auto [path, pathRange] = this->path(word, reported);
     const std::uint32_t end = range().end;
     advance();
     if (path.empty() || meant.empty()) return;
@@ -43,7 +48,7 @@ void DirectiveParser::directive(std::vector<Item>& out) {
     else out.push_back({{word.begin, end}, ModuleItem{std::move(path), pathRange}});
 }
 
-std::pair<std::string, TextRange> DirectiveParser::path(TextRange directive) {
+std::pair<std::string, TextRange> DirectiveParser::path(TextRange directive, std::size_t reported) {
     const TextRange r = range();
     std::string path(text());
     const auto unquoted = [&] { return path.size() < 2 ? std::string() : path.substr(1, path.size() - 2); };
@@ -61,6 +66,12 @@ std::pair<std::string, TextRange> DirectiveParser::path(TextRange directive) {
     const bool single = path[0] == '\'' && path.back() == '\'' && path.size() > 1;
     if (angled || single) {
         path = unquoted();
+        if (reported > 0) {
+            Fix& whole = m_report.at(reported).fixes.back();
+            whole.title = "#import " + path;
+            whole.edits.push_back(edit(r, path));
+            return {path, r};
+        }
         Diagnostic& d = error(Code::UnexpectedText, r, "a path is written bare or in double quotes");
         fix(d, path, {edit(r, path)});
         return {path, r};

@@ -12,7 +12,7 @@ public:
     void directive(std::vector<Item>& out);
 
 private:
-    [[nodiscard]] std::pair<std::string, TextRange> path(TextRange directive);
+    [[nodiscard]] std::pair<std::string, TextRange> path(TextRange directive, std::size_t reported);
 };
 
 } // namespace trundle

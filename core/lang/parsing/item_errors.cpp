@@ -1,7 +1,6 @@
 #include "lang/parsing/item_errors.h"
 
 #include <algorithm>
-#include <array>
 
 #include "lang/characters.h"
 #include "lang/parsing/brace_balance.h"
@@ -35,9 +34,9 @@ bool ItemErrors::restOfComment() {
 }
 
 void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
-    if (restOfComment() || importWithoutSign() || quotedName(out, depth) || nameThatBeginsWithDigit(out, depth) || paramWithoutName() ||
-        missingEquals(out) || blockInBrackets(out, depth) || nameWithSigns(out, depth) || wordBeforeAssignment(out, depth) ||
-        nameOfTwoWords(out, depth) || missingBrace(out, depth))
+    if (restOfComment() || quotedName(out, depth) || nameThatBeginsWithDigit(out, depth) || missingEquals(out) ||
+        blockInBrackets(out, depth) || nameWithSigns(out, depth) || nameOfTwoWords(out, depth) || missingBrace(out, depth) ||
+        missingBraceInLine(out, depth) || keyAndWord(out, depth))
         return;
     const std::string word(text());
     const bool named = kind(1) == TokenKind::Word && !newLine(1) && newLine(2);
@@ -47,19 +46,6 @@ void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
           named ? "`{` expected after `" + shortened(what) + "`" : "`=` or `{` expected after `" + shortened(what) + "`");
     if (named) advance();
     skipLine();
-}
-
-/// `include "robot.sim"`, `from x import y`.
-bool ItemErrors::importWithoutSign() {
-    constexpr std::array kImports{"include", "import", "from", "using", "require", "source"};
-    if (std::ranges::find(kImports, text()) == kImports.end() || newLine(1)) return false;
-    if (kind(1) != TokenKind::String && kind(1) != TokenKind::Word) return false;
-    if (kind(1) == TokenKind::Word && !newLine(2) && (kind(2) == TokenKind::OpenBrace || kind(2) == TokenKind::Equals)) return false;
-    Diagnostic& d = error(Code::UnexpectedText, range(), "another file is taken in by #import and its path");
-    const bool isWhole = newLine(2) || kind(2) == TokenKind::End;
-    if (isWhole) fix(d, "#import", {edit(range(), "#import")});
-    skipLine();
-    return true;
 }
 
 /// `Robot "r" {`. This and the following functions return false if there is no such text here.
@@ -86,16 +72,6 @@ bool ItemErrors::nameThatBeginsWithDigit(std::vector<Item>& out, int depth) {
     return true;
 }
 
-/// `Param 3`.
-bool ItemErrors::paramWithoutName() {
-    if (text() != "Param" || kind(1) != TokenKind::Number) return false;
-    const std::uint32_t begin = range().begin;
-    advance();
-    error(Code::UnexpectedText, {begin, range().end}, "a Param needs a name before its value");
-    skipLine();
-    return true;
-}
-
 /// `Tick 0.01`.
 bool ItemErrors::missingEquals(std::vector<Item>& out) {
     const bool startsValue = kind(1) == TokenKind::Number || kind(1) == TokenKind::String || kind(1) == TokenKind::ParamRef ||
@@ -103,10 +79,35 @@ bool ItemErrors::missingEquals(std::vector<Item>& out) {
     if (newLine(1) || !startsValue) return false;
     const std::string word(text());
     Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected after `" + word + "`");
-    fix(d, word + " =", {edit({range().end, range().end}, kind(1) == TokenKind::Number && !adjacent(1) ? " =" : " = ")});
-    if (adjacent(1)) d.fixes.back().edits[0].text = "=";
+    fix(d, word + " =", {edit({range().end, range().end}, adjacent(1) ? "=" : " =")});
+    readValue(out);
+    return true;
+}
+
+void ItemErrors::keyWithoutEquals(std::vector<Item>& out) {
+    const std::string word(text());
+    Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected after `" + word + "`");
+    fix(d, word + "=", {edit({range().end, range(1).begin}, "=")});
+    readValue(out);
+}
+
+/// `Config A` in a block, with nothing below it that would be the items of a block A.
+bool ItemErrors::keyAndWord(std::vector<Item>& out, int depth) {
+    if (depth == 0 || kind(1) != TokenKind::Word || newLine(1) || text()[0] < 'A' || text()[0] > 'Z') return false;
+    const bool isNumberNext = kind(2) == TokenKind::Word && kind(3) == TokenKind::Number; // `Config A Mass 1`
+    if (kind(2) != TokenKind::CloseBrace && !newLine(2) && !startsItem(2) && !isNumberNext) return false;
+    const std::string word(text());
+    Diagnostic& d = error(Code::UnexpectedText, range(), "`=` or `{` expected after `" + word + "`");
+    fix(d, word + "=", {edit({range().end, range(1).begin}, "=")});
+    readValue(out);
+    return true;
+}
+
+/// Reads the value of the current word, a key without its `=`.
+void ItemErrors::readValue(std::vector<Item>& out) {
     AssignmentItem node;
     const TextRange key = range();
+    const std::string word(text());
     for (std::size_t at = 0, dot = 0; dot != std::string::npos; at = dot + 1) { // here `b.Size` is one word
         dot = word.find('.', at);
         const auto begin = static_cast<std::uint32_t>(key.begin + at);
@@ -118,26 +119,6 @@ bool ItemErrors::missingEquals(std::vector<Item>& out) {
     advance();
     node.value = m_grammar.value(word, key, {key.end, key.end});
     out.push_back({{key.begin, std::max(key.end, node.value.range.end)}, std::move(node)});
-    return true;
-}
-
-/// `double x = 5`.
-/// `let r = 3`, `double tick = 0.01`.
-bool ItemErrors::wordBeforeAssignment(std::vector<Item>& out, int depth) {
-    if (kind(1) != TokenKind::Word || newLine(1) || !(kind(2) == TokenKind::Equals || wrongEquals(2))) return false;
-    const std::string word(text());
-    Diagnostic& d =
-        error(Code::UnexpectedText, range(), "`" + word + "` does not belong before `" + std::string(text(1)) + " =`");
-    constexpr std::array kDeclares{"param", "PARAM", "var", "let", "const", "auto", "def"}; // a type may stand before a setting too
-    if (std::ranges::find(kDeclares, word) != kDeclares.end()) {
-        d.suggestions = {"Param"};
-        fix(d, "Param", {edit(range(), "Param")});
-        m_grammar.param(out, depth);
-        return true;
-    }
-    fix(d, "remove `" + word + "`", {edit({range().begin, range(1).begin}, "")});
-    advance();
-    return true;
 }
 
 /// `Robot my robot {`.
@@ -164,6 +145,31 @@ bool ItemErrors::missingBrace(std::vector<Item>& out, int depth) {
     return true;
 }
 
+/// `Body b Sphere s { } }`: the first of two blocks lacks its `{`; surely so if a `}` of this line has none either.
+bool ItemErrors::missingBraceInLine(std::vector<Item>& out, int depth) {
+    for (std::size_t i = 1; i < 4; ++i)
+        if (kind(i) != TokenKind::Word || newLine(i)) return false;
+    if (kind(4) != TokenKind::OpenBrace) return false;
+    constexpr std::size_t kFar = 200;
+    int surplus = 0; // of `}` in the lines from here to the end of the inner block
+    for (std::size_t i = 4; i < kFar && kind(i) != TokenKind::End && !(newLine(i) && surplus >= 0); ++i)
+        surplus += kind(i) == TokenKind::CloseBrace ? 1 : kind(i) == TokenKind::OpenBrace ? -1 : 0;
+    for (std::size_t i = position(); i > 0 && position() - i < kFar && !m_tokens.newLineAt(i); --i) {
+        const TokenKind before = m_tokens.at(i - 1).kind; // what this line opened before
+        surplus -= before == TokenKind::OpenBrace ? 1 : before == TokenKind::CloseBrace ? -1 : 0;
+    }
+    const std::string name(text(1));
+    Diagnostic& d = error(Code::UnexpectedText, range(1), "`{` expected after `" + std::string(text()) + " " + name + "`");
+    if (surplus > 0) {
+        fix(d, name + " {", {edit({range(1).end, range(1).end}, " {")});
+        blockWithoutBrace(out, depth);
+    } else {
+        advance();
+        advance();
+    }
+    return true;
+}
+
 /// `Robot r [ ... ]` or `Robot r ( ... )`.
 bool ItemErrors::blockInBrackets(std::vector<Item>& out, int depth) {
     const auto bracketAt = [this](std::size_t i) {
@@ -180,23 +186,8 @@ bool ItemErrors::blockInBrackets(std::vector<Item>& out, int depth) {
 bool ItemErrors::nameWithSigns(std::vector<Item>& out, int depth) {
     if (kind(1) != TokenKind::Word || newLine(1)) return false;
     constexpr std::size_t kMaxPieces = 20;
-    const auto pieceAt = [this](std::size_t i) {
-        switch (kind(i)) {
-        case TokenKind::Word:
-        case TokenKind::Number:
-        case TokenKind::Unit:
-        case TokenKind::Dot:
-        case TokenKind::Plus:
-        case TokenKind::Minus:
-        case TokenKind::Star:
-        case TokenKind::Slash:
-        case TokenKind::Caret: return adjacent(i);
-        case TokenKind::Unknown: return adjacent(i) && text(i) != ";" && !wrongEquals(i);
-        default: return false;
-        }
-    };
     std::size_t brace = 2;
-    while (brace < kMaxPieces && pieceAt(brace)) ++brace;
+    while (brace < kMaxPieces && isPieceOfName(brace)) ++brace;
     if (brace == 2 || kind(brace) != TokenKind::OpenBrace) return false;
     const TextRange names{range(1).begin, range(brace - 1).end};
     Diagnostic& d = error(Code::UnexpectedText, names, "a name is letters, digits and _");

@@ -34,17 +34,19 @@ public:
     /// A token that cannot begin an item. A run of them up to the next line, key or brace is one mistake.
     void unexpected(int depth);
     void strayBrace(bool tooEarly);
+    /// `Mass 3` behind another value: `Config=A Mass 3`.
+    void keyWithoutEquals(std::vector<Item>& out);
 
 private:
     [[nodiscard]] bool restOfComment();
     [[nodiscard]] bool quotedName(std::vector<Item>& out, int depth);
     [[nodiscard]] bool nameThatBeginsWithDigit(std::vector<Item>& out, int depth);
-    [[nodiscard]] bool paramWithoutName();
     [[nodiscard]] bool missingEquals(std::vector<Item>& out);
-    [[nodiscard]] bool wordBeforeAssignment(std::vector<Item>& out, int depth);
-    [[nodiscard]] bool importWithoutSign();
     [[nodiscard]] bool nameOfTwoWords(std::vector<Item>& out, int depth);
     [[nodiscard]] bool missingBrace(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool missingBraceInLine(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool keyAndWord(std::vector<Item>& out, int depth);
+    void readValue(std::vector<Item>& out);
     [[nodiscard]] bool explainUnexpected();
     void blockWithoutBrace(std::vector<Item>& out, int depth);
     [[nodiscard]] bool blockInBrackets(std::vector<Item>& out, int depth);

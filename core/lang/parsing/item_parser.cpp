@@ -35,7 +35,9 @@ void ItemParser::items(std::vector<Item>& out, int depth) {
             break;
         case TokenKind::Directive: m_directives.directive(out); break;
         case TokenKind::Word: item(out, depth); break;
-        default: m_errors.unexpected(depth); break;
+        default:
+            if (!m_otherLanguages.comment()) m_errors.unexpected(depth);
+            break;
         }
     }
 }
@@ -46,7 +48,9 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
         return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace &&
                (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
     };
+    if (m_values.keyAt() == position()) return m_errors.keyWithoutEquals(out);
     if (text() == "Param" && second == TokenKind::Word) return param(out, depth);
+    if (m_paramErrors.withoutName()) return;
     if (second == TokenKind::OpenBrace) return block(out, depth, 0);
     if (second == TokenKind::Word && kind(2) == TokenKind::OpenBrace) return block(out, depth, 1);
     for (std::size_t i = 1; i <= (second == TokenKind::Word ? 2u : 1u); ++i) {
@@ -56,7 +60,7 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
         return block(out, depth, i);
     }
     if (second == TokenKind::Equals || second == TokenKind::Dot || wrongEquals(1)) return assignment(out);
-    if (!m_otherLanguages.explain(out, depth)) m_errors.strayWord(out, depth);
+    if (!m_otherLanguages.explain(out, depth) && !m_paramErrors.otherWord(out, depth)) m_errors.strayWord(out, depth);
 }
 
 void ItemParser::assignment(std::vector<Item>& out) {
@@ -81,6 +85,12 @@ void ItemParser::assignment(std::vector<Item>& out) {
         Diagnostic& d =
             error(Code::UnexpectedText, node.pathRange, "`=` expected after `" + std::string(slice(node.pathRange)) + "`");
         if (kind() == TokenKind::Dot) d.range.range.end = range().end;
+        if (!newLine() && startsElement() && kind() != TokenKind::Word) {
+            const TextRange key = node.pathRange;
+            fix(d, std::string(slice(key)) + " =", {edit({key.end, key.end}, " =")});
+            node.value = value(slice(key), key, {key.end, key.end});
+            return out.push_back({{begin, std::max(key.end, node.value.range.end)}, std::move(node)});
+        }
         // The rest of the line belongs to the unreadable text.
         while (!atEnd() && !newLine() && !startsItem() && !namedBlock() && kind() != TokenKind::CloseBrace &&
                kind() != TokenKind::OpenBrace && kind() != TokenKind::Directive)
@@ -105,8 +115,8 @@ void ItemParser::param(std::vector<Item>& out, int depth) {
     const std::uint32_t begin = range().begin;
     advance();
     node.name = name();
-    rejectReserved(node.name, "a Param");
     advance();
+    if (!m_paramErrors.restOfName(node.name)) rejectReserved(node.name, "a Param");
     if (kind() == TokenKind::OpenBrace) {
         error(Code::UnexpectedText, node.name.range, "a Param is no block; write `Param " + node.name.text + " = value`");
         advance();

@@ -5,6 +5,7 @@
 #include "lang/parsing/directive_parser.h"
 #include "lang/parsing/item_errors.h"
 #include "lang/parsing/other_languages.h"
+#include "lang/parsing/param_errors.h"
 #include "lang/parsing/value_parser.h"
 
 namespace trundle {
@@ -13,7 +14,7 @@ class ItemParser final : ParserPart, BlockGrammar {
 public:
     ItemParser(TokenCursor& tokens, SyntaxReporter& report, BraceBalance& balance)
         : ParserPart(tokens, report), m_balance(balance), m_values(tokens, report), m_directives(tokens, report),
-          m_errors(tokens, report, *this, balance),
+          m_errors(tokens, report, *this, balance), m_paramErrors(tokens, report, *this),
           m_otherLanguages(tokens, report, *this) {}
     ItemParser(const ItemParser&) = delete;
     ItemParser& operator=(const ItemParser&) = delete;
@@ -38,6 +39,7 @@ private:
     ValueParser m_values;
     DirectiveParser m_directives;
     ItemErrors m_errors;
+    ParamErrors m_paramErrors;
     OtherLanguages m_otherLanguages;
 };
 

@@ -1,6 +1,7 @@
 #include "lang/parsing/other_languages.h"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 
 namespace trundle {
@@ -30,33 +31,102 @@ bool OtherLanguages::loop() {
     }
     for (std::size_t i = 0; i <= brace; ++i) advance();
     m_grammar.skipBlockBody();
+    if (word == "if") otherwise();
     return true;
 }
 
-/// `RobotConfig Big : Kit {`, `RobotConfig Big extends Kit {`.
+/// `else {`, `else if a > b {` behind an `if`, which is reported for all of them.
+void OtherLanguages::otherwise() {
+    while (kind() == TokenKind::Word && (text() == "else" || text() == "elseif" || text() == "elif")) {
+        const std::size_t brace = braceInLine();
+        if (brace == 0) return;
+        for (std::size_t i = 0; i <= brace; ++i) advance();
+        m_grammar.skipBlockBody();
+    }
+}
+
+/// `Repeat wheel 3 {`, `Repeat wheel=3 {`, `Repeat 3 {`.
+bool OtherLanguages::count(std::vector<Item>& out, int depth) {
+    if (text() != "Repeat") return false;
+    const bool named = kind(1) == TokenKind::Word;
+    const std::size_t first = named ? 2 : 1, number = kind(first) == TokenKind::Equals ? first + 1 : first;
+    if (newLine(number) || kind(number) != TokenKind::Number || kind(number + 1) != TokenKind::OpenBrace) return false;
+    const std::string name = named ? std::string(text(1)) : "name", how = "{ Count=" + std::string(text(number));
+    const TextRange place{range(first).begin, range(number).end};
+    Diagnostic& d = error(Code::UnexpectedText, place, "how often is written in the block: `Repeat " + name + " " + how + "`");
+    if (named) fix(d, how, {edit({range(1).end, range(number + 1).end}, " " + how)});
+    Element value;
+    value.kind = Element::Kind::Number;
+    value.range = range(number);
+    const std::string_view digits = text(number);
+    (void)std::from_chars(digits.data(), digits.data() + digits.size(), value.number);
+    blockWith(out, depth, number, "Count", std::move(value));
+    return true;
+}
+
+/// A block with `extra` tokens before its `{`, read as if `key` had `value` in it.
+void OtherLanguages::blockWith(std::vector<Item>& out, int depth, std::size_t extra, std::string key, Element value) {
+    const TextRange place = value.range;
+    AssignmentItem item;
+    item.path.push_back({std::move(key), place});
+    item.pathRange = item.value.range = place;
+    item.value.elements.push_back(std::move(value));
+    const std::size_t before = out.size();
+    const bool named = kind(1) == TokenKind::Word;
+    const Name own = name(1);
+    m_grammar.block(out, depth, extra);
+    if (out.size() == before || !out.back().as<BlockItem>()) return;
+    auto& block = std::get<BlockItem>(out.back().node);
+    block.name.reset(); // it had the tokens behind the name in it
+    if (named) block.name = own;
+    block.items.insert(block.items.begin(), Item{place, std::move(item)});
+}
+
+/// `include "robot.sim"`, `from x import y`.
+bool OtherLanguages::importWithoutSign() {
+    static const std::set<std::string_view> kImports{"include", "import", "from", "using", "require", "source"};
+    if (!kImports.contains(text()) || newLine(1)) return false;
+    if (kind(1) != TokenKind::String && kind(1) != TokenKind::Word) return false;
+    if (kind(1) == TokenKind::Word && !newLine(2) && (kind(2) == TokenKind::OpenBrace || kind(2) == TokenKind::Equals))
+        return false;
+    Diagnostic& d = error(Code::UnexpectedText, range(), "another file is taken in by #import and its path");
+    if (newLine(2) || kind(2) == TokenKind::End) fix(d, "#import", {edit(range(), "#import")});
+    do advance();
+    while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace);
+    return true;
+}
+
+bool OtherLanguages::comment() {
+    const bool dashes = kind() == TokenKind::Minus && kind(1) == TokenKind::Minus && adjacent(1);
+    if (!newLine() || !(dashes || (kind() == TokenKind::Unknown && text() == "%"))) return false;
+    const TextRange sign{range().begin, range(dashes ? 1 : 0).end};
+    Diagnostic& d = error(Code::UnexpectedText, sign, "a comment begins with //");
+    fix(d, "//", {edit(sign, "//")});
+    do advance();
+    while (!atEnd() && !newLine());
+    return true;
+}
+
+/// `RobotConfig Big : Kit {`, `RobotConfig Big extends Kit {`, `RobotConfig Big < Kit {`, `RobotConfig Big(Kit) {`.
 bool OtherLanguages::inheritance(std::vector<Item>& out, int depth) {
     static const std::set<std::string_view> kWords{"extends", "from", "inherits", "is"};
-    if (kind(1) != TokenKind::Word || kind(3) != TokenKind::Word || kind(4) != TokenKind::OpenBrace || newLine(2)) return false;
-    if (text(2) != ":" && !(kind(2) == TokenKind::Word && kWords.contains(text(2)))) return false;
+    if (kind(1) != TokenKind::Word || kind(3) != TokenKind::Word || newLine(2)) return false;
+    const bool parens = kind(2) == TokenKind::OpenParen && kind(4) == TokenKind::CloseParen;
+    if (!parens && text(2) != ":" && text(2) != "<" && !(kind(2) == TokenKind::Word && kWords.contains(text(2)))) return false;
+    std::size_t brace = parens ? 5 : 4;
+    if (text(brace) == ":") ++brace;
+    if (kind(brace) != TokenKind::OpenBrace) return false;
     const Name base = name(3);
-    const TextRange said{range(2).begin, base.range.end};
+    const TextRange said{range(2).begin, range(brace - 1).end};
     Diagnostic& d = error(Code::UnexpectedText, said,
                           "a variant names what it is a variant of in its block: `" + std::string(text()) + " " +
                               std::string(text(1)) + " { Config=" + base.text + "`");
-    fix(d, "{ Config=" + base.text, {edit({said.begin, range(4).end}, "{ Config=" + base.text)});
-    AssignmentItem config; // as if it were written so: what the block sets is in the other one
-    config.path.push_back({"Config", base.range});
-    config.pathRange = base.range;
+    fix(d, "{ Config=" + base.text,
+        {edit({said.begin, range(brace).end}, (adjacent(2) ? " { Config=" : "{ Config=") + base.text)});
     Element element;
     element.range = base.range;
     element.text = base.text;
-    config.value.range = base.range;
-    config.value.elements.push_back(std::move(element));
-    const std::size_t before = out.size();
-    m_grammar.block(out, depth, 3);
-    if (out.size() == before || !out.back().as<BlockItem>()) return true;
-    auto& block = std::get<BlockItem>(out.back().node);
-    block.items.insert(block.items.begin(), Item{base.range, std::move(config)});
+    blockWith(out, depth, brace - 1, "Config", std::move(element)); // what the block sets is in the other one
     return true;
 }
 

@@ -25,6 +25,23 @@ protected:
     [[nodiscard]] bool startsElement() const { return m_tokens.startsElement(); }
     [[nodiscard]] bool namedBlock() const { return m_tokens.namedBlock(); }
     void advance() { m_tokens.advance(); }
+    /// Whether the token touches the one before and may be meant as a part of one name with it: `r-1`.
+    [[nodiscard]] bool isPieceOfName(std::size_t ahead) const {
+        if (!adjacent(ahead)) return false;
+        switch (kind(ahead)) {
+        case TokenKind::Word:
+        case TokenKind::Number:
+        case TokenKind::Unit:
+        case TokenKind::Dot:
+        case TokenKind::Plus:
+        case TokenKind::Minus:
+        case TokenKind::Star:
+        case TokenKind::Slash:
+        case TokenKind::Caret: return true;
+        case TokenKind::Unknown: return text(ahead) != ";" && !wrongEquals(ahead);
+        default: return false;
+        }
+    }
 
     Diagnostic& error(Code code, TextRange r, std::string message) { return m_report.error(code, r, std::move(message)); }
     static void fix(Diagnostic& d, std::string title, std::vector<TextEdit> edits) {

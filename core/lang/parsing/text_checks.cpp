@@ -10,6 +10,39 @@ namespace {
 
 constexpr std::uint32_t kShownOfLongWord = 40; // bytes covered by the range of its diagnostic
 
+constexpr std::string_view kBlanks = " \t\r\n";
+
+/// `DEF name Kind {`, `PROTO Name [`, `EXTERNPROTO "..."`.
+bool isVrml(std::string_view text) {
+    const auto word = [&text] { // takes the next word and the blanks behind it
+        const std::size_t end = std::min(text.find_first_of(" \t\r\n{[\""), text.size());
+        const std::string_view taken = text.substr(0, end);
+        text.remove_prefix(std::min(text.find_first_not_of(kBlanks, end), text.size()));
+        return taken;
+    };
+    if (text.starts_with("#VRML")) return true;
+    const std::string_view first = word();
+    if (first == "EXTERNPROTO") return text.starts_with('"');
+    if (first != "DEF" && first != "PROTO") return false;
+    const bool named = !word().empty();
+    if (first == "PROTO") return named && text.starts_with('[');
+    return named && !word().empty() && text.starts_with('{');
+}
+
+/// The language that the first characters of a text without blanks around it show; empty for none that is known.
+std::string_view otherLanguage(std::string_view text) {
+    constexpr std::size_t kHead = 4096;
+    if (isVrml(text)) return "a VRML";
+    const std::size_t second = text.find_first_not_of(kBlanks, 1);
+    if (text[0] == '<' && text.back() == '>' && (isIdentStart(text[1]) || text[1] == '?' || text[1] == '!')) {
+        const std::string_view head = text.substr(0, kHead);
+        if (head.find("<robot") != std::string_view::npos) return "a URDF (XML)";
+        return head.find("<sdf") != std::string_view::npos ? "an SDF (XML)" : "an XML";
+    }
+    const bool closed = (text[0] == '{' && text.back() == '}') || (text[0] == '[' && text.back() == ']');
+    return closed && (text[second] == '"' || text[second] == '{') ? "a JSON" : std::string_view();
+}
+
 std::string hexOf(std::uint32_t value, int digits) {
     std::string hex;
     for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) hex += "0123456789ABCDEF"[value >> shift & 0xF];
@@ -28,20 +61,17 @@ bool TextChecks::isUtf16() const { return bytes().starts_with("\xFF\xFE") || byt
 
 bool TextChecks::isOtherLanguage() {
     const std::string_view all = bytes();
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const std::size_t first = all.find_first_not_of(kBlanks), last = all.find_last_not_of(kBlanks);
+    const std::size_t bom = all.starts_with(kBom) ? kBom.size() : 0;
+    const std::size_t first = all.find_first_not_of(kBlanks, bom), last = all.find_last_not_of(kBlanks);
     if (first == std::string_view::npos || last == first) return false;
     const std::string_view text = all.substr(first, last + 1 - first);
-    const std::size_t second = text.find_first_not_of(kBlanks, 1);
-    const char* language = nullptr;
-    if (text[0] == '<' && text.back() == '>' && (isIdentStart(text[1]) || text[1] == '?' || text[1] == '!')) language = "an XML";
-    if ((text.starts_with('{') && text.back() == '}') || (text.starts_with('[') && text.back() == ']'))
-        if (text[second] == '"' || text[second] == '{') language = "a JSON";
-    if (text.starts_with("#VRML")) language = "a VRML";
-    if (!language) return false;
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    error(Code::UnexpectedText, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + std::min<std::size_t>(end, 40))},
-          std::string("this is ") + language + " file; here blocks are written as `Robot rover { Config=Rover Pos=0,0,0 }`");
+    const std::string_view language = otherLanguage(text);
+    if (language.empty()) return false;
+    constexpr std::size_t kShown = 40;
+    std::size_t end = std::min({text.find_first_of("\r\n"), text.size(), kShown});
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end; // not within a code point
+    error(Code::UnexpectedText, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + end)},
+          "this is " + std::string(language) + " file; here blocks are written as `Robot rover { Config=Rover Pos=0,0,0 }`");
     return true;
 }
 

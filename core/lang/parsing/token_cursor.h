@@ -27,6 +27,7 @@ public:
     [[nodiscard]] TextRange previous() const;
     [[nodiscard]] bool atEnd() const { return kind() == TokenKind::End; }
     [[nodiscard]] std::size_t position() const { return m_at; }
+    [[nodiscard]] bool newLineAt(std::size_t position) const { return m_significant[position].newLine; }
     [[nodiscard]] const Token& at(std::size_t position) const { return m_tokens[m_significant[position].token]; }
 
     // What the tokens ahead look like.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "base/units.h"
 #include "base/utf8.h"
 #include "lang/characters.h"
 
@@ -71,74 +70,6 @@ void ValueErrors::checkNumberTail(Element& e, Value& v) {
     v.broken = true;
 }
 
-void ValueErrors::unitWithoutPower(Element& e) {
-    const std::string meant = unitWithPower(e.unit);
-    if (meant.empty()) return;
-    Diagnostic& d = error(Code::UnknownUnit, e.unitRange, "the unit `" + e.unit + "` is written " + meant);
-    fix(d, meant, {edit(e.unitRange, meant)});
-    e.unit = meant;
-}
-
-/// Adds the part of a unit that begins `ahead` to `written` and returns its tokens; 0 if none begins there.
-std::size_t ValueErrors::pieceOfUnit(std::size_t ahead, std::string& written) const {
-    if (newLine(ahead)) return 0;
-    const auto inLine = [&](std::size_t i, TokenKind k) { return kind(ahead + i) == k && !newLine(ahead + i); };
-    const bool stars = inLine(0, TokenKind::Star) && inLine(1, TokenKind::Star) && inLine(2, TokenKind::Number);
-    const bool power = inLine(0, TokenKind::Caret) && inLine(1, TokenKind::Number);
-    const bool times = inLine(0, TokenKind::Star) && inLine(1, TokenKind::Word);
-    const bool over = inLine(0, TokenKind::Slash) && inLine(1, TokenKind::Word);
-    const std::size_t count = stars ? 3 : power || times || over ? 2 : inLine(0, TokenKind::Word) && !startsItem(ahead) ? 1 : 0;
-    if (count == 0) return 0;
-    written += power || stars ? "^" : over ? "/" : "";
-    written += text(ahead + count - 1);
-    return count;
-}
-
-/// `0.3 m /s`, `9.81 m/s ^2`, `2 kg m2`: the pieces form one unit.
-bool ValueErrors::unitInPieces(Element& e) {
-    if (e.unit.empty()) return false;
-    constexpr std::size_t kMaxPieces = 8;
-    std::string joined = e.unit, meant;
-    std::size_t count = 0, tokens = 0;
-    bool blanksOnly = true;
-    for (std::size_t i = 0; i < kMaxPieces && count < kMaxPieces; ++i) {
-        const bool product =
-            kind(count) == TokenKind::Word || (kind(count) == TokenKind::Star && kind(count + 1) == TokenKind::Word);
-        const std::string left = joined;
-        const std::size_t piece = pieceOfUnit(count, joined);
-        if (piece == 0) break;
-        count += piece;
-        std::string factor = product ? joined.substr(left.size()) : std::string();
-        if (product) // `m ^2`: the power belongs to the factor
-            if (const std::size_t power = kind(count) == TokenKind::Caret ? pieceOfUnit(count, factor) : 0; power > 0) {
-                joined = left + factor;
-                count += power;
-            }
-        const std::string whole = findUnit(joined) ? joined : unitWithPower(joined);
-        if (whole.empty()) continue;
-        if (product) { // `m s` is no ms
-            const auto a = exponentsOf(left), c = exponentsOf(unitWithPower(factor).empty() ? factor : unitWithPower(factor));
-            auto both = exponentsOf(whole);
-            if (!a || !c || !both) break;
-            for (std::size_t k = 0; k < both->size(); ++k) (*both)[k] -= (*a)[k] + (*c)[k];
-            if (*both != UnitExponents{}) break;
-        }
-        blanksOnly = whole == joined && !product;
-        meant = whole;
-        tokens = count;
-    }
-    if (meant.empty()) return false;
-    for (; tokens > 0; --tokens) advance();
-    e.unitRange.end = e.range.end = previous().end;
-    const std::string whole = std::string(slice({e.range.begin, e.unitRange.begin})) + meant;
-    Diagnostic& d = blanksOnly ? error(Code::UnknownUnit, e.range, "a unit has no blanks inside")
-                               : error(Code::UnknownUnit, e.unitRange,
-                                       "the unit `" + std::string(slice(e.unitRange)) + "` is written " + meant);
-    fix(d, blanksOnly ? whole : meant, {edit(e.range, whole)});
-    e.unit = meant;
-    return true;
-}
-
 void ValueErrors::continuesAt(Element& e, Value& v) {
     if (newLine() || atEnd()) return;
     const auto operandAt = [this](std::size_t i) {
@@ -148,7 +79,7 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     };
     const bool number = e.kind == Element::Kind::Number;
     const bool word = e.kind == Element::Kind::Word;
-    if (number && unitInPieces(e)) return;
+    if (number && m_units.inPieces(e)) return;
     if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) &&
         operandAt(1))
         return arithmetic(e, v);

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "lang/parsing/parser_part.h"
+#include "lang/parsing/unit_errors.h"
 
 namespace trundle {
 
@@ -12,7 +12,7 @@ class ValueErrors : ParserPart {
 public:
     /// `element` parses one element of a value.
     ValueErrors(TokenCursor& tokens, SyntaxReporter& report, std::function<bool(Value&)> element)
-        : ParserPart(tokens, report), m_element(std::move(element)) {}
+        : ParserPart(tokens, report), m_units(tokens, report), m_element(std::move(element)) {}
 
     /// Reports a suffix that looks like a unit but belongs to a number in another notation.
     void checkNumberTail(Element& e, Value& v);
@@ -24,8 +24,7 @@ public:
     void foreignQuotes(Element& e, Value& v);
     /// `${name}` of a shell, `${2 * name}` of xacro.
     void bracedParam(Element& e, Value& v);
-    /// `m/s2`, `cm3`.
-    void unitWithoutPower(Element& e);
+    void unitWithoutPower(Element& e) { m_units.withoutPower(e); }
     /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
     void unquotedText(Element& e, Value& v);
     void reportGaps(Value& v, const std::vector<TextRange>& gaps);
@@ -33,10 +32,9 @@ public:
     void reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps);
 
 private:
-    [[nodiscard]] bool unitInPieces(Element& e);
-    [[nodiscard]] std::size_t pieceOfUnit(std::size_t ahead, std::string& written) const;
     void arithmetic(Element& e, Value& v);
 
+    UnitErrors m_units;
     std::function<bool(Value&)> m_element;
 };
 

@@ -75,7 +75,9 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
         const std::size_t before = position();
         if (!noneHere() && element(v)) {
             if (position() == before) break; // not expected; guards against an endless loop
-            if ((bracket.size() == 0 && keyFollows(v, !gaps.empty())) || !afterElement(v, gaps)) break;
+            const bool keyed = bracket.size() == 0 && keyFollows(v, !gaps.empty());
+            if (keyed) m_keyAt = position();
+            if (keyed || !afterElement(v, gaps)) break;
             continue;
         }
         v.broken = true;

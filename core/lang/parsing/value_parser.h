@@ -20,6 +20,8 @@ public:
     [[nodiscard]] Value paramValue(std::string_view key, TextRange keyRange, TextRange equals);
     /// Parses one element into `v`; false if none begins here.
     [[nodiscard]] bool element(Value& v);
+    /// Position of the key without `=` at which the last such value ended: `Mass` of `Config=A Mass 1`.
+    [[nodiscard]] std::size_t keyAt() const { return m_keyAt; }
 
 private:
     void skipEquals(Value& v); ///< of which one is enough
@@ -33,6 +35,7 @@ private:
     ExpressionParser m_expressions;
     ValueErrors m_errors;
     bool m_mayBeDescribed = false; ///< a word before `{` is a value
+    std::size_t m_keyAt = static_cast<std::size_t>(-1);
 };
 
 } // namespace trundle
