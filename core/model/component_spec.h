@@ -2,6 +2,7 @@
 // Devices, controllers and logs: a kind, a name, and resolved values with their source ranges.
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/source_range.h"
 #include "schema/kind.h"
@@ -15,6 +16,10 @@ struct ResolvedValue {
     PropertyValue value;
     SourceRange range; ///< of the value's text; unknown for a default
     Origin origin = Origin::Default;
+    std::vector<SourceRange> names{}; ///< of each text, where there are several
+
+    /// The range of one text of the value.
+    [[nodiscard]] const SourceRange& rangeOf(std::size_t text) const { return text < names.size() ? names[text] : range; }
 };
 
 /// A device, controller or log; the model has only its schema, not its behaviour. Contains every property that has a value,

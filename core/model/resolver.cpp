@@ -24,7 +24,10 @@ std::vector<std::string> robotNames(const ResolveContext& context) {
 
 bool checkRobots(ResolveContext& context, const Property& property, ResolvedValue& value) {
     std::vector<std::string> names;
-    for (const std::string& name : value.value.texts) {
+    const bool isLiteral = value.origin != Origin::Param && (value.value.texts.size() == 1 || !value.names.empty());
+    for (std::size_t k = 0; k < value.value.texts.size(); ++k) {
+        const std::string& name = value.value.texts[k];
+        const SourceRange& place = value.rangeOf(k);
         const Part* part = context.outline.world.find(name);
         const bool isInRepeat = part && name.find('.') != std::string::npos;
         if ((!part && layoutOfMember(context.outline, name)) || isInRepeat) {
@@ -35,18 +38,17 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
             });
             if (!there && context.isFailedRobot(name)) return false;
             if (!there && !context.out.robots.empty()) {
-                context.unknownReference(property.name, "robot", name, value.range, false, robotNames(context));
+                context.unknownReference(property.name, "robot", name, place, false, robotNames(context));
                 return false;
             }
         } else if (!part && !context.outline.unknown.count(name)) {
-            context.unknownReference(property.name, "robot", name, value.range,
-                                     value.value.texts.size() == 1 && value.origin != Origin::Param, robotNames(context));
+            context.unknownReference(property.name, "robot", name, place, isLiteral, robotNames(context));
             return false;
         } else if (part && part->kind->name != "Robot" && !part->is(Role::Layout)) {
-            Diagnostic& d = context.diagnostics.error(Code::UnknownReference, value.range,
+            Diagnostic& d = context.diagnostics.error(Code::UnknownReference, place,
                                                       property.name + " names " + name + ", " + withArticle(part->kind->name) +
                                                           "; it takes a robot");
-            suggest(d, name, robotNames(context), value.range);
+            suggest(d, name, robotNames(context), isLiteral ? place : SourceRange{});
             return false;
         }
         if (part && (part->is(Role::Layout) || isInRepeat) && property.maxCount > 1) {
@@ -59,6 +61,7 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
         }
     }
     value.value.texts = std::move(names);
+    value.names.clear();
     return true;
 }
 

@@ -129,6 +129,18 @@ private Q_SLOTS:
         row("a robot of a member", lane + "Region n { Size=1,1,1 Robots=outt } }\n",
             "E208 Robots names outt, but there is no such robot | outt | fix out");
 
+        row("a robot of several", lane + "Region n { Size=1,1,1 Robots=r, outt } }\n",
+            "E208 Robots names outt, but there is no such robot | outt | fix out");
+        const std::string two =
+            "RobotConfig A { Body b { " + kBox + " } }\nRobot r { Config=A }\nRobot q { Config=A Pos=9,9,9 }\n";
+        row("one name of two", two + "Region n { Size=1,1,1 Robots=r, qq }\n",
+            "E208 Robots names qq, but there is no such robot | qq | fix q");
+        row("robots apart", two + "NoContact=r, s\n",
+            "E208 NoContact names s, but there is no such robot; there are r and q | s");
+        row("a log of two", two + "PoseLog n { Robot=r, qq }\n", "E208 Robot names qq, but there is no such robot | qq | fix q");
+        row("bodies apart",
+            "RobotConfig n { SelfCollision=true Body left { " + kBox + " } Body right { " + kBox + " } NoContact=left, rigt }\n",
+            "E208 NoContact names rigt, but there is no such Body | rigt | fix right");
         row("an element", "Region n { Size=1,1,0 }\n", "E203 the 3rd element of Size is 0, it must be above 0 | 0");
         row("a count", post + "Grid n { Config=P Count=2,zero Spacing=1 }\n",
             "E202 the 2nd element of Count is a word (zero), it must be a whole number | zero");

@@ -87,9 +87,9 @@ bool ParamErrors::otherWord(std::vector<Item>& out, int depth) {
     const TextRange words{range().begin, range(two ? 1 : 0).end};
     const std::string word(slice(words)), name(text(two ? 2 : 1));
     const bool isParam = declares(text()) || (isType(text()) && !isCapital(name));
-    Diagnostic& d =
-        error(Code::UnexpectedText, words,
-              "`" + word + "` does not belong before `" + name + " =`" + (isParam ? "; a named value is written `Param " + name + " = ...`" : ""));
+    Diagnostic& d = error(Code::UnexpectedText, words,
+                          "`" + word + "` does not belong before `" + name + " =`" +
+                              (isParam ? "; a named value is written `Param " + name + " = ...`" : ""));
     if (isParam) {
         d.suggestions = {"Param"};
         fix(d, "Param", {edit(words, "Param")});

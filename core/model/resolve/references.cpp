@@ -191,7 +191,7 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
         if (property.type != PropertyType::Reference || !record.values[i]) continue;
         ResolvedValue& value = *record.values[i];
         if (value.origin == Origin::Default) continue; // an empty default means "none"
-        const bool literal = record.literal[i] && value.value.texts.size() == 1;
+        const bool literal = record.literal[i] && (value.value.texts.size() == 1 || !value.names.empty());
         const auto names = record.names.find(i);
         const bool isWhole = names != record.names.end() && names->second.elements.size() == value.value.texts.size();
         const bool isAntenna = std::count(property.choices.begin(), property.choices.end(), "AntennaPattern") > 0;
@@ -201,11 +201,11 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
             const PartFrame& there = frameOf(frame, name, given);
             const std::size_t before = diagnostics.all().size();
             const bool isFromOutside = given && given->level > 0 && given->source.known(); // reported where it is given
-            good = checkReference(property, name, isFromOutside ? given->source : value.range, literal || isFromOutside, there,
-                                  given) &&
+            good = checkReference(property, name, isFromOutside ? given->source : value.rangeOf(k), literal || isFromOutside,
+                                  there, given) &&
                    good;
             if (isFromOutside && diagnostics.all().size() > before)
-                diagnostics.at(before).notes.emplace_back(kUsedHere, value.range);
+                diagnostics.at(before).notes.emplace_back(kUsedHere, value.rangeOf(k));
             if (!isAntenna && name != "world") name = there.prefix + name;
         }
     }

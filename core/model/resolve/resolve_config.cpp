@@ -181,15 +181,18 @@ void resolveNoContact(ResolveContext& context, const Part& config, const Record&
             if (isIn(spec.bodies[i].name, name)) bodies.push_back(static_cast<int>(i));
         return bodies;
     };
+    std::size_t at = 0; // of the name in the list
     for (const auto& [first, second] : namePairs(context, own, config.nameRange())) {
         const std::vector<int> ofFirst = bodiesOf(first), ofSecond = bodiesOf(second);
         for (const auto& [name, bodies] : {std::pair(&first, &ofFirst), std::pair(&second, &ofSecond)}) {
             const Part* part = config.findPath(*name);
+            const std::size_t k = at++;
             const bool isFaulty = part && part->is(Role::Body) && !memberName(firstWord(*name)); // it has errors of its own
             if (!bodies->empty() || isFaulty) continue;
             std::vector<std::string> names;
             for (const BodySpec& body : spec.bodies) names.push_back(body.name);
-            context.unknownReference("NoContact", "Body", *name, value->range, false, names);
+            context.unknownReference("NoContact", "Body", *name, value->rangeOf(k),
+                                     !value->names.empty() && value->origin != Origin::Param, names);
         }
         for (const int a : ofFirst)
             for (const int b : ofSecond)

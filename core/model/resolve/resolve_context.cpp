@@ -20,6 +20,14 @@ std::string inBrackets(std::string help) {
     return " (" + help + ")";
 }
 
+/// The range of each of several names of a value.
+std::vector<SourceRange> namesIn(const GivenValue& given, std::size_t count) {
+    std::vector<SourceRange> names;
+    if (count > 1 && count == given.elements.size())
+        for (const GivenElement& element : given.elements) names.push_back(element.range);
+    return names;
+}
+
 } // namespace
 
 ComponentSpec componentFrom(const Record& record, const Part& part) {
@@ -58,9 +66,9 @@ Record ResolveContext::readSettings() {
 std::optional<ResolvedValue> ResolveContext::readGiven(const Property& property, const GivenValue& given, Origin origin) {
     std::optional<PropertyValue> value = readValue(property, given, diagnostics);
     if (!value) return std::nullopt;
-    if (texts.commandLine(given.range.file)) origin = Origin::CommandLine;
-    else if (given.fromParam) origin = Origin::Param;
-    return ResolvedValue{std::move(*value), given.range, origin};
+    origin = texts.commandLine(given.range.file) ? Origin::CommandLine : given.fromParam ? Origin::Param : origin;
+    std::vector<SourceRange> names = namesIn(given, value->texts.size());
+    return ResolvedValue{std::move(*value), given.range, origin, std::move(names)};
 }
 
 void ResolveContext::fill(Record& record, const AssignmentList& assignments, const Part* part, ParamScope& scope,

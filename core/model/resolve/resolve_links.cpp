@@ -204,14 +204,15 @@ std::vector<std::size_t> robotsOf(const ResolveContext& context, const std::vect
 }
 
 /// False, with a diagnostic, if there is no such robot in a member of a Repeat or around it.
-bool knowsRobot(ResolveContext& context, const Property& property, const ResolvedValue& value, const std::string& name,
+bool knowsRobot(ResolveContext& context, const Property& property, const ResolvedValue& value, std::size_t k,
                 const PartFrame& frame) {
+    const std::string& name = value.value.texts[k];
     const std::string meant = nameMeant(name, frame);
     const Outline& outline = context.outline;
     if (!frame.member || outline.world.find(meant) || layoutOfMember(outline, meant) || outline.unknown.contains(meant))
         return true;
-    const bool isLiteral = value.value.texts.size() == 1 && value.origin != Origin::Param;
-    context.unknownReference(property.name, "robot", name, value.range, isLiteral, robotNamesIn(context, frame));
+    const bool isLiteral = value.origin != Origin::Param && (value.value.texts.size() == 1 || !value.names.empty());
+    context.unknownReference(property.name, "robot", name, value.rangeOf(k), isLiteral, robotNamesIn(context, frame));
     return false;
 }
 
@@ -225,8 +226,8 @@ void resolveRegion(ResolveContext& context, const ExpandedPart& expanded) {
         if (record.kind->properties[i].name != "Robots" || !record.values[i]) continue;
         const Property& property = record.kind->properties[i];
         ResolvedValue& value = *record.values[i];
-        for (const std::string& name : value.value.texts)
-            if (!knowsRobot(context, property, value, name, *expanded.frame)) return;
+        for (std::size_t k = 0; k < value.value.texts.size(); ++k)
+            if (!knowsRobot(context, property, value, k, *expanded.frame)) return;
         for (std::string& name : value.value.texts) name = nameMeant(name, *expanded.frame);
         record.complete = checkRobots(context, property, value) && record.complete;
     }
@@ -252,21 +253,17 @@ void resolveApartRobots(ResolveContext& context) {
         return members;
     };
     const auto pairs = namePairs(context, record, {});
+    if (pairs.empty()) return;
+    ResolvedValue all = *record.find("NoContact"); // a copy, in which members replace what names them
+    if (!checkRobots(context, *record.kind->find("NoContact"), all)) return;
     for (const auto& [first, second] : pairs) {
-        for (const std::string& name : {first, second}) {
-            const Property* property = record.kind->find("NoContact");
-            ResolvedValue one = *record.find("NoContact");
-            one.value.texts = {name};
-            one.origin = Origin::Param; // its range is that of the list, which no fix may replace
-            if (!checkRobots(context, *property, one)) return;
-        }
         for (const std::size_t a : membersOf(first))
             for (const std::size_t b : membersOf(second))
                 if (a != b) context.out.noContact.emplace_back(std::min(a, b), std::max(a, b));
     }
-    auto& all = context.out.noContact;
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    auto& apart = context.out.noContact;
+    std::ranges::sort(apart);
+    apart.erase(std::unique(apart.begin(), apart.end()), apart.end());
 }
 
 } // namespace

@@ -21,10 +21,10 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 /// Reports an unknown name. `best`: the intended name if it is certain; replaces the list of names.
-void unknownName(const ComponentSpec& spec, const char* key, const std::string& what, const std::string& written,
+void unknownName(const ComponentSpec& spec, const char* key, std::size_t k, const std::string& what, const std::string& written,
                  const std::vector<std::string>& names, const std::string& best, Diagnostics& diagnostics) {
     const ResolvedValue* value = spec.find(key);
-    Diagnostic& d = diagnostics.error(Code::UnknownReference, value && value->range.known() ? value->range : spec.nameRange,
+    Diagnostic& d = diagnostics.error(Code::UnknownReference, value && value->range.known() ? value->rangeOf(k) : spec.nameRange,
                                       "no " + what + " is called '" + written + "'; " +
                                           (best.empty() ? listed(names) : "its members are meant by '" + best + "'"));
     d.suggestions = best.empty() ? nearestWords(written, names) : std::vector<std::string>{best};
@@ -82,7 +82,8 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
     std::vector<bool> chosen(robots.size(), false);
     const std::vector<std::string> written = spec.texts("Robot");
     for (std::size_t i = 0; written.empty() && i < robots.size(); ++i) chosen[i] = !robots[i].scenery;
-    for (const std::string& name : written) {
+    for (std::size_t k = 0; k < written.size(); ++k) {
+        const std::string& name = written[k];
         const auto own = std::ranges::find(robots, name, &RobotSpec::name);
         bool found = own != robots.end();
         if (found) chosen[static_cast<std::size_t>(own - robots.begin())] = true;
@@ -95,7 +96,7 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
         if (found) continue;
         std::vector<std::string> names;
         for (const RobotSpec& robot : robots) names.push_back(robot.name);
-        unknownName(spec, "Robot", "robot", name, names, {}, diagnostics);
+        unknownName(spec, "Robot", k, "robot", name, names, {}, diagnostics);
     }
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < robots.size(); ++i)
@@ -109,7 +110,9 @@ std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const S
     const auto take = [&](const SignalEntry& entry) {
         if (taken.insert(entry.offset).second) signals.push_back(&entry);
     };
-    for (const std::string& name : spec.texts("Signals")) {
+    const std::vector<std::string> written = spec.texts("Signals");
+    for (std::size_t k = 0; k < written.size(); ++k) {
+        const std::string& name = written[k];
         bool found = false;
         if (const SignalEntry* entry = layout.find(name)) {
             take(*entry);
@@ -122,7 +125,7 @@ std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const S
             }
         }
         if (!found)
-            unknownName(spec, "Signals", "signal", name, signalNamesNear(name, layout), patternForMembers(name, layout),
+            unknownName(spec, "Signals", k, "signal", name, signalNamesNear(name, layout), patternForMembers(name, layout),
                         diagnostics);
     }
     return signals;
