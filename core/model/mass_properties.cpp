@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kSmallestMoment = 1e-18; ///< kg m^2; smaller moments are lost in rounding errors
+constexpr double kRounding = 1e-15;
 
 MassProperties centred(double volume, double xx, double yy, double zz) {
     return {volume, Vec3::Zero(), volume * Vec3(xx, yy, zz).asDiagonal().toDenseMatrix()};
@@ -116,6 +117,16 @@ Result<MassProperties> solidOf(const GeomSpec& geom) {
 
 MassProperties withMass(const MassProperties& solid, double mass) {
     return {mass, solid.centre, solid.inertia * (mass / solid.mass)};
+}
+
+Quat shapeRotation(const GeomSpec& geom) {
+    Quat q = geom.pose.rotation;
+    if (geom.shape != GeomShape::Cylinder && geom.shape != GeomShape::Capsule) return q;
+    const auto areOpposite = [](double a, double b) { return std::abs(a + b) < kRounding; };
+    const bool isRolled = areOpposite(q.x(), q.w()) && areOpposite(q.y(), q.z()); // by -90 degrees, after any heading
+    const bool isPitched = areOpposite(q.y(), q.w()) && areOpposite(q.x(), -q.z());
+    if (isRolled || isPitched) return {q.w(), 0.0 - q.x(), 0.0 - q.y(), q.z()};
+    return q;
 }
 
 MassProperties placed(const MassProperties& solid, const Pose& pose) {

@@ -11,6 +11,10 @@ namespace trundle {
 /// The same for a closed mesh with either orientation. Fails for an open mesh.
 [[nodiscard]] Result<MassProperties> solidOf(const TriangleMesh& mesh);
 
+/// How physics takes a geom to be turned. A quarter turn to one side brings a cylinder or capsule where one to the other side does: of
+/// both it is that to the left, so that a mirror image has the bits of a copy by hand, whichever that has.
+[[nodiscard]] Quat shapeRotation(const GeomSpec& geom);
+
 /// The properties scaled to another mass.
 [[nodiscard]] MassProperties withMass(const MassProperties& solid, double mass);
 /// The properties in the frame that `pose` is relative to.

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "model/mass_properties.h"
 #include "model/object_numbers.h"
 #include "model/passive_objects.h"
 #include "world/engine_links.h"
@@ -81,7 +82,7 @@ void WorldObjects::buildScenery(const ExperimentSpec& experiment, Engine& engine
                 else m_marks.add(g, s.pose * g.pose);
                 continue;
             }
-            const auto id = engine.addStatic(g, s.pose * g.pose);
+            const auto id = engine.addStatic(g, s.pose * Pose{g.pose.position, shapeRotation(g)});
             if (!id) {
                 diagnostics.error(id.error().code, g.nameRange, s.name + "/" + id.error().message);
                 continue;

@@ -67,6 +67,24 @@ private Q_SLOTS:
         QVERIFY(std::abs(w.value("line/belt/travel") - 4 * speed) < 1e-9);
     }
 
+    /// Physics takes a drum that is turned to the right as one that is turned to the left; its belt runs as the text says.
+    void runsOnDrumsTurnedToEitherSide() {
+        for (const int side : {1, -1}) { // gravity pulls the crate to the drum's side, along which its y axis points
+            SensorWorld w(
+                "Tick=0.002 Gravity=-9.81,0,0\nSurface rough { Friction=0.8 }\nStaticConfig Conveyor {\n"
+                "  Cylinder drum { Radius=5 Length=2 HPR=0,0," +
+                number(90 * side) +
+                " Surface=rough }\n  Belt belt { Geom=drum MaxSpeed=2 Heading=90 }\n}\nStatic line { Config=Conveyor }\n"
+                "RobotConfig Crate { Body body { Box box { Size=0.2,0.2,0.2 Surface=rough Mass=1 } } }\n"
+                "Robot crate { Config=Crate Pos=5.1,0,0 }\n");
+            QVERIFY2(w.ok(), w.failure().c_str());
+            command(w, "line/belt/speed", 0.5);
+            QVERIFY(w.run(200));
+            const double z = w.value("crate/body/pose", 2);
+            QVERIFY2(side * z > 0.1 && side * z < 0.25, qPrintable(QString::number(z)));
+        }
+    }
+
     /// On a slope it carries up while tan(slope) < mu; steeper, the crate slides down at g (sin - mu cos).
     void slipsWhereFrictionSays_data() {
         QTest::addColumn<double>("degrees");

@@ -124,6 +124,28 @@ private Q_SLOTS:
         QCOMPARE(hashOf(a), hashOf(b));
     }
 
+    /// A cylinder that lies on its side is its own mirror image: the copy by hand may keep its turn or reverse it.
+    void wheelsByHandMayKeepTheirTurn() {
+        QTemporaryDir folder;
+        const auto hashWith = [&](const QString& config, const QString& right) {
+            const QString text =
+                kHead + QString(kParts) + config + kChassis +
+                "Part left { Config=DrivenWheel Pos=0.06,0.125,0.05 carrier=chassis }\nPart right { Config=" + right +
+                " Pos=0.06,-0.125,0.05 carrier=chassis }\nDifferentialDrive base { LeftMotor=left.motor" +
+                QString(kDrive).replace("%2", "right.motor");
+            return writeFile(folder.filePath("a.sim"), text.toUtf8()) ? hashOf(cli({"run", folder.filePath("a.sim"), "--hash"}))
+                                                                      : "";
+        };
+        const QByteArray mirrored = hashWith("", "DrivenWheel Mirror=y");
+        QVERIFY(!mirrored.isEmpty());
+        const QString copy = QString(kParts)
+                                 .section("PartConfig Caster", 0, 0)
+                                 .replace("DrivenWheel", "Copy")
+                                 .replace("Pos=0.01,0.02,0.01 HPR=10,20,30", "Pos=0.01,-0.02,0.01 HPR=-10,20,-30");
+        for (const char* turn : {"HPR=0,0,90", "HPR=0,0,-90"})
+            QCOMPARE(hashWith(QString(copy).replace("HPR=0,0,90", turn), "Copy"), mirrored);
+    }
+
     void mirrorImagesMoveLikeTheirCopies_data() {
         QTest::addColumn<QString>("mirrors"); // from inside
         for (const char* mirrors : {"x", "y", "z", "yx", "zxy", "xx"}) QTest::newRow(mirrors) << QString(mirrors);

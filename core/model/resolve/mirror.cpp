@@ -87,6 +87,7 @@ Pose PartPlacement::pose(const Pose& described) const {
 }
 
 bool PartPlacement::mirror(ResolveContext& context, GeomSpec& geom) const {
+    if (!isMirrored()) return true;
     geom.pose = {mirrored(geom.pose.position), mirrored(geom.pose.rotation)};
     geom.surface = context.mirroredSurface(geom.surface);
     if (geom.shape == GeomShape::Heightfield) {
@@ -105,22 +106,18 @@ bool PartPlacement::mirror(ResolveContext& context, GeomSpec& geom) const {
     return true;
 }
 
-bool PartPlacement::place(ResolveContext& context, BodySpec& body) const {
-    body.pose = pose(body.pose);
-    if (!isMirrored()) return true;
-    bool good = true;
-    for (GeomSpec& geom : body.geoms) good = mirror(context, geom) && good;
-    negateAt(body.mass.centre, m_axis);
+void PartPlacement::mirror(MassProperties& given) const {
+    if (!isMirrored()) return;
+    negateAt(given.centre, m_axis);
     for (int i = 0; i < 3; ++i) {
         if (i == m_axis) continue;
-        body.mass.inertia(i, m_axis) = negated(body.mass.inertia(i, m_axis));
-        body.mass.inertia(m_axis, i) = negated(body.mass.inertia(m_axis, i));
+        given.inertia(i, m_axis) = negated(given.inertia(i, m_axis));
+        given.inertia(m_axis, i) = negated(given.inertia(m_axis, i));
     }
-    return good;
 }
 
 bool PartPlacement::place(ResolveContext& context, GeomSpec& geom) const {
-    const bool good = !isMirrored() || mirror(context, geom);
+    const bool good = mirror(context, geom);
     PartPlacement moved;
     moved.m_pose = m_pose;
     geom.pose = moved.pose(geom.pose);

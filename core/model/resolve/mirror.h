@@ -24,8 +24,11 @@ public:
     [[nodiscard]] Pose pose(const Pose& described) const;
     /// From now on its pose is one in the frame that has this pose.
     void countFrom(const Pose& frame);
-    /// Bodies with their geoms, centre of mass and inertia. False, with a diagnostic, if something has no mirror image.
-    [[nodiscard]] bool place(ResolveContext& context, BodySpec& body) const;
+    void place(BodySpec& body) const { body.pose = pose(body.pose); }
+    /// What is in a body: its geoms, and a centre of mass and inertia that are given. False, with a diagnostic, if a geom has no mirror
+    /// image.
+    [[nodiscard]] bool mirror(ResolveContext& context, GeomSpec& geom) const;
+    void mirror(MassProperties& given) const;
     /// A geom of a StaticConfig, whose frame is that of the part.
     [[nodiscard]] bool place(ResolveContext& context, GeomSpec& geom) const;
     /// The mirror image of a joint moves as the joint does: what slides goes the mirrored way; what turns keeps its sense, so that
@@ -45,7 +48,6 @@ private:
     [[nodiscard]] Vec3 mirrored(const Vec3& vector) const;
     [[nodiscard]] Quat mirrored(const Quat& rotation) const;
     [[nodiscard]] Vec3 mirroredAxis(const Vec3& axis, bool& isReversed) const;
-    [[nodiscard]] bool mirror(ResolveContext& context, GeomSpec& geom) const;
     [[nodiscard]] Vec3 mirroredHpr(const Vec3& hpr) const;
 
     int m_axis = -1; ///< that is mirrored: 0 x, 1 y, 2 z

@@ -10,15 +10,16 @@ namespace {
 
 class BodyReader {
 public:
-    BodyReader(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides)
-        : m_context(context), m_part(part), m_overrides(overrides), m_scope(&scope) {
-        m_scope.declare(part.params);
+    BodyReader(ResolveContext& context, const ExpandedPart& expanded)
+        : m_context(context), m_frame(expanded.frame), m_part(*expanded.part), m_overrides(expanded.overrides()),
+          m_scope(expanded.frame->scope) {
+        m_scope.declare(m_part.params);
         context.evaluator.checkAll(m_scope);
     }
 
     std::optional<BodySpec> read() {
         m_record = m_context.read(m_part, m_scope, m_overrides, Origin::Config);
-        const bool good = readGeoms() && m_record.complete;
+        const bool good = readGeoms() && mirrorGeoms() && m_record.complete;
         m_fields = fieldsFrom<BodyFields>(m_record);
         m_body.name = m_part.name;
         m_body.pose = poseOf(m_fields.pos, m_fields.hpr);
@@ -64,6 +65,14 @@ private:
         return good;
     }
 
+    /// Before the mass is read from them, so that it has the bits of a copy by hand.
+    bool mirrorGeoms() {
+        bool good = true;
+        for (const PartFrame* at = m_frame; at->use; at = at->outer)
+            for (GeomSpec& geom : m_body.geoms) good = at->placement.mirror(m_context, geom) && good;
+        return good;
+    }
+
     bool add(const Part& part, std::optional<GeomSpec> geom) {
         if (!geom) return false;
         m_body.geoms.push_back(std::move(*geom));
@@ -82,21 +91,24 @@ private:
         if (m_context.brokenText(m_part.range)) return false; // the part with errors may contain a mass
         const bool good = m_fields.mass ? spread() : addUp();
         if (!good) return false;
-        if (m_fields.centreOfMass) m_body.mass.centre = vec3(*m_fields.centreOfMass);
-        if (m_fields.inertia && !readInertia(*m_fields.inertia)) return false;
+        MassProperties given;
+        if (m_fields.centreOfMass) given.centre = vec3(*m_fields.centreOfMass);
+        if (m_fields.inertia && !readInertia(*m_fields.inertia, given.inertia)) return false;
+        for (const PartFrame* at = m_frame; at->use; at = at->outer) at->placement.mirror(given);
+        if (m_fields.centreOfMass) m_body.mass.centre = given.centre;
+        if (m_fields.inertia) m_body.mass.inertia = given.inertia;
         const Status status = checkMass(m_body.mass);
         if (status.ok()) return true;
         return fail(place(m_fields.inertia ? "Inertia" : "Mass"),
                     "the mass of " + m_part.title() + " cannot be: " + status.error().message);
     }
 
-    bool readInertia(const std::vector<double>& i) {
+    bool readInertia(const std::vector<double>& i, Mat3& m) {
         if (i.size() != 3 && i.size() != 6) {
             m_context.diagnostics.error(Code::WrongCount, place("Inertia"),
                                         "Inertia has " + std::to_string(i.size()) + " elements, it takes three or six numbers");
             return false;
         }
-        Mat3& m = m_body.mass.inertia;
         m = Vec3(i[0], i[1], i[2]).asDiagonal();
         if (i.size() == 6) {
             m(0, 1) = m(1, 0) = i[3];
@@ -133,7 +145,7 @@ private:
             if (!s.ok())
                 return fail(m_parts[i]->nameRange(),
                             m_parts[i]->title() + " cannot take part in the mass of its body: " + s.error().message);
-            solids.push_back(placed(s.value(), geom.pose));
+            solids.push_back(placed(s.value(), Pose{geom.pose.position, shapeRotation(geom)}));
         }
         if (solids.empty() && !m_fields.inertia) {
             return fail(m_part.nameRange(),
@@ -160,7 +172,7 @@ private:
                 return false;
             }
             const double mass = geom.mass ? *geom.mass : s.value().mass * *geom.density;
-            solids.push_back(placed(withMass(s.value(), mass), geom.pose));
+            solids.push_back(placed(withMass(s.value(), mass), Pose{geom.pose.position, shapeRotation(geom)}));
         }
         if (!solids.empty()) {
             m_body.mass = sum(solids);
@@ -175,6 +187,7 @@ private:
     }
 
     ResolveContext& m_context;
+    const PartFrame* m_frame;
     const Part& m_part;
     const OverrideNode* m_overrides;
     ParamScope m_scope;
@@ -187,7 +200,7 @@ private:
 } // namespace
 
 std::optional<BodySpec> resolveBody(ResolveContext& context, const ExpandedPart& expanded, std::string& in, SourceRange& place) {
-    BodyReader reader(context, *expanded.part, *expanded.frame->scope, expanded.overrides());
+    BodyReader reader(context, expanded);
     std::optional<BodySpec> body = reader.read();
     const std::optional<std::string> named = bodyOfIn(context, reader.record(), *expanded.frame);
     if (!body || !named) return std::nullopt;

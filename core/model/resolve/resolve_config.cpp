@@ -128,7 +128,7 @@ BodyIndices resolveBodies(ResolveContext& context, PartExpansion& expansion, Rob
         const std::optional<Pose> pose = poses.of(body.name);
         if (!pose) return;
         body.pose = *pose;
-        if (!part.place(body, context)) return;
+        (void)part.place(body);
         places.emplace(body.name, static_cast<int>(spec.bodies.size()));
         spec.bodies.push_back(std::move(body));
     });

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/mass_properties.h"
+
 namespace trundle {
 
 namespace {
@@ -13,6 +15,11 @@ constexpr double kFewestSupports = 3; // minimum number of contacts that share a
 
 /// Half the extent of a rotated box along each axis of the outer frame.
 Vec3 reach(const Mat3& axes, const Vec3& half) { return axes.cwiseAbs() * half; }
+
+/// The signs, along the axes that the shape has here, of those that the text gives it.
+Vec3 writtenAxes(const GeomSpec& geom) {
+    return (shapeRotation(geom).conjugate() * geom.pose.rotation).toRotationMatrix().diagonal().array().round();
+}
 
 } // namespace
 
@@ -145,7 +152,7 @@ bool ActorBuilder::addGeom(const GeomSpec& spec, std::uint32_t body, std::string
         return false;
     }
     const OdeShape& shape = made.value();
-    const Pose pose = spec.pose * shape.centre;
+    const Pose pose = Pose{spec.pose.position, shapeRotation(spec)} * shape.centre;
     OdeGeom geom;
     geom.shape = spec.shape == GeomShape::Mesh && spec.collideAsHull ? GeomShape::Convex : spec.shape;
     geom.actor = m_objects.bodies[body].actor;
@@ -155,6 +162,7 @@ bool ActorBuilder::addGeom(const GeomSpec& spec, std::uint32_t body, std::string
     geom.data = shape.data;
     geom.offset = pose.position - m_objects.bodies[body].centre;
     geom.axes = pose.rotation.toRotationMatrix();
+    geom.written = writtenAxes(spec);
     geom.turned = !pose.rotation.isApprox(Quat::Identity(), 0);
     geom.half = shape.half;
     geom.radius = spec.radius;
@@ -200,6 +208,7 @@ Result<GeomHandle> ActorBuilder::addStatic(const GeomSpec& spec, const Pose& at)
             dGeomSetQuaternion(geom.id, q);
         }
         geom.axes = pose.rotation.toRotationMatrix();
+        geom.written = writtenAxes(spec);
         const Vec3 half = reach(geom.axes, geom.half), lo = pose.position - half, hi = pose.position + half;
         if (spec.shape != GeomShape::Plane) m_objects.statics.push_back(index);
         m_objects.geoms.push_back(std::move(geom));

@@ -29,7 +29,7 @@ void OdeEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
 
 void OdeEngine::setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) {
     OdeGeom& g = m_objects.geoms[geom.index];
-    g.surfaceVelocity = velocity;
+    g.surfaceVelocity = g.written.cwiseProduct(velocity);
     g.moves = velocity.squaredNorm() > 0;
 }
 
