@@ -118,10 +118,17 @@ bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scop
     GivenElement given = literalOf(element, file);
     if (element.kind == Element::Kind::Expression) {
         if (!element.expression) return false; // reported by the parser
-        if (const Expression& e = *element.expression; isPick(e) && scope.find(e.arguments[0].name))
-            return addPicked(e, file, scope, given.range, out);
         const SourceRange outer = std::exchange(m_source, {});
-        const std::optional<Amount> result = amount(*element.expression, file, scope);
+        const Expression* held = this->held(*element.expression, file, scope);
+        if (held && isPick(*held) && scope.find(held->arguments[0].name)) {
+            m_source = outer;
+            return addPicked(*held, file, scope, given.range, out);
+        }
+        if (held && held != element.expression.get() && isText(*held, file, scope)) {
+            m_source = outer;
+            return addParam(held->name, given.range, scope, out);
+        }
+        const std::optional<Amount> result = held ? amount(*held, file, scope) : std::nullopt;
         given.source = std::exchange(m_source, outer);
         if (!result) return false;
         out.fromParam = true;
@@ -331,16 +338,28 @@ bool Evaluator::hasNames(const Expression& e, FileId file, ParamScope& scope) {
     return std::ranges::all_of(e.arguments, [&](const Expression& argument) { return hasNames(argument, file, scope); });
 }
 
-/// Of a condition only the branch that holds is evaluated: the other one may divide by zero.
-std::optional<Amount> Evaluator::choice(const Expression& e, FileId file, ParamScope& scope) {
+/// Of an `if` the branch that holds; the other one is not evaluated, it may divide by zero. nullptr, with a diagnostic, if the condition
+/// has no value.
+const Expression* Evaluator::held(const Expression& e, FileId file, ParamScope& scope) {
+    if (e.op != Expression::Op::Call || e.name != "if" || e.arguments.size() != 3) return &e;
     const std::optional<Amount> condition = amount(e.arguments[0], file, scope);
     const bool holds = condition && condition->value != 0;
-    if (!condition || !hasNames(e.arguments[holds ? 2 : 1], file, scope)) return std::nullopt;
-    return amount(e.arguments[holds ? 1 : 2], file, scope);
+    if (!condition || !hasNames(e.arguments[holds ? 2 : 1], file, scope)) return nullptr;
+    return held(e.arguments[holds ? 1 : 2], file, scope);
+}
+
+/// Whether it is a Param that is a word, a string or a list, which an `if` may choose.
+bool Evaluator::isText(const Expression& e, FileId file, ParamScope& scope) {
+    if (e.op != Expression::Op::Name || !scope.find(e.name)) return false;
+    const GivenValue* value = paramValue(e.name, {file, e.range}, scope);
+    return value && (value->elements.size() != 1 || value->elements[0].kind != GivenElement::Kind::Number);
 }
 
 std::optional<Amount> Evaluator::call(const Expression& e, FileId file, ParamScope& scope) {
-    if (e.name == "if" && e.arguments.size() == 3) return choice(e, file, scope);
+    if (e.name == "if" && e.arguments.size() == 3) {
+        const Expression* held = this->held(e, file, scope);
+        return held ? amount(*held, file, scope) : std::nullopt;
+    }
     if (e.name == "element") {
         if (!isPick(e)) return fault(e, file, "element takes the name of a Param that is a list, and a number from 0");
         const GivenElement* element = picked(e, file, scope);

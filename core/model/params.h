@@ -75,7 +75,8 @@ private:
     [[nodiscard]] std::optional<Amount> paramAmount(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> numberOf(const GivenElement& element, const Expression& e, FileId file);
     [[nodiscard]] bool hasNames(const Expression& e, FileId file, ParamScope& scope);
-    [[nodiscard]] std::optional<Amount> choice(const Expression& e, FileId file, ParamScope& scope);
+    [[nodiscard]] const Expression* held(const Expression& e, FileId file, ParamScope& scope);
+    [[nodiscard]] bool isText(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> call(const Expression& e, FileId file, ParamScope& scope);
     [[nodiscard]] std::optional<Amount> fault(const Expression& e, FileId file, std::string message);
     [[nodiscard]] std::optional<Amount> orFault(Result<Amount> computed, const Expression& e, FileId file);

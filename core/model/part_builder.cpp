@@ -259,6 +259,8 @@ bool PartNames::name(Part& part) {
     if (fresh) return true;
     Diagnostic& d = m_diagnostics.error(Code::DuplicateName, part.nameRange(), "the name " + part.name + " is taken already");
     if (it->second.known()) d.notes.push_back({"first defined here", it->second});
+    if (it->second.file == d.range.file && it->second.range.begin > d.range.range.begin)
+        std::swap(d.range, d.notes.back().second);
     return false;
 }
 

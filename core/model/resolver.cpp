@@ -1,8 +1,8 @@
 #include "model/resolver.h"
 
 #include "base/spelling.h"
-#include "model/dotted_path.h"
 #include "model/resolve/resolve_steps.h"
+#include "model/robot_path.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -11,12 +11,19 @@ namespace {
 
 constexpr std::size_t kMostNames = 500; // that a message chooses from
 
-std::vector<std::string> robotNames(const ResolveContext& context) {
+/// Where several robots may be named, the name of all members of a Repeat comes before theirs.
+std::vector<std::string> robotNames(const ResolveContext& context, const Property& property) {
     std::vector<std::string> names;
     for (const Part* part : context.outline.world.all())
         if (part->kind->name == "Robot" || part->is(Role::Layout)) names.push_back(part->name);
-    for (const RobotSpec& robot : context.out.robots) // in Repeats
-        if (!robot.scenery && robot.name.find('.') != std::string::npos && names.size() < kMostNames) names.push_back(robot.name);
+    const auto isInRepeat = [](const RobotSpec& robot) { return !robot.scenery && robot.name.find('.') != std::string::npos; };
+    for (const RobotSpec& robot : context.out.robots) {
+        std::string all = isInRepeat(robot) && property.maxCount > 1 ? nameOfAll(robot.name) : std::string();
+        if (!all.empty() && std::ranges::find(names, all) == names.end() && names.size() < kMostNames)
+            names.push_back(std::move(all));
+    }
+    for (const RobotSpec& robot : context.out.robots)
+        if (isInRepeat(robot) && names.size() < kMostNames) names.push_back(robot.name);
     return names;
 }
 
@@ -38,17 +45,17 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
             });
             if (!there && context.isFailedRobot(name)) return false;
             if (!there && !context.out.robots.empty()) {
-                context.unknownReference(property.name, "robot", name, place, false, robotNames(context));
+                context.unknownReference(property.name, "robot", name, place, false, robotNames(context, property));
                 return false;
             }
         } else if (!part && !context.outline.unknown.count(name)) {
-            context.unknownReference(property.name, "robot", name, place, isLiteral, robotNames(context));
+            context.unknownReference(property.name, "robot", name, place, isLiteral, robotNames(context, property));
             return false;
         } else if (part && part->kind->name != "Robot" && !part->is(Role::Layout)) {
             Diagnostic& d = context.diagnostics.error(Code::UnknownReference, place,
                                                       property.name + " names " + name + ", " + withArticle(part->kind->name) +
                                                           "; it takes a robot");
-            suggest(d, name, robotNames(context), isLiteral ? place : SourceRange{});
+            suggest(d, name, robotNames(context, property), isLiteral ? place : SourceRange{});
             return false;
         }
         if (part && (part->is(Role::Layout) || isInRepeat) && property.maxCount > 1) {

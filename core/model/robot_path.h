@@ -28,6 +28,17 @@ inline std::string robotNameIn(const ExperimentSpec& experiment, std::string_vie
     return std::string(robot.empty() ? firstWord(path) : robot);
 }
 
+/// The name of all the members that a robot in Repeats is one of: "row.cart" of "row_3.cart"; the name itself for any other robot.
+inline std::string nameOfAll(std::string_view robot) {
+    std::string all;
+    for (std::string_view rest = robot; !rest.empty(); rest = withoutFirstWord(rest)) {
+        const std::string_view word = firstWord(rest);
+        const auto member = word == rest ? std::nullopt : memberName(word);
+        all = pathInside(all, member ? member->stem : word);
+    }
+    return all;
+}
+
 /// The Grid or Scatter of which a path begins with a member, "swarm_12.chassis", in a Repeat "row_3.swarm_12.chassis".
 struct LayoutMember {
     const Part* layout = nullptr; ///< nullptr: the path begins with something else

@@ -138,10 +138,8 @@ private Q_SLOTS:
         };
         const QByteArray mirrored = hashWith("", "DrivenWheel Mirror=y");
         QVERIFY(!mirrored.isEmpty());
-        const QString copy = QString(kParts)
-                                 .section("PartConfig Caster", 0, 0)
-                                 .replace("DrivenWheel", "Copy")
-                                 .replace("Pos=0.01,0.02,0.01 HPR=10,20,30", "Pos=0.01,-0.02,0.01 HPR=-10,20,-30");
+        QString copy = QString(kParts).section("PartConfig Caster", 0, 0).replace("DrivenWheel", "Copy");
+        copy.replace("Pos=0.01,0.02,0.01 HPR=10,20,30", "Pos=0.01,-0.02,0.01 HPR=-10,20,-30");
         for (const char* turn : {"HPR=0,0,90", "HPR=0,0,-90"})
             QCOMPARE(hashWith(QString(copy).replace("HPR=0,0,90", turn), "Copy"), mirrored);
     }

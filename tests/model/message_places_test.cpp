@@ -46,7 +46,8 @@ private Q_SLOTS:
         const std::string post =
             "StaticConfig P { Param h = 0.1 { Min=0.05 Max=1 } Box w { Size=0.1,0.1,$h Material=g Surface=s } }\n";
         row("a grid", post + "Grid n { Config=P Count=5 Spacing=1 h=$(1.5+index) }\n",
-            "E203 h is 1.5, it must be from 0.05 to 1 | $(1.5+index) | its values are described here: { Min=0.05 Max=1 }");
+            "E203 h is 1.5, it must be from 0.05 to 1 | $(1.5+index) | its values are described here: { Min=0.05 Max=1 } | "
+            "in its member n_0: n");
         row("a later member", post + "Grid n { Config=P Count=5 Spacing=1 h=$(0.5+0.5*index) }\n",
             "E203 h is 1.5, it must be from 0.05 to 1 | $(0.5+0.5*index) | its values are described here: { Min=0.05 Max=1 } | "
             "in its "
@@ -141,6 +142,42 @@ private Q_SLOTS:
         row("bodies apart",
             "RobotConfig n { SelfCollision=true Body left { " + kBox + " } Body right { " + kBox + " } NoContact=left, rigt }\n",
             "E208 NoContact names rigt, but there is no such Body | rigt | fix right");
+        row("a name that a Param takes further down", "RobotConfig n { Body left { " + kBox + " } Param left = 3 }\n",
+            "E303 the name left is taken already | left | first defined here: left");
+        row("a number of the first member",
+            "PartConfig W { Param r = 1 { Min=1 } Sphere b { Radius=$r Material=g Surface=s } }\n"
+            "StaticConfig P { Repeat n { Count=3 Part w { Config=W r=$(2*index) Pos=$(9*index),0,0 } } }\n",
+            "E203 r is 0, it must be at least 1 | $(2*index) | its values are described here: { Min=1 } | in its member n_0: n");
+        row("a robot for its body", two + "Ball n { Parent=r Child=q.b }\n",
+            "E208 Parent names r, a robot; it takes one of its bodies | r | fix r.b");
+        row("a body apart from a Part",
+            "PartConfig W { Body b { " + kBox + " } }\nRobotConfig n { SelfCollision=true Part left { Config=W } Body hull { " +
+                kBox + " } Fixed f { Parent=hull Child=left.b } NoContact=hull,lft }\n",
+            "E208 NoContact names lft, but there is no such Body | lft | fix left");
+
+        const std::string legs = "PartConfig A { Body b { " + kBox +
+                                 " } Fixed f { Parent=$on Child=b } }\n"
+                                 "PartConfig B { Body b { " +
+                                 kBox +
+                                 " } Fixed f { Parent=$to Child=b } }\n"
+                                 "RobotConfig K { Body hull { " +
+                                 kBox + " } Part leg { Config=A on=hull Pos=1,0,0 } }\n";
+        const char* const needs = "E209 Part leg needs to: what PartConfig B is joined to | B | it is used here: to";
+        row("another config of a part of a variant", legs + "RobotConfig n { Config=K leg.Config=B }\n", needs);
+        row("another config of a part of a robot", legs + "Robot n { Config=K leg.Config=B }\n", needs);
+        row("a part with a RobotConfig", legs + "RobotConfig n { Part leg { Config=K to=hull } }\n",
+            "E208 Config names K, a RobotConfig; a Part takes a PartConfig | K");
+        row("the default of a reference",
+            "PartConfig A { Param on = hul Body b { " + kBox +
+                " } Fixed f { Parent=$on Child=b } }\n"
+                "RobotConfig n { Body hull { " +
+                kBox + " } Part leg { Config=A Pos=1,0,0 } }\n",
+            "E208 Parent names hul, but there is no such Body | hul | it is used here: $on | fix hull");
+        row("all robots of a Repeat", lane + "}\nRegion n { Size=1,1,1 Robots=lane.rr }\n",
+            "E208 Robots names lane.rr, but there is no such robot | lane.rr | fix lane.r");
+        row("a Repeat for its robots", lane + "}\nRegion n { Size=1,1,1 Robots=lane }\n",
+            "E208 Robots names lane, a Repeat; it takes a robot | lane | fix lane.r");
+
         row("an element", "Region n { Size=1,1,0 }\n", "E203 the 3rd element of Size is 0, it must be above 0 | 0");
         row("a count", post + "Grid n { Config=P Count=2,zero Spacing=1 }\n",
             "E202 the 2nd element of Count is a word (zero), it must be a whole number | zero");

@@ -204,6 +204,25 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(e.said), said);
     }
 
+    /// `if` chooses between Params that are words or lists as well; what it does not choose must be there.
+    void ifChoosesWords() {
+        const std::string params = "Param wood = oak\nParam spots = 1, 2\nParam n = 3\n";
+        const auto valueOf = [&](const std::string& expression) {
+            const Evaluated e = evaluated(params + "x = $(" + expression + ")\n");
+            QStringList all;
+            if (e.value)
+                for (const GivenElement& element : e.value->elements)
+                    all += element.kind == GivenElement::Kind::Number ? QString::number(element.number)
+                                                                      : QString::fromStdString(element.text);
+            return e.value ? all.join(", ") : QString::fromStdString(e.said);
+        };
+        QCOMPARE(valueOf("if(n > 2, wood, spots)"), QString("oak"));
+        QCOMPARE(valueOf("if(n > 3, wood, if(n > 2, spots, n))"), QString("1, 2"));
+        QCOMPARE(valueOf("if(n > 3, wood, n)"), QString("3"));
+        QVERIFY(valueOf("if(n > 2, wood, red)").contains("there is no Param red"));
+        QVERIFY(valueOf("if(n > 2, wood, spots) + 1").contains("an expression takes numbers"));
+    }
+
     /// The suggestion for an unknown name in `$( )` replaces the name, not the expression.
     void suggestionInAnExpression() {
         for (const char* value : {"$(PI)", "$( Pi )", "$(2*PI)"}) {

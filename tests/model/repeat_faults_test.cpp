@@ -84,8 +84,8 @@ private Q_SLOTS:
         row("bodies that do not touch",
             kHead + "RobotConfig K { SelfCollision=true NoContact=q_7,f, f,q.d.h\n Body f { " + kBox +
                 " } Repeat q { Count=2 Pos=$(1+index),0,0 Body d { " + kBox + " } Fixed j { Parent=f Child=d } } }\n",
-            "E208 NoContact names q_7, but there is no such Body; there are f, q_0.d and q_1.d | q_7\n"
-            "E208 NoContact names q.d.h, but there is no such Body; there are f, q_0.d and q_1.d | q.d.h\n");
+            "E208 NoContact names q_7, but there is no such Body; there are f, q, q_0.d and q_1.d | q_7\n"
+            "E208 NoContact names q.d.h, but there is no such Body; there are f, q, q_0.d and q_1.d | q.d.h\n");
     }
     void faults() {
         QFETCH(QString, text);

@@ -201,7 +201,7 @@ private Q_SLOTS:
             "RobotConfig K { Body c { Mass=1 Box h { Size=1,1,1 Material=g Surface=s } } Repeat r { Count=2 PoseLog x { } } }\n",
             "E302 PoseLog is allowed at the top level, not in a Repeat of a RobotConfig\n", "PoseLog");
         row("a robot of a log", "Repeat row { Count=2 Robot cart { Config=Cart } PoseLog way { Robot=card } }\n",
-            "E208 Robot names card, but there is no such robot; there are row_0.cart and row_1.cart\n", "card");
+            "E208 Robot names card, but there is no such robot; there are row.cart, row_0.cart and row_1.cart\n", "card");
         row("a name in a grid", "Repeat row { Count=2 Grid g { Config=Cart Count=2 Spacing=1 } Robot g_1 { Config=Cart } }\n",
             "E303 the name row_0.g_1 belongs to a member of Grid g\n", "g_1");
         row("a full scatter", "Repeat row { Count=2 Scatter s { Config=Cart Count=20 Area=-0.1,-0.1,0.1,0.1 } }\n",

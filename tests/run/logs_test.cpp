@@ -42,7 +42,7 @@ private Q_SLOTS:
     void unknownRobotListsExisting() {
         FakeWorld world(experimentOf({"robot0", "robot1"}));
         QCOMPARE(csvOf(world, logSpec("PoseLog", "path", {{"Robot", textValue({"robbot0"})}})),
-                 std::string("no robot is called 'robbot0'; there is robot0, robot1"));
+                 std::string("no robot is called 'robbot0'; there are robot0, robot1"));
         Diagnostics diagnostics;
         (void)makeLog(logSpec("PoseLog", "path", {{"Robot", textValue({"robbot0"})}}), world, diagnostics);
         QCOMPARE(diagnostics.all()[0].suggestions.at(0), std::string("robot0"));

@@ -80,6 +80,7 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     const bool number = e.kind == Element::Kind::Number;
     const bool word = e.kind == Element::Kind::Word;
     if (number && m_units.inPieces(e)) return;
+    if (e.kind == Element::Kind::ParamRef && kind() == TokenKind::OpenParen && adjacent()) return calledParam(e, v);
     if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) &&
         operandAt(1))
         return arithmetic(e, v);
@@ -190,6 +191,22 @@ void ValueErrors::bracedParam(Element& e, Value& v) {
                                  : "an expression is written `$(...)`, without braces");
     fix(d, meant, {edit(e.range, meant)});
     if (!isName) e.kind = Element::Kind::Number;
+}
+
+/// `$if(a > b, x, y)`.
+void ValueErrors::calledParam(Element& e, Value& v) {
+    v.broken = true;
+    int open = 0;
+    do {
+        open += kind() == TokenKind::OpenParen || kind() == TokenKind::ExprOpen ? 1 : kind() == TokenKind::CloseParen ? -1 : 0;
+        advance();
+    } while (open > 0 && !newLine() && !atEnd());
+    e.range.end = previous().end;
+    std::string call(slice(e.range));
+    std::erase(call, '$');
+    Diagnostic& d = error(Code::UnexpectedText, e.range, "a function is written in $( ): `$(" + e.text + "(...))`");
+    if (open == 0) fix(d, "$(" + call + ")", {edit(e.range, "$(" + call + ")")});
+    e.kind = Element::Kind::Number;
 }
 
 void ValueErrors::unquotedText(Element& e, Value& v) {

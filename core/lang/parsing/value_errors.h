@@ -33,6 +33,7 @@ public:
 
 private:
     void arithmetic(Element& e, Value& v);
+    void calledParam(Element& e, Value& v);
 
     UnitErrors m_units;
     std::function<bool(Value&)> m_element;

@@ -26,6 +26,8 @@ public:
 
     Record read(const Part*& config, std::string_view kind, const OverrideNode* outer, std::size_t member) {
         const Part* likely = likelyConfig();
+        const OverrideNode* other = below(outer, "Config");
+        m_isExchanged = other && other->value;
         ResolveContext::ExtraKeys extra;
         if (likely) {
             for (const SourceParam& p : likely->params) extra.words.push_back(p.name->text);
@@ -36,7 +38,8 @@ public:
         extra.take = [&](const SourceAssignment& a) {
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
                 const std::vector<std::string> own = propertyNames(*m_part.kind);
-                const bool isUnknown = likely ? isBaseMissing(*likely) : m_part.assignments.find("Config") != nullptr;
+                const bool isUnknown =
+                    likely ? likely->kind->name != kind || isBaseMissing(*likely) : m_part.assignments.find("Config") != nullptr;
                 return isUnknown && nearestWords(a.key, own).empty(); // of an unknown config the Params are unknown too
             }
             taken.push_back(&a);
@@ -81,6 +84,7 @@ private:
 
     void takeValue(const Part& config, const SourceAssignment& a) {
         const bool param = a.path.size() == 1 && config.param(a.key);
+        if (m_isExchanged && !param && !config.find(a.path[0].text)) return; // it is for the config in the text
         const bool hasBlocks = !m_part.isPartUse() && !m_part.is(Role::Config);
         const Part* own = hasBlocks ? m_part.find(a.path[0].text) : nullptr;
         if (!param && a.path.size() > 1 && own) {
@@ -159,6 +163,7 @@ private:
     const Part& m_part;
     ParamScope& m_scope;
     InstanceValues& m_given;
+    bool m_isExchanged = false; ///< an override names another config
 };
 
 bool inside(const SourceRange& a, const SourceRange& b) {

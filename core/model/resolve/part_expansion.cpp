@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/spelling.h"
 #include "model/dotted_path.h"
 #include "model/part_depth.h"
 #include "model/repeat.h"
@@ -9,7 +10,33 @@
 
 namespace trundle {
 
+void nameMember(const ResolveContext& context, Diagnostic& d, const Part& of, std::size_t member) {
+    if (member == 0 && context.texts.slice(d.range).find("index") == std::string_view::npos) return; // it is so in all of them
+    d.notes.emplace_back("in its member " + of.name + "_" + std::to_string(member), of.nameRange());
+}
+
 namespace {
+
+/// What a part is joined to is not given.
+void reportMissing(ResolveContext& context, const PartFrame& frame, const OverrideNode* outside, const SourceParam& param) {
+    const std::string& name = param.name->text;
+    const OverrideNode* other = below(outside, "Config");
+    const bool isExchanged = other && other->value;
+    Diagnostic& d =
+        context.diagnostics.error(Code::MissingRequired, isExchanged ? other->value->range : frame.use->nameRange(),
+                                  frame.use->title() + " needs " + name + ": what " + frame.config->title() + " is joined to");
+    d.notes.push_back({kUsedHere, param.nameRange()});
+    const auto body = std::ranges::find_if(frame.outer->config->parts, [](const Part& p) { return p.is(Role::Body); });
+    if (!isExchanged && body != frame.outer->config->parts.end()) context.fixAdd(d, *frame.use, name, body->name);
+}
+
+/// Whether a block has an unknown key that is near to the name of a Param: it is reported there.
+bool isMisspelt(const Part& use, const Part& config, const std::string& param) {
+    const std::vector<std::string> meant{param};
+    return std::ranges::any_of(use.assignments.all(), [&](const SourceAssignment& a) {
+        return a.path.size() == 1 && !use.kind->find(a.key) && !config.param(a.key) && !nearestWords(a.key, meant).empty();
+    });
+}
 
 /// A value that goes one Part further in: a name in it keeps naming what it named where it was written.
 std::shared_ptr<const GivenValue> passedIn(const GivenValue& value) {
@@ -335,12 +362,7 @@ bool PartExpansion::takeParams(PartFrame& frame, const OverrideNode* outside, Pa
         } else if (frame.use->assignments.find(name)) {
             good = false; // it is reported, or comes from outside of a PartConfig by itself
         } else if (param.required && param.value->elements.empty() && !m_context.brokenText(frame.use->range)) {
-            Diagnostic& d = m_context.diagnostics.error(Code::MissingRequired, frame.use->nameRange(),
-                                                        frame.use->title() + " needs " + name + ": what " +
-                                                            frame.config->title() + " is joined to");
-            d.notes.push_back({kUsedHere, param.nameRange()});
-            const auto body = std::ranges::find_if(frame.outer->config->parts, [](const Part& p) { return p.is(Role::Body); });
-            if (body != frame.outer->config->parts.end()) m_context.fixAdd(d, *frame.use, name, body->name);
+            if (!isMisspelt(*frame.use, *frame.config, name)) reportMissing(m_context, frame, outside, param);
             good = false;
         }
     }
@@ -383,9 +405,8 @@ void PartExpansion::nameUses(std::size_t first, const PartFrame& frame) {
             nameInstance(m_context, first, at->given, *at->use, "used here by " + at->use->title());
             continue;
         }
-        for (std::size_t i = first; *at->member > 0 && i < m_context.diagnostics.all().size(); ++i)
-            m_context.diagnostics.at(i).notes.emplace_back("in its member " + at->use->name + "_" + std::to_string(*at->member),
-                                                           at->use->nameRange());
+        for (std::size_t i = first; i < m_context.diagnostics.all().size(); ++i)
+            nameMember(m_context, m_context.diagnostics.at(i), *at->use, *at->member);
     }
 }
 

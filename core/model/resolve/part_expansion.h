@@ -71,6 +71,9 @@ struct ExpandedPart {
     }
 };
 
+/// Notes in which member of a Repeat, Grid or Scatter something is wrong; not for the first one, unless it is its number.
+void nameMember(const ResolveContext& context, Diagnostic& d, const Part& of, std::size_t member);
+
 class PartExpansion {
 public:
     /// `scope` has the Params of the config; it and `overrides` must outlive this.

@@ -98,9 +98,12 @@ const PartFrame& frameOf(const PartFrame& frame, const std::string& name, const 
             if (inner->find(name)) return *inner;
     }
     if (!given || given->level > 0 || given->literal) return at->frameOf(name);
-    for (const PartFrame* outer = at; outer; outer = outer->outer)
+    const PartFrame* outermost = at;
+    for (const PartFrame* outer = at; outer; outer = outer->outer) {
         if (outer->find(name)) return *outer;
-    return at->holder();
+        outermost = outer;
+    }
+    return *outermost;
 }
 
 } // namespace
@@ -200,7 +203,7 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
             const GivenElement* given = isWhole ? &names->second.elements[k] : nullptr;
             const PartFrame& there = frameOf(frame, name, given);
             const std::size_t before = diagnostics.all().size();
-            const bool isFromOutside = given && given->level > 0 && given->source.known(); // reported where it is given
+            const bool isFromOutside = given && given->source.known() && (given->level > 0 || !given->literal);
             good = checkReference(property, name, isFromOutside ? given->source : value.rangeOf(k), literal || isFromOutside,
                                   there, given) &&
                    good;

@@ -190,7 +190,14 @@ void resolveNoContact(ResolveContext& context, const Part& config, const Record&
             const bool isFaulty = part && part->is(Role::Body) && !memberName(firstWord(*name)); // it has errors of its own
             if (!bodies->empty() || isFaulty) continue;
             std::vector<std::string> names;
-            for (const BodySpec& body : spec.bodies) names.push_back(body.name);
+            for (const BodySpec& body : spec.bodies) {
+                const std::string_view first = firstWord(body.name); // a Part, or a member of a Repeat
+                const auto member = first == body.name ? std::nullopt : memberName(first);
+                std::string holder(member ? member->stem : first);
+                if (std::ranges::find(names, holder) == names.end()) names.push_back(std::move(holder));
+            }
+            for (const BodySpec& body : spec.bodies)
+                if (body.name.find('.') != std::string::npos) names.push_back(body.name);
             context.unknownReference("NoContact", "Body", *name, value->rangeOf(k),
                                      !value->names.empty() && value->origin != Origin::Param, names);
         }

@@ -257,13 +257,14 @@ private:
             return std::any_of(said.begin() + static_cast<std::ptrdiff_t>(first), said.end(),
                                [](const Diagnostic& d) { return d.severity == Severity::Error; });
         };
+        for (std::size_t k = first; all[0].isNumbered && k < m_context.diagnostics.all().size(); ++k)
+            nameMember(m_context, m_context.diagnostics.at(k), part, 0);
         for (std::size_t i = 1; all[0].isNumbered && i < members && !hasError(); ++i) {
             const std::size_t before = m_context.diagnostics.all().size();
             all.push_back(describe(expanded, i, kind));
             const bool isGood = all[i].config && resolve(all[i]);
             for (std::size_t k = before; k < m_context.diagnostics.all().size(); ++k)
-                m_context.diagnostics.at(k).notes.emplace_back("in its member " + part.name + "_" + std::to_string(i),
-                                                               part.nameRange());
+                nameMember(m_context, m_context.diagnostics.at(k), part, i);
             if (!isGood) return false;
         }
         return true;

@@ -175,19 +175,36 @@ private:
             for (const BodySpec& body : spec.config->bodies)
                 if (!own.empty() && !body.isFixed && names.size() < kMostNames) names.push_back(own + "." + body.name);
         }
+        const std::size_t before = m_context.diagnostics.all().size();
         m_context.unknownReference(property, "body of a robot (robot.body)", name, value.range, value.origin != Origin::Param,
                                    names);
+        if (m_context.diagnostics.all().size() == before || robot == kWorldBody || !isRobot(name, robot, frame)) return;
+        Diagnostic& d = m_context.diagnostics.at(before);
+        d.message = std::string(property) + " names " + name + ", a robot; it takes one of its bodies";
+        if (d.suggestions.empty()) suggestWords(d, std::move(names), value.origin == Origin::Param ? SourceRange{} : value.range);
+    }
+
+    /// Whether a name is that of the robot itself.
+    bool isRobot(const std::string& name, int robot, const PartFrame& frame) const {
+        return isNamedBy(m_context.out.robots[static_cast<std::size_t>(robot)].name, nameMeant(name, frame));
     }
 
     void warnAboutDuplicates(const Part& part, const std::string& name, const LinkEnd& parent, const LinkEnd& child) {
+        if (parent.robot == child.robot && parent.robot != kWorldBody)
+            for (const JointSpec& own : robotOf(parent).config->joints)
+                if (std::minmax({own.parent, own.child}) == std::minmax({parent.body, child.body}))
+                    return warnAboutTwo(part, robotOf(parent).name + "." + own.name, name);
         for (const Link<JointSpec>& other : m_context.out.joints) {
             const LinkEnd otherParent{other.parentRobot, other.spec.parent}, otherChild{other.childRobot, other.spec.child};
             if ((otherParent != parent || otherChild != child) && (otherParent != child || otherChild != parent)) continue;
-            if (!m_reported.insert(&part).second) return; // of another member of a Repeat
-            m_context.diagnostics.warning(Code::BadJoint, part.nameRange(),
-                                          "two joints join the same bodies: " + other.spec.name + " and " + name);
-            return;
+            return warnAboutTwo(part, other.spec.name, name);
         }
+    }
+
+    void warnAboutTwo(const Part& part, const std::string& one, const std::string& other) {
+        if (m_reported.insert(&part).second) // of a Repeat of one member
+            m_context.diagnostics.warning(Code::BadJoint, part.nameRange(),
+                                          "two joints join the same bodies: " + one + " and " + other);
     }
 
     ResolveContext& m_context;

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/spelling.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::size_t kMaxListed = 12;
 /// For messages: "robot0, robot1 and 98 more".
 std::string listed(const std::vector<std::string>& names) {
     if (names.empty()) return "there are none";
-    std::string text = "there is ";
+    std::string text = names.size() == 1 ? "there is " : "there are ";
     for (std::size_t i = 0; i < names.size() && i < kMaxListed; ++i) text += (i ? ", " : "") + names[i];
     if (names.size() > kMaxListed) text += " and " + std::to_string(names.size() - kMaxListed) + " more";
     return text;
@@ -27,7 +27,10 @@ void unknownName(const ComponentSpec& spec, const char* key, std::size_t k, cons
     Diagnostic& d = diagnostics.error(Code::UnknownReference, value && value->range.known() ? value->rangeOf(k) : spec.nameRange,
                                       "no " + what + " is called '" + written + "'; " +
                                           (best.empty() ? listed(names) : "its members are meant by '" + best + "'"));
-    d.suggestions = best.empty() ? nearestWords(written, names) : std::vector<std::string>{best};
+    const auto isInside = [&](const std::string& name) { return name.ends_with("." + written); };
+    if (!best.empty()) d.suggestions = {best};
+    else if (const auto inside = std::ranges::find_if(names, isInside); inside != names.end()) d.suggestions = {*inside};
+    else d.suggestions = nearestWords(written, names);
 }
 
 /// The pattern "swarm_*/pose" for "swarm/pose", if swarm is a Grid or Scatter whose members have such a signal; else empty.
@@ -95,7 +98,9 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
         }
         if (found) continue;
         std::vector<std::string> names;
-        for (const RobotSpec& robot : robots) names.push_back(robot.name);
+        for (const RobotSpec& robot : robots)
+            if (std::string all = nameOfAll(robot.name); std::ranges::find(names, all) == names.end())
+                names.push_back(std::move(all));
         unknownName(spec, "Robot", k, "robot", name, names, {}, diagnostics);
     }
     std::vector<std::size_t> indices;
