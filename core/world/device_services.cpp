@@ -62,11 +62,11 @@ struct ServiceCalls {
 
     static double jointPosition(void* context, std::uint32_t joint) {
         const DeviceHost& w = world(context);
-        return w.objects.jointHasPosition(joint) ? w.engine.jointPosition({joint}) : 0;
+        return w.objects.jointHasPosition(joint) ? w.engine.jointMotion({joint}).position : 0;
     }
     static double jointRate(void* context, std::uint32_t joint) {
         const DeviceHost& w = world(context);
-        return w.objects.jointHasPosition(joint) ? w.engine.jointRate({joint}) : 0;
+        return w.objects.jointHasPosition(joint) ? w.engine.jointMotion({joint}).rate : 0;
     }
     static double jointMotorEffort(void* context, std::uint32_t joint) {
         const DeviceHost& w = world(context);

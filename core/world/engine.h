@@ -172,8 +172,7 @@ public:
 
     // Reads; values of the last step.
     [[nodiscard]] virtual const BodyState& state(BodyHandle body) const = 0;
-    [[nodiscard]] virtual double jointPosition(JointHandle joint) const = 0; ///< unwrapped
-    [[nodiscard]] virtual double jointRate(JointHandle joint) const = 0;
+    [[nodiscard]] virtual JointMotion jointMotion(JointHandle joint) const = 0;
     [[nodiscard]] virtual JointEffort jointEffort(JointHandle joint) const = 0;
     /// Of a joint that measureWrench was called for.
     [[nodiscard]] virtual JointWrench jointWrench(JointHandle joint) const = 0;

@@ -24,8 +24,12 @@ double* put(double* to, const Vec3& position, const Quat& q) {
 
 double* putJoint(double* to, JointHandle joint, const WorldObjects& objects, const Engine& engine) {
     if (!objects.jointHasPosition(joint.index)) return to;
-    *to++ = engine.jointPosition(joint);
-    *to++ = engine.jointRate(joint);
+    const JointMotion motion = engine.jointMotion(joint);
+    *to++ = motion.position;
+    *to++ = motion.rate;
+    if (!objects.jointHasTwo(joint.index)) return to;
+    *to++ = motion.position2;
+    *to++ = motion.rate2;
     return to;
 }
 

@@ -21,9 +21,14 @@ std::uint32_t addState(SignalLayout& layout, const std::string& path) {
     return first;
 }
 
-void addJoint(SignalLayout& layout, const std::string& path, bool linear) {
+void addJoint(SignalLayout& layout, const std::string& path, JointType type) {
+    if (!hasPosition(type)) return;
+    const bool linear = type == JointType::Slider;
     layout.add(path + "/position", linear ? "m" : "rad", kReal, kTruth);
     layout.add(path + "/rate", linear ? "m/s" : "rad/s", kReal, kTruth);
+    if (type != JointType::Universal) return;
+    layout.add(path + "/position2", "rad", kReal, kTruth);
+    layout.add(path + "/rate2", "rad/s", kReal, kTruth);
 }
 
 void addSpring(SignalLayout& layout, const std::string& path) {
@@ -57,7 +62,7 @@ std::uint32_t planBetweenRobots(SignalLayout& layout, const ExperimentSpec& expe
     for (const auto& link : experiment.joints) {
         if (!hasPosition(link.spec.type)) continue;
         layout.beginRobot(link.spec.name);
-        addJoint(layout, link.spec.name, link.spec.type == JointType::Slider);
+        addJoint(layout, link.spec.name, link.spec.type);
     }
     for (const auto& link : experiment.springs) {
         layout.beginRobot(link.spec.name);
@@ -78,9 +83,7 @@ std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
     layout.beginRobot(name);
     const std::uint32_t first = addState(layout, name);
     for (const BodySpec& body : robot.config->bodies) addState(layout, name + "/" + body.name);
-    for (const JointSpec& joint : robot.config->joints) {
-        if (hasPosition(joint.type)) addJoint(layout, name + "/" + joint.name, joint.type == JointType::Slider);
-    }
+    for (const JointSpec& joint : robot.config->joints) addJoint(layout, name + "/" + joint.name, joint.type);
     for (const SpringSpec& spring : robot.config->springs) addSpring(layout, name + "/" + spring.name);
     for (const GearSpec& gear : robot.config->gears) {
         const bool linear = robot.config->joints[static_cast<std::size_t>(gear.joint)].type == JointType::Slider;

@@ -191,9 +191,9 @@ void WorldObjects::locateJoints(const BuiltRobot& robot) {
 
 void WorldObjects::locate(JointHandle joint, JointType type, const JointLocation& location) {
     const std::uint32_t id = joint.index;
-    m_jointTurns.resize(std::max<std::size_t>(m_jointTurns.size(), id + 1));
-    m_jointTurns[id] = hasPosition(type);
-    m_jointLocations.resize(m_jointTurns.size());
+    m_jointTypes.resize(std::max<std::size_t>(m_jointTypes.size(), id + 1), JointType::Fixed);
+    m_jointTypes[id] = type;
+    m_jointLocations.resize(m_jointTypes.size());
     m_jointLocations[id] = location;
 }
 

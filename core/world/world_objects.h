@@ -11,6 +11,7 @@
 #include "base/diagnostic.h"
 #include "world/engine.h"
 #include "world/floor_marks.h"
+#include "world/signal_plan.h"
 
 namespace trundle {
 
@@ -69,7 +70,12 @@ public:
     [[nodiscard]] bool isBody(std::uint32_t body) const { return body < m_bodyPaths.size(); }
     [[nodiscard]] bool isGeom(std::uint32_t geom) const { return geom < m_geoms.size(); }
     /// False also for a joint without a position.
-    [[nodiscard]] bool jointHasPosition(std::uint32_t joint) const { return joint < m_jointTurns.size() && m_jointTurns[joint]; }
+    [[nodiscard]] bool jointHasPosition(std::uint32_t joint) const {
+        return joint < m_jointTypes.size() && hasPosition(m_jointTypes[joint]);
+    }
+    [[nodiscard]] bool jointHasTwo(std::uint32_t joint) const {
+        return joint < m_jointTypes.size() && m_jointTypes[joint] == JointType::Universal;
+    }
     [[nodiscard]] const BuiltGeom& geom(std::uint32_t index) const { return m_geoms[index]; }
     /// Its number in objectNames() of the experiment.
     [[nodiscard]] std::uint32_t objectNumber(std::uint32_t geom) const { return m_geoms[geom].object; }
@@ -113,7 +119,7 @@ private:
     std::vector<std::uint8_t> m_hasPicture; ///< by material
     std::vector<SourceRange> m_bodyRanges;
     std::vector<std::uint8_t> m_isFixed; ///< by body
-    std::vector<std::uint8_t> m_jointTurns;
+    std::vector<JointType> m_jointTypes;
     std::vector<JointLocation> m_jointLocations;
     std::unordered_map<std::string, std::uint32_t> m_bodyByPath, m_robotByName; // for lookup only, never iterated
 };

@@ -67,6 +67,20 @@ private Q_SLOTS:
         }
     }
 
+    /// The second angle is that about the axis of the child, as the signals have it.
+    void universalHasTwoAngles() {
+        JointSpec spec = joint("j", JointType::Universal, kWorldBody, 0, {0, 0, 1}, Vec3::UnitX());
+        spec.axis2 = Vec3::UnitY();
+        auto world = onJoint(spec, 0.1).build();
+        QVERIFY(world);
+        turn(*world, Vec3(0, 1, 0));
+        for (int i = 0; i < 20; ++i) QVERIFY(world->tick().ok());
+        QVERIFY(std::abs(*slot(*world, "r/j/position")) < 1e-9);
+        const double angle = 2 * std::asin(rotation(*world).y());
+        QVERIFY(angle > 0.005 && std::abs(*slot(*world, "r/j/position2") - angle) < 1e-9);
+        QVERIFY(*slot(*world, "r/j/rate2") > 0);
+    }
+
     void ballSwings() {
         JointSpec spec = joint("j", JointType::Ball, kWorldBody, 0, {0, 0, 1}, Vec3::UnitZ());
         spec.stiffness = 10;

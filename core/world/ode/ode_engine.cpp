@@ -33,6 +33,11 @@ void OdeEngine::setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) {
     g.moves = velocity.squaredNorm() > 0;
 }
 
+JointMotion OdeEngine::jointMotion(JointHandle id) const {
+    const OdeJoint& joint = m_objects.joints[id.index];
+    return {joint.position, joint.rate, joint.position2, joint.rate2};
+}
+
 Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
     const OdeJoint& joint = m_objects.joints[id.index];
     return trundle::addAxialInertia(joint, m_objects.bodies[joint.child], inertia);

@@ -38,8 +38,7 @@ public:
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_objects.states[body.index]; }
-    [[nodiscard]] double jointPosition(JointHandle joint) const override { return m_objects.joints[joint.index].position; }
-    [[nodiscard]] double jointRate(JointHandle joint) const override { return m_objects.joints[joint.index].rate; }
+    [[nodiscard]] JointMotion jointMotion(JointHandle joint) const override;
     [[nodiscard]] JointEffort jointEffort(JointHandle joint) const override;
     [[nodiscard]] JointWrench jointWrench(JointHandle joint) const override { return m_wrenches.of(joint.index); }
     [[nodiscard]] CouplingState coupling(CouplingHandle c) const override { return m_objects.couplings[c.index].state; }

@@ -237,14 +237,9 @@ void WheeledEngine::endFaulty() {
     }
 }
 
-double WheeledEngine::jointPosition(JointHandle joint) const {
+JointMotion WheeledEngine::jointMotion(JointHandle joint) const {
     const std::uint32_t wheel = m_objects.wheelOf[joint.index];
-    return wheel == kNoGeom ? 0 : m_objects.wheels[wheel].angle;
-}
-
-double WheeledEngine::jointRate(JointHandle joint) const {
-    const std::uint32_t wheel = m_objects.wheelOf[joint.index];
-    return wheel == kNoGeom ? 0 : m_objects.wheels[wheel].spin;
+    return wheel == kNoGeom ? JointMotion{} : JointMotion{m_objects.wheels[wheel].angle, m_objects.wheels[wheel].spin};
 }
 
 JointEffort WheeledEngine::jointEffort(JointHandle joint) const {

@@ -32,8 +32,7 @@ public:
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_objects.states[body.index]; }
-    [[nodiscard]] double jointPosition(JointHandle joint) const override;
-    [[nodiscard]] double jointRate(JointHandle joint) const override;
+    [[nodiscard]] JointMotion jointMotion(JointHandle joint) const override;
     [[nodiscard]] JointEffort jointEffort(JointHandle joint) const override;
     [[nodiscard]] JointWrench jointWrench(JointHandle) const override { return {}; }   // it measures none
     [[nodiscard]] CouplingState coupling(CouplingHandle) const override { return {}; } // it has none
