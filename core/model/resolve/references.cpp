@@ -243,14 +243,14 @@ std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& recor
 }
 
 std::uint32_t ResolveContext::mirroredSurface(std::uint32_t surface) {
-    const SurfaceSpec& described = out.surfaces[surface];
-    if (!described.friction2 || described.frictionHeading == 0) return surface;
+    SurfaceSpec mirrored = out.surfaces[surface];
+    if (!mirrored.friction2 || mirrored.frictionHeading == 0) return surface;
     const auto [it, isNew] = m_mirrored.try_emplace(surface, static_cast<std::uint32_t>(out.surfaces.size()));
     if (!isNew) return it->second;
     const std::uint32_t image = it->second;
     m_mirrored.emplace(image, surface);
-    out.surfaces.push_back(described);
-    out.surfaces.back().frictionHeading = -described.frictionHeading;
+    mirrored.frictionHeading = -mirrored.frictionHeading;
+    out.surfaces.push_back(std::move(mirrored));
     return image;
 }
 
