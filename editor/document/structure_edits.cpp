@@ -39,6 +39,7 @@ struct StructureEdits::PendingEdit {
     Plan plan;
     std::string mergeKey;
     PreparedEdit prepared;
+    QString value = {};                              ///< the value that is all it changes; empty: the structure
     std::function<Status()> applyWithoutCopies = {}; ///< used instead of the plan if no text was changed for it; may be empty
     Status status = {};
     bool answered = false;
@@ -56,6 +57,17 @@ Status StructureEdits::apply(const QString& name, const std::vector<std::string>
 std::shared_ptr<StructureEdits::PendingEdit> StructureEdits::startEdit(const QString& name, const std::vector<std::string>& paths,
                                                                        Plan plan, const std::string& mergeKey) const {
     return std::make_shared<PendingEdit>(PendingEdit{name, std::move(plan), mergeKey, PreparedEdit(m_document, paths)});
+}
+
+Status StructureEdits::pushOverride(const QString& name, const std::string& propertyPath) {
+    if (!m_document.isOpen() || m_document.access().isReadOnly()) return m_document.edits().edit({}, {}); // reports why
+    const auto work = startEdit(name, {std::string(withoutLastWord(propertyPath))},
+                                [propertyPath](const LoadedProject& loaded, const PathMapping& renamed) {
+                                    return planPushOverride(loaded, renamed(propertyPath));
+                                },
+                                {});
+    work->value = toQString(std::string(lastWord(propertyPath)));
+    return advance(work);
 }
 
 Status StructureEdits::applyFix(const Fix& fix) {
@@ -168,6 +180,7 @@ Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part&
     for (const std::string& user : m_users.of(loaded, config)) question.users += shown(user);
     for (const Part* instance : instances) question.copyFor += toQString(instance->name);
     question.instances = instancesOf(loaded, config).size();
+    question.value = work->value;
     const std::string key = work->prepared.keyOf(config);
     m_questionHandler(question, [this, work, key](ShareChoice choice) {
         if (std::exchange(work->answered, true)) return;

@@ -30,6 +30,7 @@ struct ShareQuestion {
     QStringList copyFor;         ///< the instances that would use the copy: "robot0"
     std::size_t instances = 0;   ///< in the opened experiment
     bool copyIsForOpened = true; ///< copyFile is the opened file
+    QString value;               ///< the value that is written into the config: "Resistance"; empty: its structure changes
 };
 
 class StructureEdits {
@@ -53,6 +54,8 @@ public:
     /// Renames an object in every reference, also in texts of the project that are not loaded; one entry of the history. After the
     /// question as in apply(), in the copy of its config instead.
     Status rename(const QString& name, const std::string& path, const std::string& to);
+    /// Moves an override into its config, or into a copy of it: as apply().
+    Status pushOverride(const QString& name, const std::string& propertyPath);
     /// Applies a fix of a diagnostic of the document's current texts. A config installed with Trundle gets a copy for the opened file,
     /// in which the fix is made.
     Status applyFix(const Fix& fix);

@@ -7,11 +7,14 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/outline/block_mime.h"
+#include "editor/outline/insertion_place.h"
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/object_edits.h"
 #include "editor/widgets/theme.h"
 #include "model/dotted_path.h"
 #include "project/edits/insert_positions.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 namespace {
@@ -81,8 +84,7 @@ void InsertMenu::fill(QMenu& menu) {
     std::map<std::string, Entries> places;
     for (const Kind* kind : loaded.registry->all()) {
         if (kind->role == Role::Settings) continue;
-        const Kind* one[] = {kind};
-        if (const auto place = placeFor(loaded, at, one)) places[*place].byRole[kind->role].push_back(kind);
+        if (const auto place = insertionPlaceFor(loaded, at, *kind)) places[*place].byRole[kind->role].push_back(kind);
     }
     for (const std::string& place : placesAround(loaded, at))
         if (const auto entries = places.find(place); entries != places.end())
@@ -107,7 +109,10 @@ void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& 
             into->addMenu(ofRole);
             into = ofRole;
         }
-        for (const Kind* kind : kinds->second) addKind(*into, *kind);
+        for (const Kind* kind : kinds->second) {
+            if (kind->name == "Part") addParts(*into, place, *kind);
+            else addKind(*into, *kind);
+        }
         if (role == Role::Instance && place.empty()) addObjects(menu);
     }
     if (more) menu.addMenu(more);
@@ -139,6 +144,53 @@ void InsertMenu::addObjects(QMenu& menu) {
             if (kind) (void)m_edits.insertObject(*kind);
         });
     }
+}
+
+/// The PartConfigs that there are, each for one Part more, and a new one. Without any, a Part comes with a new one.
+void InsertMenu::addParts(QMenu& menu, const std::string& place, const Kind& part) {
+    const LoadedProject& loaded = *m_document.loaded();
+    const std::string at = m_document.editedModel().insertionPlace(m_selection);
+    std::vector<std::pair<std::string, std::string>> parts; // name of the config, and text
+    for (const Part* config : loaded.outline->configs.all())
+        if (std::string text = partTextFor(loaded, place, *config); !text.empty())
+            parts.emplace_back(config->name, std::move(text));
+    if (parts.empty()) return addNewPart(menu, part, QString::fromStdString(part.name), place);
+    QMenu* into = namedMenu(menu, QString::fromStdString(part.name), QStringLiteral("insertParts"));
+    into->setIcon(themedIcon(kindIcon(&part)));
+    menu.addMenu(into);
+    for (const auto& [name, text] : parts) {
+        const QString shown = QString::fromStdString(name);
+        QAction* action = into->addAction(themedIcon(kindIcon(&part)), QString(shown).replace(u"&"_qs, u"&&"_qs));
+        action->setObjectName(QStringLiteral("insertPart.") + shown);
+        action->setStatusTip(tr("One Part more that uses %1").arg(shown));
+        connect(action, &QAction::triggered, this, [this, at, shown, text = text] {
+            if (const Result<Blocks> blocks = blocksFrom(text))
+                (void)m_edits.insertAtPoint(blocks.value(), at, tr("Add Part %1").arg(shown));
+        });
+    }
+    into->addSeparator();
+    addNewPart(*into, part, tr("New Part"), place);
+}
+
+/// With a PartConfig of its own, to be built.
+void InsertMenu::addNewPart(QMenu& menu, const Kind& part, const QString& title, const std::string& place) {
+    QAction* action = menu.addAction(themedIcon(kindIcon(&part)), title);
+    action->setObjectName(QStringLiteral("insert.") + QString::fromStdString(part.name));
+    action->setToolTip(QString::fromStdString(part.help));
+    action->setStatusTip(action->toolTip());
+    connect(action, &QAction::triggered, this, [this, place] { insertNewPart(place); });
+}
+
+void InsertMenu::insertNewPart(const std::string& place) {
+    const LoadedProject& loaded = *m_document.loaded();
+    const std::string config = templateOf(loaded, *loaded.registry->find("PartConfig"), place);
+    const Result<Blocks> needed = blocksFrom(config);
+    if (!needed || needed.value().names.empty()) return;
+    const std::string& name = needed.value().names.back();
+    Result<Blocks> blocks = blocksFrom("Part part { Config=" + name + " }");
+    if (!blocks) return;
+    blocks.value().needs.push_back({"PartConfig." + name, config});
+    (void)m_edits.insertAtPoint(blocks.value(), m_document.editedModel().insertionPlace(m_selection), tr("Add Part"));
 }
 
 QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind) {

@@ -31,6 +31,9 @@ private:
     static QMenu* namedMenu(QMenu& menu, const QString& title, const QString& name); ///< of the menu, not yet in it
     void addObjects(QMenu& menu);
     QAction* addKind(QMenu& menu, const Kind& kind);
+    void addParts(QMenu& menu, const std::string& place, const Kind& part);
+    void addNewPart(QMenu& menu, const Kind& part, const QString& title, const std::string& place);
+    void insertNewPart(const std::string& place);
 
     Document& m_document;
     Selection& m_selection;

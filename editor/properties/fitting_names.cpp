@@ -35,6 +35,19 @@ void addInside(const Part& config, const std::string& before, const std::vector<
     });
 }
 
+/// A Part or a Repeat with bodies stands for all of them: "left" for "left.wheel", "mast" for "mast_0.pole".
+void addGroups(const Part& config, std::vector<std::string>& names) {
+    const std::vector<std::string> bodies = names;
+    NameWalk(kMostBlocks).inside(config, {}, [&](const Part& part, const std::string& prefix) {
+        if (names.size() > kMostNames) return false;
+        const std::string name = prefix + part.name, inside = name + (part.isRepeat() ? "_0." : ".");
+        const bool isGroup = part.isRepeat() || part.isPartUse();
+        if (isGroup && std::ranges::any_of(bodies, [&](const std::string& body) { return body.starts_with(inside); }))
+            names.push_back(name);
+        return isGroup;
+    });
+}
+
 } // namespace
 
 std::vector<std::string> fittingNames(const LoadedProject& loaded, const Property& property, const Part* config) {
@@ -48,6 +61,7 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
             for (const Part* part : space->all())
                 if (fits(*part, choices)) found.push_back(part->name);
     if (config) addInside(*config, {}, choices, wantsGeom(*loaded.registry, choices), found);
+    if (config && property.name == "NoContact") addGroups(*config, found);
     if (!config && names("Body")) // of a joint between robots
         for (const auto& [part, name] : firstMembers(outline))
             if (const Part* used = isPlaced(*part) ? configOf(loaded, *part) : nullptr)

@@ -14,6 +14,7 @@
 #include "editor/properties/origin_mark.h"
 #include "editor/properties/origin_text.h"
 #include "editor/properties/param_help.h"
+#include "editor/properties/rows.h"
 #include "editor/widgets/theme.h"
 #include "project/objects/value_text.h"
 
@@ -197,12 +198,17 @@ void PropertyRow::showOverride() {
                        .arg(ink(Ink::Faint).name(),
                             (one ? overrideWords(m_row.first()) : tr("override in %1 of %2").arg(count).arg(m_row.values.size()))
                                 .toHtmlEscaped());
-    text += link("reset", tr("Reset"));
-    if (one) text += QStringLiteral("&nbsp; ") + link("push", tr("Push Up"));
-    m_override->setText(text);
-    m_override->setToolTip(one ? tr("Reset takes the override out; Push Up writes the value into %1")
-                                     .arg(QString::fromStdString(m_row.first().config))
-                               : tr("Reset takes the overrides out"));
+    QStringList links, tips; // the links stay in one line
+    if (canReset(m_row)) {
+        links << link("reset", tr("Reset"));
+        tips << (one ? tr("Reset takes the override out") : tr("Reset takes the overrides out"));
+    }
+    if (one) {
+        links << link("push", tr("Push Up"));
+        tips << tr("Push Up writes the value into %1").arg(QString::fromStdString(m_row.first().config));
+    }
+    m_override->setText(text + links.join(QStringLiteral("&nbsp;&nbsp;")));
+    m_override->setToolTip(tips.join(QStringLiteral("; ")));
 }
 
 int PropertyRow::wantedLabelWidth() const {

@@ -12,13 +12,6 @@
 namespace trundle {
 namespace {
 
-std::vector<std::string> pathsOf(const Row& row, ValueOrigin origin) {
-    std::vector<std::string> paths;
-    for (const FieldValue& v : row.values)
-        if (v.origin == origin) paths.push_back(v.path);
-    return paths;
-}
-
 QAction* add(QMenu& menu, const char* name, const QString& title, const std::function<void()>& handler) {
     QAction* action = menu.addAction(title);
     action->setObjectName(QString::fromLatin1(name));
@@ -31,8 +24,7 @@ void addValueActions(QMenu& menu, const Row& row, Document& document, const RowA
     if (row.given()) {
         QAction* reset = add(menu, "rowReset", QObject::tr("Reset"),
                              [row, actions] { actions.failed(row.set([](const FieldValue&) { return std::string(); }, {})); });
-        const bool inConfigOnly = pathsOf(row, ValueOrigin::Own).empty() && pathsOf(row, ValueOrigin::Override).empty();
-        reset->setEnabled(!inConfigOnly);
+        reset->setEnabled(canReset(row));
         reset->setIcon(themedIcon(QStringLiteral("reset")));
     }
     if (row.values.size() != 1) return;

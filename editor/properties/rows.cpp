@@ -213,11 +213,14 @@ void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Doc
 QString shortName(const std::string& path) { return toQString(pathInside(lastWord(withoutLastWord(path)), lastWord(path))); }
 
 Status pushOverride(Document& document, const std::string& propertyPath) {
-    const std::string object = std::string(withoutLastWord(propertyPath));
-    return document.structure().apply(QObject::tr("Push %1 into the config").arg(shortName(propertyPath)), {object},
-                                      [propertyPath](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
-                                          return planPushOverride(loaded, renamed(propertyPath));
-                                      });
+    return document.structure().pushOverride(QObject::tr("Push %1 into the config").arg(shortName(propertyPath)), propertyPath);
+}
+
+bool canReset(const Row& row) {
+    std::vector<std::string> paths;
+    for (const FieldValue& v : row.values)
+        if (v.given()) paths.push_back(v.path);
+    return planReset(*row.loaded, paths).ok();
 }
 
 Objects objectsAt(const std::shared_ptr<const LoadedProject>& loaded, const std::vector<std::string>& paths) {

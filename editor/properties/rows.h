@@ -23,6 +23,9 @@ using Objects = std::vector<std::unique_ptr<ObjectValues>>;
 /// Moves an override into its config, or into a copy of it if the user chooses so.
 Status pushOverride(Document& document, const std::string& propertyPath);
 
+/// Whether the value can be taken out of the text: it has one here, and does without.
+[[nodiscard]] bool canReset(const Row& row);
+
 /// The name of a value in edits: "leftMotor.Resistance" for "robot0.leftMotor.Resistance".
 [[nodiscard]] QString shortName(const std::string& path);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QEvent>
+#include <QRegularExpression>
 
 #include "editor/shell/unsaved_files.h"
 #include "editor/widgets/name_list.h"
@@ -19,6 +20,22 @@ constexpr int kUnlimited = 1 << 20;       ///< pixels
 
 QString painted(const QString& text, Ink which) {
     return QStringLiteral("<span style=\"color:%1\">%2</span>").arg(ink(which).name(), text.toHtmlEscaped());
+}
+
+/// Whether a block or a Param of the document has this name, so that it is not written in another way.
+bool isNameIn(const Document& document, const QString& word) {
+    const QRegularExpression declared(QStringLiteral("\\b[A-Z]\\w*\\s+%1\\b\\s*[{=]").arg(QRegularExpression::escape(word)));
+    for (const std::string& file : document.texts().files())
+        if (const auto text = document.texts().text(file); text && QString::fromStdString(*text).contains(declared)) return true;
+    return false;
+}
+
+/// Messages of the core are parts of sentences: "there is no rover.arm".
+QString asSentence(const Document& document, QString message) {
+    static const QRegularExpression firstWord(QStringLiteral("^([a-z]+)(?=[ ,;:]|$)"));
+    const QString word = firstWord.match(message).captured(1);
+    if (!word.isEmpty() && !isNameIn(document, word)) message[0] = message[0].toUpper();
+    return message;
 }
 
 } // namespace
@@ -62,8 +79,8 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document, RunSession& session)
 }
 
 void StatusLine::refuse(const QString& reason) {
-    m_refused = reason;
-    m_bar.showMessage(reason, kRefusalMs);
+    m_refused = asSentence(m_document, reason);
+    m_bar.showMessage(m_refused, kRefusalMs);
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {

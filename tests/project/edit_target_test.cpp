@@ -146,6 +146,28 @@ private Q_SLOTS:
         QCOMPARE(changed(planRemove(*loaded, {"r"})), none);
     }
 
+    /// A rename changes what names the object too, which is nothing to decide about.
+    void aRenameIsOfOneConfig() {
+        PlanFixture fixture;
+        const auto loaded = fixture.open(
+            "Material red { }\nSurface floor { }\nPartConfig Wheel {\n  Param r = 1\n"
+            "  Body wheel { Sphere s { Radius=$r Mass=1 Material=red Surface=floor } }\n  Hinge axle { Parent=$base Child=wheel "
+            "}\n"
+            "}\nRobotConfig Kit {\n  Body chassis { Sphere s { Radius=1 Mass=1 Material=red Surface=floor } }\n"
+            "  Part left { Config=Wheel base=chassis r=2 }\n  Encoder count { Joint=left.axle CountsPerRevolution=512 }\n}\n"
+            "RobotConfig More { Config=Kit left.axle.Axis=0,1,0 }\nRobot a { Config=Kit }\nRobot b { Config=More }\n");
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+        const auto changed = [&](const std::string& path) {
+            const auto plan = planRename(*loaded, path, "other");
+            return plan.ok() ? configsChangedBy(*loaded, plan.value()) : std::vector<const Part*>{nullptr};
+        };
+        const std::vector<const Part*> wheel{&config(*loaded, "Wheel")}, kit{&config(*loaded, "Kit")};
+        QCOMPARE(changed("a.left.axle"), wheel);
+        QCOMPARE(changed("PartConfig.Wheel.r"), wheel);
+        QCOMPARE(changed("a.left"), kit);
+        QCOMPARE(changed("b.left"), kit);
+    }
+
     void copies() {
         PlanFixture fixture;
         const std::string main = "#import rover.sim\n\nTick = 0.02\n\n// The first.\nRobot r { Config=Rover width=0.4 } // here\n"

@@ -162,40 +162,42 @@ private Q_SLOTS:
             QTest::newRow(what) << chassis << blocks << texts;
         };
         const char* const turned = "Pos=0.1,0,0.2 HPR=90,0,0";
-        const char* const mast =
-            "Body mast { In=chassis Pos=0,0,0.3 HPR=0,20,0 Box b { Size=0.1,0.1,1 Mass=1 Material=red Surface=floor } }";
+        const char* const mast = "Body mast { In=chassis Pos=0,0,0.3 HPR=0,20,0 Box b { Pos=0,1,0 Size=0.1,0.1,1 Mass=1 "
+                                 "Material=red Surface=floor } }";
         row("a body", turned, mast, {"In=chassis", "Body mast { Pos=0,0,0.3 HPR=0,20,0 Box"});
         row("its fixture", turned,
-            "Body mast { In=chassis Box b { Size=0.1,0.1,1 Mass=1 Material=red Surface=floor } }\n"
+            "Body mast { In=chassis Box b { Pos=0,1,0 Size=0.1,0.1,1 Mass=1 Material=red Surface=floor } }\n"
             "  Fixed foot { Parent=chassis Child=mast }",
             {"In=chassis"});
         row("an axis that is turned", turned,
-            "Body mast { In=chassis Pos=1,0,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "Body mast { In=chassis Pos=1,0,0 Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
             "  Hinge foot { Parent=chassis Child=mast Axis=0,1,0 Anchor=0.1,1 m,0.5 }\n  RotaryMotor m { Joint=foot "
             "TorqueConstant=1 "
             "SpeedConstant=1 Resistance=2 MaxVoltage=12 }",
             {"Axis=1,0,0 Anchor=1,0,0.3"});
         row("default axes", turned,
-            "Body mast {\n    In=chassis\n    Pos=1,0,0\n    Box b { Size=1,1,1 Mass=1 Material=red Surface=floor }\n  }\n"
+            "Body mast {\n    In=chassis\n    Pos=1,0,0\n    Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red Surface=floor }\n  "
+            "}\n"
             "  Universal foot { Parent=chassis Child=mast Axis=1,0,0 Axis2=0,1,0 }\n  Slider more { Parent=chassis Child=other "
             "}\n"
-            "  Body other { In=chassis Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }",
+            "  Body other { In=chassis Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red Surface=floor } }",
             {"Axis=0,-1,0 Axis2=1,0,0", "Body mast {\n"});
         row("expressions are shifted", "Pos=0,0,0.2",
-            "Body mast { In=chassis Pos=$r,0,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "Body mast { In=chassis Pos=$r,0,0 Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
             "  Hinge foot { Parent=chassis Child=mast Axis=0,1,0 Anchor=0,0,$r }",
             {"Axis=0,1,0 Anchor=0,0,$(r - 0.2)"});
         row("the body's place is a Param, the axis is not", "Pos=0,0,$r",
-            "Body mast { In=chassis Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "Body mast { In=chassis Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
             "  Hinge foot { Parent=chassis Child=mast Axis=0,1,0 }",
             {"Axis=0,1,0"});
         row("a chain of bodies", turned,
-            "Body mast { In=chassis Pos=1,0,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
-            "  Body tip { In=mast Pos=0,1,0 HPR=0,30,0 Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "Body mast { In=chassis Pos=1,0,0 Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Body tip { In=mast Pos=0,1,0 HPR=0,30,0 Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
             "  Spring s { Parent=mast Child=tip Anchor=1,1,0 Anchor2=1,2,0 Stiffness=1 }",
             {"Body tip { In=mast", "Anchor=1,-0.9,-0.2 Anchor2=2,-0.9,-0.2"});
         row("a Repeat", turned,
-            "Repeat row { In=chassis Count=2 Pos=$index,0,0 Body b { Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } } "
+            "Repeat row { In=chassis Count=2 Pos=$index,0,0 Body b { Box b { Pos=0,1,0 Size=1,1,1 Mass=1 Material=red "
+            "Surface=floor } } "
             "Hinge h { Parent=chassis Child=b Axis=0,1,0 Anchor=0,0,1 } }",
             {"Repeat row { Count=2", "Axis=0,1,0 Anchor=0,0,1"});
     }

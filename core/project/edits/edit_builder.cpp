@@ -19,47 +19,26 @@ std::size_t errorsIn(const Tree& tree) {
         std::count_if(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity == Severity::Error; }));
 }
 
-/// Reindents the inner lines of a text: one level, the width of its narrowest indent, becomes one `step`.
-std::string restepped(const std::string& text, const std::string& step) {
-    std::string own;
-    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
-        const std::size_t first = text.find_first_not_of(" \t", at + 1);
-        const std::size_t width = first == std::string::npos || text[first] == '\n' ? 0 : first - at - 1;
-        if (width > 0 && (own.empty() || width < own.size())) own = text.substr(at + 1, width);
-    }
-    if (own.empty() || own == step) return text;
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        out += text[i];
-        if (text[i] != '\n') continue;
-        for (; text.compare(i + 1, own.size(), own) == 0; i += own.size()) out += step;
-    }
-    return out;
+bool isBlankOrComment(const Token& token) {
+    return token.kind == TokenKind::Space || token.kind == TokenKind::LineComment || token.kind == TokenKind::BlockComment;
 }
 
 /// The start of the line of a block, or of the comments directly above it.
 std::uint32_t commentAbove(const Tree& tree, std::uint32_t at) {
     const std::string_view bytes = tree.source().bytes();
-    const auto lineStart = [&](std::uint32_t from) {
-        while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
-        return from;
-    };
-    std::uint32_t start = lineStart(at);
-    if (!std::all_of(bytes.begin() + start, bytes.begin() + at, isBlank)) return at; // not the first item of its line
+    std::uint32_t start = at;
+    while (start > 0 && isBlank(bytes[start - 1])) --start;
+    if (start > 0 && bytes[start - 1] != '\n' && bytes[start - 1] != '\r') return at; // not the first item of its line
     const auto& tokens = tree.tokens();
-    for (;;) {
-        std::uint32_t end = start; // end of the line above
-        if (end > 0 && bytes[end - 1] == '\n') --end;
-        if (end > 0 && bytes[end - 1] == '\r') --end;
-        if (end == start) return start;
-        const std::uint32_t begin = lineStart(end);
-        const auto comment = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
-            return token.kind == TokenKind::LineComment && begin <= token.range.begin && token.range.end <= end;
-        });
-        if (comment == tokens.end() || !std::all_of(bytes.begin() + begin, bytes.begin() + comment->range.begin, isBlank))
-            return start;
-        start = begin;
+    auto it = std::ranges::lower_bound(tokens, start, {}, [](const Token& token) { return token.range.begin; });
+    while (it != tokens.begin() && (--it)->kind == TokenKind::LineEnd) {
+        bool isComment = false; // the line above has nothing else
+        for (; it != tokens.begin() && isBlankOrComment(*std::prev(it)); --it)
+            isComment |= std::prev(it)->kind != TokenKind::Space;
+        if (!isComment || (it != tokens.begin() && std::prev(it)->kind != TokenKind::LineEnd)) break;
+        start = it->range.begin;
     }
+    return start;
 }
 
 bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
@@ -244,6 +223,14 @@ SourceRange withComment(const LoadedProject& loaded, SourceRange item) {
     return item;
 }
 
+SourceRange withComments(const LoadedProject& loaded, SourceRange item) {
+    const Tree& tree = *loaded.trees[item.file];
+    SourceRange whole = withComment(loaded, item);
+    whole.range.begin = commentAbove(tree, item.range.begin);
+    while (isBlank(tree.source().bytes()[whole.range.begin])) ++whole.range.begin;
+    return whole;
+}
+
 std::string blockText(const LoadedProject& loaded, const SourceRange& block) {
     const SourceText& source = loaded.trees[block.file]->source();
     return dedented(source.slice(block.range), indentOfLine(source.bytes(), block.range.begin).size());
@@ -262,6 +249,23 @@ std::string dedented(std::string_view text, std::size_t most) {
         out += text[i];
         if (text[i] != '\n' || common == std::string_view::npos) continue;
         for (std::size_t k = 0; k < common && i + 1 < text.size() && isBlank(text[i + 1]); ++k) ++i;
+    }
+    return out;
+}
+
+std::string restepped(const std::string& text, const std::string& step) {
+    std::string own;
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+        const std::size_t first = text.find_first_not_of(" \t", at + 1);
+        const std::size_t width = first == std::string::npos || text[first] == '\n' ? 0 : first - at - 1;
+        if (width > 0 && (own.empty() || width < own.size())) own = text.substr(at + 1, width);
+    }
+    if (own.empty() || own == step) return text;
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        out += text[i];
+        if (text[i] != '\n') continue;
+        for (; text.compare(i + 1, own.size(), own) == 0; i += own.size()) out += step;
     }
     return out;
 }

@@ -52,6 +52,10 @@ void addBefore(const LoadedProject& loaded, const Part* block, FileId file, cons
 [[nodiscard]] std::optional<std::uint32_t> endOfLineBehind(const Tree& tree, std::uint32_t offset);
 /// An item that begins its line, including a comment after it on its last line.
 [[nodiscard]] SourceRange withComment(const LoadedProject& loaded, SourceRange item);
+/// The same, including the comments directly above it.
+[[nodiscard]] SourceRange withComments(const LoadedProject& loaded, SourceRange item);
+/// Reindents the inner lines of a text: one level, the width of its narrowest indent, becomes one `step`.
+[[nodiscard]] std::string restepped(const std::string& text, const std::string& step);
 /// A text without the common indent of all lines but the first, at most `most` characters; line ends become `
 /// `.
 [[nodiscard]] std::string dedented(std::string_view text, std::size_t most = std::string_view::npos);

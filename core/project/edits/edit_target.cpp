@@ -169,9 +169,12 @@ EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propert
 }
 
 std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan) {
+    const auto isUserOnly = [&](const Part& config) {
+        return !plan.renamedIn.empty() && plan.renamedIn != pathOfConfig(config) && !isShippedFile(loaded, config.file);
+    };
     std::vector<const Part*> changed;
     for (const Part* config : loaded.outline->configs.all())
-        if (isChanged(*config, plan.edits)) changed.push_back(config);
+        if (isChanged(*config, plan.edits) && !isUserOnly(*config)) changed.push_back(config);
     return changed;
 }
 

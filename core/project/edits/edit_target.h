@@ -61,7 +61,8 @@ struct EditTarget {
 [[nodiscard]] Result<EditPlan> planFix(const LoadedProject& found, const Fix& fix, const LoadedProject& loaded,
                                        const std::function<std::string(const std::string&)>& renamed);
 
-/// The configs whose contents a plan changes, each once.
+/// The configs whose contents a plan changes, each once. Of a rename the one that has the object, without the user's own ones that only
+/// name it: these change with it, whatever is decided.
 [[nodiscard]] std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan);
 
 /// The shipped definitions whose contents a plan changes, see shippedDefinitionAt().

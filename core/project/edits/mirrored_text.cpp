@@ -1,10 +1,13 @@
 #include "project/edits/mirrored_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <optional>
 
+#include "model/dotted_path.h"
 #include "project/edits/moved_block.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 
@@ -72,6 +75,71 @@ Result<std::string> mirroredPart(const std::string& text, const std::string& nam
     else part.set("Mirror", mirror);
     part.rename(name);
     return part.text();
+}
+
+namespace {
+
+/// The block whose frame the mirror plane is in; nullptr: none has a pose.
+const Chosen* blockOfPlane(const LoadedProject& loaded, const std::vector<Chosen>& blocks) {
+    const auto countsFromOthers = [&](const Chosen& c) {
+        const std::optional<PropertyValue> in = valueAt(loaded, c.place, "In");
+        return in && !in->texts.empty() && std::ranges::any_of(blocks, [&](const Chosen& other) {
+                   return other.place.part->name == firstWord(in->texts[0]);
+               });
+    };
+    const auto found = std::ranges::find_if(
+        blocks, [&](const Chosen& c) { return c.place.part->kind && c.place.part->kind->find("In") && !countsFromOthers(c); });
+    return found == blocks.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+Status checkMirrorImage(const LoadedProject& loaded, const std::vector<Chosen>& blocks, char axis) {
+    const Chosen* block = blockOfPlane(loaded, blocks);
+    const RobotConfigSpec* config = block ? resolvedConfig(loaded, block->place) : nullptr;
+    if (!config) return {};
+    const std::string prefix = resolvedPrefix(block->place);
+    const Pose frame = describedFrame(loaded, block->place).pose;
+    const auto imageOf = [&](Vec3 position) {
+        position = frame.inverse() * position;
+        position[axis - 'x'] *= -1;
+        return frame * position;
+    };
+    const auto isImage = [&](const BodySpec& body, const BodySpec& other) {
+        return !body.geoms.empty() && body.geoms.size() == other.geoms.size() &&
+               std::ranges::all_of(body.geoms, [&](const GeomSpec& geom) {
+                   const Vec3 image = imageOf(body.pose * geom.pose.position);
+                   return std::ranges::any_of(other.geoms, [&](const GeomSpec& there) {
+                       return there.shape == geom.shape && (other.pose * there.pose.position - image).norm() < 1e-6;
+                   });
+               });
+    };
+    // The name of the selected block that has a body; "" for other bodies.
+    const auto blockOf = [&](const BodySpec& body) -> std::string {
+        if (!body.name.starts_with(prefix)) return {};
+        const std::string_view first = firstWord(std::string_view(body.name).substr(prefix.size()));
+        const auto member = memberName(first);
+        const auto has = [&](const Chosen& c) {
+            const Part& part = *c.place.part;
+            return part.name == (part.isRepeat() && member ? member->stem : first);
+        };
+        const auto found = std::ranges::find_if(blocks, has);
+        return found == blocks.end() ? std::string() : found->place.part->name;
+    };
+    std::string refusal;
+    for (const BodySpec& body : config->bodies) {
+        const std::string name = blockOf(body);
+        if (name.empty()) continue;
+        const auto isThere = [&](const BodySpec& other) { return isImage(body, other); };
+        const auto other = std::ranges::find_if(config->bodies, isThere);
+        if (other == config->bodies.end()) return {};
+        if (!refusal.empty()) continue;
+        std::string_view there = other->name;
+        if (there.starts_with(prefix)) there = firstWord(there.substr(prefix.size()));
+        refusal = isImage(body, body) ? name + " lies on the mirror plane and would be its own mirror image"
+                                      : name + "'s mirror image is there already: " + std::string(there);
+    }
+    return refusal.empty() ? Status() : Error{Code::Conflict, refusal};
 }
 
 std::string mirroredName(const std::string& name) {

@@ -14,6 +14,7 @@ namespace trundle {
 struct PastedBlocks::PasteContext {
     std::set<std::string> params;
     const BlockItem* pastedConfig = nullptr;     ///< set inside a config that is pasted as a whole
+    bool isInPart = false;                       ///< inside a PartConfig that is pasted
     const Part* config = nullptr;                ///< set if the target is this config
     std::vector<const BlockItem*> pastedRepeats; ///< around the value
     std::vector<const Part*> repeats;            ///< the same, of the target
@@ -38,6 +39,16 @@ const BlockItem* blockNamed(const BlockItem& holder, const std::string& name) {
     return nullptr;
 }
 
+/// Whether a property names a block of the same config.
+bool isLocal(const LoadedProject& loaded, const Property& property) {
+    const auto hasNoSpace = [&](const std::string& choice) {
+        const Kind* kind = loaded.registry->find(choice);
+        return !kind || !referenceSpace(*loaded.outline, *kind);
+    };
+    return property.type == PropertyType::Reference &&
+           (property.choices.empty() || std::ranges::any_of(property.choices, hasNoSpace));
+}
+
 bool isIn(const BlockItem& repeat, const std::string& name) { return blockNamed(repeat, name); }
 bool isIn(const Part& repeat, const std::string& name) { return repeat.find(name); }
 
@@ -48,15 +59,13 @@ void addIndex(std::set<std::string>& params) { params.insert({"index", "index2"}
 bool PastedBlocks::leadsSomewhere(const LoadedProject& loaded, const Entry& entry, const Kind& kind, const Property& property,
                                   const std::string& word, const PasteContext& seen) const {
     if (namesWorld(kind, property) || named(loaded, entry, property, word)) return true;
-    bool local = property.choices.empty();
     for (const std::string& choice : property.choices) {
         const Kind* named = loaded.registry->find(choice);
         const NameSpace* space = named ? referenceSpace(*loaded.outline, *named) : nullptr;
         if (choice == word || (space && space->find(word))) return true; // such as `world`
         if (space && word == "default") return true;
-        local = local || !space;
     }
-    if (!local) return false;
+    if (!isLocal(loaded, property)) return false;
     const std::string first(firstWord(word));
     const auto hasFirst = [&](const auto* repeat) { return isIn(*repeat, first); };
     if (std::ranges::any_of(seen.pastedRepeats, hasFirst) || std::ranges::any_of(seen.repeats, hasFirst)) return true;
@@ -75,6 +84,7 @@ std::string PastedBlocks::missingIn(const LoadedProject& loaded, const Entry& en
         if (const auto* param = item.as<ParamItem>()) seen.params.insert(param->name.text);
         else if (item.as<ImportItem>()) return {}; // the imported file may define anything
     if (kind && kind->role == Role::Config) seen.pastedConfig = &block;
+    if (kind && kind->name == "PartConfig") seen.isInPart = true;
     if (kind && kind->role == Role::Repeat) seen.pastedRepeats.push_back(&block);
     if (kind && (kind->role == Role::Repeat || kind->role == Role::Layout)) addIndex(seen.params);
     for (const Item& item : block.items) {
@@ -84,8 +94,11 @@ std::string PastedBlocks::missingIn(const LoadedProject& loaded, const Entry& en
         const auto* param = item.as<ParamItem>();
         const Value* value = a ? &a->value : param ? &param->value : nullptr;
         const Property* property = a && kind && a->path.size() == 1 ? kind->find(a->path[0].text) : nullptr;
+        // A PartConfig needs no Param for what it names outside, `Parent=$carrier`, also where it hands it on to a Part.
+        const bool isOfPart = a && kind && kind->name == "Part" && !property;
+        const bool isImplied = seen.isInPart && (isOfPart || (property && isLocal(loaded, *property)));
         for (const Element& e : value ? value->elements : std::vector<Element>()) {
-            if (e.kind == Element::Kind::ParamRef && !seen.params.count(e.text)) return "$" + e.text;
+            if (e.kind == Element::Kind::ParamRef && !isImplied && !seen.params.count(e.text)) return "$" + e.text;
             if (e.expression) found = unknownIn(*e.expression, seen.params);
             const bool word = e.kind == Element::Kind::Word || e.kind == Element::Kind::String;
             if (word && property && property->type == PropertyType::Reference && !e.text.empty() &&

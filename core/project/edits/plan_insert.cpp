@@ -4,6 +4,7 @@
 #include <set>
 
 #include "lang/characters.h"
+#include "lang/edit_style.h"
 #include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "project/edits/edit_builder.h"
@@ -53,18 +54,20 @@ public:
         for (PastedBlocks::Entry& entry : m_blocks.entries) {
             if (Status status = settle(entry); !status.ok()) return status.error();
         }
+        findUser();
         std::vector<std::string> selects;
         for (const auto& [name, param] : m_blocks.params) {
             const SourceParam* there = paramHere(name);
             if (there && !hasSameText(*there, param.value))
                 return Error{Code::DuplicateName, "Param " + name + " is " + valueOf(*there) + " here, and " + param.value +
                                                       " where this comes from; rename one of the two first"};
-            if (!there) m_sheet.addItem(m_file, nullptr, param.text);
+            if (!there) addAtTop(param.text);
         }
         for (std::size_t i = 0; i < m_blocks.entries.size(); ++i) {
             const PastedBlocks::Entry& entry = m_blocks.entries[i];
-            const FileId file = entry.target ? entry.target->file : m_file;
-            m_sheet.addItem(file, entry.target ? entry.target->block : nullptr, m_blocks.textOf(m_loaded, entry));
+            if (entry.target) m_sheet.addItem(entry.target->file, entry.target->block, m_blocks.textOf(m_loaded, entry));
+            else if (isDefinition(entry)) addAtTop(m_blocks.textOf(m_loaded, entry));
+            else m_sheet.addItem(m_file, nullptr, m_blocks.textOf(m_loaded, entry));
             selects.push_back(pathFor(entry, m_paths[i]));
         }
         if (Status status = import(imports); !status.ok()) return status.error();
@@ -74,6 +77,23 @@ public:
     }
 
 private:
+    /// The first block of the top level that gets some of the blocks: what they need of the top level comes before it.
+    void findUser() {
+        for (const PastedBlocks::Entry& entry : m_blocks.entries)
+            for (const auto& part : m_loaded.outline->parts)
+                if (entry.target && isWithin(entry.target->range, part->range) &&
+                    (!m_user || isWithin(part->range, {m_user->file, {0, m_user->range.range.begin}})))
+                    m_user = part.get();
+    }
+    bool isDefinition(const PastedBlocks::Entry& entry) const {
+        const NameSpace* space = entry.kind ? m_loaded.outline->spaceOf(*entry.kind) : nullptr;
+        return space && space != &m_loaded.outline->world;
+    }
+    void addAtTop(const std::string& text) {
+        if (!m_user) return m_sheet.addItem(m_file, nullptr, text);
+        addBefore(m_loaded, m_user, m_user->file, restepped(text, editStyle(*m_loaded.trees[m_user->file]).step), m_sheet);
+    }
+
     const SourceParam* paramHere(const std::string& name) const {
         const auto& params = m_loaded.outline->params;
         const auto it = std::find_if(params.begin(), params.end(), [&](const SourceParam& p) { return p.name->text == name; });
@@ -192,7 +212,8 @@ private:
     Status import(std::vector<std::string> imports) {
         imports.insert(imports.end(), m_blocks.directives.begin(), m_blocks.directives.end());
         std::set<FileId> files;
-        for (const PastedBlocks::Entry& entry : m_blocks.entries) files.insert(entry.target ? entry.target->file : m_file);
+        for (const PastedBlocks::Entry& entry : m_blocks.entries)
+            files.insert(entry.target ? entry.target->file : m_user && isDefinition(entry) ? m_user->file : m_file);
         if (files.empty()) files.insert(m_file);
         for (const FileId file : files) {
             Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, file, imports);
@@ -225,6 +246,7 @@ private:
     EditBuilder m_sheet;
     const FileId m_file; ///< for blocks at the top level
     std::vector<Target> m_near;
+    const Part* m_user = nullptr; ///< see findUser()
     bool m_member = false, m_imports = false;
     std::vector<std::string> m_paths; ///< of the inserted blocks
     std::map<std::pair<const Part*, const NameSpace*>, UsedNames> m_names;

@@ -44,18 +44,26 @@ public:
             if (!part.block->name && parent) keepNames(parent->parts, part.block->type.text, m_references, {same}, m_sheet);
         const Status done = change([&](const NameReference& m) { return m.target == part.block; });
         if (!done.ok()) return done.error();
-        return m_sheet.plan({pathInside(withoutLastWord(path), m_name)});
+        const auto isConfig = [](const Part* p) { return p->is(Role::Config); };
+        const auto holder = std::find_if(place.above.rbegin(), place.above.rend(), isConfig);
+        return planIn(holder == place.above.rend() ? nullptr : *holder, {pathInside(withoutLastWord(path), m_name)});
     }
 
-    Result<EditPlan> param(const ParamItem& param, FileId file, const std::string& path) {
+    /// `owner`: the block that declares it.
+    Result<EditPlan> param(const ParamItem& param, FileId file, const Part* owner) {
         m_sheet.add({{file, param.name.range}, m_name});
         const Status done = change([&](const NameReference& m) { return m.param == &param; });
         if (!done.ok()) return done.error();
-        (void)path;
-        return m_sheet.plan({});
+        return planIn(owner && owner->is(Role::Config) ? owner : nullptr, {});
     }
 
 private:
+    Result<EditPlan> planIn(const Part* config, std::vector<std::string> selects) {
+        Result<EditPlan> plan = m_sheet.plan(std::move(selects));
+        if (plan.ok() && config) plan.value().renamedIn = pathOfConfig(*config);
+        return plan;
+    }
+
     template <class Means> Status change(const Means& means) {
         std::set<SourceRange> mine;
         for (const NameReference& m : m_references) {
@@ -160,7 +168,7 @@ Result<EditPlan> planRename(const LoadedProject& loaded, const std::string& path
     if (Status open = freeForParam(loaded, found, name); !open.ok()) return open.error();
     const ParamItem* item = itemOf(loaded.trees[found.param->file]->items(), found.param->name);
     if (!item) return Error{Code::NoSuchPath, "there is no " + path};
-    return RenamePlanner(loaded, name).param(*item, found.param->file, path);
+    return RenamePlanner(loaded, name).param(*item, found.param->file, found.owner);
 }
 
 } // namespace trundle

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/spelling.h"
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
@@ -54,6 +55,7 @@ public:
             name = m_names.take(name);
         const std::string type = UsedNames(m_loaded, nullptr, m_loaded.registry->find("PartConfig")).take(upperFirst(common));
         std::string lines;
+        declareAlikeNames();
         for (const std::string& param : m_declared) lines += param + "\n";
         addBefore(m_loaded, &config, config.file, blockOfLines("PartConfig " + type, lines + m_blocks.text(), step), m_sheet);
         std::string use = "Part " + name + " { Config=" + type;
@@ -98,6 +100,7 @@ private:
         if (isNew) {
             it->second = freeParam(std::string(lastWord(path)));
             m_given.push_back(it->second + "=" + path);
+            m_named.emplace(it->second, path);
         }
         return it->second;
     }
@@ -140,17 +143,29 @@ private:
         if (e.op == Expression::Op::Name) takeParam(e.name);
         for (const Expression& argument : e.arguments) takeParamsOf(argument);
     }
-    /// A Param of the config that the blocks use, and those that its value uses. One that stands for a name has no value in the part.
+    /// A Param of the config that the blocks use, and those that its value uses. One that names a block has no value in the part.
     void takeParam(const std::string& name) {
         const SourceParam* param = paramOf(name);
         if (!param || !m_params.insert(name).second) return;
         m_given.push_back(name + "=$" + name);
-        const Value& value = *param->value;
-        const auto isNumber = [](const Element& e) { return e.kind != Element::Kind::Word; };
-        if (value.elements.empty() || !std::ranges::all_of(value.elements, isNumber)) return;
-        takeParamsOf(value);
-        m_declared.push_back("Param " + name + " = " + std::string(m_texts.slice({param->valueFile, value.range})) +
-                             descriptionOf(*param));
+        const SourceRange value{param->valueFile, param->value->range};
+        if (value.range.size() == 0) return;
+        const std::string text(m_texts.slice(value));
+        const auto namesBlock = [&](const NameReference& m) { return m.target && !isTop(m.target) && isWithin(m.name, value); };
+        if (std::ranges::any_of(m_references, namesBlock)) {
+            m_named.emplace(name, text);
+            return;
+        }
+        takeParamsOf(*param->value);
+        m_declared.push_back("Param " + name + " = " + text + descriptionOf(*param));
+    }
+    /// Names of blocks are given by the Part, and `$chassis` is enough in the part, unless it looks like another Param misspelt.
+    void declareAlikeNames() {
+        for (const auto& [name, path] : m_named) {
+            std::vector<std::string> others(m_params.begin(), m_params.end());
+            std::erase(others, name);
+            if (!nearestWords(name, others).empty()) m_declared.push_back("Param " + name + " = " + path);
+        }
     }
     /// Limits and help of a Param, in their braces.
     std::string descriptionOf(const SourceParam& param) const {
@@ -172,6 +187,7 @@ private:
     EditBuilder m_sheet{m_loaded};
     std::set<std::string> m_params;               ///< of the PartConfig
     std::map<std::string, std::string> m_paramOf; ///< by path in the config
+    std::map<std::string, std::string> m_named;   ///< Params that stand for blocks outside, with their paths
     std::vector<std::string> m_declared, m_given; ///< "Param r = 0.05"; "r=$r"
 };
 
@@ -179,6 +195,17 @@ Result<EditPlan> makePart(const LoadedProject& loaded, const std::vector<std::st
     Result<WrappedBlocks> blocks = WrappedBlocks::of(loaded, paths, "PartConfig");
     if (!blocks.ok()) return blocks.error();
     return PartMaker(loaded, std::move(blocks).value()).plan(axis);
+}
+
+Result<EditPlan> mirrorBlocks(const LoadedProject& loaded, const std::vector<std::string>& paths, const std::vector<Chosen>& all,
+                              char axis) {
+    const auto hasPlace = [](const Chosen& c) { return !c.place.part->is(Role::Device) || c.place.part->kind->find("Pos"); };
+    if (std::ranges::none_of(all, hasPlace))
+        return Error{Code::WrongPlace, all.front().place.part->title() +
+                                           " has no pose, so its mirror image would be the same; select what it belongs to along "
+                                           "with it"};
+    if (Status status = checkMirrorImage(loaded, all, axis); !status.ok()) return status.error();
+    return makePart(loaded, paths, axis);
 }
 
 } // namespace
@@ -191,7 +218,7 @@ Result<EditPlan> planMirror(const LoadedProject& loaded, const std::vector<std::
     const Result<std::vector<Chosen>> all = chosen(loaded, paths);
     if (!all.ok()) return all.error();
     if (std::ranges::any_of(all.value(), [](const Chosen& c) { return !c.place.part->isPartUse(); }))
-        return makePart(loaded, paths, axis);
+        return mirrorBlocks(loaded, paths, all.value(), axis);
     EditBuilder sheet(loaded);
     std::map<const Part*, UsedNames> names;
     std::vector<std::string> selects;
@@ -201,6 +228,7 @@ Result<EditPlan> planMirror(const LoadedProject& loaded, const std::vector<std::
         if (!holder || !holder->is(Role::Config))
             return Error{Code::WrongPlace, part.title() + " is in " + (holder ? holder->title() : "no config") +
                                                "; what is directly in a config can be mirrored"};
+        if (Status status = checkMirrorImage(loaded, {c}, axis); !status.ok()) return status.error();
         const std::string name = names.try_emplace(holder, loaded, holder, part.kind).first->second.take(mirroredName(part.name));
         const Result<std::string> text = mirroredPart(blockText(loaded, part.range), name, axis);
         if (!text.ok()) return text.error();

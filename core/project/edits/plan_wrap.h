@@ -14,7 +14,8 @@ namespace trundle {
 /// configs or files, for blocks that count from different bodies and for blocks that a PartConfig cannot have.
 [[nodiscard]] Result<EditPlan> planMakePart(const LoadedProject& loaded, const std::vector<std::string>& paths);
 /// Writes the mirror image of each Part along `axis` ('x', 'y' or 'z') of the config behind it: "Part right { Config=... Mirror=y }".
-/// Other blocks become a part first, see planMakePart(). Fails for a Part whose pose or Mirror cannot be mirrored in the text.
+/// Other blocks become a part first, see planMakePart(). Fails for a Part whose pose or Mirror cannot be mirrored in the text, for
+/// devices alone that have no pose, and where the mirror image is there already, see checkMirrorImage().
 [[nodiscard]] Result<EditPlan> planMirror(const LoadedProject& loaded, const std::vector<std::string>& paths, char axis);
 /// Puts blocks of one config into a Repeat with `count` members, each `step` (m) from the one before. Names that lead into the blocks
 /// lead to the first member, overrides to all. Fails as planMakePart(), and for a count that is not from 1 to kMaxObjects.

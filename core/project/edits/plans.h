@@ -20,6 +20,7 @@ using FileEdits = std::map<FileId, std::vector<TextEdit>>;
 struct EditPlan {
     FileEdits edits;
     std::vector<std::string> selects; ///< paths of the created, moved or renamed objects, after the edit
+    std::string renamedIn = {};       ///< of a rename the path of the config that has the object; others only name it
 };
 
 /// Removes the assignment or override of a property, so that the default or the config's value applies again.

@@ -122,16 +122,17 @@ void WrappedBlocks::add(const Part& block, std::string_view key, const std::stri
 std::string WrappedBlocks::text() const {
     std::string all;
     for (const Part* block : m_blocks) {
-        const SourceRange whole = withComment(m_loaded, block->range);
+        const SourceRange whole = withComments(m_loaded, block->range);
         const TextSet& texts = m_loaded.outline->texts();
         const auto changes = m_changes.find(block);
         const Result<std::string> written =
             applyEdits(texts.slice(block->range), changes == m_changes.end() ? std::vector<TextEdit>() : changes->second);
-        const std::string comment(texts.slice({whole.file, {block->range.range.end, whole.range.end}}));
+        const std::string_view above = texts.slice({whole.file, {whole.range.begin, block->range.range.begin}});
+        const std::string behind(texts.slice({whole.file, {block->range.range.end, whole.range.end}}));
         const std::string_view bytes = m_loaded.trees[block->file]->source().bytes();
         const std::size_t indent = indentOfLine(bytes, block->range.range.begin).size();
         const std::string given(written.ok() ? written.value() : std::string(texts.slice(block->range)));
-        all += (all.empty() ? "" : "\n") + dedented(given + comment, indent);
+        all += (all.empty() ? "" : "\n") + dedented(above, indent) + dedented(given + behind, indent);
     }
     return all;
 }
@@ -157,20 +158,20 @@ void WrappedBlocks::replaceBy(const std::string& text, EditBuilder& sheet) const
     const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(tree.source().bytes(), here.range.range.begin);
     std::string out;
     for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
-    sheet.add({withComment(m_loaded, here.range), out});
+    sheet.add({withComments(m_loaded, here.range), out});
     for (const Part* block : m_blocks)
-        if (block != &here) sheet.removeItem(withComment(m_loaded, block->range));
+        if (block != &here) sheet.removeItem(withComments(m_loaded, block->range));
 }
 
 Status WrappedBlocks::prefixNames(const std::vector<NameReference>& references, const std::string& prefix,
                                   const std::string& ofOverrides, EditBuilder& sheet) const {
     const TextSet& texts = m_loaded.outline->texts();
     for (const NameReference& m : references) {
-        const bool isReached = m.before.known() && !m_config->is(Role::Body); // through a Part; geoms are through their body
-        if (!find(m.target) || isReached || contains(m.name)) continue;
+        const auto ours = std::ranges::find(m_blocks, m.target, &Part::block);
+        if (ours == m_blocks.end() || contains(m.name)) continue;
         if (!m.name.known()) { // a default
             if (m.user && !contains(m.user->range))
-                sheet.addAssignment(m.user->file, m.user->block, m.property, prefix + find(m.target)->name);
+                sheet.addAssignment(m.user->file, m.user->block, m.property, prefix + (*ours)->name);
             continue;
         }
         const auto meansOther = [&](const NameReference& other) {

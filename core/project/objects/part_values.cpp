@@ -100,9 +100,6 @@ Pose DescribedFrame::mirrored(const Pose& described) const {
     return {signs.cwiseProduct(described.position), Quat(q.w(), turned.x(), turned.y(), turned.z())};
 }
 
-namespace {
-
-/// The bodies of a config as an instance has them; of a path into the config, the first instance.
 const RobotConfigSpec* resolvedConfig(const LoadedProject& loaded, const ObjectLocation& place) {
     const bool isReached = place.instance && !place.instance->isPartUse() && !isVariant(*place.instance);
     for (const RobotSpec& robot : loaded.experiment->robots) {
@@ -113,12 +110,23 @@ const RobotConfigSpec* resolvedConfig(const LoadedProject& loaded, const ObjectL
     return nullptr;
 }
 
-/// The pose in the config of the body that a block's `In` names; nothing if it has none. `prefix`: of names beside the block.
-std::optional<Pose> poseOfIn(const LoadedProject& loaded, const ObjectLocation& place, std::string prefix) {
+std::string resolvedPrefix(const ObjectLocation& place) {
+    std::string prefix;
+    for (const Part* part : place.above) {
+        if (part->isPartUse()) prefix += part->name + ".";
+        if (part->isRepeat()) prefix += part->name + "_" + std::to_string(place.memberOf(*part).value_or(0)) + ".";
+    }
+    return prefix;
+}
+
+namespace {
+
+/// The pose in the config of the body that a block's `In` names; nothing if it has none.
+std::optional<Pose> poseOfIn(const LoadedProject& loaded, const ObjectLocation& place) {
     const std::optional<PropertyValue> in = valueAt(loaded, place, "In");
     const RobotConfigSpec* config = in && !in->texts.empty() ? resolvedConfig(loaded, place) : nullptr;
     if (!config) return std::nullopt;
-    for (;;) { // in a member of a Repeat also a name around it
+    for (std::string prefix = resolvedPrefix(place);;) { // in a member of a Repeat also a name around it
         const auto it = std::ranges::find(config->bodies, prefix + in->texts[0], &BodySpec::name);
         if (it != config->bodies.end()) return it->pose;
         if (prefix.empty()) return std::nullopt;
@@ -131,7 +139,6 @@ std::optional<Pose> poseOfIn(const LoadedProject& loaded, const ObjectLocation& 
 
 DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation& place) {
     DescribedFrame frame;
-    std::string prefix;
     for (std::size_t i = 0; i < place.above.size(); ++i) {
         if (place.above[i]->is(Role::Body)) frame.pose = {}; // geoms are described in their body
         if (!place.above[i]->isPartUse() && !place.above[i]->isRepeat()) continue;
@@ -140,16 +147,14 @@ DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation&
         use.instance = place.instance;
         use.members = place.members;
         use.above.assign(place.above.begin(), place.above.begin() + static_cast<std::ptrdiff_t>(i));
-        if (const std::optional<Pose> in = poseOfIn(loaded, use, prefix)) frame.pose = *in;
-        const std::optional<std::size_t> member = place.memberOf(*use.part);
-        prefix += use.part->name + (use.part->isRepeat() ? "_" + std::to_string(member.value_or(0)) : std::string()) + ".";
+        if (const std::optional<Pose> in = poseOfIn(loaded, use)) frame.pose = *in;
         const bool isRing = use.part->kind->name == "Ring";
         frame.pose = frame.pose * frame.mirrored(isRing ? memberPoseAt(loaded, use) : poseAt(loaded, use));
         const std::optional<PropertyValue> mirror = valueAt(loaded, use, "Mirror");
         const std::string axis = mirror && !mirror->texts.empty() ? mirror->texts[0] : std::string();
         if (axis == "x" || axis == "y" || axis == "z") frame.signs[axis[0] - 'x'] *= -1;
     }
-    if (const std::optional<Pose> in = place.part ? poseOfIn(loaded, place, prefix) : std::nullopt) frame.pose = *in;
+    if (const std::optional<Pose> in = place.part ? poseOfIn(loaded, place) : std::nullopt) frame.pose = *in;
     return frame;
 }
 

@@ -21,6 +21,11 @@ namespace trundle {
 
 /// Pose of a body, geom or instance relative to its parent, from Pos and HPR.
 [[nodiscard]] Pose poseAt(const LoadedProject& loaded, const ObjectLocation& place);
+/// The bodies of the robot's config that an object is in, as the instance has them; of a path into the config, those of the first
+/// instance. nullptr if there is none.
+[[nodiscard]] const RobotConfigSpec* resolvedConfig(const LoadedProject& loaded, const ObjectLocation& place);
+/// What comes before the name of an object there: "left.", "row_2.arm.".
+[[nodiscard]] std::string resolvedPrefix(const ObjectLocation& place);
 /// The frame in which a block inside a Part is described, in the frame of the config or scenery: first the mirror image, then the
 /// pose. For an object that is in no Part that is the frame of the config.
 struct DescribedFrame {

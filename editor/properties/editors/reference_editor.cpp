@@ -66,13 +66,25 @@ bool ReferenceEditor::eventFilter(QObject* watched, QEvent* event) {
     return RowEditor::eventFilter(watched, event);
 }
 
+bool ReferenceEditor::isOfPairs() const { return m_row.property()->minCount == 2 && m_row.property()->maxCount > 2; }
+
+QStringList ReferenceEditor::typedNames() const {
+    QStringList names = m_field->text().split(QLatin1Char(','));
+    for (QString& name : names) name = name.trimmed();
+    names.removeAll(QString());
+    return names;
+}
+
 void ReferenceEditor::fillMenu() {
     m_menu->clear();
+    if (isOfPairs())
+        if (const QStringList typed = typedNames(); typed.size() % 2 == 1)
+            m_menu->addAction(tr("%1 and").arg(typed.last()))->setEnabled(false);
     const QStringList fitting = names(), here = m_row.mixed() ? QStringList() : origin(m_row.first());
     for (const QString& name : fitting.mid(0, kMaxListed)) {
         QAction* action = m_menu->addAction(name);
-        action->setCheckable(true);
-        action->setChecked(here.contains(name));
+        action->setCheckable(!isOfPairs());
+        action->setChecked(!isOfPairs() && here.contains(name));
         connect(action, &QAction::triggered, this, [this, name] { pick(name); });
     }
     if (fitting.size() > kMaxListed)
@@ -80,7 +92,21 @@ void ReferenceEditor::fillMenu() {
     if (fitting.isEmpty()) m_menu->addAction(tr("No matching names"))->setEnabled(false);
 }
 
+/// After the first name of a pair the list opens again for the second one.
+void ReferenceEditor::pickForPair(const QString& name) {
+    const QStringList all = typedNames() << name;
+    const bool isWhole = all.size() % 2 == 0;
+    m_field->setFocus();
+    m_field->setText(all.join(QStringLiteral(", ")) + (isWhole ? QString() : QStringLiteral(", ")));
+    m_field->setModified(true);
+    if (isWhole) return m_field->enter();
+    const QPoint below = m_button->mapToGlobal(QPoint(0, m_button->height()));
+    QMetaObject::invokeMethod(
+        m_menu, [this, below] { m_menu->popup(below); }, Qt::QueuedConnection);
+}
+
 void ReferenceEditor::pick(const QString& name) {
+    if (isOfPairs()) return pickForPair(name);
     const bool list = m_row.property()->maxCount > 1;
     const std::string word = name.toStdString();
     m_field->setModified(false);

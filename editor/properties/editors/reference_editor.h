@@ -8,7 +8,7 @@ class QStringListModel;
 namespace trundle {
 
 /// Edits a reference to a named object: typed with completion, or selected from a list. For a list of references, selecting a
-/// name adds or removes it.
+/// name adds or removes it; for one of pairs it adds it, and the value is set once each name has its second one.
 class ReferenceEditor final : public FieldEditor {
     Q_OBJECT
 public:
@@ -21,6 +21,9 @@ protected:
 private:
     void fillMenu();
     void pick(const QString& name);
+    void pickForPair(const QString& name);
+    [[nodiscard]] bool isOfPairs() const;
+    [[nodiscard]] QStringList typedNames() const; ///< in the field, which may not be set yet
     [[nodiscard]] QStringList names() const;
 
     QToolButton* m_button;

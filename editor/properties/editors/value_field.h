@@ -22,6 +22,7 @@ public:
     [[nodiscard]] bool refused() const { return !m_reason.isEmpty(); }
     [[nodiscard]] const QString& reason() const { return m_reason; }
     void restore();
+    void enter(); ///< as the Enter key
     /// Width in pixels at which the document's value is not elided.
     [[nodiscard]] int wholeWidth() const;
     [[nodiscard]] QSize sizeHint() const override;
@@ -41,7 +42,6 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void enter();
     void closeList();
     void clearError();
     void colour();

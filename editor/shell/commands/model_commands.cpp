@@ -15,10 +15,38 @@
 #include "editor/shell/work_area.h"
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/resources.h"
+#include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
+#include "model/name_walk.h"
 #include "project/edits/insert_positions.h"
 
 namespace trundle {
+namespace {
+
+constexpr std::size_t kMostSearched = 20'000; ///< blocks in Parts
+
+const Part* partConfigOf(const LoadedProject& loaded, const std::string& selected) {
+    const auto place = placeOf(loaded, definedAt(loaded, selected));
+    const Part* top = place ? topOf(*place) : nullptr;
+    return top && top->kind && top->kind->name == "PartConfig" ? top : nullptr;
+}
+
+/// The first Part in a model that is made from a PartConfig: "RobotConfig.Kit.left"; empty: there is none.
+std::string useOf(const Document& document, const Part& partConfig) {
+    std::string use;
+    for (const Part* config : document.loaded()->outline->configs.all()) {
+        const std::string model = pathOfConfig(*config);
+        if (document.editedModel().modelOf(model).empty()) continue;
+        NameWalk(kMostSearched).inside(*config, model + ".", [&](const Part& part, const std::string& prefix) {
+            if (use.empty() && part.isPartUse() && part.config == &partConfig) use = prefix + part.name;
+            return use.empty() && !part.is(Role::Body);
+        });
+        if (!use.empty()) break;
+    }
+    return use;
+}
+
+} // namespace
 
 ModelCommands::ModelCommands(QWidget& window, Actions& actions, const Targets& targets)
     : QObject(&window), m_actions(actions), m_targets(targets) {
@@ -35,7 +63,10 @@ ModelCommands::ModelCommands(QWidget& window, Actions& actions, const Targets& t
 std::string ModelCommands::wanted() const {
     const EditedModel& model = m_targets.document.editedModel();
     if (model.isOpen()) return model.path();
-    if (const std::string path = model.modelOf(m_targets.selection.current()); !path.empty()) return path;
+    const std::string selected = m_targets.selection.current();
+    if (const std::string path = model.modelOf(selected); !path.empty()) return path;
+    if (const Part* part = partConfigOf(*m_targets.document.loaded(), selected)) // a Part is shown in a model that has it
+        return model.modelOf(useOf(m_targets.document, *part));
     std::vector<std::string> all;
     for (const Part* config : m_targets.document.loaded()->outline->configs.all())
         if (const std::string path = model.modelOf(pathOfConfig(*config)); path.starts_with("RobotConfig.")) all.push_back(path);
@@ -43,14 +74,19 @@ std::string ModelCommands::wanted() const {
 }
 
 bool ModelCommands::open(const std::string& path) {
+    const LoadedProject& loaded = *m_targets.document.loaded();
+    const Part* part = partConfigOf(loaded, m_targets.selection.current());
     if (path.empty()) {
-        m_targets.status.refuse(tr("Select the robot or scenery whose model you want to edit."));
+        m_targets.status.refuse(
+            part ? tr("No robot or scenery has a Part of %1 yet; insert one to see it.").arg(toQString(part->name))
+                 : tr("Select the robot or scenery whose model you want to edit."));
         return false;
     }
-    const LoadedProject& loaded = *m_targets.document.loaded();
     std::vector<std::string> inside; // the selected parts of an instance, in the model
     for (const std::string& selected : m_targets.selection.paths())
         if (std::string at = definedAt(loaded, selected); startsWithPath(at, path)) inside.push_back(std::move(at));
+    if (part && inside.empty())
+        if (std::string use = useOf(m_targets.document, *part); startsWithPath(use, path)) inside.push_back(std::move(use));
     m_targets.document.editedModel().open(path);
     m_targets.selection.set(inside.empty() ? std::vector<std::string>{path} : inside);
     m_targets.work.showViewport(true);

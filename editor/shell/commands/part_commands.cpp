@@ -1,5 +1,7 @@
 #include "editor/shell/commands/part_commands.h"
 
+#include <algorithm>
+
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
@@ -9,12 +11,22 @@
 #include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
 #include "project/edits/duplicate_offset.h"
+#include "project/edits/insert_positions.h"
 #include "project/edits/plan_wrap.h"
 
 namespace trundle {
+namespace {
+
+/// Whether a path leads to a block inside of a config: what is placed at the top level is no part of anything.
+bool isInConfig(const LoadedProject& loaded, const std::string& path) {
+    const auto place = placeOf(loaded, definedAt(loaded, path));
+    return place && place->part && !place->above.empty() && place->above.front()->is(Role::Config);
+}
+
+} // namespace
 
 PartCommands::PartCommands(QWidget& window, Actions& actions, Document& document, Selection& selection)
-    : QObject(&window), m_window(window), m_document(document), m_selection(selection) {
+    : QObject(&window), m_window(window), m_actions(actions), m_document(document), m_selection(selection) {
     connect(&actions.at("parts.make"), &QAction::triggered, this, [this] { apply(tr("Make Part of %1"), planMakePart); });
     for (const auto& [id, axis] :
          {std::pair{"parts.mirrorY", 'y'}, std::pair{"parts.mirrorX", 'x'}, std::pair{"parts.mirrorZ", 'z'}})
@@ -24,7 +36,19 @@ PartCommands::PartCommands(QWidget& window, Actions& actions, Document& document
             });
         });
     connect(&actions.at("parts.repeat"), &QAction::triggered, this, &PartCommands::askRepeat);
+    connect(&selection, &Selection::changed, this, &PartCommands::enable);
+    connect(&document, &Document::changed, this, &PartCommands::enable);
     connect(&actions.at("sensors.ring"), &QAction::triggered, this, &PartCommands::askSensorRing);
+}
+
+/// Without a selection they say what to select.
+void PartCommands::enable() {
+    const std::vector<std::string> paths = m_document.isOpen() ? m_selection.paths() : std::vector<std::string>();
+    const bool isPossible = paths.empty() || std::ranges::any_of(paths, [this](const std::string& path) {
+                                return path.empty() || isInConfig(*m_document.loaded(), path);
+                            });
+    for (const char* id : {"parts.make", "parts.mirrorY", "parts.mirrorX", "parts.mirrorZ", "parts.repeat"})
+        m_actions.at(id).setEnabled(isPossible);
 }
 
 std::vector<std::string> PartCommands::chosen() {

@@ -29,12 +29,14 @@ private:
     using Plan = std::function<Result<EditPlan>(const LoadedProject& loaded, const std::vector<std::string>& paths)>;
     /// `name` of the entry, with %1 for the objects.
     void apply(const QString& name, const Plan& plan);
+    void enable();
     void askRepeat();
     void askSensorRing();
     /// The selected objects; empty, and the reason reported, if none can be changed.
     [[nodiscard]] std::vector<std::string> chosen();
 
     QWidget& m_window;
+    Actions& m_actions;
     Document& m_document;
     Selection& m_selection;
 };

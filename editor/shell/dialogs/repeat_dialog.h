@@ -5,10 +5,13 @@
 
 #include <trundle/geometry.h>
 
-class QDoubleSpinBox;
+class QPushButton;
 class QSpinBox;
 
 namespace trundle {
+
+class AmountField;
+class ResultLabel;
 
 /// Asks how many members a Repeat has, and how far each is from the one before. Deletes itself when it is closed.
 class RepeatDialog final : public QDialog {
@@ -21,8 +24,12 @@ public:
     [[nodiscard]] Vec3 step() const; ///< m, in the frame of the config
 
 private:
+    void check();
+
     QSpinBox* m_count;
-    std::array<QDoubleSpinBox*, 3> m_step{};
+    std::array<AmountField*, 3> m_step{};
+    ResultLabel* m_words;
+    QPushButton* m_repeat;
 };
 
 } // namespace trundle

@@ -4,10 +4,13 @@
 #include "project/edits/plan_sensor_ring.h"
 
 class QComboBox;
-class QDoubleSpinBox;
+class QPushButton;
 class QSpinBox;
 
 namespace trundle {
+
+class AmountField;
+class ResultLabel;
 
 /// Asks for the number, place and type of distance sensors around a body. Deletes itself when it is closed.
 class SensorRingDialog final : public QDialog {
@@ -18,9 +21,14 @@ public:
     [[nodiscard]] SensorRing ring() const;
 
 private:
+    void check();
+
     QSpinBox* m_count;
-    QDoubleSpinBox *m_radius, *m_height, *m_range;
+    AmountField *m_radius, *m_height, *m_range;
     QComboBox* m_type;
+    QString m_body;
+    ResultLabel* m_words;
+    QPushButton* m_insert;
 };
 
 } // namespace trundle

@@ -36,13 +36,18 @@ QString copyButtonText(const ShareQuestion& question) {
                                     : tr("Make a copy for %1").arg(shortName(question.copyFile));
 }
 
+QString changeOf(const ShareQuestion& question) {
+    const QString config = shortName(question.config);
+    if (question.value.isEmpty())
+        return tr("This changes the structure of %1, which is defined in %2.").arg(config, question.file);
+    return tr("This changes the value of %1 in %2, which is defined in %3.")
+        .arg(shortName(question.value), config, question.file);
+}
+
 } // namespace
 
 void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
-    auto* box = new QMessageBox(
-        QMessageBox::Question, tr("Shared config"),
-        tr("This changes the structure of %1, which is defined in %2.").arg(shortName(question.config), question.file),
-        QMessageBox::Cancel, parent);
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Shared config"), changeOf(question), QMessageBox::Cancel, parent);
     box->setObjectName(QStringLiteral("shareQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     const bool one = question.copyFor.size() == 1;
@@ -63,7 +68,7 @@ void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const 
     all->setObjectName(QStringLiteral("changeForAll"));
     QPushButton* copy = box->addButton(copyButtonText(question), QMessageBox::AcceptRole);
     copy->setObjectName(QStringLiteral("makeCopy"));
-    box->setDefaultButton(copy);
+    box->setDefaultButton(question.value.isEmpty() ? copy : all); // a value is moved there to be that of all
     auto* buttons = box->findChild<QDialogButtonBox*>();
     buttons->setOrientation(Qt::Vertical); // the texts are too long for one row
     buttons->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -85,6 +85,29 @@ private Q_SLOTS:
             QVERIFY(!placeOf(*fresh.loaded(), path));
     }
 
+    /// Where the PartConfig of a renamed object is changed for all, what names the object changes with it.
+    void aRenameAsksAboutOneConfig() {
+        const std::string text = "Material m { }\nSurface s { }\nPartConfig Wheel {\n"
+                                 "  Body w { Sphere t { Radius=0.1 Mass=1 Material=m Surface=s } }\n"
+                                 "  Hinge axle { Parent=$base Child=w Axis=0,1,0 }\n}\n"
+                                 "RobotConfig Kit {\n  Body chassis { Box b { Size=0.1,0.1,0.1 Mass=1 Material=m Surface=s } }\n"
+                                 "  Part left { Config=Wheel Pos=0,0.2,0 base=chassis }\n"
+                                 "  Part right { Config=Wheel Pos=0,-0.2,0 base=chassis }\n"
+                                 "  Encoder count { Joint=left.axle CountsPerRevolution=512 }\n}\n"
+                                 "Robot rover { Config=Kit }\nRobot other { Config=Kit Pos=0,2,0 }\n";
+        const DocumentFixture fixture;
+        const std::string file = fixture.write("configs/kit.sim", text);
+        Document d(*m_application);
+        QVERIFY(d.opening().open(file).ok());
+        const Answers answers(d, {u"Kit"_qs});
+        const Status renamed = d.structure().rename(u"Rename"_qs, "rover.left.axle", "turn");
+        QVERIFY2(renamed.ok(), renamed.ok() ? "" : renamed.error().message.c_str());
+        QCOMPARE(answers.asked, (QStringList{u"Wheel"_qs}));
+        const std::string after = *d.texts().text(file);
+        QVERIFY2(holds(after, "Hinge turn {") && holds(after, "Joint=left.turn ") && !holds(after, "Kit2"), after.c_str());
+        QCOMPARE(messages(*d.loaded()), "");
+    }
+
     /// Of a shipped robot all configs on the way are copied, without questions, for all that the file has of them.
     void copiesAllShippedConfigsOnTheWay() {
         const DocumentFixture fixture;

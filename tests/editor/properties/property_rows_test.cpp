@@ -120,6 +120,69 @@ private Q_SLOTS:
         }
     }
 
+    /// The links stay beside each other.
+    void linksOfAnOverrideShareALine() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(kNested));
+        fixture.selection.select("rover.left.front.motor");
+        QTextDocument words;
+        words.setHtml(fixture.field<QLabel>("Resistance", "override")->text());
+        for (int width = 140; width < 400; width += 4) {
+            words.setTextWidth(width);
+            const QTextBlock block = words.begin();
+            const QTextLayout& lines = *block.layout();
+            const auto lineOf = [&](const char* text) {
+                return lines.lineForTextPosition(int(block.text().indexOf(QLatin1String(text)))).lineNumber();
+            };
+            QVERIFY2(lineOf("Reset") == lineOf("Up"), qPrintable(QString::number(width)));
+        }
+    }
+
+    /// A Param without a default has to be given.
+    void aValueThatIsNeededCannotBeReset() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(kNested));
+        fixture.selection.select("RobotConfig.Kit.left");
+        QVERIFY(fixture.row("param.hull") && !fixture.choose("param.hull", "rowReset"));
+        const QString links = fixture.field<QLabel>("param.hull", "override")->text();
+        QVERIFY(!links.contains(QStringLiteral("href='reset'")) && links.contains(QStringLiteral("href='push'")));
+        QVERIFY(fixture.choose("Pos", "rowReset"));
+    }
+
+    /// The value is set once both are chosen. A Part or Repeat stands for its bodies.
+    void namesOfPairsAreChosenInTurn() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open(kNested));
+        fixture.selection.select("RobotConfig.Kit");
+        const std::string before = fixture.text();
+        const auto* pick = fixture.field<QToolButton>("NoContact", "pick");
+        const auto choose = [&](const char* name) {
+            Q_EMIT pick->menu()->aboutToShow();
+            for (QAction* action : pick->menu()->actions())
+                if (action->text() == QLatin1String(name) && action->isEnabled()) return action->trigger();
+            QFAIL(name);
+        };
+        choose("mast");
+        QCOMPARE(fixture.shown("NoContact"), QStringLiteral("mast, "));
+        QCOMPARE(fixture.text(), before);
+        QTRY_VERIFY(pick->menu()->isVisible()); // for the second one
+        QCOMPARE(pick->menu()->actions().constFirst()->text(), QStringLiteral("mast and"));
+        pick->menu()->close();
+        choose("left");
+        QVERIFY2(fixture.text().find("NoContact=mast, left") != std::string::npos, fixture.text().c_str());
+        QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
+        choose("mast"); // a name may be in several pairs
+        choose("right.lamp");
+        QVERIFY2(fixture.text().find("NoContact=mast, left, mast, right.lamp") != std::string::npos, fixture.text().c_str());
+        QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
+        choose("hull");
+        QTest::keyClick(fixture.field<QLineEdit>("NoContact"), Qt::Key_Return);
+        QVERIFY(fixture.field("NoContact")->refused());
+        choose("right");
+        QVERIFY(!fixture.field("NoContact")->refused());
+        QVERIFY2(fixture.text().find("right.lamp, hull, right") != std::string::npos, fixture.text().c_str());
+    }
+
     /// Helps are shown as plain text.
     void helpsHaveNoMarkup() {
         const FixtureApplication application;

@@ -1,14 +1,21 @@
 // The commands of Edit, Parts: what they write, how they are undone, and what is refused.
 
+#include <set>
+
+#include <QAction>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/shell/window_fixture.h"
 #include "eventually.h"
 
@@ -25,7 +32,7 @@ const std::string kConfig = R"(RobotConfig Kit {
   Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=rubber } }
   Body leftWheel {
     Pos=0,0.12,0
-    Cylinder tyre { Radius=0.05 Length=0.02 Mass=0.1 Material=red Surface=rubber }
+    Cylinder tyre { Pos=0.01,0,0.01 Radius=0.05 Length=0.02 Mass=0.1 Material=red Surface=rubber }
   }
   Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0 }
 }
@@ -84,7 +91,7 @@ private Q_SLOTS:
         QVERIFY(dialog && dialog->isVisible());
         dialog->findChild<QSpinBox*>(QStringLiteral("repeatCount"))->setValue(3);
         for (const auto& [axis, step] : {std::pair{"X", -0.11}, std::pair{"Y", 0.0}, std::pair{"Z", 0.0}})
-            dialog->findChild<QDoubleSpinBox*>(QStringLiteral("repeatStep") + QLatin1String(axis))->setValue(step);
+            typeInto(*dialog, "repeatStep" + QByteArray(axis), QString::number(step));
         QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
         EVENTUALLY(text() != kHead + kConfig);
         QVERIFY2(text().find("Count=3") != std::string::npos, text().c_str());
@@ -93,6 +100,27 @@ private Q_SLOTS:
         QCOMPARE(bodies.size(), 4u);
         QVERIFY(std::abs(bodies[3].pose.position.x() - -0.22) < 1e-12);
         checkUndo(QStringLiteral("Repeat 2 objects"));
+    }
+
+    /// As in property rows. What is no length cannot be accepted. The count can be typed at once.
+    void takesLengthsWithUnits() {
+        m_window->selection().set({"robot0.leftWheel", "robot0.leftAxle"});
+        trigger("parts.repeat");
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("repeatDialog"));
+        QVERIFY(dialog && dialog->focusWidget());
+        QTest::keyClicks(dialog->focusWidget(), QStringLiteral("3"));
+        QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("repeatCount"))->value(), 3);
+        const QPushButton* repeat = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        typeInto(*dialog, "repeatStepX", QStringLiteral("7 kg"));
+        QVERIFY(!repeat->isEnabled());
+        typeInto(*dialog, "repeatStepY", QStringLiteral("0"));
+        QLineEdit* field = typeInto(*dialog, "repeatStepX", QStringLiteral("-7 cm"));
+        QVERIFY(repeat->isEnabled());
+        QTest::keyClick(field, Qt::Key_Return);
+        EVENTUALLY(text() != kHead + kConfig);
+        const auto& bodies = document().loaded()->experiment->robots.at(0).config->bodies;
+        QCOMPARE(bodies.size(), 4u);
+        QVERIFY(std::abs(bodies[3].pose.position.x() - -0.14) < 1e-12);
     }
 
     /// Geoms of a body become members of a Repeat in the body.
@@ -117,7 +145,7 @@ private Q_SLOTS:
             auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("sensorRingDialog"));
             QVERIFY(dialog && dialog->isVisible());
             dialog->findChild<QSpinBox*>(QStringLiteral("ringCount"))->setValue(6);
-            dialog->findChild<QDoubleSpinBox*>(QStringLiteral("ringRadius"))->setValue(0.25);
+            typeInto(*dialog, "ringRadius", QStringLiteral("25 cm"));
             QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
             EVENTUALLY(text() != kHead + kConfig);
             QVERIFY2(text().find("Count=6 Radius=0.25") != std::string::npos, text().c_str());
@@ -148,8 +176,6 @@ private Q_SLOTS:
     void saysWhyNot_data() {
         QTest::addColumn<QString>("selected");
         QTest::newRow("nothing") << QString();
-        QTest::newRow("a robot") << QStringLiteral("robot0");
-        QTest::newRow("a material") << QStringLiteral("Material.red");
         QTest::newRow("a geom of a body") << QStringLiteral("robot0.chassis.hull");
     }
     void saysWhyNot() {
@@ -166,6 +192,74 @@ private Q_SLOTS:
             QCOMPARE(text(), kHead + kConfig);
             QVERIFY(!m_window->findChild<QDialog*>(QStringLiteral("repeatDialog")));
         }
+    }
+
+    /// What is placed at the top level, or is only named, is no part of anything.
+    void onlyPartsAreOffered() {
+        const auto isOffered = [this](const std::string& path) {
+            m_window->selection().set({path});
+            const auto* menu = m_window->findChild<QMenu*>(QStringLiteral("menu.Edit/Parts"));
+            std::set<bool> enabled;
+            for (const QAction* action : menu->actions())
+                if (action->objectName().startsWith(QStringLiteral("parts."))) enabled.insert(action->isEnabled());
+            return enabled == std::set{true};
+        };
+        for (const char* path : {"robot0", "Material.red", "RobotConfig.Kit"}) QVERIFY2(!isOffered(path), path);
+        for (const char* path : {"robot0.leftWheel", "RobotConfig.Kit.leftAxle", "robot0.chassis.hull"})
+            QVERIFY2(isOffered(path), path);
+        m_window->selection().set({"robot0", "robot0.leftWheel"});
+        m_window->selection().clear();
+        QSignalSpy refused(&document(), &Document::refused);
+        trigger("parts.make"); // says what to select
+        QCOMPARE(refused.size(), 1);
+    }
+
+    /// A PartConfig is shown in the first model that has a Part of it.
+    void ctrlEOnAPartConfigShowsAPart() {
+        open(kHead + "PartConfig Wheel { Body wheel { Box w { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+                     "PartConfig Spare { Body wheel { Box w { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+                     "RobotConfig Other { Body b { Box hull { Size=0.3,0.2,0.1 Mass=2 } } }\n"
+                     "RobotConfig Kit { Body b { Box hull { Size=0.3,0.2,0.1 Mass=2 } } Part left { Config=Wheel Pos=0,1,0 } }\n"
+                     "Robot one { Config=Kit }\n");
+        QAction* edit = nullptr;
+        for (QAction* action : m_window->findChild<QMenu*>(QStringLiteral("menu.Edit"))->actions())
+            if (action->objectName() == QStringLiteral("model.edit")) edit = action;
+        QVERIFY(edit);
+        for (const char* selected : {"PartConfig.Wheel", "PartConfig.Wheel.wheel.w"}) {
+            m_window->selection().select(selected);
+            edit->trigger();
+            QCOMPARE(document().editedModel().path(), std::string("RobotConfig.Kit"));
+            QCOMPARE(m_window->selection().current(), std::string("RobotConfig.Kit.left"));
+            edit->trigger();
+            QVERIFY(!document().editedModel().isOpen());
+        }
+        m_window->selection().select("PartConfig.Spare");
+        edit->trigger();
+        QVERIFY(!document().editedModel().isOpen() && !edit->isChecked());
+        QVERIFY(m_window->statusBar()->currentMessage().startsWith(QStringLiteral("No robot or scenery has a Part of Spare")));
+    }
+
+    /// Messages of the core are parts of sentences; names keep their letters.
+    void refusalsAreSentences() {
+        for (const auto& [reason, shown] :
+             {std::pair{"there is no arm", "There is no arm"}, std::pair{"chassis is needed", "chassis is needed"},
+              std::pair{"robot0.leftWheel is locked", "robot0.leftWheel is locked"}, std::pair{"x", "X"}}) {
+            Q_EMIT document().refused(QLatin1String(reason));
+            QCOMPARE(m_window->statusBar()->currentMessage(), QLatin1String(shown));
+        }
+    }
+
+    /// The question says that it is a value, which is meant for all of them.
+    void pushingAValueAsks() {
+        open(kHead + "RobotConfig Kit { Body b { Box hull { Size=0.3,0.2,0.1 Mass=2 } } }\n"
+                     "Robot one { Config=Kit b.hull.Mass=3 }\nRobot two { Config=Kit Pos=1,0,0 }\n");
+        QVERIFY(document().structure().pushOverride(QStringLiteral("Push"), "one.b.hull.Mass"));
+        auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
+        QVERIFY(question);
+        QCOMPARE(question->text(), QStringLiteral("This changes the value of Mass in Kit, which is defined in mine.sim."));
+        QCOMPARE(question->defaultButton()->objectName(), QStringLiteral("changeForAll"));
+        question->defaultButton()->click();
+        EVENTUALLY(text().find("Mass=3 } } }") != std::string::npos);
     }
 
 private:
@@ -192,6 +286,12 @@ private:
                 if (action->objectName() == QLatin1String(id)) return action->trigger();
         }
         QFAIL(id.constData());
+    }
+    static QLineEdit* typeInto(QDialog& dialog, const QByteArray& length, const QString& typed) {
+        auto* field = dialog.findChild<QWidget*>(QLatin1String(length))->findChild<QLineEdit*>();
+        field->selectAll();
+        QTest::keyClicks(field, typed);
+        return field;
     }
     void checkUndo(const QString& name) {
         const History& history = document().edits().history();

@@ -98,7 +98,7 @@ private Q_SLOTS:
     void nextEditClearsRejection() {
         openExperiment();
         Q_EMIT m_window->document().refused(QStringLiteral("no"));
-        QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("no"));
+        QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("No"));
         QVERIFY(m_window->document().structure().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
     }

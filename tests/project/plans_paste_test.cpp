@@ -1,0 +1,100 @@
+// Parts pasted into another file, with their PartConfigs.
+#include <QTest>
+
+#include "lang/formatter.h"
+#include "plan_fixture.h"
+
+using namespace trundle;
+using sample::PlanFixture;
+
+namespace {
+
+const std::string kMaterials = "Material red { ColorRGB=1,0,0 }\nSurface floor { Friction=1 }\n";
+const std::string kWheel = R"(PartConfig Wheel {
+  Body wheel { Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.15 Material=red Surface=floor } }
+  Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0 }
+  RotaryMotor motor { Joint=axle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 MaxVoltage=12 }
+}
+)";
+const std::string kPart = "Part left { Config=Wheel Pos=0.06,0.125,0.05 carrier=chassis }\n";
+const std::string kKit = R"(
+// My robot.
+RobotConfig Kit {
+  Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=floor } }
+)";
+const std::string kRest = R"(}
+
+Robot a { Config=Kit }
+)";
+
+} // namespace
+
+class PlansPasteTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    /// The PartConfig and what that needs come before the config that uses them.
+    void pastesAPart() {
+        const std::string line = "  Part left { Config=Wheel Pos=0.06,0.125,0.05 carrier=chassis }\n";
+        for (const char* place : {"RobotConfig.Kit", "a"}) {
+            m_loaded = m_fixture.open(kMaterials + kKit + kRest);
+            const auto plan = planInsert(*m_loaded, place, kWheel + kPart);
+            QCOMPARE(QString::fromStdString(m_fixture.text(m_loaded, plan)),
+                     QString::fromStdString(kMaterials + "\n" + kWheel + kKit + line + kRest));
+            checkClean(plan);
+            QCOMPARE(plan.value().selects.front(), std::string("PartConfig.Wheel"));
+        }
+    }
+
+    void pastesNestedParts() {
+        const std::string pair = "PartConfig Pair {\n  Part one { Config=Wheel carrier=$base }\n  Part two { Config=Wheel "
+                                 "Pos=0,0,1 carrier=$base }\n}\n";
+        m_loaded = m_fixture.open(kMaterials + kKit + kRest);
+        const auto plan = planInsert(*m_loaded, "a",
+                                     "Param side = 0.1\n" + kWheel + pair + "Part p { Config=Pair base=chassis Pos=0,$side,0 }");
+        checkClean(plan);
+        const std::string text = m_fixture.text(m_loaded, plan);
+        QVERIFY2(text.find("\nParam side = 0.1\n\n" + kWheel + "\n" + pair + "\n// My robot.\nRobotConfig Kit {") !=
+                     std::string::npos,
+                 text.c_str());
+    }
+
+    /// Into a config of another file than the opened one.
+    void pastesIntoAnImportedConfig() {
+        m_loaded =
+            m_fixture.open({{"main.sim", "#import kit.sim\n\nRobot a { Config=Kit }\n"}, {"kit.sim", kMaterials + kKit + "}\n"}});
+        const auto plan = planInsert(*m_loaded, "a", kWheel + kPart);
+        checkClean(plan);
+        const std::string text = m_fixture.text(m_loaded, plan, "kit.sim");
+        QVERIFY2(text.find("\n" + kWheel + kKit) != std::string::npos, text.c_str());
+    }
+
+    /// The names that a Part gives must be there.
+    void refusesWhatIsMissing() {
+        const std::string other =
+            "\nRobotConfig Kit {\n  Body frame { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=floor } }\n}\n";
+        m_loaded = m_fixture.open(kMaterials + other + "Robot a { Config=Kit }\n");
+        const auto plan = planInsert(*m_loaded, "a", kWheel + kPart);
+        QVERIFY(!plan.ok());
+        QVERIFY2(plan.error().message.find("chassis") != std::string::npos, plan.error().message.c_str());
+        const std::string wrong =
+            "PartConfig Wheel { Body b { Sphere s { Radius=$r Mass=1 Material=$colour Surface=floor } } }\n";
+        const auto unknown = planInsert(*m_loaded, "a", wrong + "Part p { Config=Wheel }");
+        QCOMPARE(unknown.ok() ? std::string() : unknown.error().message,
+                 std::string("PartConfig Wheel uses $r, which there is not here"));
+    }
+
+private:
+    /// The text after a plan has neither errors nor hints, and formatting it changes nothing.
+    void checkClean(const Result<EditPlan>& plan) {
+        QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().message.c_str());
+        const auto after = m_fixture.apply(m_loaded, plan);
+        QCOMPARE(sample::messages(*after), std::string());
+        for (const auto& tree : after->trees) QCOMPARE(format(*tree), std::string(tree->source().bytes()));
+    }
+
+    PlanFixture m_fixture;
+    std::shared_ptr<const LoadedProject> m_loaded;
+};
+
+QTEST_APPLESS_MAIN(PlansPasteTest)
+#include "plans_paste_test.moc"
