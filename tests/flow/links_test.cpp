@@ -83,7 +83,7 @@ private Q_SLOTS:
         QTest::newRow("body") << "Ball j { Parent=upper.bdy Child=lower.body }"
                               << "Parent names upper.bdy, but there is no such body of a robot (robot.body)";
         QTest::newRow("robot alone") << "Ball j { Parent=upper Child=lower.body }"
-                                     << "Parent names upper, but there is no such body";
+                                     << "Parent names upper, a robot; it takes one of its bodies";
         QTest::newRow("scenery") << "Ball j { Parent=floor.body Child=lower.body }"
                                  << "Static floor has no bodies";
         QTest::newRow("itself") << "Ball j { Parent=lower.body Child=lower.body }"
