@@ -12,7 +12,7 @@ public:
 
     /// `Param = 3`, `Param 3x = 4`, `Param 5`; false if no such text is here.
     [[nodiscard]] bool withoutName();
-    /// `Param a-b = 3`, `Param float a = 3`: reads the rest of the name; false if there is none.
+    /// `Param a-b = 3`, `Param float a = 3`: reads the rest of the name; false without one.
     bool restOfName(Name& name);
     /// `let a = 3`, `const double a = 3`: read as a Param. A type before a key with a capital letter, or another word, is too much.
     [[nodiscard]] bool otherWord(std::vector<Item>& out, int depth);

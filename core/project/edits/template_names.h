@@ -29,7 +29,7 @@ public:
 
     /// Of blocks that fit a choice of a reference: first those in the innermost of `repeats`, then those in few Parts.
     [[nodiscard]] std::vector<std::string> fitting(const std::string& choice) const;
-    /// nullptr: there is none of that name.
+    /// nullptr: nothing has that name.
     [[nodiscard]] const NamedBlock* find(const std::string& name) const;
     /// Whether it is in the innermost of `repeats`; without those, whether it is in the config.
     [[nodiscard]] bool isInside(const NamedBlock& block) const { return block.name.starts_with(m_inside); }
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] bool isChild(const std::string& body) const;
     /// Whether a block of the kind already names it by the property.
     [[nodiscard]] bool isUsed(const Kind& kind, const std::string& property, const std::string& name) const;
-    /// The first block that a block names by a property; nullptr if that is none of this config.
+    /// The first block that a block names by a property; nullptr if that is not in this config.
     [[nodiscard]] const NamedBlock* named(const NamedBlock& block, const std::string& property) const;
 
     [[nodiscard]] const LoadedProject& loaded() const { return m_loaded; }

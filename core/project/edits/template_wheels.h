@@ -21,7 +21,7 @@ struct WheelPair {
     double separation = 0; ///< of their middles, along the axle
 };
 
-/// The largest round geom of the body that a RotaryMotor turns. Nothing if there is none.
+/// The largest round geom of the body that a RotaryMotor turns. Nothing if the body has no round geom.
 [[nodiscard]] std::optional<Wheel> wheelOf(const TemplateNames& names, const std::string& motor);
 /// The wheels that two RotaryMotors turn. Nothing if one turns no round geom, or both the same.
 [[nodiscard]] std::optional<WheelPair> wheelsOf(const TemplateNames& names, const std::string& leftMotor,

@@ -22,7 +22,7 @@ namespace trundle {
 /// Pose of a body, geom or instance relative to its parent, from Pos and HPR.
 [[nodiscard]] Pose poseAt(const LoadedProject& loaded, const ObjectLocation& place);
 /// The bodies of the robot's config that an object is in, as the instance has them; of a path into the config, those of the first
-/// instance. nullptr if there is none.
+/// instance. nullptr without an instance.
 [[nodiscard]] const RobotConfigSpec* resolvedConfig(const LoadedProject& loaded, const ObjectLocation& place);
 /// What comes before the name of an object there: "left.", "row_2.arm.".
 [[nodiscard]] std::string resolvedPrefix(const ObjectLocation& place);

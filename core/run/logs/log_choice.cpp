@@ -98,9 +98,9 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
         }
         if (found) continue;
         std::vector<std::string> names;
+        std::set<std::string> known; // members of a Repeat have one name
         for (const RobotSpec& robot : robots)
-            if (std::string all = nameOfAll(robot.name); std::ranges::find(names, all) == names.end())
-                names.push_back(std::move(all));
+            if (std::string all = nameOfAll(robot.name); known.insert(all).second) names.push_back(std::move(all));
         unknownName(spec, "Robot", k, "robot", name, names, {}, diagnostics);
     }
     std::vector<std::size_t> indices;

@@ -31,7 +31,7 @@ const Part* partConfigOf(const LoadedProject& loaded, const std::string& selecte
     return top && top->kind && top->kind->name == "PartConfig" ? top : nullptr;
 }
 
-/// The first Part in a model that is made from a PartConfig: "RobotConfig.Kit.left"; empty: there is none.
+/// The first Part in a model that is made from a PartConfig: "RobotConfig.Kit.left"; empty: no model has one.
 std::string useOf(const Document& document, const Part& partConfig) {
     std::string use;
     for (const Part* config : document.loaded()->outline->configs.all()) {
