@@ -4,6 +4,7 @@ import csv
 import hashlib
 import os
 import re
+import signal
 import socket
 import subprocess
 import sys
@@ -161,9 +162,10 @@ class Process:
     def __exit__(self, *_):
         self.end()
 
-    def end(self):
-        self.process.terminate()
-        self.rest = self.process.communicate(timeout=60)[0]
+    def end(self, number=signal.SIGTERM):
+        if self.process.returncode is None:
+            self.process.send_signal(number)
+            self.rest = self.process.communicate(timeout=60)[0]
 
     @property
     def port(self):
@@ -281,6 +283,22 @@ class DriveTest(unittest.TestCase):
                     remote._request("step", ticks=25)
                     first = bytes(remote._request("step", ticks=1, subscription=number)[1])
                     self.assertEqual(bytes(remote._request("step", ticks=5, subscription=number)[1]), first)
+
+    def test_a_driver_that_is_told_to_end_stops_the_robot(self):
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            with Process(sys.executable, self.write("driver.py", DRIVER)) as driver:
+                with trundle.connect(int(driver.port), TOKEN) as remote:
+                    remote._request("step", ticks=2)
+                    driver.end(number)  # while its client is still connected
+            self.assertIn("colors (0.0, 0.0, 0.0) (0.0, 0.0, 0.0)", driver.rest)
+            self.assertEqual(driver.process.returncode, 0)
+
+    def test_a_client_without_the_token_does_not_end_a_driver(self):
+        with Process(sys.executable, self.write("driver.py", DRIVER)) as driver:
+            for _ in range(2):
+                with self.assertRaisesRegex(trundle.RemoteError, "token"):
+                    trundle.connect(int(driver.port), "wrong")
+            trundle.connect(int(driver.port), TOKEN).close()
 
     def test_what_cannot_be_driven_is_refused(self):
         file = self.experiment()

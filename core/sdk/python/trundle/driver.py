@@ -7,6 +7,7 @@ import fnmatch
 import math
 import os
 import secrets
+import signal
 import socket
 import struct
 import time
@@ -64,7 +65,7 @@ class Driver:
         raise NotImplementedError(f"{type(self).__name__} has no sense()")
 
     def stop(self):
-        """The client has gone: whatever moves has to stop."""
+        """The client has gone, or this process is told to end: whatever moves has to stop. May be called more than once."""
 
     def image(self, camera):
         """The current picture of a camera, by its device's name: width, height, and 3 * width * height bytes of red, green, blue by rows
@@ -82,16 +83,24 @@ class Driver:
     # --- serving ---
 
     def main(self):
-        """Serves as the command line says, until Ctrl+C."""
+        """Serves as the command line says, until Ctrl+C, SIGTERM or the terminal's end; the robot is stopped then."""
         parser = argparse.ArgumentParser(description=type(self).__doc__)
         parser.add_argument("--port", type=int, default=0, help="by default a free one, which is printed")
         parser.add_argument("--token-file", help="write the token into this new file, which only you can read, and do not print it")
         arguments = parser.parse_args()
         token = os.environ.pop("TRUNDLE_TOKEN", "") or secrets.token_hex(16)
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, self._told_to_end)
         try:
             self.serve(arguments.port, token, arguments.token_file)
         except KeyboardInterrupt:
             pass
+
+    @staticmethod
+    def _told_to_end(*_):
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.SIG_IGN)
+        raise KeyboardInterrupt
 
     def serve(self, port, token, token_file=None):
         """Listens on this machine; a client must give the token. One client after the other."""
@@ -107,7 +116,12 @@ class Driver:
                     stream, _ = listener.accept()
                     stream.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
                     with stream:
-                        _Session(self, stream, token).serve()
+                        session = _Session(self, stream, token)
+                        try:
+                            session.serve()
+                        except KeyboardInterrupt:
+                            session.end()  # once more: it may have been stop() that was interrupted
+                            raise
             finally:
                 if token_file:
                     os.unlink(token_file)
@@ -189,6 +203,10 @@ class _Session:
         except (Disconnected, OSError, ValueError, UnicodeDecodeError):
             pass
         finally:
+            self.end()
+
+    def end(self):
+        if self.authorized:  # who never was has moved nothing
             self.driver.stop()
 
     def answer(self, message, data):
