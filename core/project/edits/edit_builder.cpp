@@ -19,28 +19,6 @@ std::size_t errorsIn(const Tree& tree) {
         std::count_if(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity == Severity::Error; }));
 }
 
-bool isBlankOrComment(const Token& token) {
-    return token.kind == TokenKind::Space || token.kind == TokenKind::LineComment || token.kind == TokenKind::BlockComment;
-}
-
-/// The start of the line of a block, or of the comments directly above it.
-std::uint32_t commentAbove(const Tree& tree, std::uint32_t at) {
-    const std::string_view bytes = tree.source().bytes();
-    std::uint32_t start = at;
-    while (start > 0 && isBlank(bytes[start - 1])) --start;
-    if (start > 0 && bytes[start - 1] != '\n' && bytes[start - 1] != '\r') return at; // not the first item of its line
-    const auto& tokens = tree.tokens();
-    auto it = std::ranges::lower_bound(tokens, start, {}, [](const Token& token) { return token.range.begin; });
-    while (it != tokens.begin() && (--it)->kind == TokenKind::LineEnd) {
-        bool isComment = false; // the line above has nothing else
-        for (; it != tokens.begin() && isBlankOrComment(*std::prev(it)); --it)
-            isComment |= std::prev(it)->kind != TokenKind::Space;
-        if (!isComment || (it != tokens.begin() && std::prev(it)->kind != TokenKind::LineEnd)) break;
-        start = it->range.begin;
-    }
-    return start;
-}
-
 bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
 
 } // namespace
@@ -202,33 +180,6 @@ std::string usersText(const std::vector<const NameReference*>& references) {
     if (users.size() > kMost)
         text += " and " + std::to_string(users.size() - kMost) + (users.size() == kMost + 1 ? " other" : " others");
     return text;
-}
-
-std::optional<std::uint32_t> endOfLineBehind(const Tree& tree, std::uint32_t offset) {
-    const std::string_view bytes = tree.source().bytes();
-    const std::uint32_t end = behindComments(tree, offset);
-    std::size_t next = end;
-    while (next < bytes.size() && isBlank(bytes[next])) ++next;
-    const bool ends = next == bytes.size() || bytes[next] == '\n' || bytes[next] == '\r';
-    return ends ? std::optional(end) : std::nullopt;
-}
-
-SourceRange withComment(const LoadedProject& loaded, SourceRange item) {
-    const Tree& tree = *loaded.trees[item.file];
-    const std::string_view bytes = tree.source().bytes();
-    std::uint32_t start = item.range.begin;
-    while (start > 0 && isBlank(bytes[start - 1])) --start;
-    if (start > 0 && bytes[start - 1] != '\n' && bytes[start - 1] != '\r') return item;
-    item.range.end = endOfLineBehind(tree, item.range.end).value_or(item.range.end);
-    return item;
-}
-
-SourceRange withComments(const LoadedProject& loaded, SourceRange item) {
-    const Tree& tree = *loaded.trees[item.file];
-    SourceRange whole = withComment(loaded, item);
-    whole.range.begin = commentAbove(tree, item.range.begin);
-    while (isBlank(tree.source().bytes()[whole.range.begin])) ++whole.range.begin;
-    return whole;
 }
 
 std::string blockText(const LoadedProject& loaded, const SourceRange& block) {

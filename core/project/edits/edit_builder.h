@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "project/edits/block_comments.h"
 #include "project/edits/plans.h"
 #include "project/objects/name_references.h"
 
@@ -48,12 +49,6 @@ void addBefore(const LoadedProject& loaded, const Part* block, FileId file, cons
 [[nodiscard]] TextEdit copyBehind(const Tree& tree, TextRange item, const std::string& text);
 /// A summary for messages: "Hinge leftAxle (Parent), Robot robot0 (Config) and 3 others".
 [[nodiscard]] std::string usersText(const std::vector<const NameReference*>& references);
-/// The end of the comments after an offset, or the offset itself; nothing if something else follows on the line.
-[[nodiscard]] std::optional<std::uint32_t> endOfLineBehind(const Tree& tree, std::uint32_t offset);
-/// An item that begins its line, including a comment after it on its last line.
-[[nodiscard]] SourceRange withComment(const LoadedProject& loaded, SourceRange item);
-/// The same, including the comments directly above it.
-[[nodiscard]] SourceRange withComments(const LoadedProject& loaded, SourceRange item);
 /// Reindents the inner lines of a text: one level, the width of its narrowest indent, becomes one `step`.
 [[nodiscard]] std::string restepped(const std::string& text, const std::string& step);
 /// A text without the common indent of all lines but the first, at most `most` characters; line ends become `

@@ -50,7 +50,8 @@ ObjectLocation outer(ObjectLocation place) {
 class Move {
 public:
     Move(const LoadedProject& loaded, const std::vector<Chosen>& all, FileId file)
-        : m_loaded(loaded), m_texts(loaded.outline->texts()), m_references(referencesIn(loaded)), m_sheet(loaded), m_file(file) {
+        : m_loaded(loaded), m_texts(loaded.outline->texts()), m_references(referencesIn(loaded)), m_ranges(rangesOf(all)),
+          m_sheet(loaded), m_file(file) {
         for (const Chosen& c : all) m_moved.push_back({&c, c.place.part, holderOf(c.place), nullptr, {}, c.place.part->name});
     }
 
@@ -368,9 +369,10 @@ private:
         if (!m.goes()) return {};
         Result<std::string> written = applyEdits(m_texts.slice(part.range), m_inside[&part]);
         const std::size_t indent = indentOfLine(m_loaded.trees[part.file]->source().bytes(), part.range.range.begin).size();
-        const SourceRange whole = withComment(m_loaded, part.range);
-        const std::string comment(m_texts.slice({whole.file, {part.range.range.end, whole.range.end}}));
-        MovedBlock text(dedented(written.ok() ? written.value() + comment : std::string(m_texts.slice(whole)), indent));
+        const SourceRange whole = withOwnComments(m_loaded, part.range, m_ranges);
+        const std::string above(m_texts.slice({whole.file, {whole.range.begin, part.range.range.begin}}));
+        const std::string behind(m_texts.slice({whole.file, {part.range.range.end, whole.range.end}}));
+        MovedBlock text(dedented(written.ok() ? above + written.value() + behind : std::string(m_texts.slice(whole)), indent));
         if (m.name != part.name || !part.block->name) text.rename(m.name);
         if (m.from != m.to)
             if (Status kept = keepPose(m, text); !kept.ok()) return kept;
@@ -382,7 +384,8 @@ private:
             m_sheet.addItem(m.file, m.to ? m.to->block : nullptr, text.text());
             return {};
         }
-        const TextRange beside = (m.next ? m.next : m.after)->range.range;
+        const SourceRange other = (m.next ? m.next : m.after)->range;
+        const TextRange beside = m.next ? withOwnComments(m_loaded, other, {}).range : other.range;
         const Tree& tree = *m_loaded.trees[m.file];
         const std::string_view bytes = tree.source().bytes();
         const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(bytes, beside.begin);
@@ -408,6 +411,7 @@ private:
     const LoadedProject& m_loaded;
     const TextSet& m_texts;
     const std::vector<NameReference> m_references;
+    const std::vector<SourceRange> m_ranges; ///< of the moved blocks
     EditBuilder m_sheet;
     std::vector<MovedItem> m_moved;
     ObjectLocation m_into;

@@ -121,7 +121,7 @@ Result<EditPlan> planRemove(const LoadedProject& loaded, const std::vector<std::
             if (Status done = removeImportOf(loaded, part, sheet); !done) return done.error();
             continue;
         }
-        sheet.removeItem(withComment(loaded, part.range));
+        sheet.removeItem(withOwnComments(loaded, part.range, rangesOf(all.value())));
         if (part.block->name || c.place.above.empty()) continue;
         std::vector<const Part*> except;
         for (const Chosen& other : all.value()) except.push_back(other.place.part);

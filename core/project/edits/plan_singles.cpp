@@ -39,7 +39,8 @@ std::string textOf(const LoadedProject& loaded, const std::vector<std::string>& 
     const Result<std::vector<Chosen>> all = chosen(loaded, there);
     if (!all.ok()) return {};
     std::string text;
-    for (const Chosen& c : all.value()) text += blockText(loaded, withComment(loaded, c.place.part->range)) + "\n";
+    for (const Chosen& c : all.value())
+        text += blockText(loaded, withOwnComments(loaded, c.place.part->range, rangesOf(all.value()))) + "\n";
     return text;
 }
 

@@ -16,6 +16,12 @@ Result<ObjectLocation> requireChangeable(const LoadedProject& loaded, const std:
     return std::move(*place);
 }
 
+std::vector<SourceRange> rangesOf(const std::vector<Chosen>& chosen) {
+    std::vector<SourceRange> ranges;
+    for (const Chosen& c : chosen) ranges.push_back(c.place.part->range);
+    return ranges;
+}
+
 bool isWithin(const SourceRange& inner, const SourceRange& outer) {
     return inner.file == outer.file && outer.range.begin <= inner.range.begin && inner.range.end <= outer.range.end;
 }

@@ -22,6 +22,9 @@ struct Chosen {
 /// In text order, each block once, without blocks that are inside another one.
 [[nodiscard]] Result<std::vector<Chosen>> chosen(const LoadedProject& loaded, const std::vector<std::string>& paths);
 
+/// The ranges of their blocks.
+[[nodiscard]] std::vector<SourceRange> rangesOf(const std::vector<Chosen>& chosen);
+
 /// Whether a range is inside another or equal to it.
 [[nodiscard]] bool isWithin(const SourceRange& inner, const SourceRange& outer);
 /// Whether a kind of block is allowed in `parent` (nullptr: at the top level).
