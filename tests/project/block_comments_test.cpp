@@ -32,6 +32,7 @@ StaticConfig S { // of two boxes
 // far below
 
 Material e { }
+Tick = 0.01
 )";
 
 } // namespace
@@ -68,13 +69,53 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(textOf(*loaded, all)), copy);
     }
 
+    void takeABlankLineAlong_data() {
+        QTest::addColumn<QString>("before");
+        QTest::addColumn<QString>("after");
+        QTest::addRow("between two") << "Tick = 0.01\n\nMaterial a { }\n \t\nMaterial b { }\n"
+                                     << "Tick = 0.01\n\nMaterial b { }\n";
+        QTest::addRow("CRLF") << "Tick = 0.01\r\n\r\nMaterial a { }\r\n\r\nMaterial b { }\r\n"
+                              << "Tick = 0.01\r\n\r\nMaterial b { }\r\n";
+        QTest::addRow("one below only") << "Tick = 0.01\nMaterial a { }\n\nMaterial b { }\n"
+                                        << "Tick = 0.01\n\nMaterial b { }\n";
+        QTest::addRow("one above only") << "Tick = 0.01\n\nMaterial a { }\nMaterial b { }\n"
+                                        << "Tick = 0.01\n\nMaterial b { }\n";
+        QTest::addRow("at the end of the file") << "Tick = 0.01\n\nMaterial a { }\n"
+                                                << "Tick = 0.01\n";
+        QTest::addRow("without a last line end") << "Tick = 0.01\n\nMaterial a { }"
+                                                 << "Tick = 0.01\n";
+        QTest::addRow("at the begin of the file") << "Material a { }\n\nTick = 0.01\n"
+                                                  << "Tick = 0.01\n";
+        QTest::addRow("all of it") << "Material a { }\n"
+                                   << "";
+    }
+    void takeABlankLineAlong() {
+        QFETCH(QString, before);
+        QFETCH(QString, after);
+        const auto loaded = m_fixture.open(before.toStdString());
+        QCOMPARE(QString::fromStdString(m_fixture.text(loaded, planRemove(*loaded, {"Material.a"}))), after);
+    }
+    void takeABlankLineAlongInABlock() {
+        const auto loaded = m_fixture.open("StaticConfig S {\n\n  Box a { Size=1,1,1 }\n\n  Box b { Size=1,1,2 }\n\n}\n");
+        QCOMPARE(m_fixture.text(loaded, planRemove(*loaded, {"StaticConfig.S.a"})),
+                 "StaticConfig S {\n\n  Box b { Size=1,1,2 }\n\n}\n");
+        QCOMPARE(m_fixture.text(loaded, planRemove(*loaded, {"StaticConfig.S.a", "StaticConfig.S.b"})),
+                 "StaticConfig S {\n\n}\n");
+        const auto tight = m_fixture.open("StaticConfig S {\n  Box a { Size=1,1,1 }\n\n  Box b { Size=1,1,2 }\n}\n");
+        QCOMPARE(m_fixture.text(tight, planRemove(*tight, {"StaticConfig.S.a"})),
+                 "StaticConfig S {\n  Box b { Size=1,1,2 }\n}\n");
+        QCOMPARE(m_fixture.text(tight, planRemove(*tight, {"StaticConfig.S.a", "StaticConfig.S.b"})), "StaticConfig S {\n}\n");
+        QCOMPARE(m_fixture.text(tight, planRemove(*tight, {"StaticConfig.S.b"})),
+                 "StaticConfig S {\n  Box a { Size=1,1,1 }\n}\n");
+    }
+
     void areTakenToAnotherPlace() {
         const auto loaded =
             m_fixture.open("// about a\nMaterial a { }\n\n// about b\nMaterial b { } // b\n\n// about c\nMaterial c { }\n");
         QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"Material.c"}, "", "Material.b")), // above the comment of b
-                 "// about a\nMaterial a { }\n\n// about c\nMaterial c { }\n// about b\nMaterial b { } // b\n\n");
+                 "// about a\nMaterial a { }\n\n// about c\nMaterial c { }\n// about b\nMaterial b { } // b\n");
         QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"Material.b"}, "", "")),
-                 "// about a\nMaterial a { }\n\n\n// about c\nMaterial c { }\n// about b\nMaterial b { } // b\n");
+                 "// about a\nMaterial a { }\n\n// about c\nMaterial c { }\n// about b\nMaterial b { } // b\n");
     }
 
     void areTakenToAnotherBlock() {
@@ -98,7 +139,6 @@ Robot r { Config=Cart }
   Body hull {
     // the first
     Box first { Size=1,1,1 Mass=1 }
-
   }
   Body other { Pos=0,0,1 Sphere own { Radius=0.1 Mass=1 }
     // soft,

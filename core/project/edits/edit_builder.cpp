@@ -19,6 +19,24 @@ std::size_t errorsIn(const Tree& tree) {
         std::count_if(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity == Severity::Error; }));
 }
 
+/// Removed lines, and a blank line beside them that separates nothing then: another one, a brace or the file's begin or end is on its other side.
+TextRange withBlankLine(std::string_view bytes, TextRange lines) {
+    const std::string_view above = bytes.substr(0, lines.begin), below = bytes.substr(lines.end);
+    const bool begins = above.empty() || above == "\xEF\xBB\xBF";
+    if ((!begins && !above.ends_with('\n')) || !bytes.substr(lines.begin, lines.size()).ends_with('\n')) return lines;
+    const std::size_t before = above.size() < 2 ? std::string_view::npos : above.rfind('\n', above.size() - 2);
+    const std::string_view last = before == std::string_view::npos ? above : above.substr(before + 1);
+    const std::string_view next = below.substr(0, below.find('\n') + 1);
+    const auto firstOf = [](std::string_view text) { return text.find_first_not_of(" \t\r\n"); };
+    const bool isBlankBefore = !begins && firstOf(last) == std::string_view::npos;
+    const bool isBlankBehind = !next.empty() && firstOf(next) == std::string_view::npos;
+    const bool opens = begins || (!isBlankBefore && last[last.find_last_not_of(" \t\r\n")] == '{');
+    const bool closes = !isBlankBehind && (below.empty() || below[firstOf(below)] == '}');
+    if (isBlankBehind && (isBlankBefore || opens)) lines.end += static_cast<std::uint32_t>(next.size());
+    else if (isBlankBefore && closes) lines.begin -= static_cast<std::uint32_t>(last.size());
+    return lines;
+}
+
 bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
 
 } // namespace
@@ -67,7 +85,13 @@ void EditBuilder::placeRemovals(FileId file, std::vector<TextRange> items) {
         else groups.push_back(item);
     }
     std::vector<TextEdit> removals;
-    for (const TextRange& group : groups) removals.push_back(editRemoveItem(tree, Item{group, ImportItem{}}));
+    for (const TextRange& group : groups) {
+        const std::uint32_t from = removals.empty() ? 0 : removals.back().range.range.end;
+        removals.push_back(editRemoveItem(tree, Item{group, ImportItem{}}));
+        TextRange& lines = removals.back().range.range;
+        lines = withBlankLine(tree.source().bytes(), lines);
+        lines.begin = std::max(lines.begin, from);
+    }
     std::vector<TextEdit> kept;
     for (const TextEdit& edit : m_edits[file]) {
         const TextRange r = edit.range.range;

@@ -284,7 +284,7 @@ class DriveTest(unittest.TestCase):
                     first = bytes(remote._request("step", ticks=1, subscription=number)[1])
                     self.assertEqual(bytes(remote._request("step", ticks=5, subscription=number)[1]), first)
 
-    def test_a_driver_that_is_told_to_end_stops_the_robot(self):
+    def test_a_driver_that_is_end_stops_the_robot(self):
         for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
             with Process(sys.executable, self.write("driver.py", DRIVER)) as driver:
                 with trundle.connect(int(driver.port), TOKEN) as remote:

@@ -65,7 +65,7 @@ class Driver:
         raise NotImplementedError(f"{type(self).__name__} has no sense()")
 
     def stop(self):
-        """The client has gone, or this process is told to end: whatever moves has to stop. May be called more than once."""
+        """The client has gone, or this process ends: whatever moves has to stop. May be called more than once."""
 
     def image(self, camera):
         """The current picture of a camera, by its device's name: width, height, and 3 * width * height bytes of red, green, blue by rows
@@ -90,14 +90,14 @@ class Driver:
         arguments = parser.parse_args()
         token = os.environ.pop("TRUNDLE_TOKEN", "") or secrets.token_hex(16)
         for number in (signal.SIGTERM, signal.SIGHUP):
-            signal.signal(number, self._told_to_end)
+            signal.signal(number, self._end)
         try:
             self.serve(arguments.port, token, arguments.token_file)
         except KeyboardInterrupt:
             pass
 
     @staticmethod
-    def _told_to_end(*_):
+    def _end(*_):
         for number in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.SIG_IGN)
         raise KeyboardInterrupt
