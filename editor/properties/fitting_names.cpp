@@ -72,6 +72,14 @@ std::vector<std::string> fittingNames(const LoadedProject& loaded, const Propert
     return found;
 }
 
+std::vector<std::string> fittingNames(const LoadedProject& loaded, const Property& property, const ObjectValues& instance) {
+    const Part& part = *instance.part();
+    if (!part.isPartUse()) return fittingNames(loaded, property, instance.config());
+    std::vector<std::string> names = fittingNames(loaded, property, instance.definedIn());
+    std::erase_if(names, [&](const std::string& name) { return name.starts_with(part.name + "."); }); // what is in it
+    return names;
+}
+
 bool isBodyToCountFrom(const Kind& kind, const Property& property) {
     const bool hasIn = kind.role == Role::Body || kind.role == Role::Repeat || kind.name == "Part";
     return hasIn && property.name == "In";

@@ -56,6 +56,7 @@ std::size_t Row::fieldCount() const { return property() ? property()->maxCount :
 EditorKind Row::editor() const {
     const Property* p = property();
     if (!p && !isLong() && !choices().empty() && single(*this)) return EditorKind::Choice;
+    if (!p && !isLong() && candidates && single(*this)) return EditorKind::Reference;
     if (!p || isLong()) return EditorKind::Line;
     switch (p->type) {
     case PropertyType::Number:

@@ -28,7 +28,7 @@ struct Row {
     bool afterReset = false;                              ///< the run has another value until it is reset
     std::function<QString()> now;                         ///< position or rotation in the run; null: the row has none
     std::string folder;                                   ///< of the file that contains the value; file paths are relative to it
-    std::function<std::vector<std::string>()> candidates; ///< valid names for a reference
+    std::function<std::vector<std::string>()> candidates; ///< valid names for a reference, or for a Param that stands for one
     Setter set;
 
     [[nodiscard]] const FieldValue& first() const { return values.front(); }

@@ -17,6 +17,7 @@
 #include "model/dotted_path.h"
 #include "project/edits/plans.h"
 #include "project/objects/name_references.h"
+#include "project/objects/param_reference.h"
 #include "project/objects/value_text.h"
 
 namespace trundle {
@@ -194,6 +195,12 @@ void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Doc
         else if (listed.kind && p->name == "Robot" && namesWorld(*listed.kind, *p))
             row.candidates = [loaded] { return robotNames(*loaded); };
         if (p->type == PropertyType::File) row.folder = folderOf(*loaded, listed, object);
+    } else if (object.isInstance() && object.config()) {
+        const Property* named = propertyNamedBy(*object.config(), lastWord(listed.value.path));
+        if (named)
+            row.candidates = [loaded, named, path = object.path()] {
+                return fittingNames(*loaded, *named, ObjectValues(loaded, path));
+            };
     }
     if (session) {
         row.afterReset = std::any_of(row.values.begin(), row.values.end(),

@@ -37,7 +37,7 @@ ReferenceEditor::ReferenceEditor(QWidget* parent)
     m_field->setCompleter(completer);
     m_field->installEventFilter(this);
     connect(completer, qOverload<const QString&>(&QCompleter::activated), this, [this](const QString& name) {
-        if (m_row.property()->maxCount == 1) pick(name);
+        if (m_row.fieldCount() == 1) pick(name);
     });
     connect(m_menu, &QMenu::aboutToShow, this, &ReferenceEditor::fillMenu);
 }
@@ -66,7 +66,7 @@ bool ReferenceEditor::eventFilter(QObject* watched, QEvent* event) {
     return RowEditor::eventFilter(watched, event);
 }
 
-bool ReferenceEditor::isOfPairs() const { return m_row.property()->minCount == 2 && m_row.property()->maxCount > 2; }
+bool ReferenceEditor::isOfPairs() const { return m_row.fieldCount() > 2 && m_row.property()->minCount == 2; }
 
 QStringList ReferenceEditor::typedNames() const {
     QStringList names = m_field->text().split(QLatin1Char(','));
@@ -107,7 +107,7 @@ void ReferenceEditor::pickForPair(const QString& name) {
 
 void ReferenceEditor::pick(const QString& name) {
     if (isOfPairs()) return pickForPair(name);
-    const bool list = m_row.property()->maxCount > 1;
+    const bool list = m_row.fieldCount() > 1;
     const std::string word = name.toStdString();
     m_field->setModified(false);
     commit(m_field, [list, word, name](const FieldValue& v) -> ParsedValue {

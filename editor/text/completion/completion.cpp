@@ -14,6 +14,7 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "model/config_blocks.h"
+#include "project/objects/param_reference.h"
 #include "schema/allowed_parents.h"
 
 namespace trundle {
@@ -292,26 +293,34 @@ private:
     [[nodiscard]] const Property* property() const { return m_context.ofParam ? nullptr : propertyOf(m_place, m_context.path); }
 
     void value() {
-        const Property* p = property();
+        const Property* own = property();
+        const Property* p = own ? own : named();
         const std::string_view typed =
             m_context.quoted ? m_text.substr(m_context.word.begin, m_offset - m_context.word.begin) : m_context.before;
         if (p && p->type == PropertyType::File) files(folders(m_folders.assets), p->choices);
         else if (p)
-            for (Completion& c : valuesOf(m_loaded, m_place, *p, m_context.before, typed)) {
+            for (Completion& c : valuesOf(m_loaded, m_place, *p, m_context.before, typed, m_context.path.size() == 1)) {
                 c.insert = m_context.before.empty() ? asWord(c.insert) : c.insert;
                 c.select = c.caret = c.insert.size();
                 m_out.items.push_back(std::move(c));
             }
-        else if (const ParamDescription* said = p ? nullptr : description())
+        else if (const ParamDescription* said = description())
             for (const std::string& word : said->property.choices) add(CompletionSort::Value, word, asWord(word), "", "");
         if (!m_context.quoted && m_context.before.empty() && !m_place.described()) params("$");
     }
 
-    /// What is said about the Param that an instance sets here.
+    /// Whether the value is that of a Param of an instance.
+    [[nodiscard]] bool isOfInstance() const {
+        return m_place.instance && m_place.config && m_context.path.size() == 1 && !m_context.ofParam;
+    }
+    /// What is said about that Param.
     [[nodiscard]] const ParamDescription* description() const {
-        const bool isOfInstance = m_place.instance && m_place.config && m_context.path.size() == 1;
-        const SourceParam* param = isOfInstance ? m_place.config->param(m_context.path[0]) : nullptr;
+        const SourceParam* param = isOfInstance() ? m_place.config->param(m_context.path[0]) : nullptr;
         return param ? param->description.get() : nullptr;
+    }
+    /// The property for which it names something; nullptr: for none.
+    [[nodiscard]] const Property* named() const {
+        return isOfInstance() ? propertyNamedBy(*m_place.config, m_context.path[0]) : nullptr;
     }
 
     void number() {

@@ -17,8 +17,8 @@ namespace {
 class Values {
 public:
     Values(const LoadedProject& loaded, const TextLocation& place, const Property& property, const std::string& before,
-           std::string_view typed)
-        : m_loaded(loaded), m_place(place), m_property(property), m_before(before),
+           std::string_view typed, bool isOwn)
+        : m_loaded(loaded), m_place(place), m_property(property), m_before(before), m_isOwn(isOwn),
           m_path(typed.substr(0, typed.rfind('.') + 1)) {}
 
     std::vector<Completion> list() {
@@ -105,7 +105,7 @@ private:
             else if (*it != own() && (*it)->isRepeat() && !(*it)->isInWorld) namesIn(**it, {});
         }
         if (beside) namesIn(*beside, {});
-        const bool isOfPart = own() && own()->isPartUse() && own()->kind->find(m_property.name) == &m_property;
+        const bool isOfPart = own() && own()->isPartUse() && m_isOwn;
         if (m_place.config && m_place.config != beside && !isOfPart) namesIn(*m_place.config, {});
     }
     void namesIn(const Part& holder, const std::string& prefix) {
@@ -160,6 +160,7 @@ private:
     const TextLocation& m_place;
     const Property& m_property;
     const std::string& m_before;
+    const bool m_isOwn;
     std::string m_path; ///< what is typed, to its last dot
     NameWalk m_walk{kMostInParts};
     std::unordered_set<std::string> m_labels;
@@ -169,8 +170,8 @@ private:
 } // namespace
 
 std::vector<Completion> valuesOf(const LoadedProject& loaded, const TextLocation& place, const Property& property,
-                                 const std::string& before, std::string_view typed) {
-    return Values(loaded, place, property, before, typed).list();
+                                 const std::string& before, std::string_view typed, bool isOwn) {
+    return Values(loaded, place, property, before, typed, isOwn).list();
 }
 
 } // namespace trundle

@@ -11,8 +11,8 @@
 namespace trundle {
 
 /// For numbers only the default. `before`: the typed part of a name with dots or slashes ("chassis."), which the values continue;
-/// `typed`: the same, in quotes all that is typed.
+/// `typed`: the same, in quotes all that is typed. `isOwn`: the value is of the block itself, not of what it overrides inside.
 [[nodiscard]] std::vector<Completion> valuesOf(const LoadedProject& loaded, const TextLocation& place, const Property& property,
-                                               const std::string& before, std::string_view typed);
+                                               const std::string& before, std::string_view typed, bool isOwn);
 
 } // namespace trundle

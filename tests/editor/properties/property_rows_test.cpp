@@ -82,6 +82,51 @@ private Q_SLOTS:
         QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
     }
 
+    /// Also where the Part passes the name on to another Part. The list offers nothing from inside of the Part itself.
+    void aParamOffersWhatItNames_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("row");
+        QTest::addColumn<QString>("names");
+        const QString inRight = QStringLiteral("right.rail right.lamp_0.bulb right.lamp_0.cap right.front.wheel");
+        QTest::newRow("of a Part in a Part") << "rover.right.front"
+                                             << "carrier"
+                                             << "rail lamp_0.bulb lamp_0.cap world";
+        QTest::newRow("of a Part") << "RobotConfig.Kit.left"
+                                   << "hull" << QStringLiteral("hull mast ") + inRight + QStringLiteral(" world");
+        QTest::newRow("of a robot") << "tall"
+                                    << "where"
+                                    << QStringLiteral("hull mast left.rail left.lamp_0.bulb left.lamp_0.cap left.front.wheel ") +
+                                           inRight + QStringLiteral(" flag world");
+        QTest::newRow("a Material") << "tall"
+                                    << "paint"
+                                    << "default grey red gold silver";
+    }
+    void aParamOffersWhatItNames() {
+        QFETCH(QString, path);
+        QFETCH(QString, row);
+        QFETCH(QString, names);
+        PropertiesFixture fixture;
+        std::string text = replaced(kNested, "Config=Kit Body flag { Box cloth {",
+                                    "Config=Kit Param where = hull Param paint = gold\n"
+                                    "  Fixed pin { Parent=$where Child=flag } Body flag { Box cloth { Material=$paint");
+        text = "Material gold { }\nMaterial silver { }\n" + text;
+        QVERIFY(fixture.open(text));
+        QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
+        fixture.selection.select(path.toStdString());
+        const std::string id = "param." + row.toStdString();
+        QVERIFY(fixture.row(id.c_str()));
+        const auto* pick = fixture.field<QToolButton>(id.c_str(), "pick");
+        Q_EMIT pick->menu()->aboutToShow();
+        QStringList offered;
+        for (const QAction* action : pick->menu()->actions()) offered << action->text();
+        QCOMPARE(offered.join(QLatin1Char(' ')), names);
+        const std::string before = fixture.text();
+        pick->menu()->actions().constLast()->trigger();
+        QVERIFY(fixture.text() != before);
+        QCOMPARE(fixture.shown(id.c_str()), offered.constLast());
+        QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
+    }
+
     /// A faulty value is still shown, so that it can be taken out.
     void aRefusedInHasARow() {
         PropertiesFixture fixture;

@@ -181,6 +181,21 @@ void CompletionTest::lists_data() {
     inSide("of a member that is typed", "Hinge h { Parent=lamp_1.| } }", "bulb", "rail");
     inSide("what a Part counts from", "Part rear { Config=Wheel In=| } }", "rail front.wheel", "wheel rear.wheel");
     inSide("what a value set in a Part names", "Part rear { Config=Wheel axle.Parent=| } }", "rail front.wheel wheel", "axle");
+    inSide("what a Param names", "Part rear { Config=Wheel carrier=| } }", "rail lamp_0.bulb world front.wheel",
+           "wheel rear.wheel front front.axle tyre");
+    inSide("what a Param names, behind a dot", "Part rear { Config=Wheel carrier=front.| } }", "wheel", "axle rail");
+    inSide("what a Param names that is passed on",
+           "Part inner { Config=Wheel carrier=$hull } } RobotConfig R { Body base { Mass=1 Inertia=1,1,1 } Part left { "
+           "Config=Side hull=| } }",
+           "base world", "rail left.rail bulb");
+    inSide("a Material that a Param names",
+           "Body lid { Sphere s { Radius=0.1 Mass=1 Material=$paint } } } Material red { } Surface ice { }\n"
+           "RobotConfig R { Part left { Config=Side paint=| } }",
+           "red default", "ice rail left");
+    row("a Material that a Param of a robot names",
+        "Material red { }\nRobotConfig R { Param paint = red  Body b { Sphere s { Radius=0.1 Mass=1 Material=$paint } } }\n"
+        "Robot r { Config=R paint=| }",
+        "red default", "b");
     inSide("motors of Parts", "} RobotConfig R { Part left { Config=Side }\n SkidDrive d { LeftMotors=left.front.motor,| } }",
            "left.front.motor", "left.front.axle d");
     inSide("motors behind a dot", "} RobotConfig R { Part left { Config=Side }\n SkidDrive d { LeftMotors=left.| } }",

@@ -1,0 +1,46 @@
+#include "project/objects/param_reference.h"
+
+#include <algorithm>
+#include <set>
+
+#include "schema/kind.h"
+
+namespace trundle {
+namespace {
+
+class Search {
+public:
+    const Property* in(const Part& config, std::string_view param) {
+        if (!m_seen.emplace(&config, std::string(param)).second) return nullptr;
+        if (isVariant(config) && config.config)
+            if (const Property* found = in(*config.config, param)) return found;
+        return inside(config, param);
+    }
+
+private:
+    const Property* inside(const Part& holder, std::string_view param) {
+        for (const Part& part : holder.parts) {
+            for (const SourceAssignment& assignment : part.assignments.all())
+                if (part.kind && isValueOf(assignment, param))
+                    if (const Property* found = of(part, assignment.key)) return found;
+            if (const Property* found = inside(part, param)) return found;
+        }
+        return nullptr;
+    }
+    const Property* of(const Part& part, const std::string& key) {
+        if (const Property* own = part.kind->find(key)) return own->type == PropertyType::Reference ? own : nullptr;
+        return part.config ? in(*part.config, key) : nullptr;
+    }
+    static bool isValueOf(const SourceAssignment& assignment, std::string_view param) {
+        return std::ranges::any_of(assignment.value->elements,
+                                   [&](const Element& e) { return e.kind == Element::Kind::ParamRef && e.text == param; });
+    }
+
+    std::set<std::pair<const Part*, std::string>> m_seen; ///< PartConfigs in a circle end there
+};
+
+} // namespace
+
+const Property* propertyNamedBy(const Part& config, std::string_view param) { return Search().in(config, param); }
+
+} // namespace trundle

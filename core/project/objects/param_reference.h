@@ -1,0 +1,12 @@
+#pragma once
+#include <string_view>
+
+#include "model/part.h"
+
+namespace trundle {
+
+/// The property whose value a Param of a config is where it stands for a name: Parent for `Hinge axle { Parent=$carrier ... }`, also if a Part
+/// in the config passes it on, `carrier=$carrier`. The first one in the text; nullptr: it stands for no name.
+[[nodiscard]] const Property* propertyNamedBy(const Part& config, std::string_view param);
+
+} // namespace trundle
