@@ -178,6 +178,34 @@ private Q_SLOTS:
         row("a Repeat for its robots", lane + "}\nRegion n { Size=1,1,1 Robots=lane }\n",
             "E208 Robots names lane, a Repeat; it takes a robot | lane | fix lane.r");
 
+        const auto ofTwo = [](const std::string& child) {
+            return "PartConfig A { Body left { " + kBox + " } Body right { " + kBox +
+                   " } Fixed f { Parent=left Child=right } }\n" + "RobotConfig n { Body hull { " + kBox +
+                   " } Part side { Config=A } Fixed g { Parent=hull Child=" + child + " } }\n";
+        };
+        row("one of two bodies of a Part", ofTwo("side.wheel"),
+            "E208 Child names side.wheel, but there is no such Body; there are side.left and side.right | side.wheel");
+        row("one of two bodies of a Part, misspelt", ofTwo("side.lft"),
+            "E208 Child names side.lft, but there is no such Body | side.lft | fix side.left");
+        row("a misspelt Part", ofTwo("sid.right"),
+            "E208 Child names sid.right, but there is no such Body | sid.right | fix side.right");
+        row("the body of a Part that has one",
+            "PartConfig A { Body b { " + kBox + " } }\nRobotConfig n { Body hull { " + kBox +
+                " } Part side { Config=A } Fixed g { Parent=hull Child=side.wheel } }\n",
+            "E208 Child names side.wheel, but there is no such Body; there is side.b | side.wheel");
+
+        const auto members = [](const std::string& count, const std::string& given) {
+            return "RobotConfig n { Param m = 1  Repeat few { Count=10 Body b { " + kBox + " } }\n  Repeat row { Count=" + count +
+                   " Body b { " + kBox + " } } }\nRobot r { Config=n " + given + " }\n";
+        };
+        row("too many members", members("150000", {}),
+            "E312 with RobotConfig n there would be configs of more than 200000 objects | n | most are in Repeat row: 150000");
+        row("too many members by a value", members("$m", "m=200000"),
+            "E312 RobotConfig n would hold more than 200000 objects | n | most are in Repeat row: $m | with the values of Robot "
+            "r: r");
+        row("PartConfigs in a circle", "PartConfig A { Part n { Config=B } }\nPartConfig B { Part n { Config=A } }\n",
+            "E302 PartConfigs contain each other in a circle: A > B > A | A");
+
         row("an element", "Region n { Size=1,1,0 }\n", "E203 the 3rd element of Size is 0, it must be above 0 | 0");
         row("a count", post + "Grid n { Config=P Count=2,zero Spacing=1 }\n",
             "E202 the 2nd element of Count is a word (zero), it must be a whole number | zero");

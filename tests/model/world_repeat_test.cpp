@@ -215,7 +215,7 @@ private Q_SLOTS:
             "E312 with Repeat row the world would hold more than 200000 objects\n", "row");
         row("no body",
             "Robot c { Config=Cart } Repeat row { Count=2 Robot cart { Config=Cart } Fixed f { Parent=c.b Child=cart.c } }\n",
-            "E208 Child names cart.c, but there is no such body of a robot (robot.body)\n", "cart.c");
+            "E208 Child names cart.c, but there is no such body of a robot (robot.body); there is cart.b\n", "cart.c");
         row("no robot", "Repeat row { Count=2 Robot cart { Config=Cart } Region r { Size=1,1,1 Robots=row_2.cart } }\n",
             "E208 Robots names row_2.cart, but there is no such robot\n", "row_2.cart");
         row("no parts", "Repeat row { Count=2 In=b Static p { Config=Post } }\n",

@@ -6,6 +6,7 @@
 #include "model/dotted_path.h"
 #include "model/part_depth.h"
 #include "model/repeat.h"
+#include "model/resolve/config_sizes.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -65,6 +66,14 @@ const GivenValue* firstValue(const OverrideNode& node) {
     for (const auto& [name, inner] : node.children)
         if (const GivenValue* value = firstValue(inner)) return value;
     return nullptr;
+}
+
+/// nullptr: it is in none.
+const Part* outermostRepeat(const PartFrame& frame) {
+    const Part* repeat = nullptr;
+    for (const PartFrame* at = &frame; at->use; at = at->outer)
+        if (at->use->isRepeat()) repeat = at->use;
+    return repeat;
 }
 
 /// An empty chain: no circle, but too deep. `use`: the Part or variant that closes it.
@@ -189,12 +198,14 @@ Record readConfig(ResolveContext& context, const Part& config, ParamScope& scope
 
 bool PartExpansion::isFull() {
     if (m_isFull || std::max(m_parts.size(), m_frames.size()) <= kMaxObjects) return m_isFull;
-    if (const Part* config = m_frames.front().config)
-        m_context.diagnostics.error(Code::TooManyObjects, config->nameRange(),
-                                    config->title() + " would hold more than 200000 objects");
-    else
+    if (const Part* config = m_frames.front().config) {
+        Diagnostic& d = m_context.diagnostics.error(Code::TooManyObjects, config->nameRange(),
+                                                    config->title() + " would hold more than 200000 objects");
+        noteCount(d, outermostRepeat(m_frames.back()));
+    } else {
         m_context.diagnostics.error(Code::TooManyObjects, m_frames.back().use->nameRange(),
                                     "with " + m_frames.back().use->title() + " the world would hold more than 200000 objects");
+    }
     return m_isFull = true;
 }
 
@@ -408,31 +419,6 @@ void PartExpansion::nameUses(std::size_t first, const PartFrame& frame) {
         for (std::size_t i = first; i < m_context.diagnostics.all().size(); ++i)
             nameMember(m_context, m_context.diagnostics.at(i), *at->use, *at->member);
     }
-}
-
-double ConfigSizes::of(const Part& config) {
-    const auto [it, isNew] = m_known.try_emplace(&config, 1); // of a circle, what is known so far
-    if (!isNew) return it->second;
-    ParamScope scope(&m_context.globals);
-    scope.declare(config.params);
-    const double size = count(config, scope);
-    return m_known[&config] = size;
-}
-
-double ConfigSizes::count(const Part& part, ParamScope& scope) {
-    double size = part.config && part.is(Role::Config) ? count(*part.config, scope) : 1;
-    for (const Part& inner : part.parts) {
-        if (!inner.isRepeat()) {
-            size += inner.config ? 1 + of(*inner.config) : count(inner, scope);
-            continue;
-        }
-        ParamScope own(&scope);
-        own.declare(inner.params);
-        const std::vector<double> counts = countsOf(inner, m_evaluator, own, nullptr, m_silent);
-        setIndex(own, 0, counts);
-        size += static_cast<double>(memberCount(counts)) * (count(inner, own) - 1); // of the Repeat itself nothing is left
-    }
-    return size;
 }
 
 void reportPartCircles(ResolveContext& context) {

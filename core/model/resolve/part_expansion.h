@@ -134,23 +134,6 @@ private:
 /// The properties of a config itself, those that it does not set from the config that it is a variant of.
 [[nodiscard]] Record readConfig(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides);
 
-/// Counts the objects of configs with those of their Parts, without expanding them.
-class ConfigSizes {
-public:
-    explicit ConfigSizes(ResolveContext& context) : m_context(context), m_evaluator(context.texts, m_silent) {}
-
-    /// With the config's own values of its Params.
-    [[nodiscard]] double of(const Part& config);
-
-private:
-    [[nodiscard]] double count(const Part& part, ParamScope& scope);
-
-    ResolveContext& m_context;
-    Diagnostics m_silent;
-    Evaluator m_evaluator;
-    std::map<const Part*, double> m_known;
-};
-
 /// Reports PartConfigs that contain each other (E302).
 void reportPartCircles(ResolveContext& context);
 

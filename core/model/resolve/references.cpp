@@ -124,12 +124,21 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
     for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`, `cart.b` for `lane.cart.b`
         if (candidate.ends_with("." + name) || name.ends_with("." + candidate)) near.push_back(candidate);
     }
+    std::vector<std::string> beside; // in the same Part: of several only one that is spelt alike is meant
+    const std::string_view before = withoutLastWord(name);
+    for (const std::string& candidate : candidates)
+        if (!before.empty() && withoutLastWord(candidate) == before) beside.push_back(candidate);
     for (std::string& word : nearestWords(name, candidates)) {
+        const std::string last(lastWord(word));
+        if (!beside.empty() && withoutLastWord(word) == before && nearestWords(lastWord(name), std::span(&last, 1)).empty())
+            continue;
         if (!std::count(near.begin(), near.end(), word)) near.push_back(std::move(word));
     }
     if (candidates.empty()) d.message = property + " names " + name + ", but there is no " + what + " here";
-    else if (near.empty())
-        d.message += "; there " + std::string(candidates.size() == 1 ? "is " : "are ") + listText(candidates, "and");
+    else if (near.empty()) {
+        const std::vector<std::string>& all = beside.empty() ? candidates : beside;
+        d.message += "; there " + std::string(all.size() == 1 ? "is " : "are ") + listText(all, "and");
+    }
     suggestWords(d, std::move(near), literal ? range : SourceRange{});
 }
 
@@ -256,6 +265,10 @@ std::uint32_t ResolveContext::mirroredSurface(std::uint32_t surface) {
 
 void ResolveContext::hintLater(const Part& found, const Part& user, SourceRange range) {
     if (found.order <= user.order || m_reportedLater[found.name]) return;
+    const auto isOf = [&](const Outline::PartCircle& circle) { // of configs in a circle each is before another one
+        return (" > " + circle.chain + " > ").find(" > " + found.name + " > ") != std::string::npos;
+    };
+    if (std::ranges::any_of(outline.partCircles(), isOf)) return;
     m_reportedLater[found.name] = true;
     Diagnostic& d = diagnostics.hint(Code::DefinedLater, range, found.title() + " is defined after its first use");
     d.notes.push_back({"defined here", found.nameRange()});

@@ -7,6 +7,7 @@
 #include "model/kinds/world_fields.h"
 #include "model/provenance.h"
 #include "model/repeat.h"
+#include "model/resolve/config_sizes.h"
 #include "model/resolve/footprint.h"
 #include "model/resolve/instance_variants.h"
 #include "model/resolve/resolve_steps.h"
@@ -86,8 +87,10 @@ private:
             if (part->kind->name == "PartConfig") continue;
             objects += m_sizes.of(*part);
             if (objects > static_cast<double>(kMaxObjects)) {
-                m_context.diagnostics.error(Code::TooManyObjects, part->nameRange(),
-                                            "with " + part->title() + " there would be configs of more than 200000 objects");
+                Diagnostic& d =
+                    m_context.diagnostics.error(Code::TooManyObjects, part->nameRange(),
+                                                "with " + part->title() + " there would be configs of more than 200000 objects");
+                noteCount(d, m_sizes.largestRepeat());
                 m_tooMany = true;
                 break;
             }
@@ -134,7 +137,8 @@ private:
     bool roomFor(const Part& part, double objects, SourceRange place) {
         m_objects += objects;
         if (m_objects <= static_cast<double>(kMaxObjects) && !m_tooMany) return true;
-        if (!m_tooMany) {
+        const auto isSaid = [](const Diagnostic& d) { return d.code == Code::TooManyObjects; };
+        if (!m_tooMany && std::ranges::none_of(m_context.diagnostics.all(), isSaid)) {
             m_context.diagnostics.error(Code::TooManyObjects, place,
                                         "with " + part.title() + " the world would hold more than 200000 objects");
         }
