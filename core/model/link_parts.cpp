@@ -197,4 +197,10 @@ void Outline::linkParts() {
         if (part->is(Role::Config)) implied.add(*part);
 }
 
+bool Outline::isInCircle(const Part& config) const {
+    return std::ranges::any_of(m_circles, [&](const PartCircle& circle) {
+        return (" > " + circle.chain + " > ").find(" > " + config.name + " > ") != std::string::npos;
+    });
+}
+
 } // namespace trundle

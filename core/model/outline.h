@@ -40,6 +40,7 @@ public:
         std::string chain;         ///< "A > B > A"
     };
     [[nodiscard]] const std::vector<PartCircle>& partCircles() const { return m_circles; }
+    [[nodiscard]] bool isInCircle(const Part& config) const;
 
 private:
     void linkPart(Part& part, const Part* owner);

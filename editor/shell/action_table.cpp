@@ -31,7 +31,7 @@ static constexpr ActionRow kTable[] = {
     {"parts.mirrorY",  "|Edit/Parts", "Mirror &Left to Right",   "",            "",               "Add the mirror image of the selected parts on the other side, along Y."},
     {"parts.mirrorX",  "Edit/Parts",  "Mirror &Front to Back",   "",            "",               "Add the mirror image of the selected parts, along X."},
     {"parts.mirrorZ",  "Edit/Parts",  "Mirror &Up and Down",     "",            "",               "Add the mirror image of the selected parts, along Z."},
-    {"parts.repeat",   "|Edit/Parts", "&Repeat…",                "array",       "",               "Put the selected bodies, joints and devices, or geoms of a body, into a Repeat: one block, several of it."},
+    {"parts.repeat",   "|Edit/Parts", "&Repeat…",                "array",       "",               "Put the selected bodies, joints and devices, geoms of a body, or robots and scenery, into a Repeat: one block, several of it."},
     {"edit.rename",    "Edit",        "Rena&me…",                "rename",      "F2",             "Rename the selected object, or what is named at the caret, and every reference to it."},
     {"edit.selectAll", "Edit",        "Select &All",             "",            "Ctrl+A",         "Select all robots and statics."},
     {"edit.find",      "|Edit",       "&Find…",                  "find",        "Ctrl+F",         "Find in the text, or in all files of the experiment."},

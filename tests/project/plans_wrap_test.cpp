@@ -153,6 +153,45 @@ private Q_SLOTS:
         checkClean(plan);
     }
 
+    /// Robots and scenery, with what names them and what is between them.
+    void repeatsAtTheTopLevel() {
+        const std::string kit = kitWith({}, {}), config = kit.substr(0, kit.find("Robot a"));
+        const auto loaded = m_fixture.open(config + R"(
+// pulls
+Robot a { Config=Kit Pos=0,1,0 } // in front
+Robot b { Config=Kit Pos=-2,1,0 }
+Fixed hitch { Parent=a.chassis Child=b.chassis }
+
+Robot c { Config=Kit Pos=0,-3,0 }
+PoseLog path { Robot=b File=path.csv }
+)");
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+        const auto plan = planRepeat(*loaded, {"b", "a", "hitch"}, 2, {0, 7, 0});
+        QCOMPARE(m_fixture.text(loaded, plan), config + R"(
+Repeat as {
+  Count=2 Pos=0,$(7*index),0
+  // pulls
+  Robot a { Config=Kit Pos=0,1,0 } // in front
+  Robot b { Config=Kit Pos=-2,1,0 }
+  Fixed hitch { Parent=a.chassis Child=b.chassis }
+}
+
+Robot c { Config=Kit Pos=0,-3,0 }
+PoseLog path { Robot=as_0.b File=path.csv }
+)");
+        const auto after = m_fixture.apply(loaded, plan);
+        QVERIFY2(!after->diagnostics.hasErrors(), sample::messages(*after).c_str());
+        QCOMPARE(after->experiment->robots.size(), std::size_t{5});
+        QCOMPARE(plan.value().selects, std::vector<std::string>{"as"});
+        const auto message = [&](const std::vector<std::string>& paths) {
+            const auto refused = planRepeat(*loaded, paths, 2, Vec3::Zero());
+            return refused.ok() ? std::string() : refused.error().message;
+        };
+        QCOMPARE(message({"Material.red"}), std::string("a Material is allowed at the top level, not in a Repeat"));
+        QCOMPARE(message({"a", "RobotConfig.Kit.chassis"}),
+                 std::string("select blocks of one config: Robot a is at the top level, Body chassis is in RobotConfig Kit"));
+    }
+
     /// Blocks that count from one body outside give their In to what is around them; everything stays where it is.
     void takesIn_data() {
         QTest::addColumn<QString>("chassis");

@@ -106,6 +106,34 @@ const PartFrame& frameOf(const PartFrame& frame, const std::string& name, const 
     return *outermost;
 }
 
+bool endsInside(std::string_view path, std::string_view end) {
+    return path.size() > end.size() && path.ends_with(end) && path[path.size() - end.size() - 1] == '.';
+}
+
+/// The candidates in the same Part as a name.
+std::vector<std::string> besideIt(std::string_view name, const std::vector<std::string>& candidates) {
+    std::vector<std::string> beside;
+    const std::string_view before = withoutLastWord(name);
+    for (const std::string& candidate : candidates)
+        if (!before.empty() && withoutLastWord(candidate) == before) beside.push_back(candidate);
+    return beside;
+}
+
+/// The candidates that an unknown name may mean. Of those in the same Part, if there are any, only one whose own name is spelt alike.
+std::vector<std::string> meant(std::string_view name, const std::vector<std::string>& candidates, bool hasBeside) {
+    std::vector<std::string> near;
+    for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`, `cart.b` for `lane.cart.b`
+        if (endsInside(candidate, name) || endsInside(name, candidate)) near.push_back(candidate);
+    }
+    for (std::string& word : nearestWords(name, candidates)) {
+        const std::string last(lastWord(word));
+        const bool isBeside = hasBeside && withoutLastWord(word) == withoutLastWord(name);
+        if (isBeside && nearestWords(lastWord(name), std::span(&last, 1)).empty()) continue;
+        if (!std::count(near.begin(), near.end(), word)) near.push_back(std::move(word));
+    }
+    return near;
+}
+
 } // namespace
 
 void ResolveContext::unknownReference(const std::string& property, const std::string& what, const std::string& name,
@@ -120,20 +148,8 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
         diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
     if (&d == &diagnostics.all().back()) unknown.last = diagnostics.all().size();
     if (manyAlready(diagnostics)) return;
-    std::vector<std::string> near;
-    for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`, `cart.b` for `lane.cart.b`
-        if (candidate.ends_with("." + name) || name.ends_with("." + candidate)) near.push_back(candidate);
-    }
-    std::vector<std::string> beside; // in the same Part: of several only one that is spelt alike is meant
-    const std::string_view before = withoutLastWord(name);
-    for (const std::string& candidate : candidates)
-        if (!before.empty() && withoutLastWord(candidate) == before) beside.push_back(candidate);
-    for (std::string& word : nearestWords(name, candidates)) {
-        const std::string last(lastWord(word));
-        if (!beside.empty() && withoutLastWord(word) == before && nearestWords(lastWord(name), std::span(&last, 1)).empty())
-            continue;
-        if (!std::count(near.begin(), near.end(), word)) near.push_back(std::move(word));
-    }
+    const std::vector<std::string> beside = besideIt(name, candidates);
+    std::vector<std::string> near = meant(name, candidates, !beside.empty());
     if (candidates.empty()) d.message = property + " names " + name + ", but there is no " + what + " here";
     else if (near.empty()) {
         const std::vector<std::string>& all = beside.empty() ? candidates : beside;
@@ -265,10 +281,7 @@ std::uint32_t ResolveContext::mirroredSurface(std::uint32_t surface) {
 
 void ResolveContext::hintLater(const Part& found, const Part& user, SourceRange range) {
     if (found.order <= user.order || m_reportedLater[found.name]) return;
-    const auto isOf = [&](const Outline::PartCircle& circle) { // of configs in a circle each is before another one
-        return (" > " + circle.chain + " > ").find(" > " + found.name + " > ") != std::string::npos;
-    };
-    if (std::ranges::any_of(outline.partCircles(), isOf)) return;
+    if (outline.isInCircle(found)) return; // of those each is before another one
     m_reportedLater[found.name] = true;
     Diagnostic& d = diagnostics.hint(Code::DefinedLater, range, found.title() + " is defined after its first use");
     d.notes.push_back({"defined here", found.nameRange()});

@@ -244,8 +244,7 @@ Result<EditPlan> planRepeat(const LoadedProject& loaded, const std::vector<std::
     Result<WrappedBlocks> read = WrappedBlocks::of(loaded, paths, "Repeat");
     if (!read.ok()) return read.error();
     WrappedBlocks& blocks = read.value();
-    const Part& config = blocks.config();
-    UsedNames names(loaded, &config, loaded.registry->find("Repeat"));
+    UsedNames names(loaded, blocks.holder(), loaded.registry->find("Repeat"));
     const std::string common = blocks.commonName();
     const std::string name = names.take(common.ends_with("s") ? common + "Row" : common + "s");
     std::string pos;
@@ -256,10 +255,11 @@ Result<EditPlan> planRepeat(const LoadedProject& loaded, const std::vector<std::
     const std::string frame = in.value().empty() ? "" : " In=" + in.value();
     const std::string head = "Count=" + std::to_string(count) + frame + (step == Vec3::Zero() ? "" : " Pos=" + pos);
     EditBuilder sheet(loaded);
-    blocks.replaceBy(blockOfLines("Repeat " + name, head + "\n" + blocks.text(), editStyle(*loaded.trees[config.file]).step),
+    blocks.replaceBy(blockOfLines("Repeat " + name, head + "\n" + blocks.text(), editStyle(*loaded.trees[blocks.file()]).step),
                      sheet);
     for (const Part* block : blocks.blocks())
-        if (!block->block->name) keepNames(config.parts, block->block->type.text, references, blocks.blocks(), sheet);
+        if (!block->block->name && blocks.holder())
+            keepNames(blocks.holder()->parts, block->block->type.text, references, blocks.blocks(), sheet);
     if (Status status = blocks.prefixNames(references, name + "_0.", name + ".", sheet); !status.ok()) return status.error();
     return sheet.plan({pathInside(blocks.parentPath(), name)});
 }

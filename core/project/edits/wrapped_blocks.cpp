@@ -33,26 +33,44 @@ Status WrappedBlocks::take(const std::vector<std::string>& paths, const std::str
     if (!all.ok()) return all.error();
     for (const Chosen& c : all.value()) {
         const Part& part = *c.place.part;
-        const Part* holder = c.place.above.empty() ? nullptr : c.place.above.back();
-        const bool isOfBody = holder && holder->is(Role::Body) && wrapper == "Repeat";
-        if (!isOfBody && (!holder || !holder->is(Role::Config)))
-            return Error{Code::WrongPlace,
-                         part.title() + " is not directly in a config; select bodies, joints and devices of one"};
-        if (m_config && holder != m_config)
-            return Error{Code::WrongPlace, "select blocks of one config: " + part.title() + " is in " + holder->title() + ", " +
-                                               m_blocks.front()->title() + " in " + m_config->title()};
+        if (Status status = takeHolder(part, c.place.above.empty() ? nullptr : c.place.above.back(), wrapper); !status.ok())
+            return status;
         if (!part.kind || !part.usable) return Error{Code::UnknownKind, part.title() + " has an error; fix it first"};
         if (!isAllowedInside(*part.kind, wrapper))
             return Error{Code::WrongPlace, allowedPlaces(*part.kind) + ", not in a " + wrapper};
-        if (part.file != holder->file)
-            return Error{Code::WrongPlace, part.title() + " is in a file that " + holder->title() + " imports"};
-        m_config = holder;
         m_parentPath = withoutLastWord(c.path);
         m_blocks.push_back(&part);
         const std::uint32_t end = part.block->type.range.end;
         if (!part.block->name) change({{part.file, {end, end}}, " " + part.name}); // its default name may differ there
     }
     return {};
+}
+
+/// Fails if a block is not beside the first one.
+Status WrappedBlocks::takeHolder(const Part& part, const Part* holder, const std::string& wrapper) {
+    const bool isRepeat = wrapper == "Repeat", isOfBody = holder && holder->is(Role::Body);
+    const bool fits = holder ? holder->is(Role::Config) || (isRepeat && isOfBody) : isRepeat;
+    if (!fits)
+        return Error{Code::WrongPlace, part.title() + " is not directly in a config; select bodies, joints and devices of one"};
+    if (m_blocks.empty()) m_holder = holder;
+    const auto placeName = [](const Part* at) { return at ? "is in " + at->title() : std::string("is at the top level"); };
+    if (holder != m_holder)
+        return Error{Code::WrongPlace, "select blocks of one config: " + part.title() + " " + placeName(holder) + ", " +
+                                           m_blocks.front()->title() + " " + placeName(m_holder)};
+    if (holder && part.file != holder->file)
+        return Error{Code::WrongPlace, part.title() + " is in a file that " + holder->title() + " imports"};
+    if (!m_blocks.empty() && part.file != file())
+        return Error{Code::WrongPlace, part.title() + " and " + m_blocks.front()->title() + " are in different files"};
+    return {};
+}
+
+std::vector<const Part*> WrappedBlocks::siblings() const {
+    std::vector<const Part*> all;
+    if (m_holder)
+        for (const Part& part : m_holder->parts) all.push_back(&part);
+    else
+        for (const auto& part : m_loaded.outline->parts) all.push_back(part.get());
+    return all;
 }
 
 std::string WrappedBlocks::commonName() const {
@@ -138,15 +156,17 @@ std::string WrappedBlocks::text() const {
 }
 
 const Part& WrappedBlocks::position() const {
-    const auto isOurs = [this](const Part& part) { return std::ranges::find(m_blocks, &part) != m_blocks.end(); };
+    const std::vector<const Part*> all = siblings();
+    std::map<const Part*, std::size_t> order;
+    for (const Part* part : all) order.emplace(part, order.size());
+    const auto isOurs = [this](const Part* part) { return std::ranges::find(m_blocks, part) != m_blocks.end(); };
     for (const Part* candidate : m_blocks) {
-        bool keepsOrder = true;
-        for (const Part& other : m_config->parts) {
-            if (isOurs(other)) continue;
-            for (const Part* block : m_blocks)
-                keepsOrder =
-                    keepsOrder && (!other.kind || !block->is(other.kind->role) || (&other < block) == (&other < candidate));
-        }
+        const bool keepsOrder = std::ranges::all_of(all, [&](const Part* other) {
+            if (isOurs(other) || !other->kind) return true;
+            return std::ranges::all_of(m_blocks, [&](const Part* block) {
+                return !block->is(other->kind->role) || (order[other] < order[block]) == (order[other] < order[candidate]);
+            });
+        });
         if (keepsOrder) return *candidate;
     }
     return *m_blocks.front();

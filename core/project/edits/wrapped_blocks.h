@@ -1,5 +1,5 @@
 #pragma once
-// Selected blocks of one config that get a block around them. Private to core/project.
+// Selected blocks of one config, or of the top level, that get a block around them. Private to core/project.
 
 #include <map>
 #include <string>
@@ -12,11 +12,14 @@ namespace trundle {
 
 class WrappedBlocks {
 public:
-    /// Fails if they are not in one config and one file, or if a block of the kind `wrapper` cannot have them.
+    /// Fails if they are not in one config (for a Repeat, or all at the top level) and one file, or if a block of the kind `wrapper` cannot
+    /// have them.
     [[nodiscard]] static Result<WrappedBlocks> of(const LoadedProject& loaded, const std::vector<std::string>& paths,
                                                   const std::string& wrapper);
 
-    [[nodiscard]] const Part& config() const { return *m_config; }
+    [[nodiscard]] const Part* holder() const { return m_holder; }  ///< nullptr: the top level
+    [[nodiscard]] const Part& config() const { return *m_holder; } ///< of what is not at the top level
+    [[nodiscard]] FileId file() const { return m_blocks.front()->file; }
     [[nodiscard]] const std::vector<const Part*>& blocks() const { return m_blocks; }
     [[nodiscard]] const std::string& parentPath() const { return m_parentPath; }
     /// "left" for leftWheel, leftAxle and leftMotor; else the name of the first body, or of the first block.
@@ -46,10 +49,12 @@ public:
 private:
     explicit WrappedBlocks(const LoadedProject& loaded) : m_loaded(loaded) {}
     [[nodiscard]] Status take(const std::vector<std::string>& paths, const std::string& wrapper);
+    [[nodiscard]] Status takeHolder(const Part& part, const Part* holder, const std::string& wrapper);
+    [[nodiscard]] std::vector<const Part*> siblings() const;
     [[nodiscard]] const Part& position() const;
 
     const LoadedProject& m_loaded;
-    const Part* m_config = nullptr;
+    const Part* m_holder = nullptr;
     std::string m_parentPath;
     std::vector<const Part*> m_blocks; ///< in text order
     std::map<const Part*, std::vector<TextEdit>> m_changes;

@@ -47,7 +47,7 @@ void PartCommands::enable() {
     const bool isPossible = paths.empty() || std::ranges::any_of(paths, [this](const std::string& path) {
                                 return path.empty() || isInConfig(*m_document.loaded(), path);
                             });
-    for (const char* id : {"parts.make", "parts.mirrorY", "parts.mirrorX", "parts.mirrorZ", "parts.repeat"})
+    for (const char* id : {"parts.make", "parts.mirrorY", "parts.mirrorX", "parts.mirrorZ"})
         m_actions.at(id).setEnabled(isPossible);
 }
 
