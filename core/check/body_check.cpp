@@ -45,13 +45,10 @@ public:
 
     void check() {
         BodyGroups groups(m_config.bodies.size());
-        for (auto joint = m_config.joints.begin(); joint != m_config.joints.end(); ++joint) {
-            const auto same = std::find_if(m_config.joints.begin(), joint, [&](const JointSpec& other) {
-                return std::minmax(other.parent, other.child) == std::minmax(joint->parent, joint->child);
-            });
-            if (same != joint) reportDouble(*same, *joint);
-            else if (!groups.join(joint->parent, joint->child)) reportLoop(*joint);
-        }
+        std::set<std::pair<int, int>> joined; // a second joint between two bodies has a warning of its own
+        for (const JointSpec& joint : m_config.joints)
+            if (joined.insert(std::minmax(joint.parent, joint.child)).second && !groups.join(joint.parent, joint.child))
+                reportLoop(joint);
         for (const SpringSpec& spring : m_config.springs) groups.join(spring.parent, spring.child);
         if (!m_config.joints.empty()) reportLoose(groups);
         for (const BodySpec& body : m_config.bodies) checkMass(body);
@@ -67,15 +64,6 @@ private:
         if (plan.ok() && plan.value().edits.size() == 1) d.fixes.push_back({title, plan.value().edits.begin()->second});
     }
 
-    void reportDouble(const JointSpec& first, const JointSpec& second) {
-        Diagnostic& d = m_diagnostics.warning(
-            Code::DoubleJoint, second.nameRange,
-            second.name + " of " + m_config.name + " holds " + nameOf(second.child) + " to " + nameOf(second.parent) + ", as " +
-                first.name + " does: the solver gets both, and they act against each other; keep one of them");
-        d.notes.push_back({"the other one", first.nameRange});
-        addFix(d, "remove " + second.name, planRemove(m_loaded, {pathOf(second.name)}));
-    }
-
     void reportLoop(const JointSpec& joint) {
         m_diagnostics.hint(Code::ClosedLoop, joint.nameRange,
                            joint.name + " of " + m_config.name + " closes a loop of joints, from " + nameOf(joint.parent) +
@@ -84,11 +72,21 @@ private:
                                "Spring or a Gear needs no loop");
     }
 
+    /// Of the bodies that are connected to one, the first that is no joint's child: it has to be held.
+    [[nodiscard]] std::size_t heldBy(BodyGroups& groups, std::size_t body) const {
+        for (std::size_t b = 0; b < m_config.bodies.size(); ++b) {
+            const auto isChild = [&](const JointSpec& joint) { return joint.child == static_cast<int>(b); };
+            const bool isWithIt = groups.of(static_cast<int>(b)) == groups.of(static_cast<int>(body));
+            if (isWithIt && std::ranges::none_of(m_config.joints, isChild)) return b;
+        }
+        return body;
+    }
+
     void reportLoose(BodyGroups& groups) {
         std::set<std::size_t> reported{groups.of(0), groups.of(kWorldBody)};
         for (std::size_t b = 0; b < m_config.bodies.size(); ++b) {
             if (!reported.insert(groups.of(static_cast<int>(b))).second) continue;
-            const BodySpec& body = m_config.bodies[b];
+            const BodySpec& body = m_config.bodies[heldBy(groups, b)];
             Diagnostic& d = m_diagnostics.warning(Code::LooseBody, body.nameRange,
                                                   body.name + " of " + m_config.name +
                                                       " is held by no joint, and stays behind when the robot moves; " +

@@ -107,6 +107,11 @@ private:
         std::vector<Piece> loose;
         for (auto& [at, p] : pieces) {
             p.robot = r;
+            const auto isChild = [&](std::uint32_t b) {
+                return std::ranges::any_of(config.joints, [&](const JointSpec& j) { return j.child == static_cast<int>(b); });
+            };
+            const auto top = std::ranges::find_if_not(p.bodies, isChild); // what has to be held names the piece
+            if (top != p.bodies.end()) std::iter_swap(p.bodies.begin(), top);
             if (!supported.contains(at)) loose.push_back(std::move(p));
         }
         return loose;

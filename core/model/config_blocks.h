@@ -9,11 +9,14 @@ template <class Visit> void eachBlock(const Part& part, const Visit& visit) {
     for (const Part& inner : part.parts) visit(inner);
 }
 
+/// Whether a key of a config is most likely Config, misspelt: it is reported.
+[[nodiscard]] bool hasMisspeltConfig(const Part& config);
+
 /// Whether a config is a variant of one that is unknown, or of itself in a circle, so that what it has is not known; it is reported.
 [[nodiscard]] inline bool isBaseMissing(const Part& config) {
     const Part* base = &config;
     while (base->config) base = base->config;
-    return base->is(Role::Config) && base->assignments.find("Config");
+    return base->is(Role::Config) && (base->assignments.find("Config") || hasMisspeltConfig(*base));
 }
 
 /// Whether it is a config made from another one.

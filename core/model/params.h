@@ -27,6 +27,8 @@ public:
     void preset(const std::string& name, const GivenValue& value);
     /// Adds a number that no text declares.
     void set(const std::string& name, double number);
+    /// Whether a Param of that name is seen there.
+    [[nodiscard]] bool has(std::string_view name) { return find(name) != nullptr; }
     /// Whether the number of set() was needed for a value.
     [[nodiscard]] bool isUsed(const std::string& name) const;
 

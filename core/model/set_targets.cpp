@@ -47,7 +47,7 @@ private:
         const Name& name = m_set->item->path[word];
         if (!m_lays || !part.isRepeat() || part.name == name.text) return false; // in the window all get it
         m_diagnostics.error(Code::ReplaceBySingles, {m_set->file, name.range},
-                            name.text + " is one member of " + part.title() + ", which have one text; set " + part.name +
+                            name.text + " is one member of " + part.title() + " and they have one text; set " + part.name +
                                 (part.isInWorld ? " for all of them" : " for all of them, or set it in a robot for one"));
         return true;
     }

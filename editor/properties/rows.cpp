@@ -15,9 +15,9 @@
 #include "editor/running/session.h"
 #include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
+#include "model/param_reference.h"
 #include "project/edits/plans.h"
 #include "project/objects/name_references.h"
-#include "project/objects/param_reference.h"
 #include "project/objects/value_text.h"
 
 namespace trundle {

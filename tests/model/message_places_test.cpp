@@ -102,7 +102,8 @@ private Q_SLOTS:
             "RobotConfig A { Param p = b Body b { " + kBox + " } Body b2 { " + kBox + " } Body b3 { " + kBox +
             " }\n Slider h { Parent=$p Child=b2 } Slider h2 { Parent=b Child=b3 } Slider h3 { Parent=b Child=b2 }\n"
             " Gear g { Joint=h Other=h2 Ratio=1 } }\n";
-        const char* const twice = "E307 two joints join the same bodies: h and h3 | h3\n";
+        const char* const twice =
+            "E334 two joints join the same bodies, h and h3: they act against each other; keep one of them | h3\n";
         const auto overridden = [&](const char* name, const char* config, const std::string& message) {
             row(name, three + config, (twice + message).c_str());
         };
@@ -183,6 +184,56 @@ private Q_SLOTS:
                    " } Fixed f { Parent=left Child=right } }\n" + "RobotConfig n { Body hull { " + kBox +
                    " } Part side { Config=A } Fixed g { Parent=hull Child=" + child + " } }\n";
         };
+        const std::string crowd = "RobotConfig C { Body b { " + kBox +
+                                  " } }\nRobot r { Config=C Pos=5,0,0 }\n"
+                                  "Scatter n { Config=C Count=20 Area=-0.1,-0.1,0.1,0.1 }\n";
+        const char* const full = "E317 no free place for member 2 of Scatter n after 10000 tries; make Area larger, or Count or "
+                                 "MinDistance smaller | n";
+        row("a joint to a robot without a place", crowd + "Ball j { Parent=r.b Child=n_0.b }\n", full);
+        row("a region of a robot without a place", crowd + "Region z { Size=1,1,1 Robots=n_3 }\n", full);
+        const auto other = [](const std::string& given) {
+            return "PartConfig A { Param len = 1  Body b { " + kBox +
+                   " } Fixed f { Parent=$on Child=b } }\n"
+                   "PartConfig B { Param rad = 1  Body b { Sphere s { Radius=$rad Mass=1 Material=g Surface=s } } Fixed f { "
+                   "Parent=$to Child=b } }\n"
+                   "RobotConfig K { Body c { " +
+                   kBox + " } Part a { Config=A on=c len=2 b.h.Mass=3 Pos=1,0,0 } }\nRobot n { Config=K a.Config=B " + given +
+                   " }\n";
+        };
+        row("another config with its values", other("a.to=c a.rad=2 a.b.s.Mass=2"), "");
+        row("another config with a value of the first", other("a.to=c a.len=2"),
+            "E314 PartConfig B has no len; it has rad and to | len");
+        row("another config with what the first has", other("a.to=c a.b.h.Mass=2"), "E314 Body b has no h; it has s | h");
+        row("a member behind the last one",
+            "RobotConfig K { Body c { " + kBox + " } Repeat leg { Count=4 Body b { " + kBox +
+                " } Fixed f { Parent=c Child=b } } }\n"
+                "Robot n { Config=K leg_4.b.h.Mass=2 }\n",
+            "E314 Repeat leg has no member leg_4; the last one is leg_3 | leg_4 | fix leg_3");
+        row("a variant with Config misspelt", "RobotConfig n { Confg=K left.r=3 cm }\n",
+            "E201 RobotConfig n has no property Confg | Confg | fix Config");
+        const std::string wheel = "PartConfig W { Body w { " + kBox + " } Hinge axle { Parent=$carrier Child=w } }\n";
+        row("a Part without a Config", wheel + "RobotConfig n { Body c { " + kBox + " } Part a { carrier=c } }\n",
+            "E209 Part a needs Config (name of the PartConfig it is created from) | a");
+        row("a variant of a PartConfig with a misspelt Param",
+            wheel + "PartConfig V { Config=W carier=hub Body hub { " + kBox + " } }\nRobotConfig n { Body c { " + kBox +
+                " } Part a { Config=V } }\n",
+            "E201 PartConfig V has no property carier | carier | fix carrier");
+        row("what a Part needs that is no body",
+            "PartConfig E { Encoder e { Joint=$of } }\n" + wheel + "RobotConfig n { Body c { " + kBox +
+                " } Part a { Config=W carrier=c } Hinge h { Parent=world Child=c } Part b { Config=E } }\n",
+            "E209 Part b needs of: what PartConfig E is joined to | b | it is used here: of | fix of=h");
+        row("the world for a device of a Part in scenery",
+            "PartConfig E { Camera e { Body=world } }\nStaticConfig n { " + kBox.substr(0, kBox.find("Mass=")) +
+                "Material=g Surface=s } Part a { Config=E } }\nStatic s { Config=n }\n",
+            "");
+        row("the world for a device of a Part in a robot",
+            "PartConfig E { Camera e { Body=world } }\nRobotConfig n { Body c { " + kBox + " } Part a { Config=E } }\n",
+            "E208 Body names world, but there is no Body here | world | used here by Part a: a");
+        row("a Param without its sign",
+            "RobotConfig n { Param x = 1  Body c { Box b { Size=x,1,1 Mass=1 Material=g Surface=s } } }\n",
+            "E202 the 1st element of Size is a word (x), it must be a number; the Param of that name is $x | x | fix $x");
+        row("the other end of a joint is not meant", two + "Hinge j { Parent=r.b Child=z.b }\n",
+            "E208 Child names z.b, but there is no such body of a robot (robot.body) | z.b | fix q.b");
         row("one of two bodies of a Part", ofTwo("side.wheel"),
             "E208 Child names side.wheel, but there is no such Body; there are side.left and side.right | side.wheel");
         row("one of two bodies of a Part, misspelt", ofTwo("side.lft"),

@@ -325,7 +325,7 @@ private Q_SLOTS:
         const Resolved r =
             resolved(kHead + "PartConfig Wheel { Body wheel { Sphere tyre { Radius=1 Material=g Surface=s } Mass=1 }\n"
                              "  Hinge axle { Parent=chassis Child=wheel } }\n");
-        QCOMPARE(messagesOf(r), QString("E208 Parent names chassis, but there is no such Body; there are wheel and world; "
+        QCOMPARE(messagesOf(r), QString("E208 Parent names chassis, but there is no such Body; there is world; "
                                         "what is outside of a PartConfig comes in by a Param, Parent=$chassis\n"));
     }
 

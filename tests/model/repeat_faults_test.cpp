@@ -36,13 +36,16 @@ private Q_SLOTS:
         const std::string lane = kHead + "RobotConfig Ball { Param r = 1 Body b { Sphere s { Radius=$r Mass=1 Material=g Surface=s } } }\n"
                                          "Repeat lane { Count=2 Pos=0,$(3*index),0 Robot c { Config=Ball } }\n";
         row("a block has no value", lane, "E314 Robot c takes no value itself; set one of its properties, c. ... | c\n", {"lane.c=3"});
-        row("one member", lane, "E323 lane_1 is one member of Repeat lane, which have one text; set lane for all of them | lane_1\n",
+        row("one member", lane,
+            "E323 lane_1 is one member of Repeat lane and they have one text; set lane for all of them | lane_1\n",
             {"lane_1.c.Pos=1,1,1"});
-        row("no member", lane, "E323 lane_7 is one member of Repeat lane, which have one text; set lane for all of them | lane_7\n",
+        row("no member", lane,
+            "E323 lane_7 is one member of Repeat lane and they have one text; set lane for all of them | lane_7\n",
             {"lane_7.Pos=1,1,1"});
         const std::string kit = kHead + "RobotConfig Kit { Body b { Repeat o { Count=3 " + kBox + " } } }\nRobot r { Config=Kit }\n";
         row("one member of a config", kit,
-            "E323 o_1 is one member of Repeat o, which have one text; set o for all of them, or set it in a robot for one | o_1\n",
+            "E323 o_1 is one member of Repeat o and they have one text; set o for all of them, or set it in a robot for one | "
+            "o_1\n",
             {"RobotConfig.Kit.b.o_1.h.Mass=3"});
         row("all members", kit, "", {"RobotConfig.Kit.b.o.h.Mass=3"});
         row("one member of a robot", kit, "", {"r.b.o_1.h.Mass=3"});
@@ -69,7 +72,7 @@ private Q_SLOTS:
         row("double joints",
             kHead + "RobotConfig K { Body z { " + kBox + " } Repeat p { Count=50 Pos=$(index+1),0,0 Body b { " + kBox +
                 " } Fixed h { Parent=z Child=b } Fixed k { Parent=z Child=b } } }\n",
-            "E307 two joints join the same bodies: p_0.h and p_0.k | k\n");
+            "E334 two joints join the same bodies, p_0.h and p_0.k: they act against each other; keep one of them | k\n");
         row("one fault of a robot",
             kHead + "RobotConfig Ball { Body b { " + kBox + " } }\nRepeat l { Count=3 Pos=$index,0,0 Robot a { Config=Ball foo=3 }\n"
                     "Fixed j { Parent=world Child=a.b } Region z { Size=1,1,1 Robots=a } PoseLog p { Robot=a } }\n",

@@ -180,7 +180,8 @@ private Q_SLOTS:
             "E307 Hinge j starts at 0, above its HighStop: it is pushed there at once; place its bodies between the stops\n");
         row("Hinge j { Parent=a Child=b LowStop=1 HighStop=2 }",
             "E307 Hinge j starts at 0, below its LowStop: it is pushed there at once; place its bodies between the stops\n");
-        row("Hinge j { Parent=a Child=b } Slider k { Parent=b Child=a }", "E307 two joints join the same bodies: j and k\n");
+        row("Hinge j { Parent=a Child=b } Slider k { Parent=b Child=a }",
+            "E334 two joints join the same bodies, j and k: they act against each other; keep one of them\n");
     }
     void jointFaults() {
         QFETCH(QString, joint);

@@ -23,13 +23,19 @@ std::string withCommas(std::string_view written, std::uint32_t begin, const std:
     return repaired;
 }
 
+/// Of digits with a point at most.
+bool isNumber(std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, [](char c) { return isDigit(c) || c == '.'; }) &&
+           std::ranges::count(text, '.') < 2;
+}
+
 } // namespace
 
 void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
     v.broken = true;
-    const bool words =
-        std::all_of(v.elements.begin(), v.elements.end(), [](const Element& e) { return e.kind == Element::Kind::Word; });
     const bool semicolons = std::any_of(gaps.begin(), gaps.end(), [](TextRange gap) { return gap.size() > 0; });
+    const bool words =
+        !semicolons && std::ranges::all_of(v.elements, [](const Element& e) { return e.kind == Element::Kind::Word; });
     Diagnostic& d = error(Code::MissingComma, v.range,
                           words        ? "several words need double quotes or commas"
                           : semicolons ? "elements are separated by commas"
@@ -193,6 +199,17 @@ void ValueErrors::bracedParam(Element& e, Value& v) {
     if (!isName) e.kind = Element::Kind::Number;
 }
 
+void ValueErrors::spacedParam(Element& e, Value& v) {
+    advance();
+    e.kind = Element::Kind::ParamRef;
+    e.text = text();
+    e.range.end = range().end;
+    advance();
+    Diagnostic& d = error(Code::UnexpectedText, e.range, "a Param is written `$" + e.text + "`, without a space");
+    fix(d, "$" + e.text, {edit(e.range, "$" + e.text)});
+    v.broken = true;
+}
+
 /// `$if(a > b, x, y)`.
 void ValueErrors::calledParam(Element& e, Value& v) {
     v.broken = true;
@@ -235,10 +252,22 @@ void ValueErrors::unquotedText(Element& e, Value& v) {
     }
     const std::string written(slice(e.range));
     v.broken = true;
+    reportUnquoted(e, written);
+    e.kind = Element::Kind::String;
+    e.text = written;
+    e.unit.clear();
+}
+
+void ValueErrors::reportUnquoted(const Element& e, const std::string& written) {
     if (written.starts_with("\xE2\x80\x93") && written.size() > 3 && (isDigit(written[3]) || written[3] == '.')) { // en dash
         const TextRange dash{e.range.begin, e.range.begin + 3};
         Diagnostic& d = error(Code::BadNumber, dash, "a dash U+2013 instead of a minus");
         fix(d, "-", {edit(dash, "-")});
+    } else if (const std::size_t colon = written.find(':');
+               colon != std::string::npos && isNumber(written.substr(0, colon)) && isNumber(written.substr(colon + 1))) {
+        const std::string meant = "$(" + written.substr(0, colon) + "/" + written.substr(colon + 1) + ")";
+        Diagnostic& d = error(Code::BadExpression, e.range, "a ratio is written as a number or in $( )");
+        fix(d, meant, {edit(e.range, meant)});
     } else if (written == "$" || std::count(written.begin(), written.end(), '"') > 0) {
         error(Code::UnexpectedText, e.range, "syntax error: unexpected `" + written + "`");
     } else {
@@ -251,9 +280,6 @@ void ValueErrors::unquotedText(Element& e, Value& v) {
         quoted += '"';
         if (written[0] != '#') fix(d, quoted, {edit(e.range, quoted)});
     }
-    e.kind = Element::Kind::String;
-    e.text = written;
-    e.unit.clear();
 }
 
 /// `2*0.05` or `1 - $x` outside `$( )`.

@@ -24,6 +24,8 @@ public:
     void foreignQuotes(Element& e, Value& v);
     /// `${name}` of a shell, `${2 * name}` of xacro.
     void bracedParam(Element& e, Value& v);
+    /// `$ name`.
+    void spacedParam(Element& e, Value& v);
     void unitWithoutPower(Element& e) { m_units.withoutPower(e); }
     /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
     void unquotedText(Element& e, Value& v);
@@ -32,6 +34,7 @@ public:
     void reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps);
 
 private:
+    void reportUnquoted(const Element& e, const std::string& written);
     void arithmetic(Element& e, Value& v);
     void calledParam(Element& e, Value& v);
 

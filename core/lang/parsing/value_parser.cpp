@@ -153,8 +153,9 @@ bool ValueParser::afterElement(Value& v, std::vector<TextRange>& gaps) {
         return true;
     }
     const bool semicolon = kind() == TokenKind::Unknown && text() == ";" && !newLine() && !newLine(1);
+    const bool isWord = kind(1) == TokenKind::Word && !startsItem(1) && v.elements.back().kind == Element::Kind::Word;
     if (semicolon && (kind(1) == TokenKind::Number || kind(1) == TokenKind::ParamRef || kind(1) == TokenKind::ExprOpen ||
-                      kind(1) == TokenKind::String)) {
+                      kind(1) == TokenKind::String || isWord)) {
         gaps.push_back(range());
         advance();
         return true;
@@ -195,6 +196,8 @@ bool ValueParser::element(Value& v) {
     case TokenKind::Unknown:
         if (wrongEquals(0) || text() == ";" || text() == "]" || text() == "[" || text() == "*/") return false;
         if (isBracedParam(text())) m_errors.bracedParam(e, v);
+        else if (text() == "$" && kind(1) == TokenKind::Word && !newLine(1) && std::ranges::all_of(text(1), isIdent))
+            m_errors.spacedParam(e, v);
         else if (foreignQuoteEnd(bytes(), range().begin) == range().end) m_errors.foreignQuotes(e, v);
         else m_errors.unquotedText(e, v);
         break;

@@ -38,8 +38,7 @@ public:
         extra.take = [&](const SourceAssignment& a) {
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
                 const std::vector<std::string> own = propertyNames(*m_part.kind);
-                const bool isUnknown =
-                    likely ? likely->kind->name != kind || isBaseMissing(*likely) : m_part.assignments.find("Config") != nullptr;
+                const bool isUnknown = !likely || likely->kind->name != kind || isBaseMissing(*likely);
                 return isUnknown && nearestWords(a.key, own).empty(); // of an unknown config the Params are unknown too
             }
             taken.push_back(&a);
@@ -84,7 +83,7 @@ private:
 
     void takeValue(const Part& config, const SourceAssignment& a) {
         const bool param = a.path.size() == 1 && config.param(a.key);
-        if (m_isExchanged && !param && !config.find(a.path[0].text)) return; // it is for the config in the text
+        if (m_isExchanged && !param && !PathWalk(*this, config, a).leads) return; // it is for the config in the text
         const bool hasBlocks = !m_part.isPartUse() && !m_part.is(Role::Config);
         const Part* own = hasBlocks ? m_part.find(a.path[0].text) : nullptr;
         if (!param && a.path.size() > 1 && own) {
@@ -93,7 +92,7 @@ private:
                                             a.path[0].text);
             return;
         }
-        if (!param && !pathLeadsSomewhere(config, a)) return;
+        if (!param && !checkPath(config, a)) return;
         std::optional<GivenValue> value = m_context.evaluator.evaluate(*a.value, a.file, m_scope);
         if (!value || (param && !m_context.evaluator.checkUnits(*value))) return;
         appendKey(m_given.key, a.key, *value);
@@ -103,22 +102,46 @@ private:
             return;
         }
         OverrideNode* node = &m_given.overrides;
-        for (const Name& name : a.path) node = &node->children[name.text];
+        for (const Name& name : a.path) {
+            node = &node->children[name.text];
+            if (!node->word.known()) node->word = {a.file, name.range};
+        }
         node->origin = Origin::Instance;
         node->value = std::make_shared<const GivenValue>(std::move(*value));
     }
 
-    bool pathLeadsSomewhere(const Part& config, const SourceAssignment& a) {
-        const Part* part = &config;
-        for (std::size_t i = 0; i + 1 < a.path.size(); ++i) {
-            const Part* next = part->find(a.path[i].text);
-            if (!next) return noSuchPath(*part, a, i);
-            if (!next->kind) return false; // raw text of an unavailable module
-            part = next;
+    /// The way of a path into a config; through a Part whose config this instance exchanges, `left.Config=Other`, into that one.
+    struct PathWalk {
+        const Part* at; ///< where it ends
+        const Part* exchanged = nullptr;
+        std::size_t word = 0;              ///< the first one that is not there
+        bool leads = false, isRaw = false; ///< isRaw: it ends in the text of a module that is not there
+
+        PathWalk(const InstanceReader& reader, const Part& config, const SourceAssignment& a) : at(&config) {
+            for (; word + 1 < a.path.size(); ++word) {
+                const Part* next = (exchanged ? exchanged : at)->find(a.path[word].text);
+                if (!next) return;
+                isRaw = !next->kind;
+                if (isRaw) return;
+                at = next;
+                exchanged = next->isPartUse() ? reader.exchangedConfig(a, word) : nullptr;
+            }
+            const std::string& key = a.path.back().text;
+            const Part* used = exchanged ? exchanged : at->config;
+            leads = at->kind->find(key) || (used && used->param(key));
         }
-        const std::string& key = a.path.back().text;
-        if (part->kind->find(key) || (part->config && part->config->param(key))) return true;
-        return noSuchPath(*part, a, a.path.size() - 1);
+    };
+    const Part* exchangedConfig(const SourceAssignment& a, std::size_t last) const {
+        std::string key;
+        for (std::size_t i = 0; i <= last; ++i) key += a.path[i].text + ".";
+        const SourceAssignment* other = m_part.assignments.find(key + "Config");
+        const bool isName = other && other->value->elements.size() == 1 && other->item != a.item;
+        const Part* config = isName ? m_context.outline.configs.find(other->value->elements[0].text) : nullptr;
+        return config && config->kind->name == "PartConfig" ? config : nullptr;
+    }
+    bool checkPath(const Part& config, const SourceAssignment& a) {
+        const PathWalk walk(*this, config, a);
+        return walk.leads || (!walk.isRaw && noSuchPath(walk.exchanged ? *walk.exchanged : *walk.at, a, walk.word));
     }
 
     bool noSuchPath(const Part& part, const SourceAssignment& a, std::size_t i) {
@@ -130,9 +153,9 @@ private:
             if (!inner.name.empty()) words.push_back(inner.name);
         });
         if (i + 1 == a.path.size()) {
-            words = propertyNames(*part.kind);
-            if (part.config)
-                for (const SourceParam& param : part.config->params) words.push_back(param.name->text);
+            words = part.is(Role::Config) ? std::vector<std::string>() : propertyNames(*part.kind);
+            if (config)
+                for (const SourceParam& param : config->params) words.push_back(param.name->text);
         }
         const SourceRange place{a.file, a.path[i].range};
         const Part* block = i + 1 == a.path.size() ? part.find(a.path[i].text) : nullptr;

@@ -4,6 +4,7 @@
 
 #include "base/spelling.h"
 #include "model/dotted_path.h"
+#include "model/param_reference.h"
 #include "model/part_depth.h"
 #include "model/repeat.h"
 #include "model/resolve/config_sizes.h"
@@ -27,16 +28,29 @@ void reportMissing(ResolveContext& context, const PartFrame& frame, const Overri
         context.diagnostics.error(Code::MissingRequired, isExchanged ? other->value->range : frame.use->nameRange(),
                                   frame.use->title() + " needs " + name + ": what " + frame.config->title() + " is joined to");
     d.notes.push_back({kUsedHere, param.nameRange()});
-    const auto body = std::ranges::find_if(frame.outer->config->parts, [](const Part& p) { return p.is(Role::Body); });
-    if (!isExchanged && body != frame.outer->config->parts.end()) context.fixAdd(d, *frame.use, name, body->name);
+    const Property* property = propertyNamedBy(*frame.config, name);
+    const auto fits = [&](const Part& p) {
+        return p.kind &&
+               (property
+                    ? std::ranges::any_of(property->choices,
+                                          [&](const std::string& c) { return c == p.kind->name || c == roleName(p.kind->role); })
+                    : p.is(Role::Body));
+    };
+    const auto fitting = std::ranges::find_if(frame.outer->config->parts, fits);
+    if (!isExchanged && fitting != frame.outer->config->parts.end()) context.fixAdd(d, *frame.use, name, fitting->name);
 }
 
-/// Whether a block has an unknown key that is near to the name of a Param: it is reported there.
+/// Whether a Part, or a variant that it uses, has an unknown key that is near to the name of a Param: it is reported there.
 bool isMisspelt(const Part& use, const Part& config, const std::string& param) {
     const std::vector<std::string> meant{param};
-    return std::ranges::any_of(use.assignments.all(), [&](const SourceAssignment& a) {
-        return a.path.size() == 1 && !use.kind->find(a.key) && !config.param(a.key) && !nearestWords(a.key, meant).empty();
-    });
+    const auto isIn = [&](const Part& part) {
+        return std::ranges::any_of(part.assignments.all(), [&](const SourceAssignment& a) {
+            return a.path.size() == 1 && !part.kind->find(a.key) && !config.param(a.key) && !nearestWords(a.key, meant).empty();
+        });
+    };
+    const Part* variant = &config;
+    while (variant->config && !isIn(*variant)) variant = variant->config;
+    return isIn(use) || variant->config;
 }
 
 /// A value that goes one Part further in: a name in it keeps naming what it named where it was written.
@@ -48,6 +62,7 @@ std::shared_ptr<const GivenValue> passedIn(const GivenValue& value) {
 
 /// Lays overrides from outside over those of a Part.
 void lay(const OverrideNode& outside, OverrideNode& own) {
+    if (outside.word.known()) own.word = outside.word;
     if (outside.value) {
         own.value = passedIn(*outside.value);
         own.origin = outside.origin;
@@ -57,6 +72,7 @@ void lay(const OverrideNode& outside, OverrideNode& own) {
 
 /// Lays the overrides of one member of a Repeat over those of all.
 void layMember(const OverrideNode& member, OverrideNode& all) {
+    if (member.word.known()) all.word = member.word;
     if (member.value) all.value = member.value, all.origin = member.origin;
     for (const auto& [name, node] : member.children) layMember(node, all.children[name]);
 }
@@ -288,9 +304,11 @@ void PartExpansion::checkMembers(const Part& repeat, const PartFrame& outer, std
         const GivenValue* value =
             member && member->stem == repeat.name && member->index >= count ? firstValue(it->second) : nullptr;
         if (!value) continue;
-        m_context.diagnostics.error(Code::NoSuchPath, value->range,
-                                    repeat.title() + " has no member " + it->first + "; the last one is " + repeat.name + "_" +
-                                        std::to_string(count - 1));
+        const std::string last = repeat.name + "_" + std::to_string(count - 1);
+        const SourceRange word = it->second.word;
+        Diagnostic& d = m_context.diagnostics.error(Code::NoSuchPath, word.known() ? word : value->range,
+                                                    repeat.title() + " has no member " + it->first + "; the last one is " + last);
+        if (word.known()) suggestWords(d, {last}, word);
     }
 }
 

@@ -17,6 +17,7 @@ struct OverrideNode {
     std::map<std::string, OverrideNode, std::less<>> children;
     std::shared_ptr<const GivenValue> value;
     Origin origin = Origin::Instance;
+    SourceRange word; ///< its name where it was written first, in a path
 };
 
 /// The overrides of what has that name inside; null: none.

@@ -28,12 +28,13 @@ bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices
     });
 }
 
-/// Whether `world` can be named. In scenery it is also the body that devices are fixed to.
+/// Whether `world` can be named. In scenery, and so in a PartConfig that is checked by itself, it is also the body that devices are fixed to.
 bool takesWorld(const Property& property, const PartFrame& frame) {
     const auto has = [&](const char* choice) { return std::count(property.choices.begin(), property.choices.end(), choice) > 0; };
     const PartFrame* root = &frame;
     while (root->outer) root = root->outer;
-    return has("world") || (has("Body") && property.name != "Child" && root->config && root->config->kind->name == "StaticConfig");
+    const bool canBeScenery = root->isOpen || (root->config && root->config->kind->name == "StaticConfig");
+    return has("world") || (has("Body") && property.name != "Child" && canBeScenery);
 }
 
 /// All names that the property accepts, in text order; at most a few hundred, since Parts may hold very many.
@@ -110,6 +111,20 @@ bool endsInside(std::string_view path, std::string_view end) {
     return path.size() > end.size() && path.ends_with(end) && path[path.size() - end.size() - 1] == '.';
 }
 
+/// For a text such as "left, right" that is read as one name: its names, if all are known; else empty.
+std::string listOf(std::string_view text, const std::vector<std::string>& names) {
+    std::string list;
+    std::size_t count = 0;
+    for (std::size_t at = text.find_first_not_of(" ,;"); at != std::string_view::npos; ++count) {
+        const std::size_t end = std::min(text.find_first_of(" ,;", at), text.size());
+        const std::string name(text.substr(at, end - at));
+        if (std::ranges::find(names, name) == names.end()) return {};
+        list += (list.empty() ? "" : ",") + name;
+        at = text.find_first_not_of(" ,;", end);
+    }
+    return count > 1 ? list : std::string();
+}
+
 /// The candidates in the same Part as a name.
 std::vector<std::string> besideIt(std::string_view name, const std::vector<std::string>& candidates) {
     std::vector<std::string> beside;
@@ -121,6 +136,7 @@ std::vector<std::string> besideIt(std::string_view name, const std::vector<std::
 
 /// The candidates that an unknown name may mean. Of those in the same Part, if there are any, only one whose own name is spelt alike.
 std::vector<std::string> meant(std::string_view name, const std::vector<std::string>& candidates, bool hasBeside) {
+    if (std::string list = listOf(name, candidates); !list.empty()) return {std::move(list)};
     std::vector<std::string> near;
     for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`, `cart.b` for `lane.cart.b`
         if (endsInside(candidate, name) || endsInside(name, candidate)) near.push_back(candidate);
@@ -134,7 +150,24 @@ std::vector<std::string> meant(std::string_view name, const std::vector<std::str
     return near;
 }
 
+/// First what is inside: `chassis.bumper` for `chassis`.
+std::vector<std::string> insideFirst(const std::string& name, const std::vector<std::string>& candidates) {
+    std::vector<std::string> near;
+    for (const std::string& candidate : candidates)
+        if (candidate.starts_with(name + ".")) near.push_back(candidate);
+    for (const std::string& word : nearestWords(name, candidates))
+        if (!std::count(near.begin(), near.end(), word)) near.push_back(word);
+    return near;
+}
+
 } // namespace
+
+std::string otherEnd(const Record& record, std::string_view property) {
+    const ResolvedValue* other = property == "Child"    ? record.find("Parent")
+                                 : property == "Parent" ? record.find("Child")
+                                                        : nullptr;
+    return other && other->value.texts.size() == 1 ? other->value.texts[0] : std::string();
+}
 
 void ResolveContext::unknownReference(const std::string& property, const std::string& what, const std::string& name,
                                       SourceRange range, bool literal, const std::vector<std::string>& candidates) {
@@ -159,7 +192,7 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
 }
 
 bool ResolveContext::checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
-                                    const PartFrame& frame, const GivenElement* given) {
+                                    const PartFrame& frame, const GivenElement* given, const std::string& taken) {
     const std::vector<std::string>& choices = property.choices;
     if (name == "world" && takesWorld(property, frame)) return true;
     if (std::count(choices.begin(), choices.end(), "AntennaPattern")) { // at the top level, or an antenna model
@@ -179,9 +212,11 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
         const Part* first = around ? around->find(firstWord(name)) : nullptr;
         const bool unknown = first && (!first->kind || (first->isPartUse() && !first->config));
         if (unknown && firstWord(name) != name) return false; // reported at its block
-        unknownReference(property.name, what, name, range, literal,
-                         manyAlready(diagnostics) ? std::vector<std::string>() : FittingNames(property, geoms).in(frame));
-        if ((frame.isOpen || frame.use) && !given && !first && diagnostics.all().size() > before)
+        std::vector<std::string> names =
+            manyAlready(diagnostics) ? std::vector<std::string>() : FittingNames(property, geoms).in(frame);
+        std::erase(names, taken);
+        unknownReference(property.name, what, name, range, literal, names);
+        if ((frame.isOpen || frame.use) && !given && !first && name != "world" && diagnostics.all().size() > before)
             diagnostics.at(before).message +=
                 "; what is outside of a PartConfig comes in by a Param, " + property.name + "=$" + std::string(lastWord(name));
         return false;
@@ -192,14 +227,9 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
                                       property.name + " names " + name + ", " + withArticle(part->kind->name) + "; it takes " +
                                           withArticle(what));
     if (manyAlready(diagnostics)) return false;
-    const std::vector<std::string> candidates = FittingNames(property, geoms).in(frame);
-    std::vector<std::string> near;
-    for (const std::string& candidate : candidates) {
-        if (candidate.starts_with(name + ".")) near.push_back(candidate); // `chassis.bumper` is suggested for `chassis`
-    }
-    for (const std::string& word : nearestWords(name, candidates)) {
-        if (!std::count(near.begin(), near.end(), word)) near.push_back(word);
-    }
+    std::vector<std::string> candidates = FittingNames(property, geoms).in(frame);
+    std::erase(candidates, taken);
+    std::vector<std::string> near = insideFirst(name, candidates);
     if (near.empty() && !candidates.empty()) d.message += ": " + listText(candidates);
     if (near.size() > 3) near.resize(3);
     suggestWords(d, std::move(near), literal ? range : SourceRange{});
@@ -230,7 +260,7 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
             const std::size_t before = diagnostics.all().size();
             const bool isFromOutside = given && given->source.known() && (given->level > 0 || !given->literal);
             good = checkReference(property, name, isFromOutside ? given->source : value.rangeOf(k), literal || isFromOutside,
-                                  there, given) &&
+                                  there, given, otherEnd(record, property.name)) &&
                    good;
             if (isFromOutside && diagnostics.all().size() > before)
                 diagnostics.at(before).notes.emplace_back(kUsedHere, value.rangeOf(k));

@@ -25,8 +25,7 @@ struct JoinedPairs {
 void warnAboutDuplicateJoints(ResolveContext& context, JoinedPairs& pairs, const JointSpec& joint, const Part& part) {
     const auto [it, fresh] = pairs.names.try_emplace(std::minmax({joint.parent, joint.child}), joint.name);
     if (fresh || !pairs.reported.insert(&part).second) return;
-    context.diagnostics.warning(Code::BadJoint, part.nameRange(),
-                                "two joints join the same bodies: " + it->second + " and " + joint.name);
+    warnAboutTwoJoints(context, part, it->second, joint.name);
 }
 
 /// Pairs of properties of shipped kinds of which the first must be smaller than the second.

@@ -4,6 +4,7 @@
 
 #include "base/spelling.h"
 #include "lang/tree_edit.h"
+#include "model/config_blocks.h"
 #include "model/robot_path.h"
 #include "schema/value_words.h"
 
@@ -26,6 +27,16 @@ std::vector<SourceRange> namesIn(const GivenValue& given, std::size_t count) {
     if (count > 1 && count == given.elements.size())
         for (const GivenElement& element : given.elements) names.push_back(element.range);
     return names;
+}
+
+/// A Param that is written without its `$`.
+void suggestParam(Diagnostic& d, const GivenValue& given, ParamScope& scope) {
+    const auto word = std::ranges::find_if(given.elements, [&](const GivenElement& e) {
+        return e.kind == GivenElement::Kind::Word && e.range == d.range && scope.has(e.text);
+    });
+    if (word == given.elements.end() || !d.suggestions.empty()) return;
+    d.message += "; the Param of that name is $" + word->text;
+    suggestWords(d, {"$" + word->text}, d.range);
 }
 
 } // namespace
@@ -82,6 +93,7 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
         const auto it = std::find_if(properties.begin(), properties.end(), [&](const Property& p) { return p.name == a.key; });
         if (it == properties.end()) {
             if (extra.take && extra.take(a)) continue;
+            if (a.path.size() > 1 && part && part->is(Role::Config) && isBaseMissing(*part)) continue; // it is for what that has
             unknownKey(*record.kind, a, part ? part->title() : std::string(), extra.words, meant);
             continue;
         }
@@ -89,7 +101,9 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
         validated[i] = true;
         if (const OverrideNode* node = below(overrides, a.key); node && node->value) continue; // the instance overrides it
         const std::optional<GivenValue> given = evaluator.evaluate(*a.value, a.file, scope);
+        const std::size_t before = diagnostics.all().size();
         if (given) record.values[i] = readGiven(properties[i], *given, origin);
+        if (given && diagnostics.all().size() > before) suggestParam(diagnostics.at(before), *given, scope);
         if (!record.values[i]) record.complete = false;
         else record.literal[i] = !given->fromParam;
         if (given && given->fromParam && properties[i].type == PropertyType::Reference) record.names.emplace(i, *given);
@@ -143,6 +157,7 @@ void ResolveContext::unknownKey(const Kind& kind, const SourceAssignment& a, con
 bool ResolveContext::isFailedRobot(std::string_view path) const {
     return !shortestStart(path, [&](std::string_view name) {
                 const Part* part = outline.world.find(name);
+                if (!part) part = layoutOfMember(outline, name);
                 return part && failedRobots.contains(part);
             }).empty();
 }

@@ -71,9 +71,9 @@ public:
 
 private:
     /// Checks one name against the parts of a frame; `property` defines the accepted kinds. `given`: the name's element, if it
-    /// comes from a Param.
+    /// comes from a Param. `taken`: a name that is not meant.
     [[nodiscard]] bool checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
-                                      const PartFrame& frame, const GivenElement* given);
+                                      const PartFrame& frame, const GivenElement* given, const std::string& taken);
     void fill(Record& record, const AssignmentList& assignments, const Part* part, ParamScope& scope,
               const OverrideNode* overrides, Origin origin, const ExtraKeys& extra);
     [[nodiscard]] std::optional<ResolvedValue> readGiven(const Property& property, const GivenValue& given, Origin origin);

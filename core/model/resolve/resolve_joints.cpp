@@ -168,4 +168,10 @@ std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPar
     return joint;
 }
 
+void warnAboutTwoJoints(ResolveContext& context, const Part& second, const std::string& oneName, const std::string& otherName) {
+    context.diagnostics.warning(Code::DoubleJoint, second.nameRange(),
+                                "two joints join the same bodies, " + oneName + " and " + otherName +
+                                    ": they act against each other; keep one of them");
+}
+
 } // namespace trundle

@@ -117,14 +117,14 @@ private:
         if (name == "world" && std::string_view(property) == "Parent") return LinkEnd{kWorldBody, kWorldBody};
         const auto [robot, body] = robotAt(name, frame);
         if (robot == m_robots.end()) {
-            if (!m_context.isFailedRobot(nameMeant(name, frame))) unknownRobot(property, name, value, frame);
+            if (!m_context.isFailedRobot(nameMeant(name, frame))) unknownRobot(record, property, frame);
             return std::nullopt;
         }
         const std::vector<BodySpec>& bodies = m_context.out.robots[static_cast<std::size_t>(robot->second)].config->bodies;
         const auto found = std::ranges::find(bodies, body, &BodySpec::name);
         if (found != bodies.end() && found->isFixed) return LinkEnd{kWorldBody, kWorldBody};
         if (found != bodies.end()) return LinkEnd{robot->second, static_cast<int>(found - bodies.begin())};
-        unknown(property, name, value, robot->second, frame);
+        unknown(record, property, robot->second, frame);
         return std::nullopt;
     }
 
@@ -144,7 +144,9 @@ private:
     }
 
     /// A robot of the text that is not in the world has errors of its own.
-    void unknownRobot(const char* property, const std::string& name, const ResolvedValue& value, const PartFrame& frame) {
+    void unknownRobot(const Record& record, const char* property, const PartFrame& frame) {
+        const ResolvedValue& value = *record.find(property);
+        const std::string& name = value.value.texts[0];
         const std::string first(firstWord(name));
         const Part* part = m_context.outline.world.find(first);
         if (part && part->is(Role::Layout) && m_robots.contains(first + "_0")) {
@@ -163,11 +165,13 @@ private:
         const bool hasErrors = m_context.outline.unknown.contains(first) ||
                                (part && (part->is(Role::Instance) || part->is(Role::Layout))) ||
                                (layoutOfMember(m_context.outline, first) && m_robots.empty());
-        if (!hasErrors) unknown(property, name, value, kWorldBody, frame);
+        if (!hasErrors) unknown(record, property, kWorldBody, frame);
     }
 
     /// `robot`: the one whose bodies are meant; kWorldBody: all.
-    void unknown(const char* property, const std::string& name, const ResolvedValue& value, int robot, const PartFrame& frame) {
+    void unknown(const Record& record, const char* property, int robot, const PartFrame& frame) {
+        const ResolvedValue& value = *record.find(property);
+        const std::string& name = value.value.texts[0];
         std::vector<std::string> names;
         for (const RobotSpec& spec : m_context.out.robots) {
             if (robot != kWorldBody && &spec != &m_context.out.robots[static_cast<std::size_t>(robot)]) continue;
@@ -175,6 +179,7 @@ private:
             for (const BodySpec& body : spec.config->bodies)
                 if (!own.empty() && !body.isFixed && names.size() < kMostNames) names.push_back(own + "." + body.name);
         }
+        std::erase(names, otherEnd(record, property));
         const std::size_t before = m_context.diagnostics.all().size();
         m_context.unknownReference(property, "body of a robot (robot.body)", name, value.range, value.origin != Origin::Param,
                                    names);
@@ -203,8 +208,7 @@ private:
 
     void warnAboutTwo(const Part& part, const std::string& one, const std::string& other) {
         if (m_reported.insert(&part).second) // of a Repeat of one member
-            m_context.diagnostics.warning(Code::BadJoint, part.nameRange(),
-                                          "two joints join the same bodies: " + one + " and " + other);
+            warnAboutTwoJoints(m_context, part, one, other);
     }
 
     ResolveContext& m_context;

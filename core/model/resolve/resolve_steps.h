@@ -24,6 +24,10 @@ using BodyIndices = std::unordered_map<std::string, int>;
                                                       const std::vector<BodySpec>& bodies, const BodyIndices& places);
 /// A joint's own values, without its bodies; nothing, with a diagnostic, if they are wrong.
 [[nodiscard]] std::optional<JointSpec> readJoint(ResolveContext& context, const Part& part, const Record& record);
+/// What the other end of a joint or spring names, which Child or Parent cannot mean; empty for other properties.
+[[nodiscard]] std::string otherEnd(const Record& record, std::string_view property);
+/// A second joint between the same bodies.
+void warnAboutTwoJoints(ResolveContext& context, const Part& second, const std::string& oneName, const std::string& otherName);
 /// Reports two values of a block that do not go together, at the one that came from farthest outside, by an override or a Param; else at
 /// the second.
 void reportTwo(ResolveContext& context, const Record& record, const Part& part, const char* first, const char* second,

@@ -14,7 +14,7 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "model/config_blocks.h"
-#include "project/objects/param_reference.h"
+#include "model/param_reference.h"
 #include "schema/allowed_parents.h"
 
 namespace trundle {

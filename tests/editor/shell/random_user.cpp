@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMenu>
@@ -107,8 +108,10 @@ void RandomUser::step() {
             m_doing = userAction.name;
             (this->*userAction.go)();
             answerQuestion();
+            answerDialogs();
             // The test answers other questions from a timer; like a user, the next action waits for the answer.
-            (void)QTest::qWaitFor([] { return QApplication::activeModalWidget() == nullptr; });
+            if (!QTest::qWaitFor([] { return QApplication::activeModalWidget() == nullptr; }))
+                m_trouble = QStringLiteral("nobody closes ") + QApplication::activeModalWidget()->objectName();
             return;
         }
         at -= std::size_t(userAction.share);
@@ -128,6 +131,20 @@ void RandomUser::answerQuestion() {
         ++m_answers[name ? name : "cancel"];
         if (name) question->findChild<QAbstractButton*>(QLatin1String(name))->click();
         else question->reject();
+    }
+}
+
+/// Accepts a dialog, such as that of Ring of Sensors, or leaves it.
+void RandomUser::answerDialogs() {
+    while (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+        if (qobject_cast<QMessageBox*>(dialog)) return;
+        const auto* box = dialog->findChild<QDialogButtonBox*>();
+        const auto all = box ? box->buttons() : QList<QAbstractButton*>();
+        const auto accepts = std::ranges::find_if(all, [&](QAbstractButton* button) {
+            return box->buttonRole(button) == QDialogButtonBox::AcceptRole && button->isEnabled();
+        });
+        if (accepts != all.end() && below(2) == 0) (*accepts)->click();
+        else dialog->reject();
     }
 }
 

@@ -98,6 +98,7 @@ private:
     void fixText();
     void waitForRun();
     void answerQuestion();
+    void answerDialogs();
     [[nodiscard]] std::string number();
 
     void waitFor(const std::function<bool()>& done, const char* what);

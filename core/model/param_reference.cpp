@@ -1,8 +1,9 @@
-#include "project/objects/param_reference.h"
+#include "model/param_reference.h"
 
 #include <algorithm>
 #include <set>
 
+#include "model/config_blocks.h"
 #include "schema/kind.h"
 
 namespace trundle {
