@@ -261,7 +261,8 @@ void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& sc
     if (name == "PI" || name == "Pi") names.emplace_back("pi");
     if (names.size() > kMany && m_diagnostics.all().size() > kFirst) return;
     suggest(d, name, names, place);
-    if (d.suggestions.empty() && !names.empty()) d.message += "; there are " + listText(names, "and");
+    if (d.suggestions.empty() && !names.empty())
+        d.message += (names.size() == 1 ? "; there is " : "; there are ") + listText(names, "and");
 }
 
 void Evaluator::circle(const ParamScope::Entry& entry) {

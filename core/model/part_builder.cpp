@@ -161,7 +161,27 @@ bool PartBuilder::fits(Part& part, const Part* parent) {
     return false;
 }
 
+/// `left { r = 0.06 }` for `left.r = 0.06` of an instance or a variant.
+bool PartBuilder::isMeantAsPath(const Part& part, const Part* parent) {
+    const std::string& word = part.block->type.text;
+    const bool canBe = parent && parent->assignments.find("Config") && !part.block->name && word[0] >= 'a' && word[0] <= 'z';
+    if (!canBe || part.block->items.empty()) return false;
+    std::string paths;
+    for (const Item& item : part.block->items) {
+        const auto* a = item.as<AssignmentItem>();
+        if (!a) return false;
+        paths += (paths.empty() ? "" : " ") + word + "." + std::string(m_texts.slice({part.file, item.range}));
+    }
+    constexpr std::size_t kShort = 60;
+    Diagnostic& d = m_diagnostics.error(Code::UnknownKind, part.typeRange(),
+                                        "there is no kind " + word + "; values of what is in a config are set by path: " +
+                                            (paths.size() < kShort ? paths : word + ". ... = ..."));
+    if (paths.find('\n') == std::string::npos) d.fixes.push_back({"set them by path", {{part.range, paths}}});
+    return true;
+}
+
 void PartBuilder::unknownKind(const Part& part, const Part* parent) {
+    if (isMeantAsPath(part, parent)) return;
     const std::string& word = part.block->type.text;
     std::vector<std::string> candidates;
     for (const Kind* kind : m_registry.all()) {
@@ -170,6 +190,9 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     const bool isWorldInstance = parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && !parent->isPartUse();
     const bool holdsModuleKinds = isWorldInstance || (parent && m_config);
     std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : nearestWords(word, candidates);
+    for (const Kind* kind : m_registry.all()) // `cylinder` is Cylinder, in the wrong place as well
+        if (spellingDistance(word, kind->name) < 1 && (near.empty() || near[0] != kind->name))
+            near.insert(near.begin(), kind->name);
     if (m_texts.openModules && holdsModuleKinds && (near.empty() || isWorldInstance)) return;
     if (near.empty() && !manyAlready(m_diagnostics)) {
         std::vector<std::string> others;

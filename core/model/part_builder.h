@@ -28,6 +28,7 @@ private:
     [[nodiscard]] std::string placeOf(const Part* parent) const;
     [[nodiscard]] bool fits(Part& part, const Part* parent);
     void unknownKind(const Part& part, const Part* parent);
+    bool isMeantAsPath(const Part& part, const Part* parent);
     void misplaced(const Part& part, const Part* parent);
     void looseGeoms(const Part& config);
 

@@ -212,6 +212,16 @@ private Q_SLOTS:
         row("a variant with Config misspelt", "RobotConfig n { Confg=K left.r=3 cm }\n",
             "E201 RobotConfig n has no property Confg | Confg | fix Config");
         const std::string wheel = "PartConfig W { Body w { " + kBox + " } Hinge axle { Parent=$carrier Child=w } }\n";
+        const std::string kit = wheel + "RobotConfig K { Body c { " + kBox + " } Part a { Config=W carrier=c } }\n";
+        row("a block for a path, of a variant", kit + "RobotConfig n { Config=K a { w.h.Mass=2 } }\n",
+            "E301 there is no kind a; values of what is in a config are set by path: a.w.h.Mass=2 | a | fix set them by path");
+        row("a block for a path, of a robot", kit + "Robot n { Config=K a { w.h.Mass=2 Pos=1,0,0 } }\n",
+            "E301 there is no kind a; values of what is in a config are set by path: a.w.h.Mass=2 a.Pos=1,0,0 | a | fix set them "
+            "by path");
+        row("a Part joined to itself", wheel + "RobotConfig n { Body c { " + kBox + " } Part a { Config=W carrier=a } }\n",
+            "E208 Parent names a, a Part; it takes a Body: c or world | a | it is used here: $carrier");
+        row("a kind with a small letter", "RobotConfig n { Body c { " + kBox + " } cylinder { Radius=3 } }\n",
+            "E301 there is no kind cylinder | cylinder | fix Cylinder");
         row("a Part without a Config", wheel + "RobotConfig n { Body c { " + kBox + " } Part a { carrier=c } }\n",
             "E209 Part a needs Config (name of the PartConfig it is created from) | a");
         row("a variant of a PartConfig with a misspelt Param",

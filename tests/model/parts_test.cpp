@@ -271,7 +271,7 @@ private Q_SLOTS:
                                         << "carier"
                                         << "";
         QTest::newRow("wrong kind") << "Hinge h { Parent=world Child=chassis } Part left { Config=Wheel carrier=h }"
-                                    << "E208 Parent names h, a Hinge; it takes a Body: chassis, left.wheel or world\n"
+                                    << "E208 Parent names h, a Hinge; it takes a Body: chassis or world\n"
                                     << "h"
                                     << "it is used here: $carrier";
         QTest::newRow("no such path") << "Part left { Config=Wheel carrier=chassis moter.Resistance=1 }"

@@ -167,6 +167,7 @@ void PartExpansion::add(PartFrame& frame, const Part& part) {
 bool PartExpansion::clashes(const Part& part, const Part& holder) {
     const Part* taken = holder.config && !part.name.empty() ? holder.config->find(part.name) : nullptr;
     if (!taken) return false;
+    if (!part.kind) return true; // reported at its block
     Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, part.nameRange(),
                                                 holder.config->title() + " has " + taken->title() +
                                                     " already; set its values by path, " + part.name + ". ...");

@@ -169,6 +169,11 @@ std::string otherEnd(const Record& record, std::string_view property) {
     return other && other->value.texts.size() == 1 ? other->value.texts[0] : std::string();
 }
 
+void ResolveContext::NotMeant::eraseFrom(std::vector<std::string>& names) const {
+    std::erase_if(names,
+                  [this](const std::string& name) { return name == otherEnd || (part && name.starts_with(part->name + ".")); });
+}
+
 void ResolveContext::unknownReference(const std::string& property, const std::string& what, const std::string& name,
                                       SourceRange range, bool literal, const std::vector<std::string>& candidates) {
     UnknownName& unknown = m_unknownNames[what + " " + name];
@@ -192,7 +197,7 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
 }
 
 bool ResolveContext::checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
-                                    const PartFrame& frame, const GivenElement* given, const std::string& taken) {
+                                    const PartFrame& frame, const GivenElement* given, const NotMeant& notMeant) {
     const std::vector<std::string>& choices = property.choices;
     if (name == "world" && takesWorld(property, frame)) return true;
     if (std::count(choices.begin(), choices.end(), "AntennaPattern")) { // at the top level, or an antenna model
@@ -214,7 +219,7 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
         if (unknown && firstWord(name) != name) return false; // reported at its block
         std::vector<std::string> names =
             manyAlready(diagnostics) ? std::vector<std::string>() : FittingNames(property, geoms).in(frame);
-        std::erase(names, taken);
+        notMeant.eraseFrom(names);
         unknownReference(property.name, what, name, range, literal, names);
         if ((frame.isOpen || frame.use) && !given && !first && name != "world" && diagnostics.all().size() > before)
             diagnostics.at(before).message +=
@@ -228,7 +233,7 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
                                           withArticle(what));
     if (manyAlready(diagnostics)) return false;
     std::vector<std::string> candidates = FittingNames(property, geoms).in(frame);
-    std::erase(candidates, taken);
+    notMeant.eraseFrom(candidates);
     std::vector<std::string> near = insideFirst(name, candidates);
     if (near.empty() && !candidates.empty()) d.message += ": " + listText(candidates);
     if (near.size() > 3) near.resize(3);
@@ -260,7 +265,7 @@ bool ResolveContext::checkReferences(Record& record, const PartFrame& frame) {
             const std::size_t before = diagnostics.all().size();
             const bool isFromOutside = given && given->source.known() && (given->level > 0 || !given->literal);
             good = checkReference(property, name, isFromOutside ? given->source : value.rangeOf(k), literal || isFromOutside,
-                                  there, given, otherEnd(record, property.name)) &&
+                                  there, given, {otherEnd(record, property.name), &there == &frame ? nullptr : frame.use}) &&
                    good;
             if (isFromOutside && diagnostics.all().size() > before)
                 diagnostics.at(before).notes.emplace_back(kUsedHere, value.rangeOf(k));

@@ -70,10 +70,17 @@ public:
     [[nodiscard]] bool isFailedRobot(std::string_view path) const;
 
 private:
+    /// Names that a reference cannot mean: what the other end of the joint names, and what is in the Part that gives it.
+    struct NotMeant {
+        std::string otherEnd;
+        const Part* part; ///< nullptr: none
+
+        void eraseFrom(std::vector<std::string>& names) const;
+    };
     /// Checks one name against the parts of a frame; `property` defines the accepted kinds. `given`: the name's element, if it
-    /// comes from a Param. `taken`: a name that is not meant.
+    /// comes from a Param.
     [[nodiscard]] bool checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
-                                      const PartFrame& frame, const GivenElement* given, const std::string& taken);
+                                      const PartFrame& frame, const GivenElement* given, const NotMeant& notMeant);
     void fill(Record& record, const AssignmentList& assignments, const Part* part, ParamScope& scope,
               const OverrideNode* overrides, Origin origin, const ExtraKeys& extra);
     [[nodiscard]] std::optional<ResolvedValue> readGiven(const Property& property, const GivenValue& given, Origin origin);
