@@ -40,7 +40,21 @@ private:
     std::set<std::pair<const Part*, std::string>> m_seen; ///< PartConfigs in a circle end there
 };
 
+bool names(const Expression& expression, std::string_view param) {
+    if (expression.op == Expression::Op::Name && expression.name == param) return true;
+    return std::ranges::any_of(expression.arguments, [&](const Expression& argument) { return names(argument, param); });
+}
+
 } // namespace
+
+bool usesParam(const Part& config, std::string_view param) {
+    const auto isUse = [&](const Element& e) {
+        return (e.kind == Element::Kind::ParamRef && e.text == param) || (e.expression && names(*e.expression, param));
+    };
+    const auto isIn = [&](const SourceAssignment& a) { return std::ranges::any_of(a.value->elements, isUse); };
+    return std::ranges::any_of(config.assignments.all(), isIn) ||
+           std::ranges::any_of(config.parts, [&](const Part& part) { return usesParam(part, param); });
+}
 
 const Property* propertyNamedBy(const Part& config, std::string_view param) { return Search().in(config, param); }
 

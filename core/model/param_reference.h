@@ -9,4 +9,7 @@ namespace trundle {
 /// in the config passes it on, `carrier=$carrier`. The first one in the text; nullptr: it stands for no name.
 [[nodiscard]] const Property* propertyNamedBy(const Part& config, std::string_view param);
 
+/// Whether a value in a config uses a Param of that name, by itself or in $( ), declared or not.
+[[nodiscard]] bool usesParam(const Part& config, std::string_view param);
+
 } // namespace trundle

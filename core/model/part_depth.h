@@ -4,6 +4,6 @@
 namespace trundle {
 
 /// How deep PartConfigs may be nested: limits the stack.
-inline constexpr std::size_t kDeepestParts = 100;
+inline constexpr std::size_t kDeepestParts = 100; // with the config that holds them
 
 } // namespace trundle

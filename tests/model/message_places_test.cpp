@@ -212,6 +212,11 @@ private Q_SLOTS:
         row("a variant with Config misspelt", "RobotConfig n { Confg=K left.r=3 cm }\n",
             "E201 RobotConfig n has no property Confg | Confg | fix Config");
         const std::string wheel = "PartConfig W { Body w { " + kBox + " } Hinge axle { Parent=$carrier Child=w } }\n";
+        row("a Param that is given and not declared",
+            "PartConfig W { Body w { Sphere s { Radius=$r Mass=$(2*r) Material=g Surface=s } } }\nRobotConfig n { Body c { " +
+                kBox + " } Part a { Config=W r=0.1 } Part b { Config=W r=0.2 Pos=1,0,0 } }\n",
+            "E211 there is no Param r; PartConfig W declares it with Param r = ... | r | used here by Part a: a\n"
+            "E211 there is no Param r; PartConfig W declares it with Param r = ... | r | used here by Part a: a");
         const std::string kit = wheel + "RobotConfig K { Body c { " + kBox + " } Part a { Config=W carrier=c } }\n";
         row("a block for a path, of a variant", kit + "RobotConfig n { Config=K a { w.h.Mass=2 } }\n",
             "E301 there is no kind a; values of what is in a config are set by path: a.w.h.Mass=2 | a | fix set them by path");

@@ -143,7 +143,7 @@ private Q_SLOTS:
                 "RobotConfig Kit { Body b { Mass=1 Box x { Size=1,1,1 Material=g Surface=s } } }\nRobot r { Config=Kit }\n");
             QVERIFY(r.diagnostics.hasErrors());
             for (const Diagnostic& d : r.diagnostics.all())
-                QVERIFY2(d.severity != Severity::Error || d.message == "PartConfigs are nested more than 100 deep",
+                QVERIFY2(d.severity != Severity::Error || d.message == "PartConfigs are nested more than 99 deep",
                          d.message.c_str());
         }
     }

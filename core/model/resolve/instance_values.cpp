@@ -4,6 +4,7 @@
 
 #include "base/spelling.h"
 #include "model/config_blocks.h"
+#include "model/param_reference.h"
 #include "model/repeat.h"
 #include "schema/value_words.h"
 
@@ -39,7 +40,9 @@ public:
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
                 const std::vector<std::string> own = propertyNames(*m_part.kind);
                 const bool isUnknown = !likely || likely->kind->name != kind || isBaseMissing(*likely);
-                return isUnknown && nearestWords(a.key, own).empty(); // of an unknown config the Params are unknown too
+                const bool isUndeclared = likely && usesParam(*likely, a.key); // reported where it is used
+                return (isUnknown && nearestWords(a.key, own).empty()) ||
+                       isUndeclared; // of an unknown config the Params are unknown too
             }
             taken.push_back(&a);
             return true;

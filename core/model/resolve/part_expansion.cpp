@@ -8,50 +8,12 @@
 #include "model/part_depth.h"
 #include "model/repeat.h"
 #include "model/resolve/config_sizes.h"
+#include "model/resolve/part_messages.h"
 #include "schema/value_words.h"
 
 namespace trundle {
 
-void nameMember(const ResolveContext& context, Diagnostic& d, const Part& of, std::size_t member) {
-    if (member == 0 && context.texts.slice(d.range).find("index") == std::string_view::npos) return; // it is so in all of them
-    d.notes.emplace_back("in its member " + of.name + "_" + std::to_string(member), of.nameRange());
-}
-
 namespace {
-
-/// What a part is joined to is not given.
-void reportMissing(ResolveContext& context, const PartFrame& frame, const OverrideNode* outside, const SourceParam& param) {
-    const std::string& name = param.name->text;
-    const OverrideNode* other = below(outside, "Config");
-    const bool isExchanged = other && other->value;
-    Diagnostic& d =
-        context.diagnostics.error(Code::MissingRequired, isExchanged ? other->value->range : frame.use->nameRange(),
-                                  frame.use->title() + " needs " + name + ": what " + frame.config->title() + " is joined to");
-    d.notes.push_back({kUsedHere, param.nameRange()});
-    const Property* property = propertyNamedBy(*frame.config, name);
-    const auto fits = [&](const Part& p) {
-        return p.kind &&
-               (property
-                    ? std::ranges::any_of(property->choices,
-                                          [&](const std::string& c) { return c == p.kind->name || c == roleName(p.kind->role); })
-                    : p.is(Role::Body));
-    };
-    const auto fitting = std::ranges::find_if(frame.outer->config->parts, fits);
-    if (!isExchanged && fitting != frame.outer->config->parts.end()) context.fixAdd(d, *frame.use, name, fitting->name);
-}
-
-/// Whether a Part, or a variant that it uses, has an unknown key that is near to the name of a Param: it is reported there.
-bool isMisspelt(const Part& use, const Part& config, const std::string& param) {
-    const std::vector<std::string> meant{param};
-    const auto isIn = [&](const Part& part) {
-        return std::ranges::any_of(part.assignments.all(), [&](const SourceAssignment& a) {
-            return a.path.size() == 1 && !part.kind->find(a.key) && !config.param(a.key) && !nearestWords(a.key, meant).empty();
-        });
-    };
-    const Part* variant = &config;
-    while (variant->config && !isIn(*variant)) variant = variant->config;
-    return isIn(use) || variant->config;
-}
 
 /// A value that goes one Part further in: a name in it keeps naming what it named where it was written.
 std::shared_ptr<const GivenValue> passedIn(const GivenValue& value) {
@@ -84,47 +46,7 @@ const GivenValue* firstValue(const OverrideNode& node) {
     return nullptr;
 }
 
-/// nullptr: it is in none.
-const Part* outermostRepeat(const PartFrame& frame) {
-    const Part* repeat = nullptr;
-    for (const PartFrame* at = &frame; at->use; at = at->outer)
-        if (at->use->isRepeat()) repeat = at->use;
-    return repeat;
-}
-
-/// An empty chain: no circle, but too deep. `use`: the Part or variant that closes it.
-void reportCircle(ResolveContext& context, const Part& use, SourceRange place, const std::string& chain) {
-    const std::string configs = (use.isPartUse() ? "PartConfig" : use.kind->name) + "s";
-    if (chain.empty())
-        context.diagnostics.error(Code::TooManyObjects, place,
-                                  configs + " are nested more than " + std::to_string(kDeepestParts) + " deep");
-    else if (use.isPartUse())
-        context.diagnostics.error(Code::WrongPlace, place, configs + " contain each other in a circle: " + chain);
-    else context.diagnostics.error(Code::WrongPlace, place, configs + " are variants of each other in a circle: " + chain);
-}
-
 } // namespace
-
-const Part* PartFrame::find(std::string_view name) const {
-    const std::string_view first = firstWord(name);
-    if (!config) return nullptr; // names in the world are looked up among the robots
-    if (first != name)
-        if (const auto it = inner.find(first); it != inner.end()) return it->second->find(withoutFirstWord(name));
-    const Part* part = config->find(first);
-    return part && part->isRepeat() ? nullptr : config->findPath(name); // what is in a Repeat has the name of a member in front
-}
-
-const PartFrame& PartFrame::holder() const {
-    const PartFrame* at = this;
-    while (at->member) at = at->outer;
-    return *at;
-}
-
-const PartFrame& PartFrame::frameOf(std::string_view name) const {
-    const PartFrame* at = this;
-    while (at->member && !at->find(name)) at = at->outer;
-    return at->find(name) ? *at : *this;
-}
 
 PartExpansion::PartExpansion(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides)
     : m_context(context), m_isScenery(config.kind->name == "StaticConfig") {
@@ -432,17 +354,14 @@ void PartExpansion::nameUses(std::size_t first, const PartFrame& frame) {
     if (m_context.diagnostics.all().size() == first) return;
     for (const PartFrame* at = &frame; at->use; at = at->outer) {
         if (!at->member) {
+            for (std::size_t i = first; i < m_context.diagnostics.all().size(); ++i)
+                adviseToDeclare(m_context, m_context.diagnostics.at(i), *at);
             nameInstance(m_context, first, at->given, *at->use, "used here by " + at->use->title());
             continue;
         }
         for (std::size_t i = first; i < m_context.diagnostics.all().size(); ++i)
             nameMember(m_context, m_context.diagnostics.at(i), *at->use, *at->member);
     }
-}
-
-void reportPartCircles(ResolveContext& context) {
-    for (const Outline::PartCircle& circle : context.outline.partCircles())
-        reportCircle(context, *circle.use, circle.use->assignments.find("Config")->valueRange(), circle.chain);
 }
 
 } // namespace trundle

@@ -10,6 +10,7 @@
 #include "model/resolve/config_sizes.h"
 #include "model/resolve/footprint.h"
 #include "model/resolve/instance_variants.h"
+#include "model/resolve/part_messages.h"
 #include "model/resolve/resolve_steps.h"
 #include "schema/value_reader.h"
 #include "schema/value_words.h"

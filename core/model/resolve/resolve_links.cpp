@@ -6,6 +6,7 @@
 #include "model/kinds/world_fields.h"
 #include "model/resolve/resolve_steps.h"
 #include "model/robot_path.h"
+#include "schema/value_words.h"
 
 namespace trundle {
 

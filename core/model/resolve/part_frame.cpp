@@ -1,0 +1,28 @@
+#include "model/resolve/part_frame.h"
+
+#include "model/dotted_path.h"
+
+namespace trundle {
+
+const Part* PartFrame::find(std::string_view name) const {
+    const std::string_view first = firstWord(name);
+    if (!config) return nullptr; // names in the world are looked up among the robots
+    if (first != name)
+        if (const auto it = inner.find(first); it != inner.end()) return it->second->find(withoutFirstWord(name));
+    const Part* part = config->find(first);
+    return part && part->isRepeat() ? nullptr : config->findPath(name); // what is in a Repeat has the name of a member in front
+}
+
+const PartFrame& PartFrame::holder() const {
+    const PartFrame* at = this;
+    while (at->member) at = at->outer;
+    return *at;
+}
+
+const PartFrame& PartFrame::frameOf(std::string_view name) const {
+    const PartFrame* at = this;
+    while (at->member && !at->find(name)) at = at->outer;
+    return at->find(name) ? *at : *this;
+}
+
+} // namespace trundle
