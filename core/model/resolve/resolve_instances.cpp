@@ -346,6 +346,8 @@ InstanceVariants::Params InstanceVariants::params() const {
 std::optional<std::vector<ConfigGeom>> InstanceVariants::geoms(const Params& changed) const {
     Diagnostics silent;
     ExperimentSpec out;
+    out.materials.emplace_back(); // the looks, and so the surfaces, are left out: all geoms have the default
+    out.surfaces.emplace_back();
     ResolveContext context(*m_outline, m_assets, silent, out);
     Instances(context).only(*m_instance, changed);
     std::vector<ConfigGeom> all;

@@ -71,6 +71,7 @@ const std::vector<RandomUser::UserAction> RandomUser::kActions{
     {2, "copy", &RandomUser::copyObject},
     {3, "paste objects", &RandomUser::pasteObject},
     {4, "drag a row", &RandomUser::dragRow},
+    {4, "make parts", &RandomUser::useParts},
     {3, "insert from the menu", &RandomUser::insertKind},
     {2, "insert from the Library", &RandomUser::insertFromLibrary},
     {3, "drop from the Library", &RandomUser::dropFromLibrary},
@@ -107,10 +108,13 @@ void RandomUser::step() {
         if (at < std::size_t(userAction.share)) {
             m_doing = userAction.name;
             (this->*userAction.go)();
-            answerQuestion();
-            answerDialogs();
+            const auto isOver = [this] { // one answer may lead to the next question
+                answerQuestion();
+                answerDialogs();
+                return QApplication::activeModalWidget() == nullptr;
+            };
             // The test answers other questions from a timer; like a user, the next action waits for the answer.
-            if (!QTest::qWaitFor([] { return QApplication::activeModalWidget() == nullptr; }))
+            if (!QTest::qWaitFor(isOver))
                 m_trouble = QStringLiteral("nobody closes ") + QApplication::activeModalWidget()->objectName();
             return;
         }
@@ -271,6 +275,14 @@ void RandomUser::insertKind() {
         choose(*action->menu(), true);
     }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+/// With what is selected beside it: Make Part, Mirror, Repeat and Ring of Sensors, whose dialogs step() answers.
+void RandomUser::useParts() {
+    static const std::vector<const char*> commands{"parts.make",    "parts.mirrorX", "parts.mirrorY",
+                                                   "parts.mirrorZ", "parts.repeat",  "sensors.ring"};
+    if (!selectObject([](const std::string& path) { return path.find('.') != std::string::npos; })) return;
+    trigger(oneOf(commands));
 }
 
 void RandomUser::insertFromLibrary() {

@@ -58,6 +58,7 @@ private:
     void openRowMenu();
     void rotateChoice();
     void scrubRow();
+    void useParts();
     // in the 3D view
     void moveByGizmo();
     void rotateByGizmo();

@@ -24,18 +24,37 @@ using namespace trundle;
 
 namespace {
 
-const QByteArray kExperiment = "// mine\n"
-                               "Tick = 0.01\n"
-                               "#import robots/simple_robot.sim\n"
-                               "#import arenas/medium_arena.sim\n"
-                               "#loadModule controllers/linear_motion\n"
-                               "Static arena { Config=MediumArena }\n"
-                               "Robot robot0 {\n"
-                               "  Config=SimpleRobot  Pos=-1,0,0   // where it starts\n"
-                               "  LinearMotion brain { Distance=1.0 Speed=0.2 }\n"
-                               "}\n"
-                               "Robot robot1 { Config=SimpleRobot Pos=1, 0.5, 0 HPR=90,0,0 leftMotor.Resistance=3 }\n"
-                               "PoseLog path { Robot=robot0 Interval=0.1 File=path.csv }\n";
+const QByteArray kExperiment =
+    "// mine\n"
+    "Tick = 0.01\n"
+    "#import robots/simple_robot.sim\n"
+    "#import arenas/medium_arena.sim\n"
+    "#loadModule controllers/linear_motion\n"
+    "Static arena { Config=MediumArena }\n"
+    "Robot robot0 {\n"
+    "  Config=SimpleRobot  Pos=-1,0,0   // where it starts\n"
+    "  LinearMotion brain { Distance=1.0 Speed=0.2 }\n"
+    "}\n"
+    "Robot robot1 { Config=SimpleRobot Pos=1, 0.5, 0 HPR=90,0,0 leftMotor.Resistance=3 }\n"
+    "PoseLog path { Robot=robot0 Interval=0.1 File=path.csv }\n"
+    "\n"
+    "// driven\n"
+    "PartConfig Wheel {\n"
+    "  Param r = 5 cm { Min=1 cm Max=20 cm Help=\"of the tyre\" }\n"
+    "  Body wheel { Cylinder tyre { Radius=$r Length=0.03 HPR=0,0,90 Mass=0.15 Material=black Surface=rubber } }\n"
+    "  // turns\n"
+    "  Hinge axle { Parent=$carrier Child=wheel Axis=0,1,0 }\n"
+    "}\n"
+    "RobotConfig Kit {\n"
+    "  Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=2 Material=orange Surface=plastic }\n"
+    "    Repeat bolt { Count=3 Pos=$(0.1*index - 0.1),0,0.15 Sphere head { Radius=0.01 Mass=0.01 Material=grey Surface=plastic } "
+    "} }\n"
+    "  Part left { Config=Wheel Pos=0.06,0.125,0.05 carrier=chassis } // mirrored below\n"
+    "  Part right { Config=Wheel Pos=0.06,-0.125,0.05 Mirror=y carrier=chassis }\n"
+    "}\n"
+    "RobotConfig BigKit { Config=Kit left.r=0.06 }\n"
+    "Robot kit { Config=BigKit Pos=0,-1,0.01 right.r=0.06 }\n"
+    "Ring posts { Count=3 Radius=1.2 Robot post { Config=Kit } }\n";
 
 using Texts = std::map<std::string, std::string>;
 
