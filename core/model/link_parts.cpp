@@ -163,10 +163,12 @@ private:
 
 } // namespace
 
-void Outline::linkPart(Part& part, const Part* owner) {
+void Outline::linkPart(Part& part, const Part* owner, bool isMisplaced) {
+    // What a config has that is not at the top level is not linked: it may lead back to the config around it, without an end.
+    isMisplaced = isMisplaced || (part.is(Role::Config) && (owner || !part.usable));
     const bool hasConfig = part.isPartUse() || part.is(Role::Config);
     if (hasConfig) part.config = nullptr;
-    const SourceAssignment* a = hasConfig ? part.assignments.find("Config") : nullptr;
+    const SourceAssignment* a = hasConfig && !isMisplaced ? part.assignments.find("Config") : nullptr;
     if (a && a->value->elements.size() == 1) {
         const Element& e = a->value->elements[0];
         std::string name = e.text;
@@ -183,11 +185,11 @@ void Outline::linkPart(Part& part, const Part* owner) {
         if (config && config->kind->name == (part.isPartUse() ? "PartConfig" : part.kind->name)) part.config = config;
     }
     if (part.is(Role::Config) || part.isRepeat())
-        for (Part& inner : part.parts) linkPart(inner, part.isRepeat() ? owner : &part);
+        for (Part& inner : part.parts) linkPart(inner, part.isRepeat() ? owner : &part, isMisplaced);
 }
 
 void Outline::linkParts() {
-    for (const auto& part : parts) linkPart(*part, nullptr);
+    for (const auto& part : parts) linkPart(*part, nullptr, false);
     m_circles.clear();
     CircleSearch circles(m_circles);
     for (const auto& part : parts)

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] bool isInCircle(const Part& config) const;
 
 private:
-    void linkPart(Part& part, const Part* owner);
+    void linkPart(Part& part, const Part* owner, bool isMisplaced);
     std::vector<PartCircle> m_circles;
     std::shared_ptr<const TextSet> m_texts;
     std::shared_ptr<const Registry> m_registry;

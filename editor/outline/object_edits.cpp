@@ -304,9 +304,10 @@ void ObjectEdits::removeObjects(const QString& verb, const QString& title, const
         if (const auto place = placeOf(*m_document.loaded(), user); place && place->part)
             names.append(toQString(place->part->title()));
     if (users.size() > kMaxNamed) names = names.mid(0, kMaxNamed) << tr("%1 more").arg(users.size() - kMaxNamed);
-    auto* question =
-        new QMessageBox(QMessageBox::Question, title, tr("%1 is used by %2.").arg(named(paths), names.join(QStringLiteral(", "))),
-                        QMessageBox::Cancel, QApplication::activeWindow());
+    auto* question = new QMessageBox(QMessageBox::Question, title,
+                                     (paths.size() == 1 ? tr("%1 is used by %2.") : tr("%1 are used by %2."))
+                                         .arg(named(paths), names.join(QStringLiteral(", "))),
+                                     QMessageBox::Cancel, QApplication::activeWindow());
     question->setObjectName(QStringLiteral("deleteQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setInformativeText(tr("They can only be %1 together. Undo restores all of them.").arg(done));

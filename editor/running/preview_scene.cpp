@@ -41,7 +41,7 @@ std::string placing(const std::string& file, const std::vector<const Part*>& con
     return robots && !hasFloor(configs) ? text + kFloor : text;
 }
 
-/// What the preview has of the opened file and its imports: what is placed, logged or lit there is left out.
+/// What the preview has of the opened file and its imports: what is placed, joined, logged or lit there is left out.
 std::shared_ptr<ExperimentSpec> previewedOf(const ExperimentSpec& loaded) {
     auto preview = std::make_shared<ExperimentSpec>(loaded);
     const auto isOther = [](const auto& object) { return !object.name.starts_with(kInstance); };
@@ -49,6 +49,10 @@ std::shared_ptr<ExperimentSpec> previewedOf(const ExperimentSpec& loaded) {
     std::erase_if(preview->statics, isOther);
     preview->logs.clear();
     preview->looks.clear();
+    preview->joints.clear(); // between robots, by their places in the list
+    preview->springs.clear();
+    preview->regions.clear();
+    preview->noContact.clear();
     preview->settings.duration = 0;
     return preview;
 }

@@ -33,7 +33,7 @@ static constexpr ActionRow kTable[] = {
     {"parts.mirrorZ",  "Edit/Parts",  "Mirror &Up and Down",     "",            "",               "Add the mirror image of the selected parts, along Z."},
     {"parts.repeat",   "|Edit/Parts", "&Repeat…",                "array",       "",               "Put the selected bodies, joints and devices, geoms of a body, or robots and scenery, into a Repeat: one block, several of it."},
     {"edit.rename",    "Edit",        "Rena&me…",                "rename",      "F2",             "Rename the selected object, or what is named at the caret, and every reference to it."},
-    {"edit.selectAll", "Edit",        "Select &All",             "",            "Ctrl+A",         "Select all robots and statics."},
+    {"edit.selectAll", "Edit",        "Select &All",             "",            "Ctrl+A",         "Select all robots and statics, or all parts of the model that is edited."},
     {"edit.find",      "|Edit",       "&Find…",                  "find",        "Ctrl+F",         "Find in the text, or in all files of the experiment."},
     {"edit.findInFiles", "Edit",      "F&ind in Files…",         "",            "Ctrl+Shift+F",   "Find in every text file of the project and list the places."},
     {"edit.replace",   "Edit",        "R&eplace…",               "",            "Ctrl+H",         "Find and replace in the text, or in all files of the experiment."},

@@ -32,6 +32,9 @@ StaticConfig S { // of two boxes
 // far below
 
 Material e { }
+// slips
+Surface ice { }
+Material f { }
 Tick = 0.01
 )";
 
@@ -54,6 +57,7 @@ private Q_SLOTS:
             << QStringList{"StaticConfig.S.low"} << "  // low\n  Box low { Size=1,1,1 }\n";
         QTest::addRow("within a block, then its end")
             << QStringList{"StaticConfig.S.high"} << "  // high\n  Box high { Size=1,1,2 }\n";
+        QTest::addRow("another kind follows") << QStringList{"Surface.ice"} << "// slips\nSurface ice { }\n";
         QTest::addRow("a blank line between") << QStringList{"Material.e"} << "Material e { }\n";
     }
     void goWithTheirBlock() {

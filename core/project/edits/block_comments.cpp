@@ -18,12 +18,14 @@ bool beginsLine(std::string_view bytes, std::uint32_t at) {
     return at == 0 || bytes[at - 1] == '\n' || bytes[at - 1] == '\r';
 }
 
-/// Whether only chosen items follow, up to a blank line, a comment or the end of the block around.
+/// Whether only chosen items follow, up to a blank line, a comment, an item of another kind or the end of the block around.
 bool endsItsGroup(const Tree& tree, TextRange item, const std::vector<SourceRange>& chosen) {
     const auto& tokens = tree.tokens();
     const auto from = [&](std::uint32_t at) {
         return std::ranges::lower_bound(tokens, at, {}, [](const Token& t) { return t.range.begin; });
     };
+    const auto first = from(item.begin);
+    const std::string_view kind = first == tokens.end() ? std::string_view() : tree.source().slice(first->range);
     int lineEnds = 0; // since the last item
     for (auto it = from(item.end); it != tokens.end(); ++it) {
         if (it->kind == TokenKind::Space) continue;
@@ -37,7 +39,7 @@ bool endsItsGroup(const Tree& tree, TextRange item, const std::vector<SourceRang
         }
         const auto next = std::ranges::find_if(
             chosen, [&](const SourceRange& c) { return c.file == tree.file() && c.range.begin == it->range.begin; });
-        if (next == chosen.end()) return it->kind == TokenKind::CloseBrace || it->kind == TokenKind::End;
+        if (next == chosen.end()) return tree.source().slice(it->range) != kind;
         it = std::prev(from(next->range.end));
         lineEnds = 0;
     }

@@ -18,8 +18,8 @@ namespace trundle {
 [[nodiscard]] SourceRange withComment(const LoadedProject& loaded, SourceRange item);
 /// The same, including the comments directly above it.
 [[nodiscard]] SourceRange withComments(const LoadedProject& loaded, SourceRange item);
-/// The same, including the comments directly above it if they are about nothing else: up to the next blank line, comment or end of the
-/// block around it only items of `chosen` follow. A comment that begins the file stays there.
+/// The same, including the comments directly above it, unless they may be about more: up to the next blank line or comment another item of
+/// its kind follows that is not in `chosen`. A comment that begins the file stays there.
 [[nodiscard]] SourceRange withOwnComments(const LoadedProject& loaded, SourceRange item, const std::vector<SourceRange>& chosen);
 
 } // namespace trundle

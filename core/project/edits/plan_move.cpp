@@ -385,7 +385,9 @@ private:
             return {};
         }
         const SourceRange other = (m.next ? m.next : m.after)->range;
-        const TextRange beside = m.next ? withOwnComments(m_loaded, other, {}).range : other.range;
+        TextRange beside = other.range;
+        const std::uint32_t begin = withComments(m_loaded, other).range.begin;
+        if (m.next && begin > 3) beside.begin = begin; // whatever that comment is about; not above one that begins the file
         const Tree& tree = *m_loaded.trees[m.file];
         const std::string_view bytes = tree.source().bytes();
         const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(bytes, beside.begin);

@@ -9,6 +9,7 @@
 #include "editor/shell/work_area.h"
 #include "editor/text/text_panel.h"
 #include "editor/widgets/plain_text.h"
+#include "model/dotted_path.h"
 
 namespace trundle {
 
@@ -51,8 +52,15 @@ void EditCommands::apply(const char* id) {
 }
 
 void EditCommands::selectAll() {
-    const ExperimentSpec& experiment = *m_targets.document.loaded()->experiment;
+    const EditedModel& model = m_targets.document.editedModel();
     std::vector<std::string> all;
+    if (model.isOpen()) {
+        if (!model.config()) return;
+        for (const Part& part : model.config()->parts)
+            if (part.usable) all.push_back(pathInside(model.path(), part.name));
+        return m_targets.selection.set(all);
+    }
+    const ExperimentSpec& experiment = *m_targets.document.loaded()->experiment;
     for (const RobotSpec& robot : experiment.robots) all.push_back(robot.name);
     for (const StaticSpec& still : experiment.statics) all.push_back(still.name);
     m_targets.selection.set(all);

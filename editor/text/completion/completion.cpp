@@ -294,7 +294,9 @@ private:
 
     void value() {
         const Property* own = property();
-        const Property* p = own ? own : named();
+        const ParamDescription* said = own ? nullptr : description();
+        const bool hasChoices = said && !said->property.choices.empty();
+        const Property* p = own || hasChoices ? own : named();
         const std::string_view typed =
             m_context.quoted ? m_text.substr(m_context.word.begin, m_offset - m_context.word.begin) : m_context.before;
         if (p && p->type == PropertyType::File) files(folders(m_folders.assets), p->choices);
@@ -304,7 +306,7 @@ private:
                 c.select = c.caret = c.insert.size();
                 m_out.items.push_back(std::move(c));
             }
-        else if (const ParamDescription* said = description())
+        else if (hasChoices)
             for (const std::string& word : said->property.choices) add(CompletionSort::Value, word, asWord(word), "", "");
         if (!m_context.quoted && m_context.before.empty() && !m_place.described()) params("$");
     }

@@ -279,6 +279,39 @@ private Q_SLOTS:
         QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("Select the robot")));
     }
 
+    /// What joins robots is not in the model of one.
+    void showsModelOfARobotThatIsJoinedToAnother() {
+        open(QByteArray(kTeam) + "Spring rope { Parent=first.chassis Child=second.chassis Stiffness=10 }\n"
+                                 "Ball hitch { Parent=first.chassis Child=second.chassis Anchor=0.5,0,0.1 }\n"
+                                 "Region goal { Pos=1,0,0.2 Size=1,1,1 Robots=second }\nNoContact=first,second\n");
+        const WindowHand hand(*m_window);
+        QVERIFY(hand.clickRow("second"));
+        hand.key(Qt::Key_E, Qt::ControlModifier);
+        QCOMPARE(shown(), QStringList({QStringLiteral("RobotConfig.Rover"), QStringLiteral("StaticConfig.TrundlePreviewFloor")}));
+        QVERIFY(!m_window->grab().isNull()); // paints springs, joints and regions
+        m_window->session().setSpeed(0);
+        m_window->session().step();
+        EVENTUALLY(m_window->session().results().time() > 0);
+        QVERIFY(!m_window->grab().isNull());
+        m_window->session().reset();
+    }
+
+    /// Select All takes what is in the model, not what the experiment has beside it.
+    void selectsAllOfTheModel() {
+        open(QByteArray(kTeam).replace("RobotConfig Rover {\n",
+                                       "RobotConfig Rover {\n  Body arm { Pos=0,0,0.5 Box beam { Size=0.1,0.1,0.1 Mass=1 } }\n"));
+        const WindowHand hand(*m_window);
+        QVERIFY(hand.clickRow("second"));
+        hand.key(Qt::Key_E, Qt::ControlModifier);
+        QVERIFY(hand.clickRow("RobotConfig.Rover"));
+        hand.key(Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(m_window->selection().paths(), (std::vector<std::string>{"RobotConfig.Rover.arm", "RobotConfig.Rover.chassis"}));
+        QVERIFY(hand.press("modelDone"));
+        QVERIFY(hand.clickRow("second"));
+        hand.key(Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(m_window->selection().paths(), (std::vector<std::string>{"first", "second", "arena"}));
+    }
+
 private:
     /// Chassis, two driven wheels, a slider and a drive, by menu and mouse.
     void buildRobot(const WindowHand& hand) {

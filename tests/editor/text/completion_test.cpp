@@ -188,6 +188,11 @@ void CompletionTest::lists_data() {
            "Part inner { Config=Wheel carrier=$hull } } RobotConfig R { Body base { Mass=1 Inertia=1,1,1 } Part left { "
            "Config=Side hull=| } }",
            "base world", "rail left.rail bulb");
+    inSide("choices of a Param that names",
+           "Param coat = red { Choices=red,blue } Body lid { Sphere s { Radius=0.1 Mass=1 Material=$coat } } } Material red { } "
+           "Material blue { } "
+           "Material green { }\nRobotConfig R { Part left { Config=Side coat=| } }",
+           "red blue", "green default");
     inSide("a Material that a Param names",
            "Body lid { Sphere s { Radius=0.1 Mass=1 Material=$paint } } } Material red { } Surface ice { }\n"
            "RobotConfig R { Part left { Config=Side paint=| } }",
