@@ -48,6 +48,7 @@ bool names(const Expression& expression, std::string_view param) {
 } // namespace
 
 bool usesParam(const Part& config, std::string_view param) {
+    if (config.param(param)) return false;
     const auto isUse = [&](const Element& e) {
         return (e.kind == Element::Kind::ParamRef && e.text == param) || (e.expression && names(*e.expression, param));
     };

@@ -9,7 +9,7 @@ namespace trundle {
 /// in the config passes it on, `carrier=$carrier`. The first one in the text; nullptr: it stands for no name.
 [[nodiscard]] const Property* propertyNamedBy(const Part& config, std::string_view param);
 
-/// Whether a value in a config uses a Param of that name, by itself or in $( ), declared or not.
+/// Whether a value in a config uses a Param of that name, by itself or in $( ), that is declared nowhere in it.
 [[nodiscard]] bool usesParam(const Part& config, std::string_view param);
 
 } // namespace trundle

@@ -217,6 +217,11 @@ private Q_SLOTS:
                 kBox + " } Part a { Config=W r=0.1 } Part b { Config=W r=0.2 Pos=1,0,0 } }\n",
             "E211 there is no Param r; PartConfig W declares it with Param r = ... | r | used here by Part a: a\n"
             "E211 there is no Param r; PartConfig W declares it with Param r = ... | r | used here by Part a: a");
+        row("a Param of the top level, given by a Part",
+            "Param r = 1\nPartConfig W { Body w { Sphere s { Radius=$r Mass=1 Material=g Surface=s } } }\nRobotConfig n { Body c "
+            "{ " +
+                kBox + " } Part a { Config=W r=0.1 } }\n",
+            "E201 Part a has no property r; it has Config, Pos, HPR, In and Mirror | r");
         const std::string kit = wheel + "RobotConfig K { Body c { " + kBox + " } Part a { Config=W carrier=c } }\n";
         row("a block for a path, of a variant", kit + "RobotConfig n { Config=K a { w.h.Mass=2 } }\n",
             "E301 there is no kind a; values of what is in a config are set by path: a.w.h.Mass=2 | a | fix set them by path");

@@ -40,7 +40,8 @@ public:
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
                 const std::vector<std::string> own = propertyNames(*m_part.kind);
                 const bool isUnknown = !likely || likely->kind->name != kind || isBaseMissing(*likely);
-                const bool isUndeclared = likely && usesParam(*likely, a.key); // reported where it is used
+                const bool isUndeclared = likely && !a.key.starts_with("index") && !m_context.globals.has(a.key) &&
+                                          usesParam(*likely, a.key); // reported where it is used
                 return (isUnknown && nearestWords(a.key, own).empty()) ||
                        isUndeclared; // of an unknown config the Params are unknown too
             }

@@ -115,7 +115,7 @@ void RandomUser::step() {
             };
             // The test answers other questions from a timer; like a user, the next action waits for the answer.
             if (!QTest::qWaitFor(isOver))
-                m_trouble = QStringLiteral("nobody closes ") + QApplication::activeModalWidget()->objectName();
+                m_trouble = QStringLiteral("a dialog stays open: ") + QApplication::activeModalWidget()->objectName();
             return;
         }
         at -= std::size_t(userAction.share);
