@@ -16,8 +16,10 @@
 #include "model/dotted_path.h"
 #include "model/provenance.h"
 #include "model/robot_path.h"
+#include "project/objects/moves_with.h"
 #include "project/objects/object_location.h"
 #include "project/objects/part_values.h"
+#include "scene/shapes/extents.h"
 
 namespace trundle {
 namespace {
@@ -26,8 +28,6 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kLeastLength = 1e-3; // m, minimum size that a drag can reach
 
 QString tr(const char* text) { return QCoreApplication::translate("TransformSelection", text); }
-
-bool isInside(const std::string& path, const std::string& other) { return path != other && startsWithPath(path, other); }
 
 std::array<double, 3> arrayOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -40,6 +40,18 @@ std::array<SizeName, 3> sizeNamesOf(GeomShape shape) {
     case GeomShape::Cylinder:
     case GeomShape::Capsule: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {length}}};
     default: return {};
+    }
+}
+
+/// Half the sizes that a drag can change (m), along the axes of a geom.
+Vec3 halfExtentOf(const GeomSpec& geom) {
+    switch (geom.shape) {
+    case GeomShape::Box: return 0.5 * geom.size;
+    case GeomShape::Sphere: return Vec3::Constant(geom.radius);
+    case GeomShape::Cylinder:
+    case GeomShape::Capsule: return {geom.radius, geom.radius, 0.5 * geom.length};
+    case GeomShape::Heightfield: return {0.5 * geom.size.x(), 0.5 * geom.size.y(), geom.size.z()};
+    default: return Vec3::Zero();
     }
 }
 
@@ -90,38 +102,6 @@ bool isPlacedByIndex(const LoadedProject& loaded, const std::string& path, const
     return false;
 }
 
-/// The config or instance that a path leads into: "rover", "RobotConfig.Kit".
-std::string rootOf(const std::string& path, const ObjectLocation& place) {
-    if (place.instance && !place.instance->isPartUse() && !place.within.empty())
-        return path.substr(0, path.size() - place.within.size() - 1);
-    const std::size_t kind = path.find('.');
-    return path.substr(0, kind == std::string::npos ? kind : path.find('.', kind + 1));
-}
-
-/// Whether an object moves with one of `others`: it is in that, or it, or what it is in, counts from that by In.
-bool movesWith(const LoadedProject& loaded, const std::string& path, const std::vector<std::string>& others, int depth = 0) {
-    constexpr int kDeepest = 100;
-    const auto isIn = [&](const std::string& other) { return isInside(path, other); };
-    if (std::ranges::any_of(others, isIn)) return true;
-    const auto whole = placeOf(loaded, path);
-    if (!whole || !whole->part || depth > kDeepest) return false;
-    const std::string root = rootOf(path, *whole);
-    for (std::string at = path; at.size() > root.size(); at = std::string(withoutLastWord(at))) {
-        const auto place = placeOf(loaded, at);
-        const auto in = place && place->part ? valueAt(loaded, *place, "In") : std::nullopt;
-        if (!in || in->texts.empty()) continue;
-        std::string body; // in a member of a Repeat, and by a Param, also of what is around it
-        for (std::string around = std::string(withoutLastWord(at)); body.empty(); around = std::string(withoutLastWord(around))) {
-            const auto found = placeOf(loaded, around + "." + in->texts[0]);
-            if (found && found->part && found->part->is(Role::Body)) body = around + "." + in->texts[0];
-            if (around.size() <= root.size()) break;
-        }
-        if (body.empty()) continue;
-        if (std::ranges::find(others, body) != others.end() || movesWith(loaded, body, others, depth + 1)) return true;
-    }
-    return false;
-}
-
 QString placedByIndex(const std::string& path) {
     return tr("The members of %1 are each in a place of their own, computed from index.").arg(QString::fromStdString(path));
 }
@@ -142,7 +122,7 @@ TransformSelection::TransformSelection(const ViewContext& context, Operation pur
 void TransformSelection::take(const std::string& path) {
     const ViewportScene& world = m_context.world;
     const std::vector<ObjectRef> objects = world.objectsOf(path);
-    if (objects.empty()) return;
+    if (objects.empty()) return takeRegion(path);
     const ObjectRef object = objects.front();
     if (m_running) {
         if (object.kind != ObjectKind::Robot)
@@ -180,6 +160,26 @@ void TransformSelection::take(const std::string& path) {
     }
     item.posText = textOf(path + ".Pos");
     item.hprText = textOf(path + ".HPR");
+    m_items.push_back(std::move(item));
+}
+
+void TransformSelection::takeRegion(const std::string& path) {
+    if (!m_context.document.isOpen()) return;
+    const LoadedProject& loaded = *m_context.document.loaded();
+    const auto place = placeOf(loaded, path);
+    if (!place || !place->part || !place->part->is(Role::Region)) return;
+    if (m_running) return void(m_refusal = tr("During a run only whole robots can be moved; reset to edit the start."));
+    if (isPlacedByIndex(loaded, path, *place)) return void(m_refusal = placedByIndex(path));
+    const auto size = valueAt(loaded, *place, "Size");
+    if (!size || size->numbers.size() != 3) return;
+    const DescribedFrame described = describedFrame(loaded, *place);
+    const Pose local = poseAt(loaded, *place);
+    Item item{path, std::nullopt, described.pose * local, described.pose, local, described};
+    item.posText = textOf(path + ".Pos");
+    item.hprText = textOf(path + ".HPR");
+    item.region = GeomSpec{};
+    item.region->shape = GeomShape::Box;
+    item.region->size = {size->numbers[0], size->numbers[1], size->numbers[2]};
     m_items.push_back(std::move(item));
 }
 
@@ -240,6 +240,7 @@ std::vector<std::string> TransformSelection::paths() const {
 
 Bounds TransformSelection::boundsOf(std::size_t item) const {
     if (m_items[item].object) return m_objects->boundsOf(*m_items[item].object, *m_context.world.poses());
+    if (const auto& region = m_items[item].region) return trundle::boundsOf(*region, m_items[item].world);
     Bounds all;
     for (const ObjectRef& member : m_context.world.objectsOf(m_items[item].path)) all.add(m_context.world.boundsOf(member));
     return all;
@@ -302,6 +303,11 @@ Vec3 TransformSelection::sizeCentre() const {
     return pivot.sizes ? pivot.world * pivot.sizes->box().centre() : pivot.world.position;
 }
 
+const GeomSpec* TransformSelection::shapeOf(const Item& item) const {
+    if (item.region) return &*item.region;
+    return item.object ? m_objects->geomOf(*item.object) : nullptr;
+}
+
 QString TransformSelection::sizeRefusal() const {
     if (m_layoutExtent && !m_items.empty() && halfExtent().isZero()) return {}; // it has handles of its own
     return !m_items.empty() && m_items.back().sizes ? m_items.back().sizes->refusal() : QString();
@@ -314,17 +320,8 @@ Vec3 TransformSelection::halfExtent() const {
             if (!sizes->canSize(k)) half[k] = 0;
         return half;
     }
-    const auto& object = m_items.back().object;
-    const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
-    if (m_running || !geom) return Vec3::Zero();
-    switch (geom->shape) {
-    case GeomShape::Box: return 0.5 * geom->size;
-    case GeomShape::Sphere: return Vec3::Constant(geom->radius);
-    case GeomShape::Cylinder:
-    case GeomShape::Capsule: return {geom->radius, geom->radius, 0.5 * geom->length};
-    case GeomShape::Heightfield: return {0.5 * geom->size.x(), 0.5 * geom->size.y(), geom->size.z()};
-    default: return Vec3::Zero();
-    }
+    const GeomSpec* geom = shapeOf(m_items.back());
+    return m_running || !geom ? Vec3(Vec3::Zero()) : halfExtentOf(*geom);
 }
 
 std::array<SizeName, 3> TransformSelection::sizeNames() const {
@@ -334,8 +331,7 @@ std::array<SizeName, 3> TransformSelection::sizeNames() const {
             if (!m_items.back().object && name.sides == Sides::Both) name.sides = Sides::Middle; // members keep their positions
         return names;
     }
-    const auto& object = m_items.back().object;
-    const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
+    const GeomSpec* geom = shapeOf(m_items.back());
     return geom ? sizeNamesOf(geom->shape) : std::array<SizeName, 3>();
 }
 
@@ -373,8 +369,7 @@ Status TransformSelection::resize(const Vec3& growth, int side, const QString& n
     std::vector<ValueEdit> edits;
     for (Item& item : m_items) {
         if (item.sizes) resizeByParam(item, growth, side, fineness.lengthM, edits);
-        else if (const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr)
-            resizeGeom(item, *geom, growth, side, fineness.lengthM, edits);
+        else if (const GeomSpec* geom = shapeOf(item)) resizeGeom(item, *geom, growth, side, fineness.lengthM, edits);
     }
     return apply(edits, name, mergeKey);
 }

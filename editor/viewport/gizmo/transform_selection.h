@@ -72,17 +72,20 @@ public:
 private:
     struct Item {
         std::string path;
-        std::optional<ObjectRef> object; ///< nullopt: a Grid, Scatter or Part
+        std::optional<ObjectRef> object; ///< nullopt: a Grid, Scatter, Part or Region
         Pose world, frame, local;        ///< local: Pos and HPR of the text
         DescribedFrame described;        ///< of the Parts that it is in; `frame` has its pose already
         std::string posText, hprText;    ///< as written where they are edited; empty: not written
         bool posEdited = false, hprEdited = false;
         std::optional<ParamSizes> sizes; ///< only for an instance to be scaled
         int sizedAxis = -1;              ///< axis of the last scaling
+        std::optional<GeomSpec> region;  ///< of a Region: the box that it is
     };
     void addSizes(const std::string& path);
     void take(const std::string& path);
     void takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside);
+    void takeRegion(const std::string& path);
+    [[nodiscard]] const GeomSpec* shapeOf(const Item& item) const; ///< whose sizes a drag changes; nullptr: it has none
     [[nodiscard]] std::string textOf(const std::string& property) const;
     /// The edits that resize an instance: its Param, and Pos if the opposite side is to stay.
     void resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) const;

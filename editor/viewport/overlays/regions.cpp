@@ -1,6 +1,8 @@
 #include "editor/viewport/overlays/regions.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -15,6 +17,7 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMostRegions = 300;
+constexpr double kReach = 5; // pixels, of a click from an edge
 const QColor kOpen(64, 190, 170);
 
 /// Corner k is at the sides of the box that its bits say: x, y, z.
@@ -32,7 +35,30 @@ std::optional<std::array<QPointF, 8>> cornersOf(const ToolView& view, const Regi
     return corners;
 }
 
+double distanceToLine(const QPointF& at, const QPointF& from, const QPointF& to) { // pixels; between its ends
+    const QPointF along = to - from, away = at - from;
+    const double length = QPointF::dotProduct(along, along);
+    const double share = length > 0 ? std::clamp(QPointF::dotProduct(away, along) / length, 0.0, 1.0) : 0;
+    const QPointF off = away - share * along;
+    return std::hypot(off.x(), off.y());
+}
+
 } // namespace
+
+std::string regionAt(const ToolView& view, const QPointF& at) {
+    std::string nearest;
+    double least = kReach;
+    const auto& regions = view.context().world.objects()->experiment().regions;
+    for (std::size_t i = 0; i < regions.size() && i < kMostRegions; ++i) {
+        const auto corners = cornersOf(view, regions[i]);
+        for (std::size_t from = 0; corners && from < 8; ++from)
+            for (const std::size_t to : {from | 1U, from | 2U, from | 4U}) {
+                const double distance = from == to ? least : distanceToLine(at, (*corners)[from], (*corners)[to]);
+                if (distance < least) least = distance, nearest = regions[i].name;
+            }
+    }
+    return nearest;
+}
 
 void paintRegions(QPainter& painter, const ToolView& view) {
     std::vector<std::pair<QPointF, QString>> names;

@@ -7,6 +7,7 @@
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/overlays/regions.h"
 #include "editor/widgets/theme.h"
 #include "model/dotted_path.h"
 
@@ -22,7 +23,17 @@ QString kindOf(const ViewportScene& world, const std::string& path) {
         robot && robot->config && object->kind == ObjectKind::Robot)
         return QString::fromStdString(robot->config->name);
     const StaticSpec* fixed = object && object->kind == ObjectKind::Static ? world.objects()->staticOf(*object) : nullptr;
-    return fixed ? QString::fromStdString(fixed->configName) : QString();
+    if (fixed) return QString::fromStdString(fixed->configName);
+    return object ? QString() : QStringLiteral("Region");
+}
+
+/// pickChain() with the region that has an edge there: before the floor, behind everything else.
+std::vector<std::string> chainAt(const ToolView& view, const QPointF& at) {
+    const ViewportScene& world = view.context().world;
+    std::vector<std::string> chain = pickChain(world, world.hitsAlong(view.camera().rayAt(at)));
+    if (std::string region = regionAt(view, at); !region.empty())
+        chain.insert(chain.empty() || chain.front().empty() ? chain.begin() : chain.end(), std::move(region));
+    return chain;
 }
 
 } // namespace
@@ -51,8 +62,7 @@ void SelectTool::release(const Pointer& pointer) {
 
 void SelectTool::click(const Pointer& pointer) {
     Selection& selection = m_view.context().selection;
-    const ViewportScene& world = m_view.context().world;
-    std::vector<std::string> chain = pickChain(world, world.hitsAlong(m_view.camera().rayAt(pointer.at)));
+    std::vector<std::string> chain = chainAt(m_view, pointer.at);
     if (pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier)) {
         if (!chain.empty() && !chain.front().empty()) selection.toggle(chain.front());
         return;
@@ -75,7 +85,7 @@ void SelectTool::takeBox(Qt::KeyboardModifiers modifiers) {
 
 bool SelectTool::hover(const Pointer& pointer) {
     const ViewportScene& world = m_view.context().world;
-    const std::vector<std::string> chain = pickChain(world, world.hitsAlong(m_view.camera().rayAt(pointer.at)));
+    const std::vector<std::string> chain = chainAt(m_view, pointer.at);
     if (chain.empty() || chain.front().empty()) return false;
     const QString name = QString::fromStdString(chain.front()), kind = kindOf(world, chain.front());
     m_view.hints().setHovered(chain.front(), kind.isEmpty() ? name : name + QStringLiteral("  ·  ") + kind);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -14,23 +13,8 @@
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/transform_selection.h"
-#include "project/objects/object_location.h"
 
 namespace trundle {
-
-namespace {
-
-/// Why what is selected has no handles although it has a Pos; empty: no reason is needed.
-QString whyNoHandles(const ViewContext& context) {
-    const std::string& path = context.selection.current();
-    const auto place = placeOf(*context.document.loaded(), path);
-    if (!place || !place->part || !place->part->is(Role::Region)) return {};
-    return QCoreApplication::translate("ViewBanner",
-                                       "%1 is a Region, which has no handles: change its Pos, HPR and Size in Properties.")
-        .arg(QString::fromStdString(path));
-}
-
-} // namespace
 
 ViewBanner::ViewBanner(const ViewContext& context, QWidget* parent)
     : QFrame(parent), m_context(context), m_text(new QLabel), m_button(new QPushButton) {
@@ -66,7 +50,6 @@ void ViewBanner::refresh(bool busy) {
         const TransformSelection held(m_context, tool == Tool::Scale ? TransformSelection::Operation::Scale
                                                                      : TransformSelection::Operation::Move);
         text = held.refusal();
-        if (text.isEmpty() && held.empty()) text = whyNoHandles(m_context);
         m_blockingLayout = held.blockingLayout();
         if (!m_blockingLayout.empty()) button = tr("Replace by Single Instances");
         if (text.isEmpty() && tool == Tool::Scale) text = held.sizeRefusal();

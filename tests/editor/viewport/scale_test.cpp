@@ -233,6 +233,28 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=1,0,0 radius=0.22 }"), m_window->text().constData()); // around its centre
     }
 
+    void aRegionIsMovedAndSized() {
+        open("Region goal { Pos=0,0,0.2 Size=0.6,0.4,0.2 }\n");
+        take("goal", "tool.scale");
+        dragBy({GizmoHandle::Kind::Size, 0}, {0.2, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
+        QVERIFY2(m_window->text().contains("{ Pos=0.1,0,0.2 Size=0.8,0.4,0.2 }"), m_window->text().constData());
+        dragBy({GizmoHandle::Kind::Size, 2, -1}, {0, 0, -0.1}, Qt::NoModifier, {0.1, 0, 0.2});
+        QVERIFY2(m_window->text().contains("{ Pos=0.1,0,0.15 Size=0.8,0.4,0.3 }"), m_window->text().constData());
+        m_window->trigger("tool.move");
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, 0.3, 0}, Qt::NoModifier, {0.1, 0, 0.15});
+        QVERIFY2(m_window->text().contains("{ Pos=0.1,0.3,0.15 Size=0.8,0.4,0.3 }"), m_window->text().constData());
+        QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(3));
+    }
+
+    /// All members of a Repeat have one text, in the frame of the member.
+    void theRegionOfARepeatIsMovedInItsMembers() {
+        open("Repeat gate {\n  Count=2 Pos=$(index),0,0 HPR=90,0,0\n  Region line { Pos=0,0,0.1 Size=0.4,0.1,0.2 }\n}\n");
+        take("gate.line", "tool.move");
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, 0.5, 0}, Qt::NoModifier, {0, 0, 0.1});
+        QVERIFY2(m_window->text().contains("{ Pos=0.5,0,0.1 Size=0.4,0.1,0.2 }"), m_window->text().constData());
+        QCOMPARE(m_window->document.loaded()->experiment->regions.size(), std::size_t(2));
+    }
+
 private:
     void open(const QByteArray& text) {
         QVERIFY(m_window->open(text));

@@ -183,15 +183,16 @@ private Q_SLOTS:
         QVERIFY(m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Axis, 0}));
     }
 
-    void aRegionSaysWhyItHasNoHandles() {
-        QVERIFY(m_window->open(kRoom + "Region goal { Pos=0,0,0.1 Size=0.2,0.2,0.2 Robots=robot0 }\n"));
-        m_window->trigger("tool.move");
-        m_window->selection.select("goal");
-        const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
-        QVERIFY(banner->isVisible());
-        QVERIFY(banner->findChild<QLabel*>()->text().startsWith(QStringLiteral("goal is a Region")));
-        m_window->selection.select("robot0");
-        QVERIFY(!banner->isVisible());
+    /// Inside of its edges the floor is selected, and what stands on it.
+    void aRegionIsSelectedAtItsEdges() {
+        QVERIFY(m_window->open(kRoom + "Region goal { Pos=0,-0.6,0.1 Size=0.4,0.4,0.2 Robots=robot0 }\n"));
+        m_window->look({0, -2.5, 2.5}, {0, 0, 0});
+        m_window->click(m_window->at({0.1, -0.8, 0.2})); // of its upper front edge
+        QCOMPARE(m_window->selection.paths(), Paths{"goal"});
+        m_window->click(m_window->at({0, -0.6, 0}));
+        QVERIFY(m_window->selection.empty());
+        m_window->click(m_window->at({0.2, -0.4, 0.05})); // of an upright edge, on the floor
+        QCOMPARE(m_window->selection.paths(), Paths{"goal"});
     }
 
     /// What is beside the cursor gives way to the hint at the lower edge.
