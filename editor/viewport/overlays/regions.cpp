@@ -12,6 +12,8 @@
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/overlays/selected_names.h"
+#include "model/robot_path.h"
+#include "scene/shapes/extents.h"
 
 namespace trundle {
 namespace {
@@ -58,6 +60,18 @@ std::string regionAt(const ToolView& view, const QPointF& at) {
             }
     }
     return nearest;
+}
+
+Bounds boundsOfRegions(const ExperimentSpec& experiment, const std::string& path) {
+    Bounds all;
+    for (const RegionSpec& region : experiment.regions) {
+        if (!isNamedBy(region.name, path)) continue;
+        GeomSpec box;
+        box.shape = GeomShape::Box;
+        box.size = region.size;
+        all.add(boundsOf(box, region.pose));
+    }
+    return all;
 }
 
 void paintRegions(QPainter& painter, const ToolView& view) {

@@ -9,6 +9,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/overlays/regions.h"
 #include "editor/viewport/view/view_header.h"
 #include "scene/queries/framing.h"
 
@@ -181,8 +182,10 @@ bool ViewGrid::isSettled() const {
 
 void ViewGrid::frameSelection() {
     Bounds box;
-    for (const std::string& path : m_context.selection.paths())
+    for (const std::string& path : m_context.selection.paths()) {
         for (const ObjectRef& object : m_context.world.objectsOf(path)) box.add(m_context.world.boundsOf(object));
+        box.add(boundsOfRegions(m_context.world.objects()->experiment(), path));
+    }
     if (box.empty()) return frameAll();
     if (box.radius() < kLeastFramed) box.grow(kLeastFramed);
     box.grow(0.35 * box.radius());

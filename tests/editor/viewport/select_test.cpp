@@ -193,6 +193,11 @@ private Q_SLOTS:
         QVERIFY(m_window->selection.empty());
         m_window->click(m_window->at({0.2, -0.4, 0.05})); // of an upright edge, on the floor
         QCOMPARE(m_window->selection.paths(), Paths{"goal"});
+        m_window->trigger("view.frame");
+        EVENTUALLY(!m_window->view().camera().isMoving());
+        const QPointF off = m_window->at({0, -0.6, 0.1}) - m_window->view().rect().center();
+        QVERIFY2(off.manhattanLength() < 30 && m_window->view().camera().free().distance() < 2,
+                 qPrintable(QStringLiteral("%1 %2").arg(off.x()).arg(off.y())));
     }
 
     /// What is beside the cursor gives way to the hint at the lower edge.
