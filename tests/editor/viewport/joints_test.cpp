@@ -6,6 +6,7 @@
 #include "editor/viewport/gizmo/aim_tool.h"
 #include "editor/viewport/gizmo/joint_tool.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 #include "lang/formatter.h"
 
 using namespace trundle;
@@ -227,22 +228,40 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kArm);
     }
 
-    /// By an edge of its frustum, which stays under the mouse.
-    void cameraIsAimedByItsFrustum() {
+    void devicesAreAimedByTheirShape_data() {
+        QTest::addColumn<QByteArray>("device");
+        QTest::newRow("frustum of a camera") << QByteArray("Camera eye { Body=tip Pos=0.03,0,0 }");
+        QTest::newRow("fan of a lidar") << QByteArray("Lidar eye { Body=tip Pos=0.03,0,0 FieldOfView=90 Beams=31 MaxRange=0.8 }");
+        QTest::newRow("cone of a sonar") << QByteArray(
+            "RangeSensor eye { Body=tip Pos=0.03,0,0 Type=ultrasonic ConeAngle=30 MaxRange=0.8 }");
+        QTest::newRow("lobe of an antenna") << QByteArray("Transceiver eye { Body=tip Pos=0.03,0,0 Antenna=beam }");
+    }
+    /// By an edge of its frustum, fan, cone or lobe, which stays under the mouse.
+    void devicesAreAimedByTheirShape() {
+        QFETCH(QByteArray, device);
+        const QByteArray before = "AntennaPattern beam { Model=patch BeamWidth=60 }\n" +
+                                  QByteArray(kArm).replace("Camera eye { Body=tip Pos=0.03,0,0 }", device);
+        QVERIFY(m_window->open(before));
         m_window->look({0.45, -0.01, 3.5}, {0.45, 0, 0.4}); // from above
         m_window->selection.select("arm.eye");
-        const auto lines = aimShapeOf(m_window->view(), "arm.eye");
-        QVERIFY(!lines.empty());
-        const Vec3 eye(0.48, 0, 0.4), edge = (lines[0][1] - lines[0][0]).normalized();
-        const double reach = 0.6;
-        const auto turned = [&](double degrees) {
-            return Vec3(eye + reach * (Quat(Eigen::AngleAxisd(degrees * M_PI / 180, Vec3::UnitZ())) * edge));
-        };
-        m_window->drag(m_window->at(turned(0)), m_window->at(turned(45)));
-        QCOMPARE(m_window->text(), replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=45,0,0 }"));
+        if (device.startsWith("Transceiver")) m_window->trigger("view.overlayLobes"); // a lobe is held where it is shown
+        EVENTUALLY(!aimShapeOf(m_window->view(), "arm.eye").empty());
+        const Vec3 eye(0.48, 0, 0.4);
+        Vec3 held = eye; // a point of a line beside the line of sight, away from its handle
+        for (const auto& [from, to] : aimShapeOf(m_window->view(), "arm.eye"))
+            for (double part = 0.001; part < 1; part *= 1.4) {
+                const Vec3 point = from + part * (to - from), out = point - eye;
+                if (std::abs(out.y()) > 0.1 * out.norm() && out.norm() < 0.7 && out.norm() > (held - eye).norm()) held = point;
+            }
+        QVERIFY((held - eye).norm() > 0.05);
+        const Vec3 turned = eye + Quat(Eigen::AngleAxisd(M_PI / 4, Vec3::UnitZ())) * (held - eye);
+        m_window->drag(m_window->at(held), m_window->at(turned));
+        QByteArray aimed = m_window->text();
+        QVERIFY2(aimed.contains(" HPR=45,0,0"), aimed.constData());
+        QCOMPARE(aimed.replace(" HPR=45,0,0", ""), before);
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         m_window->document.edits().undo();
-        QCOMPARE(m_window->text(), kArm);
+        QCOMPARE(m_window->text(), before);
     }
 
     void cameraIsRolledAboutItsSight() {
