@@ -134,6 +134,7 @@ std::shared_ptr<const ExperimentSpec> ViewportScene::ghosts() const {
 std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
     if (const auto object = find(path)) return {*object};
     std::vector<ObjectRef> objects;
+    if (path.empty()) return objects; // the experiment
     const auto add = [&](const std::string& instance, std::string_view rest) {
         if (const auto object = find(rest.empty() ? instance : pathInside(instance, rest))) objects.push_back(*object);
         else addInside(instance, rest, objects);

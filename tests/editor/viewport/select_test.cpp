@@ -163,6 +163,13 @@ private Q_SLOTS:
         QCOMPARE(m_window->panel->world().objectsOf("RobotConfig.SimpleRobot.leftWheel").size(), std::size_t(6));
     }
 
+    /// It is selected where the caret is in the text outside of all blocks: nothing is highlighted then.
+    void theExperimentIsNoObject() {
+        m_window->selection.select("");
+        QVERIFY(m_window->panel->world().objectsOf("").empty());
+        QVERIFY(!m_window->panel->world().objectsOf("robot0").empty());
+    }
+
     /// Also of the geoms of a body: all members are highlighted, and there are handles.
     void aRepeatIsAllItsMembers() {
         QVERIFY(m_window->open("RobotConfig Kit { Body frame { Box bed { Size=0.2,0.2,0.2 Mass=1 }\n"
