@@ -71,7 +71,9 @@ void RunCommands::openLogs() {
 void RunCommands::connectRemote(QWidget& window) {
     QAction& action = m_actions.at("sim.remote");
     connect(&action, &QAction::triggered, this, [this, &window] {
-        if (!m_remoteDialog) m_remoteDialog = new RemoteDialog(m_targets.session.remote(), &window);
+        const std::string& python = m_targets.session.source().application().locations().python;
+        if (!m_remoteDialog)
+            m_remoteDialog = new RemoteDialog(m_targets.session.remote(), QString::fromStdString(python), &window);
         m_remoteDialog->show();
         m_remoteDialog->raise();
         m_remoteDialog->activateWindow();

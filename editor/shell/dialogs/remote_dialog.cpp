@@ -6,6 +6,8 @@
 #include <QFormLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
@@ -18,7 +20,13 @@
 
 namespace trundle {
 
-RemoteDialog::RemoteDialog(RemoteAccess& access, QWidget* parent)
+/// As a string literal of Python, which takes those of JSON.
+static QString pythonText(const QString& text) {
+    const QByteArray list = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
+    return QString::fromUtf8(list.mid(1, list.size() - 2));
+}
+
+RemoteDialog::RemoteDialog(RemoteAccess& access, const QString& pythonFolder, QWidget* parent)
     : QDialog(parent), m_access(access), m_on(new QCheckBox(tr("&Let programs on this computer take part in the run"))),
       m_port(new QSpinBox), m_code(new QLineEdit), m_copy(new QToolButton), m_state(new QLabel) {
     setObjectName(QStringLiteral("remoteDialog"));
@@ -62,7 +70,9 @@ RemoteDialog::RemoteDialog(RemoteAccess& access, QWidget* parent)
     resizeToFont(*this, {640, 260});
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_on, &QCheckBox::clicked, this, &RemoteDialog::setOn);
-    connect(m_copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_code->text()); });
+    const QString search = QStringLiteral("import sys; sys.path.append(%1)\n").arg(pythonText(pythonFolder));
+    connect(m_copy, &QToolButton::clicked, this,
+            [=, this] { QGuiApplication::clipboard()->setText(search + m_code->text() + u'\n'); });
     connect(&m_access, &RemoteAccess::switched, this, &RemoteDialog::refresh);
     connect(&m_access, &RemoteAccess::clientsChanged, this, &RemoteDialog::refresh);
     if (m_access.isOn()) m_port->setValue(m_access.port());
@@ -82,9 +92,9 @@ void RemoteDialog::refresh() {
     m_port->setEnabled(!on);
     m_copy->setEnabled(on);
     m_code->setEnabled(on);
-    m_code->setText(
-        on ? QStringLiteral("run = trundle.connect(%1, \"%2\")").arg(QString::number(m_access.port()), m_access.token())
-           : QString());
+    m_code->setText(on ? QStringLiteral("import trundle; run = trundle.connect(%1, \"%2\")")
+                             .arg(QString::number(m_access.port()), m_access.token())
+                       : QString());
     m_code->setCursorPosition(0);
     const std::size_t clients = m_access.clientCount();
     m_state->setText(!on            ? tr("Off: no program can connect.")

@@ -15,7 +15,7 @@ class RemoteAccess;
 class RemoteDialog final : public QDialog {
     Q_OBJECT
 public:
-    explicit RemoteDialog(RemoteAccess& access, QWidget* parent = nullptr);
+    explicit RemoteDialog(RemoteAccess& access, const QString& pythonFolder, QWidget* parent = nullptr);
 
 private:
     void setOn(bool on);

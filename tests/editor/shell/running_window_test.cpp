@@ -51,6 +51,27 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
+    /// What *Remote Control…* copies runs as it is, wherever the package is.
+    void theCopiedLinesConnectAProgram() {
+        m_window->actions().at("sim.remote").trigger();
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("remoteDialog"));
+        QVERIFY(dialog);
+        dialog->findChild<QCheckBox*>(QStringLiteral("remoteOn"))->click();
+        EVENTUALLY(m_window->session().state() == RunState::Paused);
+        dialog->findChild<QToolButton*>(QStringLiteral("remoteCopy"))->click();
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.remove(QStringLiteral("PYTHONPATH"));
+        program.setProcessEnvironment(environment);
+        program.setProcessChannelMode(QProcess::MergedChannels);
+        program.start(QStringLiteral("python3"),
+                      {QStringLiteral("-B"), QStringLiteral("-c"),
+                       QGuiApplication::clipboard()->text() + QStringLiteral("run.step(3); print(run.tick)")});
+        EVENTUALLY(program.state() == QProcess::NotRunning);
+        QCOMPARE(program.readAll().trimmed(), QByteArray("3"));
+        dialog->close();
+    }
+
     /// Colours that are part of a text or a style sheet follow the theme too.
     void noTextKeepsTheColoursOfTheOtherTheme() {
         const auto inks = [] {
