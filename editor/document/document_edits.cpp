@@ -132,6 +132,7 @@ void DocumentEdits::endMerge() { m_state.history.endMerge(); }
 void DocumentEdits::discardMerge(const std::string& mergeKey) {
     if (!m_state.history.canDiscardMerge(mergeKey)) return;
     const std::size_t before = m_state.history.position();
+    const std::shared_ptr<const LoadedProject> was = m_state.loaded;
     if (const Status back = m_loading.replace(m_state.history.moveTo(before - 1)); !back) {
         (void)m_state.history.moveTo(before);
         (void)m_state.report(back);
@@ -139,6 +140,7 @@ void DocumentEdits::discardMerge(const std::string& mergeKey) {
     }
     m_state.history.dropDiscarded();
     notifyEdited();
+    selectAgain(*was);
 }
 
 void DocumentEdits::undo() {
@@ -169,6 +171,10 @@ void DocumentEdits::moveTo(std::size_t position) {
 
 void DocumentEdits::keepSelection() {
     if (m_selection) m_selected[m_state.history.position()] = m_selection->paths();
+}
+
+std::vector<std::string> DocumentEdits::selectedPaths() const {
+    return m_selection ? m_selection->paths() : std::vector<std::string>();
 }
 
 /// After a step of undo or redo from `was`: a rename takes the selection to the other name, and what appears again is selected if

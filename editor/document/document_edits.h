@@ -48,6 +48,7 @@ public:
     void moveTo(std::size_t position); ///< position in the history
     /// Undo and redo restore the selection where objects of it disappear, or were only there then. It must outlive this object.
     void restoreSelection(const Selection& selection) { m_selection = &selection; }
+    [[nodiscard]] std::vector<std::string> selectedPaths() const; ///< of that selection
 
     /// Replaces whole texts as one entry, without asking whether they may be edited: for what was found on disk or in a journal.
     [[nodiscard]] Status enter(const QString& name, FileTexts after, const std::string& mergeKey = {},

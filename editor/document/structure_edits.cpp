@@ -11,6 +11,7 @@
 #include "editor/document/prepared_edit.h"
 #include "editor/document/project_rename.h"
 #include "editor/widgets/strings.h"
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 
 namespace trundle {
@@ -24,6 +25,15 @@ std::string reasonAgainst(const ChangeSet& changes) {
         if (!isUnread) return error->message;
     }
     return {};
+}
+
+/// The selection after an edit that does not choose one: what was selected in a config is selected in its copy. Empty if that changes
+/// nothing.
+std::vector<std::string> selectedInCopies(const PreparedEdit& prepared, const std::vector<std::string>& selected) {
+    std::vector<std::string> paths;
+    for (const std::string& path : selected)
+        if (std::string there = prepared.renamed(path); placeOf(prepared.loaded(), there)) paths.push_back(std::move(there));
+    return paths == selected ? std::vector<std::string>() : paths;
 }
 
 /// The path of what would be copied; empty if the target is not in a shipped file.
@@ -196,8 +206,10 @@ Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part&
 Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
     if (!work.prepared.hasTexts() && work.applyWithoutCopies) return work.applyWithoutCopies();
     if (!work.prepared.hasTexts()) return m_document.edits().apply(work.name, plan, work.mergeKey);
-    const Result<EditPlan> all = work.prepared.withCopies(plan);
-    return all ? m_document.edits().apply(work.name, all.value(), work.mergeKey) : refuse(all.error());
+    Result<EditPlan> all = work.prepared.withCopies(plan);
+    if (!all) return refuse(all.error());
+    if (plan.selects.empty()) all.value().selects = selectedInCopies(work.prepared, m_document.edits().selectedPaths());
+    return m_document.edits().apply(work.name, all.value(), work.mergeKey);
 }
 
 Status StructureEdits::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
@@ -238,12 +250,13 @@ Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vecto
             const EditTarget target = targetOf(path);
             const std::string shipped = shippedPath(target);
             if (target.isShipped && !m_copies.contains(shipped)) {
-                Result<std::string> copy = target.definition.empty() ? copyConfig(std::string(withoutLastWord(path)), mergeKey)
-                                                                     : copyDefinition(target.definition, mergeKey);
+                Result<std::string> copy = target.definition.empty()
+                                               ? copyConfig(std::string(withoutLastWord(target.path)), mergeKey)
+                                               : copyDefinition(target.definition, mergeKey);
                 if (!copy) return copy.error();
                 m_copies.emplace(shipped, std::move(copy).value());
             }
-            m_targets.emplace(path, target.isShipped ? m_copies.at(shipped) + path.substr(shipped.size()) : target.path);
+            m_targets.emplace(path, target.isShipped ? m_copies.at(shipped) + target.path.substr(shipped.size()) : target.path);
         }
         paths.push_back(m_targets.at(path));
     }
@@ -265,11 +278,13 @@ Result<std::string> StructureEdits::copyConfig(const std::string& path, const st
     const LoadedProject& loaded = prepared.loaded();
     const auto place = placeOf(loaded, path);
     const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
-    const Part* config = place && place->instance ? configOf(loaded, *place->instance) : top;
+    const Part* instance = place ? place->instance : nullptr;
+    const bool isInConfig = instance && (instance->isPartUse() || isVariant(*instance)); // what has the Part is copied
+    const Part* config = instance && !isInConfig ? configOf(loaded, *instance) : top;
     if (!config || !config->is(Role::Config)) return Error{Code::NoSuchPath, path + " is no part of a config"};
     const std::string from = pathOfConfig(*config);
     const QString configName = toQString(std::string(lastWord(from)));
-    prepared.changesFile(loaded.paths[place->part->file]);
+    prepared.changesFile(loaded.paths[isInConfig ? instance->file : place->part->file]);
     const bool isOwn = !isShippedFile(loaded, config->file);
     work.name = isOwn ? QObject::tr("Expand imports of %1").arg(configName) : QObject::tr("Copy %1").arg(configName);
     if (isOwn) {

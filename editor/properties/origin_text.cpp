@@ -30,14 +30,27 @@ QString overrideWords(const FieldValue& value) {
                                : QObject::tr("override here; %1 has %2").arg(config, inherited);
 }
 
+namespace {
+
+/// The shipped config of which a change of the object makes a copy; nullptr: none. Of what a Part has, that which has the Part.
+const Part* copiedConfig(const ObjectValues& object) {
+    const Part *config = object.config(), *instance = object.instance();
+    const LoadedProject& loaded = object.loaded();
+    if (!instance) return config && isShippedFile(loaded, config->file) ? config : nullptr;
+    const Part* holder = instance->isPartUse() || instance->is(Role::Config) ? holderOf(loaded, *instance) : nullptr;
+    return holder && isShippedFile(loaded, holder->file) ? holder : nullptr;
+}
+
+} // namespace
+
 QString targetWords(const ObjectValues& object, Document& document) {
     const Part *config = object.config(), *instance = object.instance();
     const LoadedProject& loaded = object.loaded();
     const auto fileOf = [&](FileId file) { return QString::fromStdString(document.texts().shown(loaded.paths.at(file))); };
     const std::string definition = shippedDefinitionAt(loaded, object.path());
-    const bool isShippedConfig = config && !instance && isShippedFile(loaded, config->file);
-    if (isShippedConfig || !definition.empty()) {
-        const std::string name = definition.empty() ? config->name : std::string(lastWord(definition));
+    const Part* copied = copiedConfig(object);
+    if (copied || !definition.empty()) {
+        const std::string name = definition.empty() ? copied->name : std::string(lastWord(definition));
         return QObject::tr("%1 came with Trundle and is read-only: a change makes a copy of it in %2.")
             .arg(QString::fromStdString(name), fileOf(0));
     }

@@ -32,11 +32,8 @@ void addValueActions(QMenu& menu, const Row& row, Document& document, const RowA
         add(menu, "rowPush", QObject::tr("Push into the config"),
             [path, &document, actions] { actions.failed(pushOverride(document, path)); });
     if (row.first().origin == ValueOrigin::Config)
-        add(menu, "rowPull", QObject::tr("Override here"), [path, &document, actions] {
-            const Result<EditPlan> plan = planPullOverride(*document.loaded(), path);
-            actions.failed(plan ? document.edits().edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
-                                : Status(plan.error()));
-        });
+        add(menu, "rowPull", QObject::tr("Override here"),
+            [path, &document, actions] { actions.failed(pullOverride(document, path)); });
 }
 
 } // namespace

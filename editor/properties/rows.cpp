@@ -223,6 +223,17 @@ Status pushOverride(Document& document, const std::string& propertyPath) {
     return document.structure().pushOverride(QObject::tr("Push %1 into the config").arg(shortName(propertyPath)), propertyPath);
 }
 
+Status pullOverride(Document& document, const std::string& propertyPath) {
+    const QString name = QObject::tr("Override %1").arg(shortName(propertyPath));
+    const Result<EditPlan> pulled = planPullOverride(*document.loaded(), propertyPath);
+    if (!pulled) return pulled.error(); // shown in the row
+    if (!document.structure().targetOf(propertyPath).isShipped) return document.edits().edit(name, pulled.value().edits);
+    const auto plan = [propertyPath](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
+        return planPullOverride(loaded, renamed(propertyPath));
+    };
+    return document.structure().apply(name, {}, plan);
+}
+
 bool canReset(const Row& row) {
     std::vector<std::string> paths;
     for (const FieldValue& v : row.values)

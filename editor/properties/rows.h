@@ -22,6 +22,8 @@ using Objects = std::vector<std::unique_ptr<ObjectValues>>;
 
 /// Moves an override into its config, or into a copy of it if the user chooses so.
 Status pushOverride(Document& document, const std::string& propertyPath);
+/// Writes the value of the config as an override. A Part in a config that came with Trundle gets it in a copy of the config.
+Status pullOverride(Document& document, const std::string& propertyPath);
 
 /// Whether the value can be taken out of the text: it has one here, and does without.
 [[nodiscard]] bool canReset(const Row& row);

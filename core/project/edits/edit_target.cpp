@@ -31,6 +31,9 @@ ConfigPath configPathOf(const LoadedProject& loaded, const ObjectLocation& place
     return through ? ConfigPath{config, place.part, place.within + "." + key} : ConfigPath{};
 }
 
+/// Whether an instance is in a config, as a Part, or is one, as a variant.
+bool isOfConfig(const Part& instance) { return instance.isPartUse() || isVariant(instance); }
+
 /// Whether an edit is inside a block; an insertion right before the block is not.
 bool isInside(const SourceRange& edit, const SourceRange& block) {
     return edit.file == block.file && block.range.begin < edit.range.begin && edit.range.end <= block.range.end &&
@@ -149,6 +152,14 @@ EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propert
         return target;
     }
     target.instance = place->instance;
+    if (isOfConfig(*place->instance) &&
+        isShippedFile(loaded, target.instance->file)) { // its override is in the config that has it
+        target.config = top;
+        target.file = target.instance->file;
+        target.isOverride = place->part != place->instance;
+        target.isShipped = true;
+        return target;
+    }
     const ConfigPath inConfig = configPathOf(loaded, *place, key);
     if (!inConfig.config) return target;
     target.config = inConfig.config;

@@ -6,7 +6,7 @@
 // of structure (insert, remove, move, rename) is made in the config itself. If the config has other users, the user of the editor
 // chooses between changing all of them and making a copy. A config shipped with the program is read-only: it is always copied, and
 // so are materials, surfaces, antenna patterns and Params. A Part is an instance too, of its PartConfig: the outermost instance of a path
-// gets the override.
+// gets the override. If that is a Part of a shipped config, the config that has the Part is copied.
 
 #include <functional>
 #include <set>

@@ -150,6 +150,55 @@ private Q_SLOTS:
         QCOMPARE(d.edits().history().entries().size(), 1u);
     }
 
+    /// In the model of a shipped robot: the override of a Part is written in a copy of the config that has the Part, and so are the
+    /// values of the Part itself.
+    void aValueInAPartOfAShippedRobotIsCopied_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("written");
+        QTest::addColumn<QString>("selected");
+        QTest::newRow("in a Part") << u"RobotConfig.Car.frontRight.knuckle.block.Mass"_qs << u"0.05"_qs
+                                   << u"Mirror=y radius=$radius body=chassis knuckle.block.Mass=0.05 }"_qs
+                                   << u"RobotConfig.Car2.frontRight.knuckle.block"_qs;
+        QTest::newRow("in a Part of a Part") << u"RobotConfig.Car.frontRight.wheel.wheel.tyre.Mass"_qs << u"0.2"_qs
+                                             << u"Mirror=y radius=$radius body=chassis wheel.wheel.tyre.Mass=0.2 }"_qs
+                                             << u"RobotConfig.Car2.frontRight.wheel.wheel.tyre"_qs;
+        QTest::newRow("a Part") << u"RobotConfig.Car.frontRight.Pos"_qs << u"0.3,-0.1,0.05"_qs
+                                << u"Part frontRight { Config=CarFront Pos=0.3,-0.1,0.05 Mirror=y"_qs
+                                << u"RobotConfig.Car2.frontRight"_qs;
+        QTest::newRow("a Param of a Part") << u"RobotConfig.Car.frontRight.radius"_qs << u"0.06"_qs
+                                           << u"Mirror=y radius=0.06 body=chassis }"_qs << u"RobotConfig.Car2.frontRight"_qs;
+        QTest::newRow("in a Part of a PartConfig")
+            << u"PartConfig.CarFront.wheel.wheel.tyre.Mass"_qs << u"0.2"_qs
+            << u"carrier=knuckle radius=$radius wheel.tyre.Mass=0.2 }"_qs << u"PartConfig.CarFront2.wheel.wheel.tyre"_qs;
+    }
+    void aValueInAPartOfAShippedRobotIsCopied() {
+        QFETCH(QString, path);
+        QFETCH(QString, value);
+        QFETCH(QString, written);
+        QFETCH(QString, selected);
+        const DocumentFixture fixture;
+        const std::string before = "#import robots/car.sim\n\nRobot car { Config=Car }\n";
+        const std::string file = fixture.write("configs/cars.sim", before);
+        for (const bool isDrag : {false, true}) {
+            Document d(*m_application);
+            QVERIFY(d.opening().open(file).ok());
+            QSignalSpy selects(&d, &Document::selectionRequested);
+            for (const QString& step : isDrag ? QStringList{value + u"1"_qs, value} : QStringList{value}) {
+                const Status set =
+                    d.structure().setValues(u"Set"_qs, {{path.toStdString(), step.toStdString()}}, isDrag ? "drag" : "");
+                QVERIFY2(set.ok(), why(set).c_str());
+            }
+            QCOMPARE(messages(*d.loaded()), "");
+            const std::string text = *d.texts().text(file);
+            QVERIFY2(holds(text, written.toStdString()) && holds(text, "Robot car { Config=Car2 }"), text.c_str());
+            QCOMPARE(d.edits().history().entries().size(), 1u);
+            if (!isDrag) QCOMPARE(selects.last()[0].value<std::vector<std::string>>(), std::vector{selected.toStdString()});
+            d.edits().undo();
+            QCOMPARE(*d.texts().text(file), before);
+        }
+    }
+
 private:
     std::unique_ptr<Application> m_application;
 };

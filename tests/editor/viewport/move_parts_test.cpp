@@ -36,6 +36,36 @@ private Q_SLOTS:
                  m_window->text().constData());
     }
 
+    /// In the model of a robot that came with Trundle: a copy of it is changed, and what is selected is selected there.
+    void partsOfShippedRobotsMove_data() {
+        QTest::addColumn<std::string>("below");
+        QTest::addColumn<QByteArray>("written");
+        QTest::newRow("a Part") << std::string(".frontRight")
+                                << QByteArray("Part frontRight { Config=CarFront Pos=$base,$(-track/2),0.1");
+        QTest::newRow("in a Part") << std::string(".frontRight.knuckle") << QByteArray("body=chassis knuckle.Pos=0,0,0.05 }");
+    }
+    void partsOfShippedRobotsMove() {
+        QFETCH(std::string, below);
+        QFETCH(QByteArray, written);
+        m_window->document.edits().restoreSelection(m_window->selection);
+        const QByteArray text = "#import robots/car.sim\nRobot robot0 { Config=Car }\n";
+        open(text);
+        m_window->document.editedModel().open("RobotConfig.Car");
+        m_window->look({0.9, -1.2, 0.6}, {0.2, 0, 0.1});
+        take("RobotConfig.Car" + below, "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.05}, Qt::NoModifier, {0.3302, -0.125, 0.05});
+        QVERIFY2(m_window->text().contains(written), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Robot robot0 { Config=Car2 }"), m_window->text().constData());
+        QCOMPARE(m_window->selection.current(), "RobotConfig.Car2" + below);
+        QCOMPARE(m_window->document.edits().history().entries().size(), 1u);
+        dragBy(kMoveZ, {0, 0, -0.05}, Qt::NoModifier, {0.3302, -0.125, 0.1});
+        QVERIFY2(!m_window->text().contains(written) && !m_window->text().contains("Car3"), m_window->text().constData());
+        m_window->document.edits().undo();
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), text);
+        QCOMPARE(m_window->selection.current(), "RobotConfig.Car" + below);
+    }
+
     /// What is in a member of a Repeat or Ring moves in the frame of the member; the Ring itself in that of its config.
     void repeatsMove() {
         const QByteArray text = "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
