@@ -18,7 +18,7 @@
 #include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
 #include "model/name_walk.h"
-#include "project/edits/insert_positions.h"
+#include "project/objects/object_location.h"
 
 namespace trundle {
 namespace {
@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kMostSearched = 20'000; ///< blocks in Parts
 
 const Part* partConfigOf(const LoadedProject& loaded, const std::string& selected) {
-    const auto place = placeOf(loaded, definedAt(loaded, selected));
+    const auto place = placeOf(loaded, selected);
     const Part* top = place ? topOf(*place) : nullptr;
     return top && top->kind && top->kind->name == "PartConfig" ? top : nullptr;
 }
@@ -44,6 +44,28 @@ std::string useOf(const Document& document, const Part& partConfig) {
         if (!use.empty()) break;
     }
     return use;
+}
+
+/// The path of a selected object in a model, "RobotConfig.Kit.left.wheel" of "robot0.left.wheel"; of what is in a PartConfig that of
+/// the innermost Part that has it. Empty: it is not in the model.
+std::string pathInModel(const Document& document, const std::string& selected, const std::string& model) {
+    const LoadedProject& loaded = *document.loaded();
+    if (startsWithPath(selected, model)) return selected;
+    if (const Part* part = partConfigOf(loaded, selected)) {
+        const std::string use = useOf(document, *part);
+        if (!startsWithPath(use, model)) return {};
+        const auto isPart = [&](const std::string& path) {
+            const auto place = placeOf(loaded, path);
+            return place && place->part && place->part->isPartUse();
+        };
+        std::string path = use + selected.substr(pathOfConfig(*part).size());
+        while (path.size() > use.size() && !isPart(path)) path = withoutLastWord(path);
+        return path;
+    }
+    const auto place = placeOf(loaded, selected);
+    if (!place || place->within.empty() || document.editedModel().modelOf(selected) != model) return {};
+    const std::string path = pathInside(model, place->within);
+    return placeOf(loaded, path) ? path : std::string(); // a controller is not in the config
 }
 
 } // namespace
@@ -82,11 +104,9 @@ bool ModelCommands::open(const std::string& path) {
                  : tr("Select the robot or scenery whose model you want to edit."));
         return false;
     }
-    std::vector<std::string> inside; // the selected parts of an instance, in the model
+    std::vector<std::string> inside;
     for (const std::string& selected : m_targets.selection.paths())
-        if (std::string at = definedAt(loaded, selected); startsWithPath(at, path)) inside.push_back(std::move(at));
-    if (part && inside.empty())
-        if (std::string use = useOf(m_targets.document, *part); startsWithPath(use, path)) inside.push_back(std::move(use));
+        if (std::string at = pathInModel(m_targets.document, selected, path); !at.empty()) inside.push_back(std::move(at));
     m_targets.document.editedModel().open(path);
     m_targets.selection.set(inside.empty() ? std::vector<std::string>{path} : inside);
     m_targets.work.showViewport(true);

@@ -239,6 +239,36 @@ private Q_SLOTS:
         QVERIFY(m_window->statusBar()->currentMessage().startsWith(QStringLiteral("No robot or scenery has a Part of Spare")));
     }
 
+    /// What is selected in a Part, or in a Part of that, is selected in the model too.
+    void ctrlEKeepsTheNestedPart_data() {
+        QTest::addColumn<std::string>("selected");
+        QTest::addColumn<std::string>("inModel");
+        QTest::newRow("a Part") << std::string("one.right") << std::string("RobotConfig.Kit.right");
+        QTest::newRow("a Part of a Part") << std::string("one.right.back") << std::string("RobotConfig.Kit.right.back");
+        QTest::newRow("inside") << std::string("one.right.back.wheel.w") << std::string("RobotConfig.Kit.right.back.wheel.w");
+        QTest::newRow("in the config") << std::string("RobotConfig.Kit.right.back") << std::string("RobotConfig.Kit.right.back");
+        QTest::newRow("in a PartConfig") << std::string("PartConfig.Side.back") << std::string("RobotConfig.Kit.left.back");
+        QTest::newRow("inside, in a PartConfig")
+            << std::string("PartConfig.Side.back.wheel.w") << std::string("RobotConfig.Kit.left.back");
+        QTest::newRow("a nested PartConfig") << std::string("PartConfig.Wheel") << std::string("RobotConfig.Kit.left.front");
+        QTest::newRow("a body") << std::string("one.b") << std::string("RobotConfig.Kit.b");
+        QTest::newRow("the robot") << std::string("one") << std::string("RobotConfig.Kit");
+    }
+    void ctrlEKeepsTheNestedPart() {
+        QFETCH(std::string, selected);
+        QFETCH(std::string, inModel);
+        open(kHead + "PartConfig Wheel { Body wheel { Box w { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+                     "PartConfig Side { Part front { Config=Wheel Pos=0.2,0,0 } Part back { Config=Wheel Pos=-0.2,0,0 } }\n"
+                     "RobotConfig Kit { Body b { Box hull { Size=0.3,0.2,0.1 Mass=2 } }\n"
+                     "  Part left { Config=Side Pos=0,1,0 }\n  Part right { Config=Side Pos=0,-1,0 } }\n"
+                     "Robot one { Config=Kit }\n");
+        m_window->selection().select(selected);
+        for (QAction* action : m_window->findChild<QMenu*>(QStringLiteral("menu.Edit"))->actions())
+            if (action->objectName() == QStringLiteral("model.edit")) action->trigger();
+        QCOMPARE(document().editedModel().path(), std::string("RobotConfig.Kit"));
+        QCOMPARE(m_window->selection().current(), inModel);
+    }
+
     /// Messages of the core are parts of sentences; names keep their letters.
     void refusalsAreSentences() {
         for (const auto& [reason, shown] :
