@@ -280,6 +280,37 @@ private Q_SLOTS:
                  qPrintable(use));
     }
 
+    /// `$carrier` that no text declares, with what Parts, variants and robots give for it.
+    void renamesWhatPartsGive() {
+        const std::string more =
+            "PartConfig Hub { Body hub { Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } } Hinge h { Parent=$frame "
+            "Child=hub }\n  Part wheel { Config=Wheel carrier=$frame } Part other { Config=Wheel carrier=hub } }\n"
+            "RobotConfig Two { Body chassis { Box hull { Size=1,1,1 Mass=1 Material=red Surface=floor } }\n"
+            "  Part left { Config=Wheel carrier=chassis } Part hub { Config=Hub frame=chassis } }\n"
+            "Robot t { Config=Two left.carrier=chassis }\n";
+        const auto renamed = [&](const char* path, const char* name) {
+            m_loaded = m_fixture.open(kWheel + more);
+            const auto plan = planRename(*m_loaded, path, name);
+            const auto after = m_fixture.apply(m_loaded, plan);
+            return QString::fromStdString(after ? messages(*after) + std::string(after->trees[0]->source().bytes())
+                                                : "refused: " + plan.error().message);
+        };
+        const auto with = [&](std::initializer_list<std::pair<const char*, const char*>> all) {
+            QString text = QString::fromStdString(kWheel + more);
+            for (const auto& [was, now] : all) text.replace(QLatin1String(was), QLatin1String(now));
+            return text;
+        };
+        QCOMPARE(renamed("PartConfig.Wheel.carrier", "on"), with({{"carrier", "on"}}));
+        QCOMPARE(renamed("PartConfig.Hub.frame", "on"), with({{"frame", "on"}}));
+        QCOMPARE(renamed("RobotConfig.Two.chassis", "body"), with({{"chassis", "body"}}));
+        QCOMPARE(renamed("PartConfig.Wheel.carrier", "wheel"), QStringLiteral("refused: the name wheel is taken by Body wheel"));
+        QCOMPARE(renamed("PartConfig.Wheel.carrier", "Pos"),
+                 QStringLiteral("refused: the name Pos is taken by a property of Grid"));
+        m_loaded = m_fixture.open(with({{"Param r ", "Param radius = 1 Param r "}}).toStdString());
+        const auto near = planRename(*m_loaded, "PartConfig.Wheel.carrier", "radios");
+        QCOMPARE(near.ok() ? std::string() : near.error().message, std::string("$radios would be taken for a misspelt $radius"));
+    }
+
     /// The frame of what is in a Part: pose of the Part, then the mirror image.
     void frames() {
         const auto place = placeOf(*m_loaded, "a.right.wheel");

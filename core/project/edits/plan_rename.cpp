@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "base/spelling.h"
 #include "model/dotted_path.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/plans.h"
@@ -55,6 +56,13 @@ public:
         const Status done = change([&](const NameReference& m) { return m.param == &param; });
         if (!done.ok()) return done.error();
         return planIn(owner && owner->is(Role::Config) ? owner : nullptr, {});
+    }
+
+    /// A Param that `config` uses and no text declares.
+    Result<EditPlan> implied(const SourceParam& param, const Part& config) {
+        const Status done = change([&](const NameReference& m) { return m.implied == param.name; });
+        if (!done.ok()) return done.error();
+        return planIn(&config, {});
     }
 
 private:
@@ -150,6 +158,16 @@ Status freeForParam(const LoadedProject& loaded, const FoundParam& found, const 
     return {};
 }
 
+/// `$name` with a name like that of another Param counts as that, misspelt, and not as one that Parts give.
+Result<EditPlan> planRenameImplied(const LoadedProject& loaded, const FoundParam& found, const std::string& name) {
+    std::vector<std::string> others;
+    for (const SourceParam& p : found.owner->params)
+        if (p.name != found.param->name) others.push_back(p.name->text);
+    if (const std::vector<std::string> near = nearestWords(name, others); !near.empty())
+        return Error{Code::Conflict, "$" + name + " would be taken for a misspelt $" + near.front()};
+    return RenamePlanner(loaded, name).implied(*found.param, *found.owner);
+}
+
 } // namespace
 
 Result<EditPlan> planRename(const LoadedProject& loaded, const std::string& path, const std::string& name) {
@@ -166,6 +184,7 @@ Result<EditPlan> planRename(const LoadedProject& loaded, const std::string& path
     if (!found.param) return Error{Code::NoSuchPath, path.empty() ? "the experiment has no name" : "there is no " + path};
     if (found.param->name->text == name) return EditPlan{};
     if (Status open = freeForParam(loaded, found, name); !open.ok()) return open.error();
+    if (!found.param->item) return planRenameImplied(loaded, found, name);
     const ParamItem* item = itemOf(loaded.trees[found.param->file]->items(), found.param->name);
     if (!item) return Error{Code::NoSuchPath, "there is no " + path};
     return RenamePlanner(loaded, name).param(*item, found.param->file, found.owner);

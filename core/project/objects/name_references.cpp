@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/config_blocks.h"
+#include "model/param_reference.h"
 #include "model/robot_path.h"
 #include "project/objects/name_scope.h"
 #include "project/objects/object_location.h"
@@ -124,6 +125,8 @@ private:
             at = at->find(a.path[i].text);
             if (at && (at->isPartUse() || at->isRepeat())) inside.inside.push_back(at);
         }
+        const bool isParam = at && at != place.config && at->config && at->config->param(a.path.back().text);
+        if (isParam) inside.inside.pop_back(); // what a Part is joined to is not in it, but around it
         return inside;
     }
 
@@ -133,7 +136,7 @@ private:
         if (own || !place.instance || !place.config) return own;
         if (a.path.size() == 1) {
             if (const SourceParam* param = place.config->param(a.path[0].text))
-                m_found.push_back({nullptr, declarationOf(*param), {file, a.path[0].range}, {}, place.user, key, false});
+                addParam(*param, {file, a.path[0].range}, {}, place.user, key);
             return param(place, a) ? nullptr : place.config->kind->find(a.path[0].text);
         }
         const Part* at = place.config;
@@ -145,8 +148,10 @@ private:
             m_found.push_back({at->block, nullptr, word, before, place.user, key, false});
             before = {file, a.path[i].range};
         }
-        if (const SourceParam* param = at->config ? at->config->param(a.path.back().text) : nullptr)
-            m_found.push_back({nullptr, declarationOf(*param), {file, a.path.back().range}, before, place.user, key, false});
+        if (const SourceParam* param = at->config ? at->config->param(a.path.back().text) : nullptr) {
+            addParam(*param, {file, a.path.back().range}, before, place.user, key);
+            return propertyNamedBy(*at->config, param->name->text);
+        }
         return at->kind ? at->kind->find(a.path.back().text) : nullptr;
     }
     static bool param(const ValueContext& place, const AssignmentItem& a) { return place.config->param(a.path[0].text); }
@@ -169,22 +174,30 @@ private:
         return it->second;
     }
 
+    void addParam(std::string_view name, SourceRange range, const Part* user, const std::string& key, const NameScope& scope) {
+        if (const ParamItem* item = scope.find(name).item) {
+            m_found.push_back({nullptr, item, range, {}, user, key, false});
+            return;
+        }
+        const Part* config = scope.enclosingConfig();
+        const SourceParam* param = config ? config->param(name) : nullptr;
+        if (param && !param->item) addParam(*param, range, {}, user, key);
+    }
+    void addParam(const SourceParam& param, SourceRange range, SourceRange before, const Part* user, const std::string& key) {
+        m_found.push_back({nullptr, param.item ? declarationOf(param) : nullptr, range, before, user, key, false});
+        if (!param.item) m_found.back().implied = param.name;
+    }
+
     /// Adds references for every `$name` and every name in a `$( )`.
     void params(const Value& value, FileId file, const Part* user, const std::string& key, const NameScope& scope) {
         if (m_texts.commandLine(file)) return;
         for (const Element& e : value.elements) {
-            if (e.kind == Element::Kind::ParamRef) {
-                const ParamItem* item = scope.find(e.text).item;
-                if (item) m_found.push_back({nullptr, item, {file, {e.range.begin + 1, e.range.end}}, {}, user, key, false});
-            }
+            if (e.kind == Element::Kind::ParamRef) addParam(e.text, {file, {e.range.begin + 1, e.range.end}}, user, key, scope);
             if (e.expression) names(*e.expression, file, user, key, scope);
         }
     }
     void names(const Expression& e, FileId file, const Part* user, const std::string& key, const NameScope& scope) {
-        if (e.op == Expression::Op::Name) {
-            if (const ParamItem* item = scope.find(e.name).item)
-                m_found.push_back({nullptr, item, {file, e.range}, {}, user, key, false});
-        }
+        if (e.op == Expression::Op::Name) addParam(e.name, {file, e.range}, user, key, scope);
         for (const Expression& argument : e.arguments) names(argument, file, user, key, scope);
     }
 
@@ -218,6 +231,7 @@ private:
             if (!preset || (instance->kind && instance->kind->find(param))) continue;
             ValueContext there = place;
             if (owner) there = {instance, place.kind, owner, nullptr, repeats};
+            if (isVariant(*instance)) there.config = instance;
             const NameScope own(m_texts, instance->block->items, instance->file, owner ? &scopeOf(*owner) : &m_globals);
             follow(property, *preset->value, preset->file, there, owner ? param : key, own, seen);
         }

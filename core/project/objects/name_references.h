@@ -19,6 +19,7 @@ struct NameReference {
     bool pattern = false;       ///< part of a pattern that may match other names too
     /// For a name in an override of something in a Part that is not found where it is written, but in the Part: where it is looked up first.
     const Part* lookedUpFirst = nullptr;
+    const Name* implied = nullptr; ///< the Param if no text declares it, see ImpliedParam: its name where it is used first
 };
 
 /// References in `--set` texts are excluded. For a file imported by several blocks, its references are listed once per block.

@@ -39,4 +39,10 @@ NameScope::Declaration NameScope::find(std::string_view name) const {
     return {};
 }
 
+const Part* NameScope::enclosingConfig() const {
+    const NameScope* scope = this;
+    while (scope && !scope->m_config) scope = scope->m_outer;
+    return scope ? scope->m_config : nullptr;
+}
+
 } // namespace trundle

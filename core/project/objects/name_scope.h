@@ -29,6 +29,8 @@ public:
     [[nodiscard]] Declaration find(std::string_view name) const;
     /// The config that declares these Params, which instances may set.
     [[nodiscard]] const Part* config() const { return m_config; }
+    /// The innermost config around it, or itself; nullptr: it is in none.
+    [[nodiscard]] const Part* enclosingConfig() const;
 
 private:
     const NameScope* m_outer = nullptr;

@@ -92,7 +92,8 @@ private:
         const std::string use = e.kind == Element::Kind::ParamRef ? givenByParts(paramNamed(e.text)) : std::string();
         if (!use.empty()) hover.lines.push_back(use);
         else hover.lines.push_back(result.empty() ? "has no value" : "= " + result);
-        if (const auto given = definitionAt(m_loaded, m_place.file, m_at); given && given->place.known()) {
+        const auto given = use.empty() ? definitionAt(m_loaded, m_place.file, m_at) : std::nullopt;
+        if (given && given->place.known()) {
             const SourceText& text = m_loaded.trees[given->place.file]->source();
             hover.lines.push_back("set in " + text.path() + ", line " +
                                   std::to_string(text.position(given->place.range.begin).line));

@@ -13,8 +13,9 @@ namespace {
 struct Target {
     const BlockItem* block = nullptr;
     const ParamItem* param = nullptr;
+    const Name* implied = nullptr; ///< a Param that no text declares: its first use
     bool operator==(const Target&) const = default;
-    [[nodiscard]] bool known() const { return block || param; }
+    [[nodiscard]] bool known() const { return block || param || implied; }
 };
 
 bool holds(const std::vector<Item>& items, const Target& target) {
@@ -26,6 +27,9 @@ bool holds(const std::vector<Item>& items, const Target& target) {
 }
 
 SourceRange nameOf(const LoadedProject& loaded, const Target& target) {
+    for (const auto& part : loaded.outline->parts)
+        for (const SourceParam& param : part->params)
+            if (target.implied && param.name == target.implied) return param.nameRange();
     for (const auto& tree : loaded.trees) {
         if (!holds(tree->items(), target)) continue;
         if (target.param) return {tree->file(), target.param->name.range};
@@ -38,9 +42,9 @@ SourceRange nameOf(const LoadedProject& loaded, const Target& target) {
 Target givenAt(const TextLocation& place) {
     if (!place.item) return {};
     if (const auto* param = place.item->as<ParamItem>(); param && touches(param->name.range, place.offset))
-        return {nullptr, param};
+        return {nullptr, param, nullptr};
     const auto* block = place.item->as<BlockItem>();
-    return block && block->name && touches(block->name->range, place.offset) ? Target{block, nullptr} : Target{};
+    return block && block->name && touches(block->name->range, place.offset) ? Target{block, nullptr, nullptr} : Target{};
 }
 
 /// If two references meet at the offset, the one that begins there is returned.
@@ -65,8 +69,11 @@ std::optional<Definition> fileAt(const LoadedProject& loaded, const TextLocation
 /// The enclosing blocks down to the target or to the block of the Param; false if the outline does not contain it.
 bool chainTo(const Target& target, const Part& from, std::vector<const Part*>& chain) {
     chain.push_back(&from);
-    const auto holds = [&](const SourceParam& param) { return param.name == &target.param->name; };
-    if (target.block ? from.block == target.block : std::any_of(from.params.begin(), from.params.end(), holds)) return true;
+    const auto declares = [&](const SourceParam& param) { return target.param && param.name == &target.param->name; };
+    const auto implies = [&](const auto& param) { return &param->name == target.implied; };
+    if (target.block ? from.block == target.block
+                     : std::ranges::any_of(from.params, declares) || std::ranges::any_of(from.implied, implies))
+        return true;
     for (const Part& inner : from.parts)
         if (chainTo(target, inner, chain)) return true;
     chain.pop_back();
@@ -77,7 +84,7 @@ bool chainTo(const Target& target, const Part& from, std::vector<const Part*>& c
 std::pair<Target, SourceRange> targetAt(const TextLocation& place, const std::vector<NameReference>& references) {
     if (const Target given = givenAt(place); given.known()) return {given, {}};
     const NameReference* reference = referenceAt(references, place.file, place.offset);
-    return reference ? std::pair(Target{reference->target, reference->param}, reference->name)
+    return reference ? std::pair(Target{reference->target, reference->param, reference->implied}, reference->name)
                      : std::pair(Target{}, SourceRange{});
 }
 
@@ -98,7 +105,7 @@ std::optional<Symbol> symbolAt(const LoadedProject& loaded, FileId file, std::ui
     const std::string path = pathOf(loaded, chain);
     if (target.param && chain.empty()) return Symbol{"Param." + name, name, here};
     if (path.empty()) return std::nullopt;
-    return Symbol{target.param ? path + "." + name : path, name, here};
+    return Symbol{target.block ? path : path + "." + name, name, here};
 }
 
 std::optional<Definition> definitionAt(const LoadedProject& loaded, FileId file, std::uint32_t offset) {
@@ -120,7 +127,7 @@ std::vector<SourceRange> usesAt(const LoadedProject& loaded, FileId file, std::u
     const Target target = targetAt(placeAt(loaded, file, offset), references).first;
     if (!target.known()) return uses;
     for (const NameReference& m : references)
-        if (m.name.known() && Target{m.target, m.param} == target) uses.push_back(m.name);
+        if (m.name.known() && Target{m.target, m.param, m.implied} == target) uses.push_back(m.name);
     std::sort(uses.begin(), uses.end());
     uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
     if (const SourceRange given = nameOf(loaded, target); given.known()) {
