@@ -68,7 +68,7 @@ void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const 
     all->setObjectName(QStringLiteral("changeForAll"));
     QPushButton* copy = box->addButton(copyButtonText(question), QMessageBox::AcceptRole);
     copy->setObjectName(QStringLiteral("makeCopy"));
-    box->setDefaultButton(question.value.isEmpty() ? copy : all); // a value is moved there to be that of all
+    box->setDefaultButton(copy); // what else uses the config stays as it is
     auto* buttons = box->findChild<QDialogButtonBox*>();
     buttons->setOrientation(Qt::Vertical); // the texts are too long for one row
     buttons->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

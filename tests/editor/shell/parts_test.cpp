@@ -279,7 +279,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The question says that it is a value, which is meant for all of them.
+    /// The question says that it is a value. A copy is preselected, as for blocks: it leaves the other robot as it is.
     void pushingAValueAsks() {
         open(kHead + "RobotConfig Kit { Body b { Box hull { Size=0.3,0.2,0.1 Mass=2 } } }\n"
                      "Robot one { Config=Kit b.hull.Mass=3 }\nRobot two { Config=Kit Pos=1,0,0 }\n");
@@ -287,9 +287,10 @@ private Q_SLOTS:
         auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
         QVERIFY(question);
         QCOMPARE(question->text(), QStringLiteral("This changes the value of Mass in Kit, which is defined in mine.sim."));
-        QCOMPARE(question->defaultButton()->objectName(), QStringLiteral("changeForAll"));
-        question->defaultButton()->click();
+        QCOMPARE(question->defaultButton()->objectName(), QStringLiteral("makeCopy"));
+        question->findChild<QPushButton*>(QStringLiteral("changeForAll"))->click();
         EVENTUALLY(text().find("Mass=3 } } }") != std::string::npos);
+        QVERIFY2(text().find("Kit2") == std::string::npos, text().c_str());
     }
 
 private:
