@@ -73,12 +73,31 @@ std::vector<std::string> PreparedEdit::editedPaths() const {
 }
 
 std::vector<const Part*> PreparedEdit::copyUsers(const Part& config) const {
-    return instancesForCopy(*m_loaded, editedPaths(), config);
+    const std::vector<std::string> edited = isCopiedForAll(config) ? std::vector<std::string>() : editedPaths();
+    return copyForAllOr(config, true) ? instancesForCopy(*m_loaded, edited, config) : editedThrough(config);
+}
+
+std::vector<const Part*> PreparedEdit::editedThrough(const Part& config) const {
+    return instancesThrough(*m_loaded, editedPaths(), config);
+}
+
+std::vector<const Part*> PreparedEdit::usersInUse(const Part& config) const {
+    std::vector<const Part*> users = instancesOf(*m_loaded, config);
+    std::erase_if(users, [&](const Part* user) {
+        const Part* holder = isShippedFile(*m_loaded, user->file) ? holderOf(*m_loaded, *user) : nullptr;
+        return holder && !isUsedByOwnTexts(*m_loaded, *holder);
+    });
+    return users;
+}
+
+bool PreparedEdit::copyForAllOr(const Part& config, bool undecided) const {
+    const auto chosen = m_copyForAll.find(keyOf(config));
+    return chosen == m_copyForAll.end() ? undecided : chosen->second;
 }
 
 const Part* PreparedEdit::holderToDecide(const Part& config) const {
     std::vector<const Part*> users = copyUsers(config);
-    const bool isAll = instancesThrough(*m_loaded, editedPaths(), config).empty();
+    const bool isAll = isCopiedForAll(config) || editedThrough(config).empty();
     if (isAll) // also what shipped configs have of it
         for (const Part* user : instancesOf(*m_loaded, config))
             if (isShippedFile(*m_loaded, user->file)) users.push_back(user);

@@ -31,6 +31,15 @@ public:
     [[nodiscard]] std::string keyOf(const Part& config) const; ///< file and name
     /// The instances that a copy of the config would be for.
     [[nodiscard]] std::vector<const Part*> copyUsers(const Part& config) const;
+    /// Of these, those that the edited objects were selected through; empty: they are in the config itself.
+    [[nodiscard]] std::vector<const Part*> editedThrough(const Part& config) const;
+    /// The instances of a shipped config that the user's own texts have, also through shipped configs.
+    [[nodiscard]] std::vector<const Part*> usersInUse(const Part& config) const;
+    /// Which instances use the copy of a shipped config: only those that the edited objects were selected through, or all, wherever they
+    /// are. Undecided: those through which it is edited and all others of their file.
+    void copyForEdited(const Part& config) { m_copyForAll[keyOf(config)] = false; }
+    void copyForAll(const Part& config) { m_copyForAll[keyOf(config)] = true; }
+    [[nodiscard]] bool isCopiedForAll(const Part& config) const { return copyForAllOr(config, false); }
     /// A config that a copy of `config` would change, since it has the Part that the copy would be for; those that are decided are left
     /// out. nullptr: there is none.
     [[nodiscard]] const Part* holderToDecide(const Part& config) const;
@@ -59,6 +68,7 @@ public:
 
 private:
     [[nodiscard]] std::vector<std::string> editedPaths() const; ///< as they are now
+    [[nodiscard]] bool copyForAllOr(const Part& config, bool undecided) const;
     [[nodiscard]] Status copyItself(const Part& config);
     [[nodiscard]] Status reload(const EditPlan& plan);
     [[nodiscard]] QString shown(const std::string& file) const;
@@ -70,6 +80,7 @@ private:
     FileTexts m_texts;                           ///< texts that differ from the document's
     std::map<std::string, std::string> m_copies; ///< path of a config or definition -> path of its copy
     std::set<std::string> m_decided;             ///< keys of configs that are changed themselves
+    std::map<std::string, bool> m_copyForAll;    ///< by the key of a shipped config
     std::set<std::string> m_changed;
     QStringList m_notices;
 };

@@ -157,8 +157,9 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
 }
 
 /// Whether a config itself or a copy of it is changed. Returns a value if the edit cannot continue now: it is refused, or the user
-/// is asked.
-std::optional<Status> StructureEdits::decide(const std::shared_ptr<PendingEdit>& work, const Part& config) {
+/// is asked. A shipped config is always copied; where a value is moved into it, the user is asked for which instances. `copyForAll`:
+/// for all, since that was chosen for what it has.
+std::optional<Status> StructureEdits::decide(const std::shared_ptr<PendingEdit>& work, const Part& config, bool copyForAll) {
     PreparedEdit& prepared = work->prepared;
     const LoadedProject& loaded = prepared.loaded();
     const EditTarget target = targetOfStructure(loaded, config, nullptr, m_users);
@@ -166,7 +167,15 @@ std::optional<Status> StructureEdits::decide(const std::shared_ptr<PendingEdit>&
                        config.file == 0 && prepared.copyUsers(config).size() == target.instances;
     const auto known = m_chosen.find(prepared.keyOf(config));
     if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
-        if (const Part* holder = prepared.holderToDecide(config)) return decide(work, *holder); // its Part would use the copy
+        const bool isChosen = known != m_chosen.end();
+        const bool isShared = prepared.usersInUse(config).size() > prepared.editedThrough(config).size();
+        const bool isAsked = !work->value.isEmpty() && isShared && !prepared.editedThrough(config).empty() && m_questionHandler;
+        if (target.isShipped && (copyForAll || (isChosen && known->second == ShareChoice::ChangeForAll)))
+            prepared.copyForAll(config);
+        else if (target.isShipped && isChosen) prepared.copyForEdited(config);
+        else if (target.isShipped && isAsked) return ask(work, config);
+        if (const Part* holder = prepared.holderToDecide(config)) // its Part would use the copy
+            return decide(work, *holder, target.isShipped && prepared.isCopiedForAll(config));
         if (Status done = prepared.copy(config); !done) return refuse(done.error());
         return std::nullopt;
     }
@@ -180,16 +189,20 @@ std::optional<Status> StructureEdits::decide(const std::shared_ptr<PendingEdit>&
 
 Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part& config) {
     const LoadedProject& loaded = work->prepared.loaded();
-    const std::vector<const Part*> instances = work->prepared.copyUsers(config);
     ShareQuestion question;
+    question.isShipped = isShippedFile(loaded, config.file);
+    const std::vector<const Part*> instances =
+        question.isShipped ? work->prepared.editedThrough(config) : work->prepared.copyUsers(config);
     question.config = toQString(config.name);
     question.file = shown(loaded.paths[config.file]);
-    const FileId copyFile = instances.empty() ? FileId{0} : instances.front()->file;
+    const bool isForOpened = instances.empty() || question.isShipped; // what has a shipped Part is copied too
+    const FileId copyFile = isForOpened ? FileId{0} : instances.front()->file;
     question.copyFile = shown(loaded.paths[copyFile]);
     question.copyIsForOpened = copyFile == 0;
-    for (const std::string& user : m_users.of(loaded, config)) question.users += shown(user);
+    if (!question.isShipped)
+        for (const std::string& user : m_users.of(loaded, config)) question.users += shown(user);
     for (const Part* instance : instances) question.copyFor += toQString(instance->name);
-    question.instances = instancesOf(loaded, config).size();
+    question.instances = question.isShipped ? work->prepared.usersInUse(config).size() : instancesOf(loaded, config).size();
     question.value = work->value;
     const std::string key = work->prepared.keyOf(config);
     m_questionHandler(question, [this, work, key](ShareChoice choice) {

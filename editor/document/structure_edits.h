@@ -30,6 +30,7 @@ struct ShareQuestion {
     QStringList copyFor;         ///< the instances that would use the copy: "robot0"
     std::size_t instances = 0;   ///< in the opened experiment
     bool copyIsForOpened = true; ///< copyFile is the opened file
+    bool isShipped = false;      ///< it came with Trundle: for all means a copy for all
     QString value;               ///< the value that is written into the config: "Resistance"; empty: its structure changes
 };
 
@@ -78,7 +79,8 @@ private:
                                                          const std::string& mergeKey) const;
     Status renameEverywhere(const QString& name, const std::string& path, const std::string& to);
     Status advance(const std::shared_ptr<PendingEdit>& work);
-    [[nodiscard]] std::optional<Status> decide(const std::shared_ptr<PendingEdit>& work, const Part& config);
+    [[nodiscard]] std::optional<Status> decide(const std::shared_ptr<PendingEdit>& work, const Part& config,
+                                               bool copyForAll = false);
     Status ask(const std::shared_ptr<PendingEdit>& work, const Part& config);
     [[nodiscard]] Result<std::string> copyDefinition(const std::string& definition, const std::string& mergeKey);
     Status finish(PendingEdit& work, const EditPlan& plan);

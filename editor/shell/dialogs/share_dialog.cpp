@@ -38,6 +38,9 @@ QString copyButtonText(const ShareQuestion& question) {
 
 QString changeOf(const ShareQuestion& question) {
     const QString config = shortName(question.config);
+    if (question.isShipped)
+        return tr("This changes the value of %1 in %2, which came with Trundle and is read-only.")
+            .arg(shortName(question.value), config);
     if (question.value.isEmpty())
         return tr("This changes the structure of %1, which is defined in %2.").arg(config, question.file);
     return tr("This changes the value of %1 in %2, which is defined in %3.")
@@ -63,8 +66,10 @@ void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const 
             : tr("A copy goes into %1, and %2 use it from then on.").arg(question.copyFile, listed(names, kMaxUsersNamed));
     box->setInformativeText(more + QLatin1Char(' ') +
                             tr("The choice applies to %1 until this window closes.").arg(shortName(question.config)));
-    QPushButton* all = box->addButton(tr("Change %1 for all (%2)").arg(shortName(question.config), dependentsOf(question)),
-                                      QMessageBox::AcceptRole);
+    const QString forAll = question.isShipped
+                               ? tr("Make a copy for all (%1)").arg(dependentsOf(question))
+                               : tr("Change %1 for all (%2)").arg(shortName(question.config), dependentsOf(question));
+    QPushButton* all = box->addButton(forAll, QMessageBox::AcceptRole);
     all->setObjectName(QStringLiteral("changeForAll"));
     QPushButton* copy = box->addButton(copyButtonText(question), QMessageBox::AcceptRole);
     copy->setObjectName(QStringLiteral("makeCopy"));

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
 #include "sample_document.h"
 
@@ -197,6 +198,67 @@ private Q_SLOTS:
             d.edits().undo();
             QCOMPARE(*d.texts().text(file), before);
         }
+    }
+
+    /// A value that is pushed from one robot into a nested Part of a shipped robot: the user chooses who gets it, as elsewhere.
+    void pushingIntoAShippedPartAsks_data() {
+        QTest::addColumn<QStringList>("copied");
+        QTest::addColumn<QStringList>("asked");
+        QTest::addColumn<QStringList>("heavy");
+        const QString right = u"frontRight"_qs, left = u"frontLeft"_qs;
+        QTest::newRow("for one") << QStringList{u"CarWheel"_qs, u"CarFront"_qs} << QStringList{u"CarWheel"_qs, u"CarFront"_qs}
+                                 << QStringList{right};
+        QTest::newRow("for both sides") << QStringList{u"CarWheel"_qs} << QStringList{u"CarWheel"_qs, u"CarFront"_qs}
+                                        << QStringList{left, right};
+        QTest::newRow("for all") << QStringList{} << QStringList{u"CarWheel"_qs}
+                                 << QStringList{u"backLeft"_qs, u"backRight"_qs, left, right};
+    }
+    void pushingIntoAShippedPartAsks() {
+        QFETCH(QStringList, copied);
+        QFETCH(QStringList, asked);
+        QFETCH(QStringList, heavy);
+        const DocumentFixture fixture;
+        const std::string before = "#import robots/car.sim\n\nRobot car { Config=Car frontRight.wheel.wheel.tyre.Mass=0.2 }\n";
+        const std::string file = fixture.write("configs/cars.sim", before);
+        Document d(*m_application);
+        QVERIFY(d.opening().open(file).ok());
+        const Answers answers(d, {copied.begin(), copied.end()});
+        const Status pushed = d.structure().pushOverride(u"Push"_qs, "car.frontRight.wheel.wheel.tyre.Mass");
+        QVERIFY2(pushed.ok(), why(pushed).c_str());
+        QCOMPARE(answers.asked, asked);
+        QCOMPARE(messages(*d.loaded()), "");
+        QVERIFY2(holds(*d.texts().text(file), "Robot car { Config=Car2 }"), d.texts().text(file)->c_str());
+        QStringList found;
+        for (const BodySpec& body : d.loaded()->experiment->robots.at(0).config->bodies)
+            for (const GeomSpec& geom : body.geoms)
+                if (geom.name == "tyre" && geom.mass == 0.2) found += QString::fromStdString(body.name).section(u'.', 0, 0);
+        found.sort();
+        QCOMPARE(found, heavy);
+        QCOMPARE(d.edits().history().entries().size(), 1u);
+        d.edits().undo();
+        QCOMPARE(*d.texts().text(file), before);
+    }
+
+    /// In the shipped config itself: what was selected is selected in the copy.
+    void pushingInAShippedPartSelectsTheCopy() {
+        const DocumentFixture fixture;
+        const std::string file = fixture.write("configs/cars.sim", "#import robots/car.sim\n\nRobot car { Config=Car }\n");
+        Document d(*m_application);
+        QVERIFY(d.opening().open(file).ok());
+        Selection selection;
+        QObject::connect(&d, &Document::selectionRequested, &selection, &Selection::set);
+        d.edits().restoreSelection(selection);
+        selection.set({"PartConfig.CarFront.strut"});
+        const Answers answers(d, {u"CarStrut"_qs});
+        const Status pushed = d.structure().pushOverride(u"Push"_qs, "PartConfig.CarFront.strut.load");
+        QVERIFY2(pushed.ok(), why(pushed).c_str());
+        QCOMPARE(answers.asked, QStringList{u"CarStrut"_qs}); // which CarBack has too
+        QCOMPARE(messages(*d.loaded()), "");
+        const std::string text = *d.texts().text(file);
+        QVERIFY2(holds(text, "Part strut { Config=CarStrut2 body=$body }") && holds(text, "Param load      = 7.07") &&
+                     !holds(text, "CarBack2"),
+                 text.c_str());
+        QCOMPARE(selection.current(), std::string("PartConfig.CarFront2.strut"));
     }
 
 private:
