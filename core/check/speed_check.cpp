@@ -114,20 +114,24 @@ private:
         const RobotSpec& robot = m_experiment.robots[r];
         double least = HUGE_VAL;
         const GeomSpec* lowest = nullptr;
+        const BodySpec* holder = nullptr;
         for (const BodySpec& body : robot.config->bodies)
             for (const GeomSpec& geom : body.geoms)
                 if (const auto height = geom.collide ? heightOf(r, geom, robot.pose * body.pose * geom.pose) : std::nullopt;
                     height && *height < least)
-                    least = *height, lowest = &geom;
+                    least = *height, lowest = &geom, holder = &body;
         if (!lowest) return;
         for (const DriveWheel& wheel : wheels) {
             const BodySpec& body = robot.config->bodies[wheel.body];
             const auto height = heightOf(r, *wheel.geom, robot.pose * body.pose * wheel.geom->pose);
             if (!height || *height - least <= std::max(kOffGround, kOffShare * wheel.geom->radius)) continue;
-            Diagnostic& d = m_diagnostics.warning(
-                Code::WheelOffGround, body.nameRange,
-                body.name + " of " + robot.config->name + " is " + lengthText(*height - least) + " above the ground when " +
-                    lowest->name + " touches it: its motor turns it in the air; lower the wheel, or raise " + lowest->name);
+            const bool isShared = lowest->nameRange == wheel.geom->nameRange; // the tyre of another wheel, made by the same text
+            const std::string touching = isShared || holder->name.find('.') != std::string::npos ? holder->name : lowest->name;
+            Diagnostic& d = m_diagnostics.warning(Code::WheelOffGround, body.nameRange,
+                                                  body.name + " of " + robot.config->name + " is " +
+                                                      lengthText(*height - least) + " above the ground when " + touching +
+                                                      " touches it: its motor turns it in the air; lower the wheel, or raise " +
+                                                      touching);
             d.notes.push_back({"this touches the ground first", lowest->nameRange});
             return; // the others are the same fault
         }

@@ -226,6 +226,16 @@ private Q_SLOTS:
             "outside of its shapes", "chassis", false);
         row("wheels in the air", changed("Radius=0.03 Mass=0.1", "Radius=0.06 Mass=0.1"), Code::WheelOffGround,
             "leftWheel of Rover is 30 mm above the ground when caster touches it", "leftWheel", false);
+        row("one of the wheels that a Part makes",
+            R"(PartConfig W { Param z = 0 Body wheel { Pos=0,0,$z Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.15 } }
+                 Hinge axle { Parent=$on Child=wheel Axis=0,1,0 }
+                 RotaryMotor motor { Joint=axle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 MaxVoltage=12 } }
+               RobotConfig Kit { Body hull { Box b { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=2 } }
+                 Part fl { Config=W Pos=0.1,0.12,0.05 on=hull } Part fr { Config=W Pos=0.1,-0.12,0.05 on=hull }
+                 Part bl { Config=W Pos=-0.1,0.12,0.05 z=0.01 on=hull } Part br { Config=W Pos=-0.1,-0.12,0.05 on=hull }
+                 SkidDrive base { LeftMotors=fl.motor,bl.motor RightMotors=fr.motor,br.motor WheelRadius=0.05 WheelSeparation=0.24 } }
+               Robot r { Config=Kit })",
+            Code::WheelOffGround, "bl.wheel of Kit is 10 mm above the ground when fl.wheel touches it", "wheel", false);
         row("a wheel too small", changed("Cylinder tyre { Radius=0.05", "Cylinder tyre { Radius=0.03"), Code::WheelOffGround,
             "above the ground", "leftWheel", false);
         row("motors too weak for a doorstep", changed("TorqueConstant=0.05 BackEmf", "TorqueConstant=0.0001 BackEmf"),

@@ -163,16 +163,16 @@ private Q_SLOTS:
                                      << "only blocks can be added, not `Tick = 0.1`";
         QTest::newRow("Param") << "r.chassis"
                                << "Box b { Size=1,$(2*side),1 Mass=1 }"
-                               << "Box b uses $side, which there is not in Body chassis";
+                               << "Box b uses $side, which Body chassis does not have";
         QTest::newRow("material") << "r.chassis"
                                   << "Box b { Size=1,1,1 Material=red }"
-                                  << "Box b uses Material red, which there is not in Body chassis";
+                                  << "Box b uses Material red, which Body chassis does not have";
         QTest::newRow("body") << "r"
                               << "Hinge h { Parent=world Child=arm }"
-                              << "Hinge h uses Child arm, which there is not in RobotConfig Cart";
+                              << "Hinge h uses Child arm, which RobotConfig Cart does not have";
         QTest::newRow("config") << ""
                                 << "Robot t { Config=Truck }"
-                                << "Robot t uses Config Truck, which there is not here";
+                                << "Robot t uses Config Truck, which is not here";
         QTest::newRow("broken") << ""
                                 << "Material m {\n ColorRGB= }"
                                 << "line 2 of the text to be added: `ColorRGB` has no value";

@@ -217,9 +217,9 @@ private Q_SLOTS:
         const auto refused = planMove(*loaded, {"r.chassis.hull"}, "o.b", "");
         QCOMPARE(m_fixture.text(loaded, refused), "refused: Box hull is still used by TouchSensor touch (Geom)");
         QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"r.chassis.sphere"}, "o.b", "")),
-                 "refused: Sphere uses r, which there is not in Body b");
+                 "refused: Sphere uses r, which Body b does not have");
         QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"r.axle"}, "o", "")),
-                 "refused: Hinge axle uses chassis, which there is not in RobotConfig Other");
+                 "refused: Hinge axle uses chassis, which RobotConfig Other does not have");
         const auto both = planMove(*loaded, {"r.wheel", "r.axle", "r.chassis", "r.touch"}, "o", "");
         QVERIFY(both.ok() || both.error().message.find("uses r,") != std::string::npos);
     }

@@ -236,7 +236,7 @@ private:
             if (!what.empty())
                 return Error{Code::UnknownReference,
                              entry.block->type.text + " " + entry.name + (entry.name.empty() ? "uses " : " uses ") + what +
-                                 ", which there is not " + (entry.target ? "in " + entry.target->title() : "here")};
+                                 (entry.target ? ", which " + entry.target->title() + " does not have" : ", which is not here")};
         }
         return {};
     }

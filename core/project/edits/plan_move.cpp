@@ -217,7 +217,7 @@ private:
         if (!users.empty()) return Error{Code::UnknownReference, m.part->title() + " is still used by " + usersText(users)};
         if (!wants.empty())
             return Error{Code::UnknownReference, m.part->title() + " uses " + std::string(m_texts.slice(wants[0]->name)) +
-                                                     ", which there is not in " + (m.to ? m.to->title() : "the experiment")};
+                                                     ", which " + (m.to ? m.to->title() : "the experiment") + " does not have"};
         return {};
     }
 
