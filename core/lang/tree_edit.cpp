@@ -4,7 +4,9 @@
 #include "lang/tree_edit.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "base/units.h"
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 
@@ -221,28 +223,75 @@ TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText
     return {{tree.file(), range}, std::string(newText)};
 }
 
+namespace {
+
+/// Whether two offsets are on one line.
+bool isOneLine(std::string_view bytes, std::uint32_t from, std::uint32_t to) {
+    return !hasLineEnd(bytes.substr(from, to - from));
+}
+
+/// Whether a block without a name could be the unit of a value before it: `5 C { }`.
+bool isLikeUnit(const Item& item) {
+    const auto* block = item.as<BlockItem>();
+    return block && !block->name && findUnit(block->type.text);
+}
+
+/// After the last assignment, so that assignments stay together; nothing if it is the last item, or if there is no place after it.
+std::optional<TextEdit> besideAssignments(const Tree& tree, const BlockItem* block, const Slot& slot, const EditStyle& style,
+                                          const std::string& line) {
+    const auto& items = block ? block->items : tree.items();
+    if (items.empty()) return std::nullopt;
+    const auto bytes = tree.source().bytes();
+    const Item* beside = nullptr;
+    for (const Item& item : items)
+        if (item.as<AssignmentItem>()) beside = &item;
+    if (beside == &items.back()) return std::nullopt;
+    const Item& next = beside ? *std::next(beside) : items.front();
+    if (!slot.ownLine && !isLikeUnit(next)) { // all of the block is on one line
+        const std::uint32_t from = beside ? beside->range.end : block->open.end;
+        return at(tree, from, from, " " + line + (beside || isBlank(bytes[from]) ? "" : " "));
+    }
+    if (!beside || !slot.ownLine) return std::nullopt;
+    const std::uint32_t end = behindComments(tree, beside->range.end);
+    const std::uint32_t start = lineStart(bytes, beside->range.begin);
+    const bool beginsLine = blanksAfter(bytes, start) == beside->range.begin;
+    const std::string indent = beginsLine ? std::string(bytes.substr(start, beside->range.begin - start)) : slot.indent;
+    // Only if its line ends there, so that the rest of the line stays with it.
+    if (isLineEnd(bytes, blanksAfter(bytes, end))) return at(tree, end, end, style.lineEnd + indent + line);
+    if (block && !isLikeUnit(next) && isOneLine(bytes, block->open.end, next.range.begin)) // `Robot r { Config=A Controller c {`
+        return at(tree, beside->range.end, beside->range.end, " " + line);
+    return std::nullopt;
+}
+
+} // namespace
+
 TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text) {
     const EditStyle style = editStyle(tree);
-    // After the last assignment, so that assignments stay together; if there is none, at the end.
     const Slot slot = slotFor(tree, block, style);
     const std::string line = std::string(key) + (spacedEquals(tree, block, style) ? " = " : "=") + std::string(text);
-    const auto& items = block ? block->items : tree.items();
-    const auto bytes = tree.source().bytes();
-    if (slot.ownLine && !items.empty()) {
-        const Item* beside = nullptr;
-        for (const Item& item : items)
-            if (item.as<AssignmentItem>()) beside = &item;
-        if (beside && beside != &items.back()) {
-            const std::uint32_t end = behindComments(tree, beside->range.end);
-            const std::uint32_t start = lineStart(bytes, beside->range.begin);
-            const bool beginsLine = blanksAfter(bytes, start) == beside->range.begin;
-            const std::string indent = beginsLine ? std::string(bytes.substr(start, beside->range.begin - start)) : slot.indent;
-            // Only if its line ends there, so that the rest of the line stays with it.
-            if (isLineEnd(bytes, blanksAfter(bytes, end))) return at(tree, end, end, style.lineEnd + indent + line);
-        }
-    }
+    if (const auto beside = besideAssignments(tree, block, slot, style, line)) return *beside;
     return at(tree, slot.place, std::max(slot.end, slot.place),
               slot.before + (slot.ownLine ? slot.indent : "") + line + slot.behind);
+}
+
+TextEdit editAddParam(const Tree& tree, const BlockItem& block, std::string_view name, std::string_view text) {
+    const EditStyle style = editStyle(tree);
+    const std::string line = "Param " + std::string(name) + " = " + std::string(text);
+    const Item* last = nullptr;
+    for (const Item& item : block.items)
+        if (item.as<ParamItem>()) last = &item;
+    if (block.items.empty() || last == &block.items.back()) return editAddItem(tree, &block, line);
+    const auto bytes = tree.source().bytes();
+    const std::uint32_t from = last ? last->range.end : block.open.end;
+    const std::uint32_t end = std::max(behindComments(tree, from), from);
+    const std::uint32_t start = last ? lineStart(bytes, last->range.begin) : 0;
+    const bool beginsLine = last && blanksAfter(bytes, start) == last->range.begin;
+    const std::string indent = beginsLine ? std::string(bytes.substr(start, last->range.begin - start))
+                                          : slotInBlock(tree, block, block.type.range.begin, style).indent;
+    if (isLineEnd(bytes, blanksAfter(bytes, end))) return at(tree, end, end, style.lineEnd + indent + line);
+    const Item& next = last ? *std::next(last) : block.items.front();
+    if (isLikeUnit(next)) return editAddItem(tree, &block, line);
+    return at(tree, from, from, " " + line + (isBlank(bytes[from]) ? "" : " "));
 }
 
 TextEdit editAddItem(const Tree& tree, const BlockItem* block, std::string_view itemText) {

@@ -155,6 +155,15 @@ private Q_SLOTS:
             "Body c {\n  Mass=1 Box b { A=1 }\n  K=9\n}\n");
         row("not between a value and a comment on the next item", "Body c {\n  Mass=1 /* kg */ Box b { A=1 } // b\n}\n", "c",
             "Body c {\n  Mass=1 /* kg */ Box b { A=1 } // b\n  K=9\n}\n");
+        row("one line, between the assignments and a block", "Robot r { Config=A Controller c { S=1 } }", "r",
+            "Robot r { Config=A K=9 Controller c { S=1 } }");
+        row("one line, behind the last assignment", "Robot r { Config=A Log l { S=1 } D=2 /* m */ Controller c { S=1 } }", "r",
+            "Robot r { Config=A Log l { S=1 } D=2 K=9 /* m */ Controller c { S=1 } }");
+        row("one line, nothing but blocks", "Body c { Box b { A=1 } }", "c", "Body c { K=9 Box b { A=1 } }");
+        row("one line, nothing but blocks, tight", "Body c {Box b { A=1 }}", "c", "Body c { K=9 Box b { A=1 }}");
+        row("one line, a block that could be a unit", "Body c { A=1 C { } }", "c", "Body c { A=1 C { } K=9 }");
+        row("a block begins on the line of the brace", "Robot r { Config=A Controller c {\n  S=1\n} }\n", "r",
+            "Robot r { Config=A K=9 Controller c {\n  S=1\n} }\n");
         row("in front of nothing but blocks", "Body c {\n  Box b { A=1 }\n}\n", "c", "Body c {\n  Box b { A=1 }\n  K=9\n}\n");
         row("the file", "A = 1\n", "", "A = 1\nK = 9\n");
         row("the file, tight", "A=1\n", "", "A=1\nK=9\n");
@@ -172,6 +181,30 @@ private Q_SLOTS:
         const auto tree = parsed(before.toStdString());
         const BlockItem* to = block.isEmpty() ? nullptr : findBlock(tree->items(), block.toStdString());
         QTEST(q(applied(*tree, editAddAssignment(*tree, to, "K", "9"))), "after");
+    }
+
+    void addingParams_data() {
+        QTest::addColumn<QByteArray>("before");
+        QTest::addColumn<QByteArray>("after");
+        const auto row = [](const char* name, std::string_view before, std::string_view after) {
+            QTest::newRow(name) << q(before) << q(after);
+        };
+        row("behind the last", "P b {\n  Param r = 1 { Min=0 } // r\n  Param s = 2\n\n  Body c { }\n}\n",
+            "P b {\n  Param r = 1 { Min=0 } // r\n  Param s = 2\n  Param K = 9\n\n  Body c { }\n}\n");
+        row("behind its comment", "P b {\r\n\tParam r = 1 // r\r\n\tBody c { }\r\n}\r\n",
+            "P b {\r\n\tParam r = 1 // r\r\n\tParam K = 9\r\n\tBody c { }\r\n}\r\n");
+        row("the first line", "P b { // of b\n    // of c\n    Body c { }\n}\n",
+            "P b { // of b\n    Param K = 9\n    // of c\n    Body c { }\n}\n");
+        row("one line", "P b { Body c { } }", "P b { Param K = 9 Body c { } }");
+        row("one line, tight", "P b {Body c { }}", "P b { Param K = 9 Body c { }}");
+        row("one line, behind the last", "P b { Param r=1 Body c { } }", "P b { Param r=1 Param K = 9 Body c { } }");
+        row("nothing else", "P b {\n  Param r = 1\n}\n", "P b {\n  Param r = 1\n  Param K = 9\n}\n");
+        row("empty", "P b { }", "P b { Param K = 9 }");
+    }
+    void addingParams() {
+        QFETCH(QByteArray, before);
+        const auto tree = parsed(before.toStdString());
+        QTEST(q(applied(*tree, editAddParam(*tree, *findBlock(tree->items(), "b"), "K", "9"))), "after");
     }
 
     void addingItems_data() {
@@ -276,7 +309,8 @@ private Q_SLOTS:
                     if (!block || !block->name) continue;
                     edit = editReplace(*tree, block->name->range, "renamed" + std::to_string(step));
                 } else if (kindOfStep == 3) {
-                    edit = editAddAssignment(*tree, block, "New", "4, 5");
+                    const bool isParam = block && rng.chance(1, 4);
+                    edit = isParam ? editAddParam(*tree, *block, "New", "4, 5") : editAddAssignment(*tree, block, "New", "4, 5");
                 } else if (kindOfStep == 4) {
                     edit = editAddItem(*tree, block, rng.chance(1, 2) ? "Box n { X=1 }" : "Box n {\n  X=1 // x\n  Y { }\n}\n");
                 } else {

@@ -104,7 +104,7 @@ private Q_SLOTS:
                  with("Robot a { Config=Kit }", "Robot a { Config=Kit left.r=0.05 }", all));
         QVERIFY(text(planReset(*m_loaded, {"RobotConfig.Kit.left.carrier"})).find("must be given") != std::string::npos);
         const std::string pushed = text(planPushOverride(*m_loaded, "RobotConfig.Kit.left.carrier"));
-        QVERIFY2(pushed.find("Param carrier = chassis") != std::string::npos &&
+        QVERIFY2(pushed.find("  Param r = 0.05\n  Param carrier = chassis\n  Body wheel ") != std::string::npos &&
                      pushed.find("Parent=$carrier Child") != std::string::npos &&
                      pushed.find("Pos=0,0.1,0 motor") != std::string::npos,
                  pushed.c_str());
@@ -115,7 +115,7 @@ private Q_SLOTS:
             editsForValues(*m_loaded, {{DottedPath("PartConfig.Wheel.carrier"), ParsedValue("chassis")}});
         QVERIFY(edits.ok());
         const std::string declared = text(EditPlan{edits.value(), {}});
-        QVERIFY2(declared.find("Param carrier=chassis") != std::string::npos &&
+        QVERIFY2(declared.find("  Param r = 0.05\n  Param carrier = chassis\n  Body wheel ") != std::string::npos &&
                      declared.find("Parent=$carrier Child") != std::string::npos,
                  declared.c_str());
         QCOMPARE(messages(*m_fixture.open(declared)), std::string());

@@ -287,7 +287,7 @@ private Q_SLOTS:
         QTest::newRow("no Pos, many keys")
             << QStringList{"robot0"} << "LinearMotion brain { Drive=base } }\n"
             << "LinearMotion brain { Drive=base } }\nRobot robot2 { Config=Cart leftMotor.Resistance=3 chassis.hull.Mass=4 "
-               "paint=blue LinearMotion brain { Drive=base } Pos=1,0.5,0 }\n";
+               "paint=blue Pos=1,0.5,0 LinearMotion brain { Drive=base } }\n";
         QTest::newRow("formula") << QStringList{"robot0.left"} << "Material=\"red\" } }\n"
                                  << "Material=\"red\" } }\n  Body left2 { Pos=1,$((width/2) + 0.5),0.05  Sphere tyre { "
                                     "Radius=0.05 Mass=0.1 Material=\"red\" } }\n";
@@ -343,11 +343,11 @@ private Q_SLOTS:
         QCOMPARE(m_fixture.text(loaded, planPushOverride(*loaded, "robot1.width")),
                  with(kScene, {{" width=0.4", ""}, {"width = 0.3", "width = 0.4"}}));
         QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot1.leftMotor.Resistance")),
-                 with(kScene, {{"brain { }", "brain { } leftMotor.Resistance=2"}}));
+                 with(kScene, {{"width=0.4 LinearMotion brain { }", "width=0.4 leftMotor.Resistance=2 LinearMotion brain { }"}}));
         QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot1.left.Pos")),
-                 with(kScene, {{"brain { }", "brain { } left.Pos=0,0.2,0.05"}}));
+                 with(kScene, {{"width=0.4 LinearMotion brain { }", "width=0.4 left.Pos=0,0.2,0.05 LinearMotion brain { }"}}));
         QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot0.leftMotor.GearRatio")),
-                 with(kScene, {{"Drive=base }", "Drive=base } leftMotor.GearRatio=1"}}));
+                 with(kScene, {{"paint=blue LinearMotion", "paint=blue leftMotor.GearRatio=1 LinearMotion"}}));
         QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "swarm_1.paint")),
                  with(kScene, {{"Pos=0,8,0 }", "Pos=0,8,0 paint=red }"}}));
     }

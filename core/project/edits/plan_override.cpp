@@ -160,8 +160,8 @@ Result<EditPlan> planPushOverride(const LoadedProject& loaded, const std::string
         sheet.add(editSetValue(*loaded.trees[file], value, inFile(loaded, file, text.value())));
     };
     if (t->param && !t->isOfPart && t->param->required)
-        sheet.addItem(t->place.part->file, t->place.part->block,
-                      "Param " + t->key + " = " + inFile(loaded, t->place.part->file, text.value()));
+        sheet.add(editAddParam(*loaded.trees[t->place.part->file], *t->place.part->block, t->key,
+                               inFile(loaded, t->place.part->file, text.value())));
     else if (t->param && !t->isOfPart) set(t->param->valueFile, *t->param->value);
     else if (const SourceAssignment* own = t->own()) set(own->file, *own->value);
     else

@@ -40,7 +40,11 @@ std::map<FileId, std::vector<TextEdit>> editsForTargets(const LoadedProject& loa
             continue;
         }
         const FileId file = t.part ? t.part->file : FileId{0};
-        addEdit(edits[file], editAddAssignment(*loaded.trees[file], t.part ? t.part->block : nullptr, t.key, text));
+        const Tree& tree = *loaded.trees[file];
+        const BlockItem* block = t.part ? t.part->block : nullptr;
+        constexpr std::string_view kParam = "Param "; // it is declared with its value
+        addEdit(edits[file], block && t.key.starts_with(kParam) ? editAddParam(tree, *block, t.key.substr(kParam.size()), text)
+                                                                : editAddAssignment(tree, block, t.key, text));
     }
     std::erase_if(edits, [](const auto& entry) { return entry.second.empty(); });
     return edits;
