@@ -90,6 +90,8 @@ void PartBuilder::fill(Part& part, FileId file) {
         }
         part.parts.push_back(build(inner, &part, part.order));
     }
+    if (part.isRepeat() && part.parts.empty())
+        m_diagnostics.warning(Code::MissingRequired, part.nameRange(), part.title() + " has no blocks, so nothing is repeated");
     if (part.is(Role::Config)) checkParams(part);
     if (part.isRepeat() || part.is(Role::Layout))
         for (const SourceParam& param : part.params)

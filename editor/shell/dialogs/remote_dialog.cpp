@@ -27,8 +27,9 @@ static QString pythonText(const QString& text) {
 }
 
 RemoteDialog::RemoteDialog(RemoteAccess& access, const QString& pythonFolder, QWidget* parent)
-    : QDialog(parent), m_access(access), m_on(new QCheckBox(tr("&Let programs on this computer take part in the run"))),
-      m_port(new QSpinBox), m_code(new QLineEdit), m_copy(new QToolButton), m_state(new QLabel) {
+    : QDialog(parent), m_access(access), m_pythonFolder(pythonFolder),
+      m_on(new QCheckBox(tr("&Let programs on this computer take part in the run"))), m_port(new QSpinBox), m_code(new QLineEdit),
+      m_copy(new QToolButton), m_state(new QLabel) {
     setObjectName(QStringLiteral("remoteDialog"));
     setWindowTitle(tr("Remote Control"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -46,9 +47,8 @@ RemoteDialog::RemoteDialog(RemoteAccess& access, const QString& pythonFolder, QW
     m_state->setObjectName(QStringLiteral("remoteState"));
     m_state->setWordWrap(true);
     m_state->setTextFormat(Qt::PlainText);
-    auto* words =
-        new QLabel(tr("They see signals and images, command robots that are held, step and pause the run, as programs do that "
-                      "trundle-cli serve has started. They need the token, which is new each time."));
+    auto* words = new QLabel(tr("They see signals and images, command robots that are held, step and pause the run. They need "
+                                "the token, which is new each time."));
     words->setWordWrap(true);
     auto* code = new QHBoxLayout;
     code->addWidget(m_code, 1);
@@ -70,13 +70,16 @@ RemoteDialog::RemoteDialog(RemoteAccess& access, const QString& pythonFolder, QW
     resizeToFont(*this, {640, 260});
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_on, &QCheckBox::clicked, this, &RemoteDialog::setOn);
-    const QString search = QStringLiteral("import sys; sys.path.append(%1)\n").arg(pythonText(pythonFolder));
-    connect(m_copy, &QToolButton::clicked, this,
-            [=, this] { QGuiApplication::clipboard()->setText(search + m_code->text() + u'\n'); });
+    connect(m_copy, &QToolButton::clicked, this, &RemoteDialog::copy);
     connect(&m_access, &RemoteAccess::switched, this, &RemoteDialog::refresh);
     connect(&m_access, &RemoteAccess::clientsChanged, this, &RemoteDialog::refresh);
     if (m_access.isOn()) m_port->setValue(m_access.port());
     refresh();
+}
+
+void RemoteDialog::copy() {
+    const QString search = QStringLiteral("import sys; sys.path.append(%1)\n").arg(pythonText(m_pythonFolder));
+    QGuiApplication::clipboard()->setText(search + m_code->text() + u'\n');
 }
 
 void RemoteDialog::setOn(bool on) {

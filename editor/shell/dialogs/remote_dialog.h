@@ -15,13 +15,15 @@ class RemoteAccess;
 class RemoteDialog final : public QDialog {
     Q_OBJECT
 public:
-    explicit RemoteDialog(RemoteAccess& access, const QString& pythonFolder, QWidget* parent = nullptr);
+    RemoteDialog(RemoteAccess& access, const QString& pythonFolder, QWidget* parent = nullptr);
 
 private:
+    void copy();
     void setOn(bool on);
     void refresh();
 
     RemoteAccess& m_access;
+    QString m_pythonFolder; ///< of the package trundle
     QCheckBox* m_on;
     QSpinBox* m_port;
     QLineEdit* m_code;
