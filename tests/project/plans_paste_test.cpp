@@ -3,6 +3,7 @@
 
 #include "lang/formatter.h"
 #include "plan_fixture.h"
+#include "project/edits/plan_copies.h"
 
 using namespace trundle;
 using sample::PlanFixture;
@@ -43,6 +44,35 @@ private Q_SLOTS:
             checkClean(plan);
             QCOMPARE(plan.value().selects.front(), std::string("PartConfig.Wheel"));
         }
+    }
+
+    /// Array Copy: behind the original, and the comments around that are written once.
+    void copiesComeBehindTheirOriginals() {
+        const std::string part = "  // the wheel\n  Part left { Config=Wheel Pos=0.06,0.125,0.05 carrier=chassis } // driven\n";
+        const std::string imu = "\n  // measures\n  Imu imu { Body=chassis }\n";
+        m_loaded = m_fixture.open(kMaterials + kWheel + kKit + part + imu + kRest);
+        const auto plan = planCopies(*m_loaded, {"a.left"}, {{0.1, 0, 0}, {0.2, 0, 0}});
+        QCOMPARE(QString::fromStdString(m_fixture.text(m_loaded, plan)),
+                 QString::fromStdString(kMaterials + kWheel + kKit + part +
+                                        "  Part left2 { Config=Wheel Pos=0.16,0.125,0.05 carrier=chassis }\n"
+                                        "  Part left3 { Config=Wheel Pos=0.26,0.125,0.05 carrier=chassis }\n" +
+                                        imu + kRest));
+        checkClean(plan);
+        QCOMPARE(plan.value().selects, (std::vector<std::string>{"a.left2", "a.left3"}));
+    }
+
+    /// A body and its joint: each copy of the joint has the copy of the body that was made with it.
+    void copiesHoldTogether() {
+        const std::string arm = "  Body arm { Box b { Size=0.1,0.1,0.1 Mass=1 Material=red Surface=floor } }\n"
+                                "  Hinge elbow { Parent=chassis Child=arm Anchor=0,0,0.1 }\n";
+        m_loaded = m_fixture.open(kMaterials + kKit + arm + kRest);
+        const auto plan = planCopies(*m_loaded, {"a.arm", "a.elbow"}, {{0.5, 0, 0}, {1, 0, 0}});
+        checkClean(plan);
+        const std::string text = m_fixture.text(m_loaded, plan);
+        const std::string joints = "  Hinge elbow { Parent=chassis Child=arm Anchor=0,0,0.1 }\n"
+                                   "  Hinge elbow2 { Parent=chassis Child=arm2 Anchor=0.5,0,0.1 }\n"
+                                   "  Hinge elbow3 { Parent=chassis Child=arm3 Anchor=1,0,0.1 }\n";
+        QVERIFY2(text.find(joints) != std::string::npos, text.c_str());
     }
 
     void pastesNestedParts() {

@@ -1,7 +1,6 @@
 #include "editor/viewport/tools/arrange.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 #include <QCoreApplication>
@@ -15,10 +14,8 @@
 #include "lang/edit_style.h"
 #include "lang/number_text.h"
 #include "lang/tree_edit.h"
-#include "model/dotted_path.h"
-#include "project/edits/moved_block.h"
+#include "project/edits/plan_copies.h"
 #include "project/objects/object_location.h"
-#include "project/objects/part_values.h"
 
 namespace trundle {
 namespace {
@@ -163,32 +160,18 @@ void makeGrid(const ViewContext& context, const ArrayCopy& copy) {
 
 namespace {
 
-/// All copies of these objects; copies with the same parent are inserted by one edit. Selects the originals and the copies.
-Result<EditPlan> planCopies(const LoadedProject& loaded, const std::vector<std::string>& originals, const ArrayCopy& copy,
-                            const StructureEdits::PathMapping& renamed) {
-    std::map<std::string, std::string> blocks; // by parent
-    EditPlan all;
-    const int total = copy.count[0] * copy.count[1] * copy.count[2];
-    for (const std::string& original : originals) {
-        const std::string path = renamed(original), parent = std::string(withoutLastWord(path));
-        const std::string text = textOf(loaded, {path});
-        const auto place = placeOf(loaded, path);
-        const Vec3 at = place ? poseAt(loaded, *place).position : Vec3::Zero();
-        for (int i = 1; i < total; ++i) {
-            const Vec3 steps(i % copy.count[0], i / copy.count[0] % copy.count[1], i / (copy.count[0] * copy.count[1]));
-            MovedBlock block(text);
-            block.shift("Pos", steps.cwiseProduct(copy.spacing), at);
-            blocks[parent] += block.text() + "\n";
-        }
-        all.selects.push_back(path);
-    }
-    for (const auto& [parent, text] : blocks) {
-        Result<EditPlan> plan = planInsert(loaded, parent, text);
-        if (!plan) return plan;
-        for (auto& [file, edits] : plan.value().edits) std::ranges::move(edits, std::back_inserter(all.edits[file]));
-        std::ranges::move(plan.value().selects, std::back_inserter(all.selects));
-    }
-    return all;
+/// All copies of these objects, behind their originals. Selects the originals and the copies.
+Result<EditPlan> planRows(const LoadedProject& loaded, const std::vector<std::string>& originals, const ArrayCopy& copy,
+                          const StructureEdits::PathMapping& renamed) {
+    std::vector<std::string> paths;
+    for (const std::string& original : originals) paths.push_back(renamed(original));
+    std::vector<Vec3> offsets;
+    for (int i = 1; i < copy.count[0] * copy.count[1] * copy.count[2]; ++i)
+        offsets.push_back(Vec3(i % copy.count[0], i / copy.count[0] % copy.count[1], i / (copy.count[0] * copy.count[1]))
+                              .cwiseProduct(copy.spacing));
+    Result<EditPlan> plan = planCopies(loaded, paths, offsets);
+    if (plan.ok()) plan.value().selects.insert(plan.value().selects.begin(), paths.begin(), paths.end());
+    return plan;
 }
 
 } // namespace
@@ -216,7 +199,7 @@ void copyInRows(const ViewContext& context, const ArrayCopy& copy) {
                                                 : trArrange("Array copy of %1 objects").arg(originals.size());
     (void)context.document.structure().apply(title, originals,
                                              [originals, copy](const LoadedProject& loaded, const auto& renamed) {
-                                                 return planCopies(loaded, originals, copy, renamed);
+                                                 return planRows(loaded, originals, copy, renamed);
                                              });
 }
 

@@ -194,6 +194,21 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.loaded()->experiment->statics[0].geoms->size(), std::size_t(3));
     }
 
+    void copiesComeBehindTheirOriginals() {
+        const QByteArray crate = "  // a crate\n  Box crate { Size=0.4,0.4,0.4 Pos=0,0,0.2 } // of wood\n";
+        const QByteArray head = "StaticConfig Yard {\n" + crate;
+        const QByteArray rest =
+            "\n  // a ball\n  Sphere ball { Radius=0.1 Pos=5,0,0.1 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n";
+        QVERIFY(m_window->open(head + rest));
+        m_window->selection.select("yard.crate");
+        copyInRows(viewContext(), {{3, 1, 1}, {1, 0, 0}, false});
+        QCOMPARE(m_window->text(), head +
+                                       "  Box crate2 { Size=0.4,0.4,0.4 Pos=1,0,0.2 }\n"
+                                       "  Box crate3 { Size=0.4,0.4,0.4 Pos=2,0,0.2 }\n" +
+                                       rest);
+        QCOMPARE(m_window->selection.paths(), (std::vector<std::string>{"yard.crate", "yard.crate2", "yard.crate3"}));
+    }
+
     void dialogShowsSummary() {
         ArrayDialog dialog({0.5, 0.5, 0.3}, 3, {});
         dialog.findChild<QSpinBox*>(QStringLiteral("countX"))->setValue(4);
