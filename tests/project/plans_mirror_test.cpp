@@ -165,6 +165,52 @@ private Q_SLOTS:
         QVERIFY2(!plan.ok(), m_fixture.text(m_loaded, plan).c_str());
         QCOMPARE(QString::fromStdString(plan.error().message), why);
     }
+    void refusesWhatIsThereInAPart_data() {
+        QTest::addColumn<QString>("users");
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("why");
+        const QString left = QStringLiteral("left's mirror image is there already: right");
+        const QString robot = "RobotConfig Kit {\n  Body chassis { Pos=0,0,0.09 Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red "
+                              "Surface=floor } }\n  Part front { Config=Axle Pos=0.2,0.1,0 HPR=20,0,0 frame=chassis }\n}\n"
+                              "Robot rover { Config=Kit }\n";
+        const QString repeat = QString(robot)
+                                   .replace("  Part front { Config=Axle", "  Repeat row { Count=2 Part front { Config=Axle")
+                                   .replace("frame=chassis }", "frame=chassis } }");
+        QTest::newRow("through a robot") << robot << "rover.front.left" << left;
+        QTest::newRow("in the PartConfig") << robot << "PartConfig.Axle.left" << left;
+        QTest::newRow("in the PartConfig, without its image") << robot << "PartConfig.Axle.rear"
+                                                              << "";
+        QTest::newRow("of a Repeat") << repeat << "PartConfig.Axle.left" << left;
+        QTest::newRow("without a robot") << ""
+                                         << "PartConfig.Axle.left" << left;
+        QTest::newRow("without a robot, the image") << ""
+                                                    << "PartConfig.Axle.right"
+                                                    << "right's mirror image is there already: left";
+        QTest::newRow("without a robot and image") << ""
+                                                   << "PartConfig.Axle.rear"
+                                                   << "";
+        QTest::newRow("the same at the other side, not mirrored") << ""
+                                                                  << "PartConfig.Axle.post"
+                                                                  << "";
+        QTest::newRow("in a Part of a PartConfig") << "PartConfig Pair { Part axle { Config=Axle frame=$frame } }\n"
+                                                   << "PartConfig.Pair.axle.left" << left;
+    }
+    void refusesWhatIsThereInAPart() {
+        QFETCH(QString, users);
+        QFETCH(QString, path);
+        QFETCH(QString, why);
+        open(kWheelPart +
+             "PartConfig Axle {\n  Part left { Config=Wheel Pos=0.06,0.125,0.05 HPR=10,0,20 carrier=$frame }\n"
+             "  Part right { Config=Wheel Pos=0.06,-0.125,0.05 HPR=-10,0,-20 Mirror=y carrier=$frame }\n"
+             "  Part rear { Config=Wheel Pos=-0.1,0.125,0.05 carrier=$frame }\n"
+             "  Part post { Config=Wheel Pos=-0.3,0.125,0.05 HPR=30,0,0 carrier=$frame }\n"
+             "  Part otherPost { Config=Wheel Pos=-0.3,-0.125,0.05 HPR=30,0,0 Mirror=y carrier=$frame }\n}\n" +
+             users.toStdString());
+        const auto plan = planMirror(*m_loaded, {path.toStdString()}, 'y');
+        if (why.isEmpty()) return checkClean(plan);
+        QVERIFY2(!plan.ok(), m_fixture.text(m_loaded, plan).c_str());
+        QCOMPARE(QString::fromStdString(plan.error().message), why);
+    }
     /// Along another axis there is nothing yet.
     void mirrorsAlongAnotherAxis() {
         open(kWheelPart + kParts);

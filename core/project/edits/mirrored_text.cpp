@@ -4,7 +4,9 @@
 #include <array>
 #include <cctype>
 #include <optional>
+#include <set>
 
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "project/edits/moved_block.h"
 #include "project/objects/part_values.h"
@@ -92,12 +94,75 @@ const Chosen* blockOfPlane(const LoadedProject& loaded, const std::vector<Chosen
     return found == blocks.end() ? nullptr : &*found;
 }
 
+/// The path of the first use of a PartConfig in a robot, "rover.module"; empty without one.
+std::string pathOfUse(const LoadedProject& loaded, const Part& wanted) {
+    std::set<const Part*> seen;
+    const auto within = [&](const auto& self, const Part& holder, const std::string& path) -> std::string {
+        for (const Part& part : holder.parts) {
+            std::string at = path + "." + part.name;
+            if (part.isPartUse() && part.config == &wanted) return at;
+            const Part* inner = part.isRepeat() ? &part : part.isPartUse() ? part.config : nullptr;
+            if (!inner || !seen.insert(inner).second) continue;
+            at = self(self, *inner, part.isRepeat() ? at + "_0" : at);
+            if (!at.empty()) return at;
+        }
+        const bool hasBase = isVariant(holder) && holder.config && seen.insert(holder.config).second;
+        return hasBase ? self(self, *holder.config, path) : std::string();
+    };
+    for (const RobotSpec& robot : loaded.experiment->robots) {
+        const auto place = placeOf(loaded, robot.name);
+        const Part* config = place && place->part ? configOf(loaded, *place->part) : nullptr;
+        if (!config || !seen.insert(config).second) continue;
+        if (std::string path = within(within, *config, robot.name); !path.empty()) return path;
+    }
+    return {};
+}
+
+/// Blocks of a PartConfig where a robot has them, so that they have poses; others as they are.
+std::vector<Chosen> inRobot(const LoadedProject& loaded, const std::vector<Chosen>& blocks) {
+    const Part* config = blocks.empty() || blocks.front().place.above.empty() ? nullptr : blocks.front().place.above.front();
+    if (!config || !config->kind || config->kind->name != "PartConfig") return blocks;
+    const std::string use = pathOfUse(loaded, *config), own = pathOfConfig(*config);
+    std::vector<Chosen> all = blocks;
+    for (Chosen& c : all) {
+        const auto place =
+            use.empty() || !c.path.starts_with(own + ".") ? std::nullopt : placeOf(loaded, use + c.path.substr(own.size()));
+        if (!place || !place->part) return blocks;
+        c.place = *place;
+    }
+    return all;
+}
+
+/// The same without a robot: another Part of the same Config beside it, at the mirrored pose and with the other Mirror.
+Status checkImageInText(const LoadedProject& loaded, const Chosen& block, char axis) {
+    const Part& part = *block.place.part;
+    if (!part.isPartUse() || !part.config || block.place.above.empty()) return {};
+    const auto wordAt = [&](const ObjectLocation& place, const char* key) {
+        const std::optional<PropertyValue> value = valueAt(loaded, place, key);
+        return value && !value->texts.empty() ? value->texts[0] : std::string("none");
+    };
+    DescribedFrame plane;
+    plane.signs[axis - 'x'] = -1;
+    const Pose image = plane.mirrored(poseAt(loaded, block.place));
+    const std::string by(1, axis), mirror = wordAt(block.place, "Mirror") == by ? "none" : by;
+    for (const Part& other : block.place.above.back()->parts) {
+        if (&other == &part || !other.isPartUse() || other.config != part.config) continue;
+        const auto there = placeOf(loaded, pathInside(withoutLastWord(block.path), other.name));
+        if (!there || wordAt(*there, "Mirror") != mirror || wordAt(*there, "In") != wordAt(block.place, "In")) continue;
+        const Pose pose = poseAt(loaded, *there);
+        if ((pose.position - image.position).norm() < 1e-6 && pose.rotation.angularDistance(image.rotation) < 1e-6)
+            return Error{Code::Conflict, part.name + "'s mirror image is there already: " + other.name};
+    }
+    return {};
+}
+
 } // namespace
 
-Status checkMirrorImage(const LoadedProject& loaded, const std::vector<Chosen>& blocks, char axis) {
+Status checkMirrorImage(const LoadedProject& loaded, const std::vector<Chosen>& selected, char axis) {
+    const std::vector<Chosen> blocks = inRobot(loaded, selected);
     const Chosen* block = blockOfPlane(loaded, blocks);
     const RobotConfigSpec* config = block ? resolvedConfig(loaded, block->place) : nullptr;
-    if (!config) return {};
+    if (!config) return selected.size() == 1 ? checkImageInText(loaded, selected.front(), axis) : Status();
     const std::string prefix = resolvedPrefix(block->place);
     const Pose frame = describedFrame(loaded, block->place).pose;
     const auto imageOf = [&](Vec3 position) {
