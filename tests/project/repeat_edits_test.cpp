@@ -327,6 +327,23 @@ private Q_SLOTS:
         QVERIFY(placeOf(*after, plan.value().selects.at(plan.value().selects.size() - 1)));
     }
 
+    /// On top of the robot, not in it; also where what is selected is in the config that gets them.
+    void templatesAreOnTop() {
+        m_loaded = m_fixture.open("RobotConfig Cart {\n  Body chassis { Pos=0,0,0.1 Box hull { Size=0.4,0.3,0.2 Mass=1 } }\n"
+                                  "  Body arm { Pos=0,0,0.25 Box b { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                  "  Hinge elbow { Parent=chassis Child=arm }\n}\nRobot r { Config=Cart }\n");
+        const auto text = [&](const char* kind, const char* parent) {
+            return QString::fromStdString(templateOf(*m_loaded, *m_loaded->registry->find(kind), parent));
+        };
+        for (const char* parent : {"RobotConfig.Cart", "r", "r.elbow"}) {
+            QCOMPARE(text("Repeat", parent),
+                     QStringLiteral("Repeat repeat { Count=3 Pos=$(0.2*index),0,0\n"
+                                    "  Body body { Pos=0,0,0.35 Box box { Size=0.1,0.1,0.1 Mass=0.1 } }\n}"));
+            QCOMPARE(text("Ring", parent), QStringLiteral("Ring ring { Count=3 Radius=0.1 Pos=0,0,0.35\n"
+                                                          "  Body body { Box box { Size=0.1,0.1,0.1 Mass=0.1 } }\n}"));
+        }
+    }
+
     /// A value changed in a variant is written there; what is added, too; names are renamed in it.
     void variantsGetOverrides() {
         const std::string variant =

@@ -94,12 +94,9 @@ private:
         else if (isInWorld) {
             const Kind& robot = *m_loaded.registry->find("Robot");
             text += "\n  Robot robot { Config=" + value(robot, *robot.find("Config"), "robot", depth) + " }\n";
-        } else if (kind.role == Role::Repeat && bodyAround(target)) {
-            const Kind& box = *m_loaded.registry->find("Box");
-            const std::string place = position(box, bodyAround(target));
-            text += kind.name == "Ring" ? place : "";
-            text += "\n  Box box { Size=0.05,0.05,0.05" + (kind.name == "Ring" ? "" : place) + looks(box, target) + mass(box, target) + " }\n";
-        } else if ((kind.name == "PartConfig" && !isScenery()) || (kind.role == Role::Repeat && !holdsScenery()))
+        } else if (kind.role == Role::Repeat && (bodyAround(target) || !holdsScenery())) {
+            text += members(kind, target);
+        } else if (kind.name == "PartConfig" && !isScenery())
             text += "\n  Body body { Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
         else if (kind.name == "StaticConfig" || kind.name == "PartConfig" || kind.role == Role::Repeat)
             text += "\n  Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1" + looks(kind, nullptr) + " }\n";
@@ -108,6 +105,17 @@ private:
         m_made.emplace_back(&kind, name);
         if (kind.role == Role::Body && isScenery() && depth == 0) hold(name);
         return name;
+    }
+
+    /// The place and the contents of a Repeat or Ring in a robot: geoms in a body, else bodies, on top of what is there.
+    std::string members(const Kind& kind, const Part* target) const {
+        const Kind& box = *m_loaded.registry->find("Box");
+        const Part* body = bodyAround(target);
+        const std::string place = position(box, body ? body : target), ofRing = kind.name == "Ring" ? place : "";
+        const std::string ofMember = ofRing.empty() ? place : "";
+        if (body)
+            return ofRing + "\n  Box box { Size=0.05,0.05,0.05" + ofMember + looks(box, target) + mass(box, target) + " }\n";
+        return ofRing + "\n  Body body {" + ofMember + " Box box { Size=0.1,0.1,0.1" + looks(kind, nullptr) + " Mass=0.1 } }\n";
     }
 
     /// A body of scenery needs a joint: one that holds it.

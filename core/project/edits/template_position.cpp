@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/dotted_path.h"
 #include "model/resolve/footprint.h"
 #include "project/objects/part_values.h"
 
@@ -31,7 +32,18 @@ const GeomSpec* resolved(const LoadedProject& loaded, const Part& part) {
     return nullptr;
 }
 
-/// From its values, so that a config without instances has shapes too.
+/// The path under which `target` is reached: `path`, or what that is in.
+std::string pathOf(const LoadedProject& loaded, const std::string& path, const Part& target) {
+    for (std::string at = path; !at.empty(); at = withoutLastWord(at)) {
+        const auto place = placeOf(loaded, at);
+        if (!place || !place->part) continue;
+        if (place->part == &target || (isPlaced(*place->part) && configOf(loaded, *place->part) == &target)) return at;
+    }
+    return path;
+}
+
+} // namespace
+
 std::optional<GeomSpec> shapeAt(const LoadedProject& loaded, const ObjectLocation& place) {
     const std::optional<GeomShape> shape = place.part->kind ? shapeOf(place.part->kind->name) : std::nullopt;
     if (!shape) {
@@ -50,6 +62,8 @@ std::optional<GeomSpec> shapeAt(const LoadedProject& loaded, const ObjectLocatio
     geom.length = number("Length");
     return geom;
 }
+
+namespace {
 
 /// The highest z (m, config frame) of the geoms of a body with pose `X_CB`.
 std::optional<double> topOf(const LoadedProject& loaded, const std::string& path, const Part& body, const Pose& X_CB) {
@@ -75,7 +89,8 @@ std::optional<GeomSpec> templateShape(const Kind& kind) {
     return geom;
 }
 
-Vec3 templatePosition(const LoadedProject& loaded, const std::string& path, const Part& target, const GeomSpec& shape) {
+Vec3 templatePosition(const LoadedProject& loaded, const std::string& given, const Part& target, const GeomSpec& shape) {
+    const std::string path = pathOf(loaded, given, target);
     Pose X_CT; // of the target's frame in the config's
     std::optional<double> top;
     const auto poseOf = [&](const std::string& of) {
