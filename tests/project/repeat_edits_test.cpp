@@ -5,6 +5,7 @@
 #include "plan_fixture.h"
 #include "project/edits/edit_target.h"
 #include "project/edits/path_after_edit.h"
+#include "project/edits/repeat_step.h"
 #include "project/edits/value_edits.h"
 #include "project/objects/object_values.h"
 #include "project/objects/part_values.h"
@@ -342,6 +343,41 @@ private Q_SLOTS:
             QCOMPARE(text("Ring", parent), QStringLiteral("Ring ring { Count=3 Radius=0.1 Pos=0,0,0.35\n"
                                                           "  Body body { Box box { Size=0.1,0.1,0.1 Mass=0.1 } }\n}"));
         }
+    }
+
+    /// The proposed step of a Repeat: the width of the blocks, rounded up.
+    void stepsKeepMembersApart_data() {
+        QTest::addColumn<QStringList>("paths");
+        QTest::addColumn<double>("step");
+        QTest::newRow("body") << QStringList{"RobotConfig.Cart.chassis"} << 0.35;
+        QTest::newRow("through a robot") << QStringList{"r.chassis"} << 0.35;
+        QTest::newRow("small body") << QStringList{"r.arm"} << 0.04;
+        QTest::newRow("two bodies") << QStringList{"r.arm", "r.hand"} << 0.25;
+        QTest::newRow("the second counts from the first") << QStringList{"r.arm", "r.finger"} << 0.55;
+        QTest::newRow("turned") << QStringList{"r.hand"} << 0.25;
+        QTest::newRow("geom") << QStringList{"r.chassis.hull"} << 0.35;
+        QTest::newRow("joint") << QStringList{"r.elbow"} << 0.1;
+        QTest::newRow("Part") << QStringList{"r.left"} << 0.06;
+        QTest::newRow("Repeat") << QStringList{"r.row"} << 0.45;
+        QTest::newRow("robot") << QStringList{"r"} << 1.1;
+    }
+    void stepsKeepMembersApart() {
+        QFETCH(QStringList, paths);
+        QFETCH(double, step);
+        m_loaded =
+            m_fixture.open("PartConfig Wheel { Body wheel { Cylinder tyre { Radius=0.1 Length=0.05 HPR=0,0,90 Mass=1 } } }\n"
+                           "RobotConfig Cart {\n  Body chassis { Box hull { Size=0.4,0.3,0.2 Mass=1 } }\n"
+                           "  Body arm { Pos=0,0,0.25 Box b { Size=0.1,0.03,0.1 Mass=1 } }\n"
+                           "  Body hand { Pos=0,0.05,0.25 HPR=90,0,0 Box b { Size=0.2,0.01,0.1 Mass=1 } }\n"
+                           "  Body finger { In=arm Pos=0,0.5,0 Box b { Size=0.01,0.01,0.1 Mass=1 } }\n"
+                           "  Part left { Config=Wheel Pos=0,0.2,0 Mirror=y }\n"
+                           "  Repeat row { Count=3 Pos=0,$(0.2*index),0 Body b { Box b { Size=0.1,0.02,0.1 Mass=1 } } }\n"
+                           "  Hinge elbow { Parent=chassis Child=arm }\n}\nRobot r { Config=Cart }\n");
+        std::vector<std::string> all;
+        for (const QString& path : paths) all.push_back(path.toStdString());
+        const Vec3 found = repeatStep(*m_loaded, all);
+        QVERIFY(found.x() == 0 && found.z() == 0);
+        QVERIFY2(std::abs(found.y() - step) < 1e-9, qPrintable(QString::number(found.y())));
     }
 
     /// A value changed in a variant is written there; what is added, too; names are renamed in it.

@@ -10,9 +10,10 @@
 #include "editor/widgets/actions.h"
 #include "editor/widgets/strings.h"
 #include "model/dotted_path.h"
-#include "project/edits/duplicate_offset.h"
 #include "project/edits/insert_positions.h"
 #include "project/edits/plan_wrap.h"
+#include "project/edits/repeat_step.h"
+#include "schema/allowed_parents.h"
 
 namespace trundle {
 namespace {
@@ -21,6 +22,14 @@ namespace {
 bool isInConfig(const LoadedProject& loaded, const std::string& path) {
     const auto place = placeOf(loaded, definedAt(loaded, path));
     return place && place->part && !place->above.empty() && place->above.front()->is(Role::Config);
+}
+
+/// Robots and scenery at the top level can be repeated too, but no configs and materials.
+bool isRepeatable(const LoadedProject& loaded, const std::string& path) {
+    if (isInConfig(loaded, path)) return true;
+    const auto place = placeOf(loaded, path);
+    const Kind* kind = place && place->part ? place->part->kind : nullptr;
+    return kind && isAllowedInside(*kind, "Repeat");
 }
 
 } // namespace
@@ -44,11 +53,15 @@ PartCommands::PartCommands(QWidget& window, Actions& actions, Document& document
 /// Without a selection they say what to select.
 void PartCommands::enable() {
     const std::vector<std::string> paths = m_document.isOpen() ? m_selection.paths() : std::vector<std::string>();
-    const bool isPossible = paths.empty() || std::ranges::any_of(paths, [this](const std::string& path) {
-                                return path.empty() || isInConfig(*m_document.loaded(), path);
-                            });
+    const auto isAny = [&](bool (*isPossible)(const LoadedProject&, const std::string&)) {
+        return paths.empty() || std::ranges::any_of(paths, [&](const std::string& path) {
+                   return path.empty() || isPossible(*m_document.loaded(), path);
+               });
+    };
+    const bool isInside = isAny(isInConfig);
     for (const char* id : {"parts.make", "parts.mirrorY", "parts.mirrorX", "parts.mirrorZ"})
-        m_actions.at(id).setEnabled(isPossible);
+        m_actions.at(id).setEnabled(isInside);
+    m_actions.at("parts.repeat").setEnabled(isAny(isRepeatable));
 }
 
 std::vector<std::string> PartCommands::chosen() {
@@ -79,7 +92,7 @@ void PartCommands::askRepeat() {
     // Reported before numbers are chosen for it; which numbers makes no difference.
     const Result<EditPlan> possible = planRepeat(loaded, paths, 2, Vec3::Zero());
     if (!possible) return Q_EMIT m_document.refused(toQString(possible.error().message));
-    auto* dialog = new RepeatDialog(duplicateOffset(loaded, paths), &m_window);
+    auto* dialog = new RepeatDialog(repeatStep(loaded, paths), &m_window);
     connect(&m_document, &Document::opened, dialog, &QDialog::reject);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         apply(tr("Repeat %1"),

@@ -207,6 +207,14 @@ private Q_SLOTS:
         for (const char* path : {"robot0", "Material.red", "RobotConfig.Kit"}) QVERIFY2(!isOffered(path), path);
         for (const char* path : {"robot0.leftWheel", "RobotConfig.Kit.leftAxle", "robot0.chassis.hull"})
             QVERIFY2(isOffered(path), path);
+        const auto isRepeatOffered = [&](const char* path) {
+            (void)isOffered(path);
+            for (const QAction* action : m_window->findChild<QMenu*>(QStringLiteral("menu.Edit/Parts"))->actions())
+                if (action->objectName() == QStringLiteral("parts.repeat")) return action->isEnabled();
+            return false;
+        };
+        for (const char* path : {"Material.red", "RobotConfig.Kit"}) QVERIFY2(!isRepeatOffered(path), path);
+        for (const char* path : {"robot0", "robot0.leftWheel", "robot0.chassis.hull"}) QVERIFY2(isRepeatOffered(path), path);
         m_window->selection().set({"robot0", "robot0.leftWheel"});
         m_window->selection().clear();
         QSignalSpy refused(&document(), &Document::refused);
