@@ -67,6 +67,7 @@ void HelpStrip::display(const Row& row, const QString& refusal, bool running) {
     m_title->show();
     QString help = p ? QString::fromStdString(p->help) : paramHelp(*row.loaded, row.first().path);
     if (!p && help.isEmpty()) help = tr("A Param: other values may be worked out from it.");
+    if (running && !help.isEmpty() && !QStringLiteral(".!?:;…").contains(help.back())) help += QLatin1Char('.');
     if (running && p && p->live) help += QLatin1Char(' ') + tr("Takes effect at once in a run.");
     else if (running) help += QLatin1Char(' ') + tr("Takes effect after a reset.");
     m_help->setText(refusal.isEmpty() ? help.toHtmlEscaped() : coloured(Ink::Error, refusal));

@@ -18,7 +18,10 @@ constexpr int kTextMargin = 2; ///< pixels; QLineEdit's own margin on both sides
 } // namespace
 
 ValueField::ValueField(QWidget* parent) : QLineEdit(parent) {
-    connect(this, &QLineEdit::textEdited, this, [this] { colour(); });
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        clearError(); // it was about the text before
+        colour();
+    });
 }
 
 void ValueField::setValue(const QString& text) {

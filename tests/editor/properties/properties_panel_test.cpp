@@ -124,10 +124,10 @@ private Q_SLOTS:
         fixture.type("Resistance", QStringLiteral("-3"));
         QVERIFY2(fixture.help().contains(QStringLiteral("it must be from")), qPrintable(fixture.help()));
         fixture.picture("refused");
+        QTest::keyClick(fixture.field("Resistance"), Qt::Key_5); // the next key changes what the error is about
+        QVERIFY(!fixture.field("Resistance")->refused() && !fixture.help().contains(QStringLiteral("it must be from")));
         QTest::keyClick(fixture.field("Resistance"), Qt::Key_Escape);
         QCOMPARE(fixture.shown("Resistance"), QStringLiteral("3"));
-        QVERIFY(!fixture.field("Resistance")->refused());
-        QVERIFY(!fixture.help().contains(QStringLiteral("it must be from")));
         QCOMPARE(fixture.document.edits().history().entries().size(), entries);
     }
 

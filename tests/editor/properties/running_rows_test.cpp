@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QLineEdit>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -67,6 +68,22 @@ struct RunningFixture {
 class RunningRowsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// The help of a Param need not end with a full stop.
+    void helpOfAParamEndsBeforeTheHint() {
+        RunningFixture fixture(
+            "RobotConfig Crate { Param side = 0.2 { Help=\"Side of it\" } Body box { Box hull { Size=$side,0.2,0.2 Mass=1 "
+            "Material=default Surface=default } } }\nRobot crate { Config=Crate Pos=0,0,20 }\n");
+        fixture.selection.select("RobotConfig.Crate");
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
+        auto* row = fixture.panel.findChild<QWidget*>(QStringLiteral("row.param.side"));
+        QVERIFY(row && row->findChild<QLineEdit*>(QStringLiteral("field")));
+        QFocusEvent focus(QEvent::FocusIn);
+        QCoreApplication::sendEvent(row->findChild<QLineEdit*>(QStringLiteral("field")), &focus);
+        EVENTUALLY_EQUAL(fixture.panel.findChild<QLabel*>(QStringLiteral("helpText"))->text(),
+                         QStringLiteral("Side of it. Takes effect after a reset."));
+    }
+
     void aRobotShowsWhereItIs() {
         RunningFixture fixture;
         fixture.selection.select("crate");
