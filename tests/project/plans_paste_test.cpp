@@ -110,7 +110,7 @@ private Q_SLOTS:
             "PartConfig Wheel { Body b { Sphere s { Radius=$r Mass=1 Material=$colour Surface=floor } } }\n";
         const auto unknown = planInsert(*m_loaded, "a", wrong + "Part p { Config=Wheel }");
         QCOMPARE(unknown.ok() ? std::string() : unknown.error().message,
-                 std::string("PartConfig Wheel uses $r, which there is not here"));
+                 std::string("PartConfig Wheel uses $r, which is not here"));
     }
 
 private:
