@@ -76,7 +76,7 @@ private Q_SLOTS:
         m_window->look({-1.6, -2.2, 1.2}, {0, 0, 0.2});
         take("RobotConfig.Kit.arm", "tool.move");
         dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.2});
-        QVERIFY2(m_window->text().contains("Mass=1 } } Pos=0,0,0.1 }"), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Radius=0.5 Pos=0,0,0.1 Body tip {"), m_window->text().constData());
         open(text);
         take("robot0.arm_3.tip", "tool.move"); // its x points to -y
         dragBy({GizmoHandle::Kind::Axis, 1}, {0, -0.1, 0}, Qt::NoModifier, {0, -0.5, 0.2});
