@@ -285,6 +285,8 @@ private Q_SLOTS:
             "E202 the 2nd element of Count is a number (0.5), it must be a whole number | 0.5");
         row("a second number", post + "Grid n { Config=P Count=2 Spacing=1 h=$(0.1+index2) }\n",
             "E211 there is no Param index2; it is there in a Repeat or Grid with two numbers, Count=5,2 | index2");
+        row("a Repeat with a number for its name", "StaticConfig P { Repeat 3 { " + kBox + " } }\n",
+            "E101 how often is written in the block: `Repeat name { Count=3` | 3");
         row("a Repeat without blocks", "StaticConfig P { Repeat post { Count=3 Pos=$(index),0,0 } " + kBox + " }\n",
             "E209 Repeat post has no blocks, so nothing is repeated | post");
         row("pi", "Param pi = 3\n", "E303 the name pi is taken by the number pi, which this Param replaces in $( ) | pi");

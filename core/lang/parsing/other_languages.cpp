@@ -78,7 +78,7 @@ void OtherLanguages::blockWith(std::vector<Item>& out, int depth, std::size_t ex
     if (out.size() == before || !out.back().as<BlockItem>()) return;
     auto& block = std::get<BlockItem>(out.back().node);
     block.name.reset(); // it had the tokens behind the name in it
-    if (named) block.name = own;
+    block.name = named ? own : Name{"unnamed" + std::to_string(place.begin), place}; // what it lacks is said already
     block.items.insert(block.items.begin(), Item{place, std::move(item)});
 }
 

@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::size_t kMaxGaps = 1000; ///< bounds the size of a fix
 
-bool isOperator(TokenKind kind) {
-    return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash ||
-           kind == TokenKind::Caret;
-}
-
 /// `written`, which begins at offset `begin`, with a comma inserted in each gap.
 std::string withCommas(std::string_view written, std::uint32_t begin, const std::vector<TextRange>& gaps) {
     std::string repaired(written);
@@ -29,7 +24,22 @@ bool isNumber(std::string_view text) {
            std::ranges::count(text, '.') < 2;
 }
 
+/// `(x + 2)`, but not `(x) + (2)`.
+bool isOneGroup(std::string_view text) {
+    int depth = 0;
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+        if (depth == 0) return false;
+    }
+    return text.size() > 2 && text.back() == ')';
+}
+
 } // namespace
+
+bool isOperator(TokenKind kind) {
+    return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash ||
+           kind == TokenKind::Caret;
+}
 
 void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
     v.broken = true;
@@ -291,7 +301,7 @@ void ValueErrors::arithmetic(Element& e, Value& v) {
     while (!atEnd() && !newLine()) {
         const TokenKind k = kind();
         if (isOperator(k)) operand = true;
-        else if (k == TokenKind::OpenParen) ++parens;
+        else if (k == TokenKind::OpenParen) ++parens, operand = true;
         else if (k == TokenKind::CloseParen && parens > 0) --parens;
         else if (k == TokenKind::Unit) units = true;
         else if ((k == TokenKind::Number && (operand || adjacent())) ||
@@ -309,7 +319,8 @@ void ValueErrors::arithmetic(Element& e, Value& v) {
     Diagnostic& d = error(Code::BadExpression, e.range, "arithmetic is written in $( )");
     std::string inside(slice(e.range));
     if (refs) std::erase_if(inside, [](char c) { return c == '$' || c == '{' || c == '}'; });
-    if (!units && parens == 0 && inside.size() < 60) fix(d, "$(" + inside + ")", {edit(e.range, "$(" + inside + ")")});
+    const std::string expression = isOneGroup(inside) ? "$" + inside : "$(" + inside + ")";
+    if (!units && parens == 0 && inside.size() < 60) fix(d, expression, {edit(e.range, expression)});
     e.kind = Element::Kind::Number;
     e.unit.clear();
     v.broken = true;

@@ -8,6 +8,9 @@
 
 namespace trundle {
 
+/// Whether a token is `+ - * / ^`.
+[[nodiscard]] bool isOperator(TokenKind kind);
+
 class ValueErrors : ParserPart {
 public:
     /// `element` parses one element of a value.
@@ -29,13 +32,14 @@ public:
     void unitWithoutPower(Element& e) { m_units.withoutPower(e); }
     /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
     void unquotedText(Element& e, Value& v);
+    /// `2*x`, `(x)`: an element that is, or continues as, arithmetic outside of `$( )`.
+    void arithmetic(Element& e, Value& v);
     void reportGaps(Value& v, const std::vector<TextRange>& gaps);
     /// `[1,2,3]`, `(1,2,3)`, `{1,2,3}`: the elements have been parsed, the closing bracket has not.
     void reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps);
 
 private:
     void reportUnquoted(const Element& e, const std::string& written);
-    void arithmetic(Element& e, Value& v);
     void calledParam(Element& e, Value& v);
 
     UnitErrors m_units;

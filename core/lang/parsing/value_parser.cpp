@@ -56,13 +56,32 @@ bool ValueParser::openBracket() const {
     return kind() == TokenKind::OpenBrace && (kind(1) == TokenKind::Number || kind(1) == TokenKind::String);
 }
 
+/// How many tokens `(x * 2)` has, in one line; 0 for a list in brackets, `(1, 2)`, and for what is not closed.
+std::size_t ValueParser::termInParens() const {
+    if (kind() != TokenKind::OpenParen || newLine()) return 0;
+    std::size_t depth = 1, i = 1;
+    for (; depth > 0; ++i) {
+        const TokenKind k = kind(i);
+        if (k == TokenKind::OpenParen || k == TokenKind::ExprOpen) ++depth;
+        else if (k == TokenKind::CloseParen) --depth;
+        else if (depth == 1 && k == TokenKind::Comma) return 0;
+        else if (k != TokenKind::Number && k != TokenKind::Unit && k != TokenKind::Word && k != TokenKind::ParamRef &&
+                 k != TokenKind::Comma && !isOperator(k))
+            return 0;
+        if (newLine(i)) return 0;
+    }
+    return i > 2 ? i : 0; // not of `()`
+}
+
 Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equals) {
     Value v;
     v.range = {equals.end, equals.end};
     std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or a `;` written instead
     TextRange bracket;
     skipEquals(v);
-    if (openBracket()) {
+    const std::size_t term = termInParens(); // `(x),1,1`
+    const bool isTerm = term > 0 && !newLine(term) && (kind(term) == TokenKind::Comma || isOperator(kind(term)));
+    if (!isTerm && openBracket()) {
         bracket = range();
         v.broken = true;
         advance();
@@ -189,6 +208,10 @@ bool ValueParser::element(Value& v) {
             return false;
         if (newLine(1)) return false;
         m_errors.signedElement(e, v);
+        break;
+    case TokenKind::OpenParen:
+        if (termInParens() == 0) return false;
+        m_errors.arithmetic(e, v);
         break;
     case TokenKind::Dot:
     case TokenKind::Slash:

@@ -30,6 +30,7 @@ private:
     void stringElement(Element& e, Value& v);
     bool afterElement(Value& v, std::vector<TextRange>& gaps);
     [[nodiscard]] bool openBracket() const;
+    [[nodiscard]] std::size_t termInParens() const;
     [[nodiscard]] bool keyFollows(const Value& v, bool gaps) const;
 
     ExpressionParser m_expressions;
