@@ -12,6 +12,9 @@ namespace trundle {
 [[nodiscard]] constexpr bool isIdent(char c) { return isIdentStart(c) || isDigit(c); }
 [[nodiscard]] constexpr bool isWordChar(char c) { return isIdent(c) || c == '.' || c == '/' || c == '\\' || c == '-'; }
 
+/// Whether a word begins like a kind or a property.
+[[nodiscard]] constexpr bool isCapital(std::string_view word) { return !word.empty() && word[0] >= 'A' && word[0] <= 'Z'; }
+
 /// Unusual space characters and zero-width characters, which come from pasted text.
 [[nodiscard]] constexpr bool isInvisible(std::uint32_t point) {
     return point == 0xA0 || point == 0xAD || point == 0xFEFF || (point >= 0x2000 && point <= 0x200F) ||

@@ -102,7 +102,7 @@ std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, st
     outline->params = std::move(top.params);
     ImportedTopLevel lifter(*texts, *registry, top.imported);
     PartBuilder builder(*texts, *registry, diagnostics);
-    builder.findFragment(top);
+    builder.setTop(top);
     std::uint32_t order = 0;
     const auto place = [&](const SourceBlock& placed) {
         outline->parts.push_back(std::make_unique<Part>(builder.build(placed, nullptr, order)));

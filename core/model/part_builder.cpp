@@ -24,6 +24,11 @@ std::string placeText(std::vector<std::string> all) {
     return listText(all);
 }
 
+/// The kind whose Config names a block of kind `type`; empty: none.
+std::string userOfConfig(std::string_view type) {
+    return type == "RobotConfig" ? "Robot" : type == "StaticConfig" ? "Static" : type == "PartConfig" ? "Part" : "";
+}
+
 std::string lowerFirst(std::string word) {
     if (!word.empty()) word[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(word[0])));
     return word;
@@ -31,7 +36,8 @@ std::string lowerFirst(std::string word) {
 
 } // namespace
 
-void PartBuilder::findFragment(const BlockView& top) {
+void PartBuilder::setTop(const BlockView& top) {
+    m_top = &top;
     const auto isInner = [&](const SourceBlock& block) {
         const Kind* kind = m_registry.find(block.block->type.text);
         const bool isPlaced = kind && (kind->role == Role::Instance || kind->role == Role::Layout) && allows(nullptr, *kind);
@@ -105,7 +111,7 @@ void PartBuilder::fill(Part& part, FileId file) {
 /// An instance has Config, Pos ... itself: it could not set a Param of that name.
 void PartBuilder::checkParams(const Part& config) {
     const std::string& type = config.block->type.text;
-    const std::string user = type == "RobotConfig" ? "Robot" : type == "StaticConfig" ? "Static" : "Part";
+    const std::string user = userOfConfig(type);
     const Kind* instance = m_registry.find(user);
     for (const SourceParam& param : config.params)
         if (instance && instance->find(param.name->text))
@@ -182,8 +188,33 @@ bool PartBuilder::isMeantAsPath(const Part& part, const Part* parent) {
     return true;
 }
 
+/// `Wheel left {` for `Part left { Config=Wheel`.
+bool PartBuilder::isConfigName(const Part& part, const Part* parent) {
+    const std::string& word = part.block->type.text;
+    const auto names = [&](const SourceBlock& each) { return each.block->name && each.block->name->text == word; };
+    const auto found = m_top ? std::ranges::find_if(m_top->blocks, names) : std::vector<SourceBlock>::const_iterator();
+    if (!m_top || found == m_top->blocks.end()) return false;
+    const std::string& type = found->block->type.text;
+    const std::string user = userOfConfig(type);
+    const Kind* kind = m_registry.find(user);
+    if (!kind) return false;
+    const std::string name = part.block->name ? " " + part.name : "";
+    const bool isHere = allows(parent, *kind);
+    std::string text = word + " is " + withArticle(type) + ", not a kind; " + withArticle(user) + " uses it: `" + user +
+                       (name.empty() ? " name" : name) + " { Config=" + word + "`";
+    if (!isHere) text += user == "Part" ? ", in a config" : ", at the top level";
+    Diagnostic& d = m_diagnostics.error(Code::UnknownKind, part.typeRange(), text);
+    if (!isHere || part.block->open.size() == 0) return true;
+    const auto behind = part.block->open.end;
+    d.fixes.push_back(
+        {user + name + " { Config=" + word, {{part.typeRange(), user}, {{part.file, {behind, behind}}, " Config=" + word}}});
+    return true;
+}
+
 void PartBuilder::unknownKind(const Part& part, const Part* parent) {
-    if (isMeantAsPath(part, parent)) return;
+    const auto& name = part.block->name;
+    if (name && name->range.begin < part.typeRange().range.begin) return; // `left = Wheel {`, which was reported as a whole
+    if (isMeantAsPath(part, parent) || isConfigName(part, parent)) return;
     const std::string& word = part.block->type.text;
     std::vector<std::string> candidates;
     for (const Kind* kind : m_registry.all()) {

@@ -14,8 +14,9 @@ public:
     PartBuilder(const TextSet& texts, const Registry& registry, Diagnostics& diagnostics)
         : m_texts(texts), m_registry(registry), m_diagnostics(diagnostics) {}
 
-    /// Whether the opened file has nothing but blocks that belong in other blocks: it is made to be imported there.
-    void findFragment(const BlockView& top);
+    /// All of the top level, which has to live as long as this: whether the opened file has nothing but blocks that belong in other
+    /// blocks, since it is made to be imported there.
+    void setTop(const BlockView& top);
     /// `parent` is the enclosing part, nullptr at the top level.
     [[nodiscard]] Part build(const SourceBlock& placed, const Part* parent, std::uint32_t order);
 
@@ -29,12 +30,14 @@ private:
     [[nodiscard]] bool fits(Part& part, const Part* parent);
     void unknownKind(const Part& part, const Part* parent);
     bool isMeantAsPath(const Part& part, const Part* parent);
+    bool isConfigName(const Part& part, const Part* parent);
     void misplaced(const Part& part, const Part* parent);
     void looseGeoms(const Part& config);
 
     const TextSet& m_texts;
     const Registry& m_registry;
     Diagnostics& m_diagnostics;
+    const BlockView* m_top = nullptr;
     bool m_isFragment = false, m_fragmentReported = false;
     const Kind* m_config = nullptr; ///< of the top-level block, if it is a config
     const Kind* m_holder = nullptr; ///< of the innermost block around that is no Repeat

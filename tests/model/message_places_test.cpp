@@ -289,6 +289,16 @@ private Q_SLOTS:
             "E101 how often is written in the block: `Repeat name { Count=3` | 3");
         row("a Repeat without blocks", "StaticConfig P { Repeat post { Count=3 Pos=$(index),0,0 } " + kBox + " }\n",
             "E209 Repeat post has no blocks, so nothing is repeated | post");
+        const std::string part = "PartConfig Wheel { Body b { " + kBox + " } }\n";
+        row("a PartConfig in place of a kind", part + "RobotConfig n { Wheel left { Pos=0,0,1 } }\n",
+            "E301 Wheel is a PartConfig, not a kind; a Part uses it: `Part left { Config=Wheel` | Wheel | fix Part left { "
+            "Config=Wheel");
+        row("a RobotConfig in place of a kind", "RobotConfig n { Body b { " + kBox + " } }\nn rover { Pos=0,0,1 }\n",
+            "E301 n is a RobotConfig, not a kind; a Robot uses it: `Robot rover { Config=n` | n | fix Robot rover { Config=n");
+        row("a PartConfig at the top level", part + "Wheel left { Pos=0,0,1 }\n",
+            "E301 Wheel is a PartConfig, not a kind; a Part uses it: `Part left { Config=Wheel`, in a config | Wheel");
+        row("a PartConfig behind an =", part + "RobotConfig n { left = Wheel { } }\n",
+            "E101 a block begins with its kind: `Wheel left {` | left = Wheel | fix Wheel left");
         row("pi", "Param pi = 3\n", "E303 the name pi is taken by the number pi, which this Param replaces in $( ) | pi");
         row("a function",
             "StaticConfig P { Param sin = 4 Box a { Size=$sin,1,1 Material=g Surface=s } }\nStatic n { Config=P sin=3 }\n",

@@ -49,6 +49,14 @@ bool ForeignOperators::behindOperand() {
     if (kind() == TokenKind::Unknown && text() == "?") return report(range(), std::string(kAlternative) + ", not with `?`");
     if (kind() == TokenKind::Word && text() == "if" && !newLine()) return report(range(), kAlternative);
     if (isRemainder()) return report(range(), "a remainder is written mod(a, b)");
+    if (text() == "[" && adjacent() && text(2) == "]") {
+        const std::string list(slice(previous())), index(text(1));
+        return report({range().begin, range(2).end}, "an element of a list is written element(" + list + ", " + index + ")");
+    }
+    const std::size_t axis = kind() == TokenKind::Dot && adjacent() && adjacent(1) ? std::string_view("xyz").find(text(1)) : 3;
+    if (axis < 3 && text(1).size() == 1)
+        return report({range().begin, range(1).end}, "an element of a list is written element(" + std::string(slice(previous())) +
+                                                         ", " + std::to_string(axis) + ")");
     if (!isComment()) return false;
     const auto at = static_cast<std::uint32_t>(bytes().find('/', previous().end));
     return report({at, at + 2}, "`//` begins a comment: a quotient is written a/b, without its fraction floor(a/b)");

@@ -93,7 +93,7 @@ void ItemErrors::keyWithoutEquals(std::vector<Item>& out) {
 
 /// `Config A` in a block, with nothing below it that would be the items of a block A.
 bool ItemErrors::keyAndWord(std::vector<Item>& out, int depth) {
-    if (depth == 0 || kind(1) != TokenKind::Word || newLine(1) || text()[0] < 'A' || text()[0] > 'Z') return false;
+    if (depth == 0 || kind(1) != TokenKind::Word || newLine(1) || !isCapital(text())) return false;
     const bool isNumberNext = kind(2) == TokenKind::Word && kind(3) == TokenKind::Number; // `Config A Mass 1`
     if (kind(2) != TokenKind::CloseBrace && !newLine(2) && !startsItem(2) && !isNumberNext) return false;
     const std::string word(text());
@@ -125,6 +125,15 @@ void ItemErrors::readValue(std::vector<Item>& out) {
 bool ItemErrors::nameOfTwoWords(std::vector<Item>& out, int depth) {
     if (kind(1) != TokenKind::Word || newLine(1)) return false;
     if (kind(2) != TokenKind::Word || kind(3) != TokenKind::OpenBrace || newLine(2)) return false;
+    if (isCapital(text(1)) && !isCapital(text())) { // `new Body b {`
+        Diagnostic& d = error(Code::UnexpectedText, range(),
+                              "`" + std::string(text()) + "` does not belong before `" + std::string(text(1)) + " " +
+                                  std::string(text(2)) + "`");
+        fix(d, "remove `" + std::string(text()) + "`", {edit({range().begin, range(1).begin}, "")});
+        advance();
+        m_grammar.block(out, depth, 1);
+        return true;
+    }
     const TextRange names{range(1).begin, range(2).end};
     Diagnostic& d = error(Code::UnexpectedText, names, "a name is one word");
     const std::string joined = std::string(text(1)) + "_" + std::string(text(2));

@@ -36,7 +36,7 @@ void ItemParser::items(std::vector<Item>& out, int depth) {
         case TokenKind::Directive: m_directives.directive(out); break;
         case TokenKind::Word: item(out, depth); break;
         default:
-            if (!m_otherLanguages.comment()) m_errors.unexpected(depth);
+            if (!m_otherLanguages.comment() && !m_otherLanguages.markup()) m_errors.unexpected(depth);
             break;
         }
     }
@@ -50,13 +50,14 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
     };
     if (m_values.keyAt() == position()) return m_errors.keyWithoutEquals(out);
     if (text() == "Param" && second == TokenKind::Word) return param(out, depth);
-    if (m_paramErrors.withoutName()) return;
+    if (m_paramErrors.withoutName() || m_otherLanguages.misread(out, depth)) return;
     if (second == TokenKind::OpenBrace) return block(out, depth, 0);
     if (second == TokenKind::Word && kind(2) == TokenKind::OpenBrace) return block(out, depth, 1);
     for (std::size_t i = 1; i <= (second == TokenKind::Word ? 2u : 1u); ++i) {
         if (!opensBlock(i)) continue;
-        Diagnostic& d = error(Code::UnexpectedText, range(i), "a block has no `=` before its `{`");
-        fix(d, "remove `=`", {edit(range(i), "")});
+        const std::string sign(text(i));
+        Diagnostic& d = error(Code::UnexpectedText, range(i), "a block has no `" + sign + "` before its `{`");
+        fix(d, "remove `" + sign + "`", {edit(range(i), "")});
         return block(out, depth, i);
     }
     if (second == TokenKind::Equals || second == TokenKind::Dot || wrongEquals(1)) return assignment(out);

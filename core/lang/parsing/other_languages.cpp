@@ -4,7 +4,36 @@
 #include <charconv>
 #include <set>
 
+#include "lang/characters.h"
+
 namespace trundle {
+namespace {
+
+constexpr const char* kRepeat =
+    "blocks that are there several times belong in `Repeat name { Count=4 ... }`, with $(index) in their values";
+
+/// `key=value` as it would be in a block.
+Item assigned(std::string key, Element value) {
+    const TextRange place = value.range;
+    AssignmentItem item;
+    item.path.push_back({std::move(key), place});
+    item.pathRange = item.value.range = place;
+    item.value.elements.push_back(std::move(value));
+    return {place, std::move(item)};
+}
+
+Item configItem(const Name& base) {
+    Element element;
+    element.range = base.range;
+    element.text = base.text;
+    return assigned("Config", std::move(element));
+}
+
+bool hasConfig(std::string_view kind) {
+    return kind == "Robot" || kind == "Static" || kind == "Part" || (isCapital(kind) && kind.ends_with("Config"));
+}
+
+} // namespace
 
 /// How many tokens ahead the first `{` of this line is; 0: it has none.
 std::size_t OtherLanguages::braceInLine() const {
@@ -16,14 +45,14 @@ std::size_t OtherLanguages::braceInLine() const {
 
 /// `for i = 1 to 4 {`, `if $n > 3 {`: what it would repeat is skipped, since its names and values make no sense alone.
 bool OtherLanguages::loop() {
+    if (array()) return true;
     static const std::set<std::string_view> kLoops{"for", "foreach", "while", "repeat", "loop"};
     const std::string word(text());
     if ((!kLoops.contains(word) && word != "if") || newLine(1)) return false;
     const std::size_t brace = braceInLine();
     error(Code::UnexpectedText, range(),
           word == "if" ? "a block cannot depend on a condition, a value can: $(if(a > b, x, y))"
-                       : "there is no `" + word + "`: blocks that are there several times belong in `Repeat name { Count=4 ... }`, " +
-                             "with $(index) in their values");
+                       : "there is no `" + word + "`: " + kRepeat);
     if (brace == 0) {
         do advance();
         while (!atEnd() && !newLine());
@@ -32,6 +61,17 @@ bool OtherLanguages::loop() {
     for (std::size_t i = 0; i <= brace; ++i) advance();
     m_grammar.skipBlockBody();
     if (word == "if") otherwise();
+    return true;
+}
+
+/// `Body[4] wheel {`, `Body wheel[4] {`: the block is skipped.
+bool OtherLanguages::array() {
+    const std::size_t first = text(1) == "[" ? 1 : 2, brace = braceInLine();
+    if (!isCapital(text()) || text(first) != "[" || text(first + 2) != "]" || brace < first + 3 || brace > first + 4)
+        return false;
+    error(Code::UnexpectedText, {range(first).begin, range(first + 2).end}, kRepeat);
+    for (std::size_t i = 0; i <= brace; ++i) advance();
+    m_grammar.skipBlockBody();
     return true;
 }
 
@@ -50,7 +90,7 @@ bool OtherLanguages::count(std::vector<Item>& out, int depth) {
     if (text() != "Repeat") return false;
     const bool named = kind(1) == TokenKind::Word;
     const std::size_t first = named ? 2 : 1, number = kind(first) == TokenKind::Equals ? first + 1 : first;
-    if (newLine(number) || kind(number) != TokenKind::Number || kind(number + 1) != TokenKind::OpenBrace) return false;
+    if (newLine(number) || kind(number) != TokenKind::Number || kind(number + 1) != TokenKind::OpenBrace) return otherCount();
     const std::string name = named ? std::string(text(1)) : "name", how = "{ Count=" + std::string(text(number));
     const TextRange place{range(first).begin, range(number).end};
     Diagnostic& d = error(Code::UnexpectedText, place, "how often is written in the block: `Repeat " + name + " " + how + "`");
@@ -60,17 +100,130 @@ bool OtherLanguages::count(std::vector<Item>& out, int depth) {
     value.range = range(number);
     const std::string_view digits = text(number);
     (void)std::from_chars(digits.data(), digits.data() + digits.size(), value.number);
-    blockWith(out, depth, number, "Count", std::move(value));
+    blockWith(out, depth, number, assigned("Count", std::move(value)));
     return true;
 }
 
-/// A block with `extra` tokens before its `{`, read as if `key` had `value` in it.
-void OtherLanguages::blockWith(std::vector<Item>& out, int depth, std::size_t extra, std::string key, Element value) {
-    const TextRange place = value.range;
-    AssignmentItem item;
-    item.path.push_back({std::move(key), place});
-    item.pathRange = item.value.range = place;
-    item.value.elements.push_back(std::move(value));
+/// `Repeat i in 0..4 {`, `Repeat wheel Count=3 {`: the block is skipped, since its names make no sense alone.
+bool OtherLanguages::otherCount() {
+    static const std::set<std::string_view> kWords{"as", "for", "from", "in", "of", "over", "times", "to", "with"};
+    const std::size_t brace = braceInLine();
+    bool counts = kind(2) == TokenKind::Word && kWords.contains(text(2));
+    for (std::size_t i = 1; i < brace; ++i) {
+        if (kind(i) == TokenKind::CloseBrace || text(i) == ":") return false;
+        counts = counts || kind(i) != TokenKind::Word;
+    }
+    if (brace < 2 || !counts || kind(2) == TokenKind::OpenBrace) return false;
+    const std::string name(kind(1) == TokenKind::Word ? text(1) : "name");
+    error(Code::UnexpectedText, {range(1).begin, range(brace - 1).end},
+          "how often is written in the block: `Repeat " + name + " { Count=4`, with $(index) in its values");
+    for (std::size_t i = 0; i <= brace; ++i) advance();
+    m_grammar.skipBlockBody();
+    return true;
+}
+
+/// `def wheel(r) {`, `class Wheel {`: the block is skipped.
+bool OtherLanguages::definition() {
+    static const std::set<std::string_view> kWords{"class", "def", "func", "function", "macro", "struct", "template", "xacro"};
+    if (isCapital(text()) || kind(1) != TokenKind::Word || newLine(1) || !kWords.contains(text())) return false;
+    const std::size_t brace = braceInLine();
+    if (brace == 0 || (kind(2) != TokenKind::OpenBrace && kind(2) != TokenKind::OpenParen)) return false;
+    error(Code::UnexpectedText, range(),
+          "there is no `" + std::string(text()) +
+              "`: what is used several times is a `PartConfig Wheel { Param r=0.05 ... }`, each use a `Part left { Config=Wheel "
+              "}`");
+    for (std::size_t i = 0; i <= brace; ++i) advance();
+    m_grammar.skipBlockBody();
+    return true;
+}
+
+/// `chassis: Body {`, `chassis = Body {`, `Body: chassis {`, `Robot : K {`.
+bool OtherLanguages::nameFirst(std::vector<Item>& out, int depth) {
+    const bool colon = text(1) == ":";
+    if ((!colon && kind(1) != TokenKind::Equals) || kind(2) != TokenKind::Word || kind(3) != TokenKind::OpenBrace) return false;
+    if (newLine(1) || newLine(2) || newLine(3)) return false;
+    const Name first = name(), second = name(2);
+    const bool kindBehind = isCapital(second.text);
+    if (kindBehind == isCapital(first.text)) {
+        if (!colon || !kindBehind || !hasConfig(first.text)) return false;
+        configFirst(out, depth);
+        return true;
+    }
+    if (!colon && !kindBehind) return false; // `Material=red {`
+    const TextRange all{first.range.begin, second.range.end};
+    const std::string meant = kindBehind ? second.text + " " + first.text : first.text + " " + second.text;
+    Diagnostic& d = error(Code::UnexpectedText, all,
+                          kindBehind ? "a block begins with its kind: `" + meant + " {`"
+                                     : "no `:` is between a kind and its name: `" + meant + " {`");
+    fix(d, meant, {edit(all, meant)});
+    const std::size_t before = out.size();
+    m_grammar.block(out, depth, 2);
+    if (out.size() == before || !out.back().as<BlockItem>()) return true;
+    auto& block = std::get<BlockItem>(out.back().node);
+    block.type = kindBehind ? second : first;
+    block.name = kindBehind ? first : second;
+    return true;
+}
+
+/// `Robot : K {`.
+void OtherLanguages::configFirst(std::vector<Item>& out, int depth) {
+    const Name base = name(2);
+    Diagnostic& d = error(Code::UnexpectedText, {range().begin, base.range.end},
+                          "a config is named in the block: `" + std::string(text()) + " name { Config=" + base.text + "`");
+    fix(d, "{ Config=" + base.text, {edit({range().end, range(3).end}, " { Config=" + base.text)});
+    blockWith(out, depth, 2, configItem(base));
+}
+
+/// `Part left = Wheel(r=1)`, up to its `)` or the end of the line.
+bool OtherLanguages::configCalled(std::vector<Item>& out) {
+    BlockItem block{name(), name(1), {}, {}, {}};
+    const Name base = name(3);
+    const std::uint32_t begin = range().begin, sign = range(2).begin;
+    for (int i = 0; i < 5; ++i) advance();
+    for (int parens = 1; parens > 0 && !atEnd() && !newLine() && kind() != TokenKind::CloseBrace; advance())
+        parens += kind() == TokenKind::CloseParen ? -1 : kind() == TokenKind::OpenParen || kind() == TokenKind::ExprOpen ? 1 : 0;
+    const TextRange place{sign, previous().end};
+    error(Code::UnexpectedText, place,
+          "a config and its Params are named in the block: `" + block.type.text + " " + block.name->text +
+              " { Config=" + base.text + " ... }`");
+    block.open = block.close = {place.end, place.end};
+    block.items.push_back(configItem(base));
+    out.push_back({{begin, place.end}, std::move(block)});
+    return true;
+}
+
+/// `Body(chassis) {`.
+bool OtherLanguages::nameInParens(std::vector<Item>& out, int depth) {
+    if (kind(1) != TokenKind::OpenParen || kind(2) != TokenKind::Word || kind(3) != TokenKind::CloseParen) return false;
+    if (kind(4) != TokenKind::OpenBrace || newLine(4)) return false;
+    const Name own = name(2);
+    const TextRange place{range(1).begin, range(3).end};
+    Diagnostic& d = error(Code::UnexpectedText, place, "a name is written without parentheses");
+    fix(d, own.text, {edit(place, " " + own.text)});
+    const std::size_t before = out.size();
+    m_grammar.block(out, depth, 3);
+    if (out.size() > before && out.back().as<BlockItem>()) std::get<BlockItem>(out.back().node).name = own;
+    return true;
+}
+
+bool OtherLanguages::markup() {
+    const bool isTag = text() == "<" && !newLine(1) && adjacent(1) &&
+                       (kind(1) == TokenKind::Word || kind(1) == TokenKind::Slash || kind(1) == TokenKind::Unknown);
+    if (!isTag) return false;
+    error(Code::UnexpectedText, {range().begin, range(1).end},
+          "tags are of XML: here a block is written `Body name { ... }`, a property `Mass = 2`");
+    const auto inTags = [this] { return !atEnd() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace; };
+    do {
+        while (inTags() && !text().ends_with('>')) advance();
+        if (inTags()) advance();
+        while (inTags() && !newLine() && text() != "<") advance();
+    } while (inTags() && text() == "<");
+    return true;
+}
+
+/// A block with `extra` tokens before its `{`, read as if `item` were in it.
+void OtherLanguages::blockWith(std::vector<Item>& out, int depth, std::size_t extra, Item item) {
+    const TextRange place = item.range;
     const std::size_t before = out.size();
     const bool named = kind(1) == TokenKind::Word;
     const Name own = name(1);
@@ -79,7 +232,7 @@ void OtherLanguages::blockWith(std::vector<Item>& out, int depth, std::size_t ex
     auto& block = std::get<BlockItem>(out.back().node);
     block.name.reset(); // it had the tokens behind the name in it
     block.name = named ? own : Name{"unnamed" + std::to_string(place.begin), place}; // what it lacks is said already
-    block.items.insert(block.items.begin(), Item{place, std::move(item)});
+    block.items.insert(block.items.begin(), std::move(item));
 }
 
 /// `include "robot.sim"`, `from x import y`.
@@ -107,26 +260,27 @@ bool OtherLanguages::comment() {
     return true;
 }
 
-/// `RobotConfig Big : Kit {`, `RobotConfig Big extends Kit {`, `RobotConfig Big < Kit {`, `RobotConfig Big(Kit) {`.
+/// `RobotConfig Big : Kit {`, `RobotConfig Big extends Kit {`, `RobotConfig Big < Kit {`, `RobotConfig Big(Kit) {`,
+/// `Part left = Wheel {`.
 bool OtherLanguages::inheritance(std::vector<Item>& out, int depth) {
     static const std::set<std::string_view> kWords{"extends", "from", "inherits", "is"};
     if (kind(1) != TokenKind::Word || kind(3) != TokenKind::Word || newLine(2)) return false;
+    if (kind(2) == TokenKind::Equals && kind(4) == TokenKind::OpenParen && hasConfig(text())) return configCalled(out);
     const bool parens = kind(2) == TokenKind::OpenParen && kind(4) == TokenKind::CloseParen;
-    if (!parens && text(2) != ":" && text(2) != "<" && !(kind(2) == TokenKind::Word && kWords.contains(text(2)))) return false;
+    const bool assigns = kind(2) == TokenKind::Equals && hasConfig(text());
+    if (!parens && !assigns && text(2) != ":" && text(2) != "<" && !(kind(2) == TokenKind::Word && kWords.contains(text(2))))
+        return false;
     std::size_t brace = parens ? 5 : 4;
     if (text(brace) == ":") ++brace;
     if (kind(brace) != TokenKind::OpenBrace) return false;
     const Name base = name(3);
     const TextRange said{range(2).begin, range(brace - 1).end};
     Diagnostic& d = error(Code::UnexpectedText, said,
-                          "a variant names what it is a variant of in its block: `" + std::string(text()) + " " +
-                              std::string(text(1)) + " { Config=" + base.text + "`");
+                          "a config is named in the block: `" + std::string(text()) + " " + std::string(text(1)) +
+                              " { Config=" + base.text + "`");
     fix(d, "{ Config=" + base.text,
         {edit({said.begin, range(brace).end}, (adjacent(2) ? " { Config=" : "{ Config=") + base.text)});
-    Element element;
-    element.range = base.range;
-    element.text = base.text;
-    blockWith(out, depth, brace - 1, "Config", std::move(element)); // what the block sets is in the other one
+    blockWith(out, depth, brace - 1, configItem(base)); // what the block sets is in the other one
     return true;
 }
 

@@ -21,8 +21,6 @@ bool declares(std::string_view word) {
     return std::ranges::find(kWords, word) != kWords.end();
 }
 
-bool isCapital(std::string_view word) { return word[0] >= 'A' && word[0] <= 'Z'; }
-
 } // namespace
 
 bool ParamErrors::withoutName() {

@@ -24,22 +24,7 @@ bool isNumber(std::string_view text) {
            std::ranges::count(text, '.') < 2;
 }
 
-/// `(x + 2)`, but not `(x) + (2)`.
-bool isOneGroup(std::string_view text) {
-    int depth = 0;
-    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
-        if (depth == 0) return false;
-    }
-    return text.size() > 2 && text.back() == ')';
-}
-
 } // namespace
-
-bool isOperator(TokenKind kind) {
-    return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash ||
-           kind == TokenKind::Caret;
-}
 
 void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
     v.broken = true;
@@ -96,7 +81,8 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     const bool number = e.kind == Element::Kind::Number;
     const bool word = e.kind == Element::Kind::Word;
     if (number && m_units.inPieces(e)) return;
-    if (e.kind == Element::Kind::ParamRef && kind() == TokenKind::OpenParen && adjacent()) return calledParam(e, v);
+    if (m_arithmetic.comparison(e, v) || m_arithmetic.elementOfList(e, v)) return;
+    if (e.kind == Element::Kind::ParamRef && kind() == TokenKind::OpenParen && adjacent()) return m_arithmetic.calledParam(e, v);
     if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) &&
         operandAt(1))
         return arithmetic(e, v);
@@ -111,9 +97,29 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     if (!wrongEquals(0) || number || adjacent(1)) unquotedText(e, v);
 }
 
+/// Whether this is the bracket that closes what `bracket` opens.
+bool ValueErrors::closes(TextRange bracket) const {
+    return kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]") ||
+           (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
+}
+
+/// What follows the brackets of `(0,0,1)*2` and `(x,1),2`.
+void ValueErrors::skipRest() {
+    while (!atEnd() && !newLine() && (isOperator(kind()) || kind() == TokenKind::Comma) && !newLine(1)) {
+        advance();
+        Value rest;
+        if (!m_element(rest)) break;
+    }
+}
+
+void ValueErrors::skipBrackets(TextRange bracket) {
+    if (!closes(bracket)) return;
+    advance();
+    skipRest();
+}
+
 void ValueErrors::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps) {
-    const bool closed = kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]") ||
-                        (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
+    const bool closed = closes(bracket);
     const TextRange whole{bracket.begin, closed ? range().end : std::max(bracket.end, v.range.end)};
     Diagnostic& d = error(Code::UnexpectedText, whole, "a list is written without brackets");
     std::vector<TextEdit> edits{edit(bracket, "")};
@@ -123,8 +129,9 @@ void ValueErrors::reportBrackets(Value& v, TextRange bracket, const std::vector<
     if (whole.size() < kShort && !v.elements.empty()) title = withCommas(slice(v.range), v.range.begin, gaps);
     if (gaps.size() < kMaxGaps)
         for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
-    fix(d, std::move(title), std::move(edits));
     if (closed) advance();
+    skipRest();
+    if (previous().end <= whole.end) fix(d, std::move(title), std::move(edits));
     v.range = whole; // a replacement of the value includes the brackets
 }
 
@@ -220,22 +227,6 @@ void ValueErrors::spacedParam(Element& e, Value& v) {
     v.broken = true;
 }
 
-/// `$if(a > b, x, y)`.
-void ValueErrors::calledParam(Element& e, Value& v) {
-    v.broken = true;
-    int open = 0;
-    do {
-        open += kind() == TokenKind::OpenParen || kind() == TokenKind::ExprOpen ? 1 : kind() == TokenKind::CloseParen ? -1 : 0;
-        advance();
-    } while (open > 0 && !newLine() && !atEnd());
-    e.range.end = previous().end;
-    std::string call(slice(e.range));
-    std::erase(call, '$');
-    Diagnostic& d = error(Code::UnexpectedText, e.range, "a function is written in $( ): `$(" + e.text + "(...))`");
-    if (open == 0) fix(d, "$(" + call + ")", {edit(e.range, "$(" + call + ")")});
-    e.kind = Element::Kind::Number;
-}
-
 void ValueErrors::unquotedText(Element& e, Value& v) {
     const bool begun =
         e.range.end <= previous().end && position() > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
@@ -290,40 +281,6 @@ void ValueErrors::reportUnquoted(const Element& e, const std::string& written) {
         quoted += '"';
         if (written[0] != '#') fix(d, quoted, {edit(e.range, quoted)});
     }
-}
-
-/// `2*0.05` or `1 - $x` outside `$( )`.
-void ValueErrors::arithmetic(Element& e, Value& v) {
-    int parens = 0;
-    bool units = !e.unit.empty();
-    bool refs = e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
-    bool operand = false; // after an operator, the next operand is part of the expression
-    while (!atEnd() && !newLine()) {
-        const TokenKind k = kind();
-        if (isOperator(k)) operand = true;
-        else if (k == TokenKind::OpenParen) ++parens, operand = true;
-        else if (k == TokenKind::CloseParen && parens > 0) --parens;
-        else if (k == TokenKind::Unit) units = true;
-        else if ((k == TokenKind::Number && (operand || adjacent())) ||
-                 (operand && (k == TokenKind::ParamRef || k == TokenKind::ExprOpen || isBracedParam(text()) ||
-                              (k == TokenKind::Word && !startsItem())))) {
-            refs = refs || k == TokenKind::ParamRef || k == TokenKind::ExprOpen || k == TokenKind::Unknown;
-            operand = parens > 0;
-            if (k == TokenKind::ExprOpen) ++parens;
-        } else if (!(parens > 0 && (k == TokenKind::Comma || k == TokenKind::Number || k == TokenKind::Word))) {
-            break;
-        }
-        advance();
-    }
-    e.range.end = previous().end;
-    Diagnostic& d = error(Code::BadExpression, e.range, "arithmetic is written in $( )");
-    std::string inside(slice(e.range));
-    if (refs) std::erase_if(inside, [](char c) { return c == '$' || c == '{' || c == '}'; });
-    const std::string expression = isOneGroup(inside) ? "$" + inside : "$(" + inside + ")";
-    if (!units && parens == 0 && inside.size() < 60) fix(d, expression, {edit(e.range, expression)});
-    e.kind = Element::Kind::Number;
-    e.unit.clear();
-    v.broken = true;
 }
 
 } // namespace trundle

@@ -4,18 +4,16 @@
 
 #include <functional>
 
+#include "lang/parsing/arithmetic_errors.h"
 #include "lang/parsing/unit_errors.h"
 
 namespace trundle {
-
-/// Whether a token is `+ - * / ^`.
-[[nodiscard]] bool isOperator(TokenKind kind);
 
 class ValueErrors : ParserPart {
 public:
     /// `element` parses one element of a value.
     ValueErrors(TokenCursor& tokens, SyntaxReporter& report, std::function<bool(Value&)> element)
-        : ParserPart(tokens, report), m_units(tokens, report), m_element(std::move(element)) {}
+        : ParserPart(tokens, report), m_units(tokens, report), m_arithmetic(tokens, report), m_element(std::move(element)) {}
 
     /// Reports a suffix that looks like a unit but belongs to a number in another notation.
     void checkNumberTail(Element& e, Value& v);
@@ -32,17 +30,20 @@ public:
     void unitWithoutPower(Element& e) { m_units.withoutPower(e); }
     /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
     void unquotedText(Element& e, Value& v);
-    /// `2*x`, `(x)`: an element that is, or continues as, arithmetic outside of `$( )`.
-    void arithmetic(Element& e, Value& v);
+    void arithmetic(Element& e, Value& v) { m_arithmetic.arithmetic(e, v); }
     void reportGaps(Value& v, const std::vector<TextRange>& gaps);
     /// `[1,2,3]`, `(1,2,3)`, `{1,2,3}`: the elements have been parsed, the closing bracket has not.
     void reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps);
+    /// `()`, whose value is reported as missing.
+    void skipBrackets(TextRange bracket);
 
 private:
+    [[nodiscard]] bool closes(TextRange bracket) const;
+    void skipRest();
     void reportUnquoted(const Element& e, const std::string& written);
-    void calledParam(Element& e, Value& v);
 
     UnitErrors m_units;
+    ArithmeticErrors m_arithmetic;
     std::function<bool(Value&)> m_element;
 };
 

@@ -118,7 +118,8 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
         break;
     }
     if (!v.elements.empty()) v.range = {v.elements.front().range.begin, v.elements.back().range.end};
-    if (bracket.size()) m_errors.reportBrackets(v, bracket, gaps);
+    if (bracket.size() && v.elements.empty()) m_errors.skipBrackets(bracket);
+    else if (bracket.size()) m_errors.reportBrackets(v, bracket, gaps);
     else if (!gaps.empty()) m_errors.reportGaps(v, gaps);
     return v;
 }
@@ -141,7 +142,6 @@ Value ValueParser::paramValue(std::string_view key, TextRange keyRange, TextRang
 /// Whether the current word is a key whose `=` is missing: it begins with a capital letter and has a value behind it. Only capital
 /// words, and words after a gap, are one text without quotes.
 bool ValueParser::keyFollows(const Value& v, bool gaps) const {
-    const auto isCapital = [](std::string_view word) { return !word.empty() && word[0] >= 'A' && word[0] <= 'Z'; };
     if (kind() != TokenKind::Word || newLine() || newLine(1) || startsItem() || namedBlock()) return false;
     const std::string_view word = text();
     const std::size_t dot = word.rfind('.');
