@@ -1,5 +1,7 @@
 #include "lang/lexer.h"
 
+#include <algorithm>
+
 #include "base/units.h"
 #include "base/utf8.h"
 
@@ -131,11 +133,22 @@ void Lexer::string() {
     std::size_t i = m_at + 1;
     const auto inLine = [this](std::size_t k) { return k < m_text.size() && m_text[k] != '\n' && m_text[k] != '\r'; };
     while (inLine(i) && m_text[i] != '"') i += m_text[i] == '\\' && inLine(i + 1) ? 2 : 1;
-    emit(TokenKind::String, m_scan.at(i) == '"' ? i + 1 : i);
+    emit(TokenKind::String, m_scan.at(i) == '"' ? i + 1 : beforeBraces(i));
     m_parens = 0;
     m_state = LexerState::AfterElement;
     m_sameLine = true;
     m_numbers = false;
+}
+
+/// Where a string that is not closed in its line ends: before the `}` at the end of the line, which close blocks.
+std::size_t Lexer::beforeBraces(std::size_t lineEnd) const {
+    const std::string_view line = m_text.substr(m_at, lineEnd - m_at);
+    const auto trimmed = [line](std::size_t end) {
+        while (end > 1 && (isBlank(line[end - 1]) || line[end - 1] == '}')) --end;
+        return end;
+    };
+    const std::size_t comment = std::min(line.find(" //"), line.size()), end = trimmed(comment);
+    return line.substr(end, comment - end).find('}') == std::string_view::npos ? lineEnd : m_at + end;
 }
 
 void Lexer::dollar() {

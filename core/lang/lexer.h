@@ -32,6 +32,7 @@ private:
     void number(std::size_t end);
     void unitInExpression();
     void string();
+    [[nodiscard]] std::size_t beforeBraces(std::size_t lineEnd) const;
     void dollar();
     void hash();
     void path(std::size_t from, bool firstOnLine);

@@ -11,8 +11,8 @@ void BraceBalance::beginRun() {
     m_suspects.clear();
     m_onOneLine.clear();
     m_early.clear();
-    m_unmatchedBraces = 0;
-    m_unclosed = false;
+    m_noBrace.clear();
+    m_unmatchedBraces = m_unclosed = 0;
 }
 
 int BraceBalance::indentOf(std::uint32_t offset) const {
@@ -36,19 +36,45 @@ void BraceBalance::recordIndent() {
     if (indent > open.indent) open.indentedItems = open.indentedItems || !closes;
     else if (closes ? indent < open.indent : open.indentedItems)
         m_suspects.push_back({open.openAt, static_cast<std::uint32_t>(position())});
-    else if (!closes && open.inlineItems && namedBlock())
+    else if (!closes && open.inlineItems && (open.description || namedBlock()))
         m_onOneLine.push_back({open.openAt, static_cast<std::uint32_t>(position())});
 }
 
-/// The positions where a `}` may be missing, most likely first.
-std::vector<BraceBalance::MissingBrace> BraceBalance::likelyMissing() const {
+void BraceBalance::recordUnmatched() {
+    if (m_unmatchedBraces++ == 0) m_firstUnmatched = static_cast<std::uint32_t>(position());
+}
+
+/// Where a `}` may be missing, most likely first.
+void BraceBalance::addUnclosed(std::vector<Correction>& out) const {
     const auto earlier = [](const MissingBrace& a, const MissingBrace& b) { return a.before < b.before; };
-    std::vector<MissingBrace> places;
-    if (!m_suspects.empty()) places.push_back(*std::min_element(m_suspects.begin(), m_suspects.end(), earlier));
-    std::vector<MissingBrace> lines = m_onOneLine;
-    if (!places.empty()) std::erase_if(lines, [&](const MissingBrace& m) { return m.openAt != places[0].openAt; });
-    if (!lines.empty()) places.insert(places.begin(), *std::min_element(lines.begin(), lines.end(), earlier));
-    return places;
+    std::optional<MissingBrace> suspect;
+    if (!m_suspects.empty()) suspect = *std::min_element(m_suspects.begin(), m_suspects.end(), earlier);
+    std::vector<MissingBrace> lines;
+    for (const MissingBrace& m : m_onOneLine) { // the first one of each block
+        if (suspect && m.before > suspect->before && m.openAt != suspect->openAt) continue;
+        if (std::ranges::none_of(lines, [&](const MissingBrace& other) { return other.openAt == m.openAt; })) lines.push_back(m);
+    }
+    constexpr std::size_t kMost = 3;
+    if (lines.size() > kMost) lines.erase(lines.begin(), lines.end() - kMost);
+    for (const MissingBrace& m : lines) out.push_back({m, {}, {}});
+    if (suspect) out.push_back({suspect, {}, {}});
+}
+
+/// Where a `{` may be missing: the last such words before the first `}` that closes too much.
+void BraceBalance::addUnopened(std::vector<Correction>& out) const {
+    constexpr std::size_t kMost = 3;
+    const std::uint32_t end = m_early.empty() ? m_firstUnmatched : std::min(m_early.front(), m_firstUnmatched);
+    for (auto word = m_noBrace.rbegin(); word != m_noBrace.rend() && out.size() < kMost; ++word)
+        if (*word < end) out.push_back({{}, {}, *word});
+}
+
+std::vector<BraceBalance::Correction> BraceBalance::likely() const {
+    std::vector<Correction> all;
+    if (m_unclosed > 0) addUnclosed(all);
+    if (m_unmatchedBraces == 0) return all;
+    addUnopened(all);
+    if (!m_early.empty()) all.push_back({{}, m_early.front(), {}});
+    return all;
 }
 
 bool BraceBalance::foreignClose() const {
@@ -62,26 +88,42 @@ void BraceBalance::recordEarlyClose(int indent, std::size_t brace) {
 
 bool BraceBalance::isIgnored() const { return std::find(m_ignored.begin(), m_ignored.end(), position()) != m_ignored.end(); }
 
+bool BraceBalance::isOpened(std::size_t position) const {
+    return std::find(m_opened.begin(), m_opened.end(), position) != m_opened.end();
+}
+
+BraceBalance::Fit BraceBalance::fit() const {
+    return {m_unmatchedBraces + m_unclosed, m_report.count(), m_suspects.size() + m_onOneLine.size() + m_early.size()};
+}
+
+void BraceBalance::apply(const Correction& c, bool take) {
+    const auto change = [take](auto& list, const auto& one) {
+        if (!one) return;
+        if (take) list.push_back(*one);
+        else list.pop_back();
+    };
+    change(m_assumed, c.missing);
+    change(m_ignored, c.ignored);
+    change(m_opened, c.opened);
+}
+
 bool BraceBalance::assume(const std::function<void()>& run) {
-    const bool wasUnclosed = m_unclosed;
-    const int strays = m_unmatchedBraces;
-    if (const std::vector<MissingBrace> places = likelyMissing(); m_unclosed && !places.empty()) {
-        for (const MissingBrace& place : places) {
-            m_assumed.push_back(place);
-            run();
-            if (m_unmatchedBraces <= strays) return true;
-            m_assumed.pop_back();
-        }
-    } else if (m_unmatchedBraces > 0 && !m_early.empty()) {
-        m_ignored.push_back(m_early.front());
+    const std::vector<Correction> corrections = likely();
+    if (corrections.empty()) return false;
+    Fit best = fit();
+    const Correction* chosen = nullptr;
+    for (const Correction& c : corrections) {
+        apply(c, true);
         run();
-        if (m_unmatchedBraces < strays && m_unclosed == wasUnclosed) return true;
-        m_ignored.pop_back();
-    } else {
-        return false;
+        if (const Fit now = fit(); now < best) {
+            best = now;
+            chosen = &c;
+        }
+        apply(c, false);
     }
+    if (chosen) apply(*chosen, true);
     run();
-    return false;
+    return chosen != nullptr;
 }
 
 bool BraceBalance::closedHere(const OpenBlock& block) const {
@@ -92,7 +134,7 @@ bool BraceBalance::closedHere(const OpenBlock& block) const {
 void BraceBalance::reportUnclosed(const OpenBlock& open, std::uint32_t place) {
     if (atEnd() && m_tokens.extent() != Tree::Extent::Whole) return; // parsing stopped before its end
     const std::string_view bytes = this->bytes();
-    if (atEnd()) m_unclosed = true;
+    if (atEnd()) ++m_unclosed;
     Diagnostic& d = error(Code::UnclosedBlock, open.name, "block `" + std::string(slice(open.name)) + "` lacks its closing `}`");
     const std::string indent(static_cast<std::size_t>(std::max(open.indent, 0)), ' ');
     const std::uint32_t last = previous().end;

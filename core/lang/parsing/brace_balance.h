@@ -3,6 +3,7 @@
 // core/lang.
 
 #include <functional>
+#include <optional>
 
 #include "lang/parsing/parser_part.h"
 
@@ -15,6 +16,7 @@ struct OpenBlock {
     int indent = -1;              ///< of its line; -1 if it is not first on its line
     bool indentedItems = false;   ///< an item is indented deeper than the block, so indentation is meaningful
     bool inlineItems = false;     ///< an item is on the line of `{`
+    bool description = false;     ///< of a Param
     bool bracket = false;         ///< `[` or `(` was written instead of `{`
     std::size_t bracketFault = 0; ///< 1-based index of its diagnostic; 0: none
 };
@@ -25,8 +27,8 @@ public:
 
     /// Forgets what the run before found; the corrections assumed so far hold.
     void beginRun();
-    /// If braces do not balance and the indentation shows which one is missing or superfluous, parses again (`run`) with that
-    /// correction, so that one brace causes one diagnostic. False if there is no such position or the result is worse.
+    /// If braces do not balance, parses again (`run`) with each correction that indentation and text suggest, and last with the best
+    /// one, so that one brace causes one diagnostic. False if there is none, or none that is better.
     [[nodiscard]] bool assume(const std::function<void()>& run);
 
     void open(const OpenBlock& block) { m_open.push_back(block); }
@@ -39,7 +41,10 @@ public:
     /// Records a possibly premature `}`: an item after the block that starts a line and is indented deeper than the block may still
     /// belong to it.
     void recordEarlyClose(int indent, std::size_t brace);
-    void recordUnmatched() { ++m_unmatchedBraces; }
+    void recordUnmatched();
+    /// Records that the word at this position, or the words from it on, may lack a `{`.
+    void recordNoBrace(std::size_t position) { m_noBrace.push_back(static_cast<std::uint32_t>(position)); }
+    [[nodiscard]] bool isOpened(std::size_t position) const; ///< a `{` is assumed there
     [[nodiscard]] bool isIgnored() const; ///< the current `}`
     /// True at `]` or `)` if the block was also opened with a bracket.
     [[nodiscard]] bool foreignClose() const;
@@ -51,7 +56,22 @@ private:
     struct MissingBrace {
         std::uint32_t openAt, before;
     };
-    [[nodiscard]] std::vector<MissingBrace> likelyMissing() const;
+    /// What may repair the braces: one of these is set.
+    struct Correction {
+        std::optional<MissingBrace> missing;
+        std::optional<std::uint32_t> ignored, opened; ///< a superfluous `}`; where a `{` is missing
+    };
+    /// How well the braces of a run fit: less is better.
+    struct Fit {
+        int unbalanced = 0;
+        std::size_t diagnostics = 0, contradictions = 0; ///< contradictions: to the indentation
+        auto operator<=>(const Fit&) const = default;
+    };
+    [[nodiscard]] std::vector<Correction> likely() const;
+    void addUnclosed(std::vector<Correction>& out) const;
+    void addUnopened(std::vector<Correction>& out) const;
+    [[nodiscard]] Fit fit() const;
+    void apply(const Correction& c, bool take);
 
     std::vector<OpenBlock> m_open;
     std::vector<MissingBrace> m_suspects;  ///< of this run
@@ -59,8 +79,11 @@ private:
     std::vector<MissingBrace> m_assumed;   ///< braces assumed to exist in this run
     std::vector<std::uint32_t> m_early;    ///< `}` of this run that may be premature
     std::vector<std::uint32_t> m_ignored;  ///< `}` ignored in this run
-    int m_unmatchedBraces = 0;             ///< number of `}` in this run without an open block
-    bool m_unclosed = false;               ///< a block of this run was not closed
+    std::vector<std::uint32_t> m_noBrace;  ///< of this run: words that may lack a `{`
+    std::vector<std::uint32_t> m_opened;   ///< of these, those read as if they had it
+    std::uint32_t m_firstUnmatched = 0;    ///< the first `}` of this run without an open block
+    int m_unmatchedBraces = 0;             ///< their number
+    int m_unclosed = 0;                    ///< number of blocks of this run that were not closed
 };
 
 } // namespace trundle

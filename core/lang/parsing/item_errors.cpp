@@ -35,8 +35,8 @@ bool ItemErrors::restOfComment() {
 
 void ItemErrors::strayWord(std::vector<Item>& out, int depth) {
     if (restOfComment() || quotedName(out, depth) || nameThatBeginsWithDigit(out, depth) || missingEquals(out) ||
-        blockInBrackets(out, depth) || nameWithSigns(out, depth) || nameOfTwoWords(out, depth) || missingBrace(out, depth) ||
-        missingBraceInLine(out, depth) || keyAndWord(out, depth))
+        blockInBrackets(out, depth) || nameWithSigns(out, depth) || nameOfTwoWords(out, depth) ||
+        m_braces.beforeIndented(out, depth) || m_braces.beforeBlock(out, depth) || keyAndWord(out, depth))
         return;
     const std::string word(text());
     const bool named = kind(1) == TokenKind::Word && !newLine(1) && newLine(2);
@@ -142,43 +142,6 @@ bool ItemErrors::nameOfTwoWords(std::vector<Item>& out, int depth) {
     return true;
 }
 
-/// `Robot r` with indented items below.
-bool ItemErrors::missingBrace(std::vector<Item>& out, int depth) {
-    if (kind(1) != TokenKind::Word || newLine(1)) return false;
-    const int indent = m_balance.indentOf(range().begin);
-    if (indent < 0 || kind(2) == TokenKind::End || !newLine(2) || m_balance.indentOf(range(2).begin) <= indent) return false;
-    const std::string name(text(1));
-    Diagnostic& d = error(Code::UnexpectedText, range(1), "`{` expected after `" + std::string(text()) + " " + name + "`");
-    fix(d, name + " {", {edit({range(1).end, range(1).end}, " {")});
-    blockWithoutBrace(out, depth);
-    return true;
-}
-
-/// `Body b Sphere s { } }`: the first of two blocks lacks its `{`; surely so if a `}` of this line has none either.
-bool ItemErrors::missingBraceInLine(std::vector<Item>& out, int depth) {
-    for (std::size_t i = 1; i < 4; ++i)
-        if (kind(i) != TokenKind::Word || newLine(i)) return false;
-    if (kind(4) != TokenKind::OpenBrace) return false;
-    constexpr std::size_t kFar = 200;
-    int surplus = 0; // of `}` in the lines from here to the end of the inner block
-    for (std::size_t i = 4; i < kFar && kind(i) != TokenKind::End && !(newLine(i) && surplus >= 0); ++i)
-        surplus += kind(i) == TokenKind::CloseBrace ? 1 : kind(i) == TokenKind::OpenBrace ? -1 : 0;
-    for (std::size_t i = position(); i > 0 && position() - i < kFar && !m_tokens.newLineAt(i); --i) {
-        const TokenKind before = m_tokens.at(i - 1).kind; // what this line opened before
-        surplus -= before == TokenKind::OpenBrace ? 1 : before == TokenKind::CloseBrace ? -1 : 0;
-    }
-    const std::string name(text(1));
-    Diagnostic& d = error(Code::UnexpectedText, range(1), "`{` expected after `" + std::string(text()) + " " + name + "`");
-    if (surplus > 0) {
-        fix(d, name + " {", {edit({range(1).end, range(1).end}, " {")});
-        blockWithoutBrace(out, depth);
-    } else {
-        advance();
-        advance();
-    }
-    return true;
-}
-
 /// `Robot r [ ... ]` or `Robot r ( ... )`.
 bool ItemErrors::blockInBrackets(std::vector<Item>& out, int depth) {
     const auto bracketAt = [this](std::size_t i) {
@@ -214,26 +177,6 @@ void ItemErrors::skipLine() {
     while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace &&
            kind() != TokenKind::Directive && !startsItem() && !namedBlock())
         advance();
-}
-
-/// `Type name` without its `{`; the items indented deeper below form its body.
-void ItemErrors::blockWithoutBrace(std::vector<Item>& out, int depth) {
-    BlockItem node;
-    OpenBlock open;
-    const std::uint32_t begin = range().begin;
-    open.indent = m_balance.indentOf(begin);
-    node.type = name();
-    node.name = name(1);
-    open.name = node.name->range;
-    advance();
-    open.openAt = static_cast<std::uint32_t>(position());
-    advance();
-    node.open = {open.name.end, open.name.end};
-    if (depth + 1 > kMaxBlockDepth) return;
-    m_balance.open(open);
-    m_grammar.blockBody(node, depth);
-    m_balance.close();
-    out.push_back({{begin, std::max(node.close.end, node.open.end)}, std::move(node)});
 }
 
 void ItemErrors::strayBrace(bool tooEarly) {

@@ -48,6 +48,7 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
         return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace &&
                (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
     };
+    if (m_errors.braces().assumed(out, depth)) return;
     if (m_values.keyAt() == position()) return m_errors.keyWithoutEquals(out);
     if (text() == "Param" && second == TokenKind::Word) return param(out, depth);
     if (m_paramErrors.withoutName() || m_otherLanguages.misread(out, depth)) return;
@@ -144,7 +145,7 @@ void ItemParser::param(std::vector<Item>& out, int depth) {
     const std::string key = node.name.text;
     node.value = m_values.paramValue(key, node.name.range, equals);
     std::uint32_t end = std::max(equals.end, node.value.range.end);
-    if (kind() == TokenKind::OpenBrace && !node.value.elements.empty()) {
+    if (!node.value.elements.empty() && (kind() == TokenKind::OpenBrace || m_errors.braces().assumedDescription(node))) {
         description(node, m_balance.indentOf(begin), depth);
         end = std::max(node.open.end, node.close.end);
     }
@@ -156,10 +157,15 @@ void ItemParser::description(ParamItem& param, int indent, int depth) {
     OpenBlock open;
     open.indent = indent;
     open.name = param.name.range;
-    open.openAt = static_cast<std::uint32_t>(position());
+    open.description = true;
     BlockItem body;
-    body.open = range();
-    advance();
+    if (kind() == TokenKind::OpenBrace) {
+        body.open = range();
+        advance();
+    } else {
+        body.open = {param.value.range.end, param.value.range.end};
+    }
+    open.openAt = static_cast<std::uint32_t>(position() - 1);
     m_balance.open(open);
     blockBody(body, depth);
     m_balance.close();

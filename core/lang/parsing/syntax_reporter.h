@@ -25,6 +25,7 @@ public:
     void changeLast(std::string message) { m_diagnostics.back().message = std::move(message); }
 
     [[nodiscard]] bool isFull() const { return m_diagnostics.size() > kMaxDiagnostics; }
+    [[nodiscard]] std::size_t count() const { return m_diagnostics.size(); }
     [[nodiscard]] Diagnostic* lastAt(TextRange r); ///< the last diagnostic if its range is `r`
     /// 1-based index of a diagnostic just reported; 0 if it was left out.
     [[nodiscard]] std::size_t indexOf(const Diagnostic& d) const;
