@@ -55,14 +55,15 @@ bool Lexer::trivia() {
         if (const std::size_t end = m_scan.blankLinesEnd(m_at); end > m_at) emit(TokenKind::LineEnd, end);
         return true;
     }
+    if (isQuotient()) return emit(TokenKind::Unknown, m_at + 2), true;
     if (!m_scan.commentAt(m_at)) return false;
     if (m_scan.at(m_at + 1) == '/') return emit(TokenKind::LineComment, m_scan.lineEnd(m_at)), true;
     const std::size_t close = m_text.find("*/", m_at + 2);
     return emit(TokenKind::BlockComment, close == std::string_view::npos ? m_text.size() : close + 2), true;
 }
 
-// An expression continues after a line end only at an operator, so a missing `)` affects one line, not the rest of the file.
-void Lexer::expressionLineEnd() {
+/// Whether an operand of an expression belongs behind its last token.
+bool Lexer::operandFollows() const {
     switch (m_last) {
     case TokenKind::Plus:
     case TokenKind::Minus:
@@ -71,9 +72,23 @@ void Lexer::expressionLineEnd() {
     case TokenKind::Caret:
     case TokenKind::Comma:
     case TokenKind::OpenParen:
-    case TokenKind::ExprOpen: return;
-    default: break;
+    case TokenKind::ExprOpen: return m_parens > 0;
+    default: return false;
     }
+}
+
+/// `$(a // 2)`: no comment, since the `)` is in it and the expression does not continue on the next line.
+bool Lexer::isQuotient() const {
+    if (m_parens == 0 || m_firstOnLine || !operandPrecedes() || !m_scan.startsWith(m_at, "//")) return false;
+    const std::size_t end = m_scan.lineEnd(m_at);
+    if (m_text.substr(m_at, end - m_at).find(')') == std::string_view::npos) return false;
+    const char c = m_scan.at(m_scan.skipTrivia(end));
+    return c == '\0' || std::string_view("+-*/^,)").find(c) == std::string_view::npos;
+}
+
+// An expression continues after a line end only at an operator, so a missing `)` affects one line, not the rest of the file.
+void Lexer::expressionLineEnd() {
+    if (operandFollows()) return;
     if (m_at < m_continuedAt) return; // found at an earlier line end; avoids quadratic time
     m_continuedAt = m_scan.skipTrivia(m_at);
     const char c = m_scan.at(m_continuedAt);
@@ -113,7 +128,12 @@ void Lexer::word() {
     const std::size_t ident = m_scan.identEnd(m_at);
     // Looking ahead from every component of one long path would take quadratic time.
     const bool insidePath = m_last == TokenKind::Dot;
-    if (m_parens > 0 || m_state == LexerState::Structure || insidePath) return emit(TokenKind::Word, ident);
+    if (m_parens > 0 || insidePath) return emit(TokenKind::Word, ident);
+    if (const std::size_t end = m_scan.otherPathEnd(m_at); end > m_at) {
+        m_state = LexerState::Structure;
+        return emit(TokenKind::Word, end);
+    }
+    if (m_state == LexerState::Structure) return emit(TokenKind::Word, ident);
     const bool key = m_scan.isKeyOrKind(m_at, ident);
     if (m_state == LexerState::Value && !key && !(blockMayFollow() && m_scan.isNamedBlock(ident))) {
         emit(TokenKind::Word, m_scan.wordEnd(m_at));
@@ -156,8 +176,9 @@ void Lexer::dollar() {
         emit(TokenKind::ExprOpen, m_at + 2);
         m_parens = 1;
     } else if (m_scan.wordStartsAt(m_at + 1)) {
+        if (!operandFollows()) m_parens = 0;
         emit(TokenKind::ParamRef, m_scan.identEnd(m_at + 1));
-        m_parens = 0;
+        if (m_parens > 0) return;
     } else if (const std::size_t end = m_scan.bracedParamEnd(m_at); end > m_at) {
         emit(TokenKind::Unknown, end);
         if (m_parens > 0) return;

@@ -41,6 +41,8 @@ private:
     void expressionLineEnd();
     [[nodiscard]] bool blockMayFollow() const;
     [[nodiscard]] bool operandPrecedes() const;
+    [[nodiscard]] bool operandFollows() const;
+    [[nodiscard]] bool isQuotient() const;
 
     std::string_view m_text;
     TextScanner m_scan{m_text};

@@ -153,6 +153,35 @@ std::size_t TextScanner::numberEnd(std::size_t from, bool sign) const {
     return i;
 }
 
+std::size_t TextScanner::otherPathEnd(std::size_t from) const {
+    constexpr std::size_t kLongest = 200; // bounds the lookahead
+    std::size_t i = identEnd(from);
+    bool other = false;
+    while (i < from + kLongest) {
+        const char c = at(i), next = at(i + 1);
+        if ((c == '.' || ((c == '/' || c == '\\') && !commentAt(i))) && isIdentStart(next)) {
+            other = other || c != '.';
+            i = identEnd(i + 1);
+            continue;
+        }
+        std::size_t end = i;
+        if ((startsWith(i, "::") || startsWith(i, "->")) && isIdentStart(at(i + 2))) end = identEnd(i + 2);
+        else if (c == '.' && isDigit(next))
+            for (end = i + 1; isDigit(at(end));) ++end;
+        else if (c == '*' && next != '*') end = i + 1;
+        else if (c == '.' && next == '*') end = i + 2;
+        else if (c == '[' && (isDigit(next) || next == '*')) {
+            for (end = i + 2; isDigit(at(end));) ++end;
+            if (at(end++) != ']') return from;
+        }
+        if (end == i) break;
+        other = true;
+        i = end;
+    }
+    const std::size_t equals = skipBlanks(i);
+    return other && at(equals) == '=' && at(equals + 1) != '=' ? i : from;
+}
+
 std::size_t TextScanner::unitEnd(std::size_t from) const {
     if (at(from) == '%') return from + 1;
     for (const std::string_view sign :
@@ -162,6 +191,7 @@ std::size_t TextScanner::unitEnd(std::size_t from) const {
     const std::size_t ident = identEnd(from);
     // `Param r = 5 cm { Min=...`: what follows a unit describes the Param
     const bool isDescribed = at(skipBlanks(ident)) == '{' && findUnit(m_text.substr(from, ident - from));
+    if (isBlank(at(from - 1)) && otherPathEnd(from) > from) return from;
     if (isReservedWord(from, ident) || (!isDescribed && isKeyOrKind(from, ident))) return from;
 
     const auto powerAt = [this](std::size_t i) { return startsWith(i, "\u00B2") || startsWith(i, "\u00B3"); };
@@ -211,7 +241,7 @@ bool TextScanner::isKeyOrKind(std::size_t from, std::size_t end) const {
     std::size_t i = skipTrivia(end);
     if (at(i) == '=' || at(i) == '{') return true;
     // `Key: value` is a common mistake, but C:\maps and http://... are texts with missing quotes.
-    if (at(i) == ':') return at(i + 1) != '/' && at(i + 1) != '\\';
+    if (at(i) == ':') return at(i + 1) != '/' && at(i + 1) != '\\' && !(at(i + 1) == ':' && i == end);
     // A key path contains no spaces: in `File=a.csv. Key=1` the word ends at the dot.
     i = end;
     for (int parts = 0; parts < kLongestPath && at(i) == '.' && wordStartsAt(i + 1); ++parts) i = identEnd(i + 1);

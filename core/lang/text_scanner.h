@@ -29,6 +29,8 @@ public:
     [[nodiscard]] std::size_t identEnd(std::size_t from) const;
     [[nodiscard]] std::size_t wordEnd(std::size_t from) const;
     [[nodiscard]] std::size_t numberEnd(std::size_t from, bool sign) const; ///< `from` if no number begins there
+    /// End of a key path that is written as in another language, `m[0]/q =`; `from` if there is none.
+    [[nodiscard]] std::size_t otherPathEnd(std::size_t from) const;
     [[nodiscard]] std::size_t unitEnd(std::size_t from) const;              ///< `from` if no unit begins there
     [[nodiscard]] std::size_t bracedParamEnd(std::size_t i) const; ///< after `${name}` of other languages; `i` if there is none
     /// True for a word before `=`, `.key =` or `{`: it begins a new item and is never part of a value.

@@ -48,6 +48,7 @@ std::string countWords(const Function& f) {
 void ExpressionParser::element(Element& e, Value& v) {
     e.kind = Element::Kind::Expression;
     const std::size_t start = position();
+    m_dollar = 0;
     advance();
     Sum inner = whole(1);
     if (inner.ok && kind() != TokenKind::CloseParen) {
@@ -222,8 +223,7 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
         return s;
     }
     case TokenKind::ParamRef: {
-        Diagnostic& d = error(Code::BadExpression, range(), "inside $( ) a Param is written without `$`");
-        fix(d, std::string(text().substr(1)), {edit(range(), std::string(text().substr(1)))});
+        withDollar();
         s.expression.op = Expression::Op::Name;
         s.expression.name = text().substr(1);
         advance();
@@ -240,6 +240,20 @@ ExpressionParser::Sum ExpressionParser::primary(int depth) {
         return fault(Code::BadExpression, range(),
                      "a number or a name expected, not `" + std::string(text().substr(0, 20)) + "`");
     }
+}
+
+/// `$a` in an expression: one message for all of them in it, with a fix that repairs each.
+void ExpressionParser::withDollar() {
+    const std::string meant(text().substr(1));
+    const TextEdit repaired = edit(range(), meant);
+    if (m_dollar > 0) {
+        Fix& each = m_report.at(m_dollar).fixes.back();
+        each.title = "remove each `$`";
+        return each.edits.push_back(repaired);
+    }
+    Diagnostic& d = error(Code::BadExpression, range(), "inside $( ) a Param is written without `$`");
+    fix(d, meant, {repaired});
+    m_dollar = m_report.indexOf(d);
 }
 
 ExpressionParser::Sum ExpressionParser::number() {

@@ -33,8 +33,10 @@ private:
     Sum fault(Code code, TextRange r, std::string message);
     Sum unclosed(TextRange open);
     void skipToEnd(std::size_t start);
+    void withDollar();
 
     ForeignOperators m_foreign;
+    std::size_t m_dollar = 0; ///< 1-based index of the message about `$` in the current expression
 };
 
 } // namespace trundle

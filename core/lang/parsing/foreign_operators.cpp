@@ -57,9 +57,8 @@ bool ForeignOperators::behindOperand() {
     if (axis < 3 && text(1).size() == 1)
         return report({range().begin, range(1).end}, "an element of a list is written element(" + std::string(slice(previous())) +
                                                          ", " + std::to_string(axis) + ")");
-    if (!isComment()) return false;
-    const auto at = static_cast<std::uint32_t>(bytes().find('/', previous().end));
-    return report({at, at + 2}, "`//` begins a comment: a quotient is written a/b, without its fraction floor(a/b)");
+    if (text() != "//") return false;
+    return report(range(), "`//` begins a comment: a quotient is written a/b, without its fraction floor(a/b)");
 }
 
 bool ForeignOperators::beforeOperand() {
@@ -79,25 +78,6 @@ bool ForeignOperators::isUnit() const {
     if (kind() != TokenKind::Word || newLine() || startsItem() || text() == "if" || isRemainder() || logicalTokens() > 0)
         return false;
     return adjacent() || kind(1) != TokenKind::OpenParen; // else an operator is missing before a function
-}
-
-/// Whether the `)` of the expression is in a comment, as in `$(a//b)`, and does not follow on a further line.
-bool ForeignOperators::isComment() const {
-    if (!newLine() && !atEnd()) return false;
-    switch (kind()) {
-    case TokenKind::Plus:
-    case TokenKind::Minus:
-    case TokenKind::Star:
-    case TokenKind::Slash:
-    case TokenKind::Caret:
-    case TokenKind::Comma:
-    case TokenKind::CloseParen: return false;
-    default: break;
-    }
-    std::size_t at = previous().end;
-    while (at < bytes().size() && isBlank(bytes()[at])) ++at;
-    const std::string_view line = bytes().substr(at, bytes().find_first_of("\r\n", at) - at);
-    return line.starts_with("//") && line.find(')') != std::string_view::npos;
 }
 
 bool ForeignOperators::bracedParam() {

@@ -10,7 +10,7 @@ public:
     ForeignOperators(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report) {}
 
     // Each reports what is at the current token and returns true, or returns false.
-    bool behindOperand();         ///< `&&`, `||`, `and`, `or`, `?`, `if`, `%`, `mod`, and `//`, which hides the `)`
+    bool behindOperand();         ///< `&&`, `||`, `and`, `or`, `?`, `if`, `%`, `mod`, `//`
     bool beforeOperand();         ///< `!`, `not`, `if` without parentheses
     bool bracedParam();           ///< `${a}`
     bool list(std::size_t start); ///< `$(0,0,1)`, read up to its first comma; `start`: the token `$(`
@@ -25,7 +25,6 @@ private:
     bool report(TextRange place, std::string message);
     [[nodiscard]] bool startsOperand(std::size_t ahead) const;
     [[nodiscard]] std::size_t logicalTokens() const;
-    [[nodiscard]] bool isComment() const;
     [[nodiscard]] std::size_t closeAhead() const;
 };
 

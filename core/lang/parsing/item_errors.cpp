@@ -221,8 +221,7 @@ void ItemErrors::unexpected(int depth) {
 bool ItemErrors::explainUnexpected() {
     const std::string_view sign = text();
     if (kind() == TokenKind::Comma) {
-        Diagnostic& d = error(Code::UnexpectedText, range(), "this comma belongs to no value");
-        fix(d, "remove `,`", {edit(range(), "")});
+        m_report.comma(range(), "this comma belongs to no value", Code::UnexpectedText);
         advance();
         return true;
     }

@@ -50,7 +50,8 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
     };
     if (m_errors.braces().assumed(out, depth)) return;
     if (m_values.keyAt() == position()) return m_errors.keyWithoutEquals(out);
-    if (text() == "Param" && second == TokenKind::Word) return param(out, depth);
+    if (text() == "Param" && (second == TokenKind::Word || second == TokenKind::ParamRef || isBracedParam(text(1))))
+        return param(out, depth);
     if (m_paramErrors.withoutName() || m_otherLanguages.misread(out, depth)) return;
     if (second == TokenKind::OpenBrace) return block(out, depth, 0);
     if (second == TokenKind::Word && kind(2) == TokenKind::OpenBrace) return block(out, depth, 1);
@@ -68,14 +69,15 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
 void ItemParser::assignment(std::vector<Item>& out) {
     AssignmentItem node;
     const std::uint32_t begin = range().begin;
-    node.path.push_back(name());
+    if (!m_pathErrors.names(node.path)) node.path.push_back(name());
+    const TextRange whole = range();
     advance();
     while (kind() == TokenKind::Dot && kind(1) == TokenKind::Word && !newLine() && !newLine(1)) {
         node.path.push_back(name(1));
         advance();
         advance();
     }
-    node.pathRange = {begin, node.path.back().range.end};
+    node.pathRange = {begin, std::max(whole.end, node.path.back().range.end)};
     if (kind() == TokenKind::OpenBrace) {
         error(Code::UnexpectedText, node.pathRange,
               "a block has no dotted name; to change a property write `" + std::string(slice(node.pathRange)) +
@@ -115,8 +117,9 @@ void ItemParser::assignment(std::vector<Item>& out) {
 void ItemParser::param(std::vector<Item>& out, int depth) {
     ParamItem node;
     const std::uint32_t begin = range().begin;
+    const std::optional<Name> meant = m_paramErrors.dollarName();
     advance();
-    node.name = name();
+    node.name = meant ? *meant : name();
     advance();
     if (!m_paramErrors.restOfName(node.name)) rejectReserved(node.name, "a Param");
     if (kind() == TokenKind::OpenBrace) {
@@ -134,11 +137,12 @@ void ItemParser::param(std::vector<Item>& out, int depth) {
                               wrong ? "`=` expected, not `" + std::string(text()) + "`"
                                     : "`=` expected after `Param " + node.name.text + "`");
         if (wrong) fix(d, "=", {edit(range(), "=")});
-        else if (!newLine() && startsElement()) fix(d, node.name.text + " =", {edit({equals.end, equals.end}, " =")});
+        else if (!newLine() && startsElement() && !namedBlock())
+            fix(d, node.name.text + " =", {edit({equals.end, equals.end}, " =")});
         if (wrong) {
             equals = range();
             advance();
-        } else if (newLine() || !startsElement()) {
+        } else if (newLine() || !startsElement() || namedBlock()) {
             return;
         }
     }

@@ -6,6 +6,7 @@
 #include "lang/parsing/item_errors.h"
 #include "lang/parsing/other_languages.h"
 #include "lang/parsing/param_errors.h"
+#include "lang/parsing/path_errors.h"
 #include "lang/parsing/value_parser.h"
 
 namespace trundle {
@@ -14,7 +15,7 @@ class ItemParser final : ParserPart, BlockGrammar {
 public:
     ItemParser(TokenCursor& tokens, SyntaxReporter& report, BraceBalance& balance)
         : ParserPart(tokens, report), m_balance(balance), m_values(tokens, report), m_directives(tokens, report),
-          m_errors(tokens, report, *this, balance), m_paramErrors(tokens, report, *this),
+          m_errors(tokens, report, *this, balance), m_paramErrors(tokens, report, *this), m_pathErrors(tokens, report),
           m_otherLanguages(tokens, report, *this) {}
     ItemParser(const ItemParser&) = delete;
     ItemParser& operator=(const ItemParser&) = delete;
@@ -40,6 +41,7 @@ private:
     DirectiveParser m_directives;
     ItemErrors m_errors;
     ParamErrors m_paramErrors;
+    PathErrors m_pathErrors;
     OtherLanguages m_otherLanguages;
 };
 

@@ -45,6 +45,17 @@ bool ParamErrors::withoutName() {
     return true;
 }
 
+std::optional<Name> ParamErrors::dollarName() {
+    const bool braced = isBracedParam(text(1));
+    if (text() != "Param" || newLine(1) || (kind(1) != TokenKind::ParamRef && !braced)) return {};
+    const std::string_view written = text(1);
+    Name meant{std::string(braced ? written.substr(2, written.size() - 3) : written.substr(1)), range(1)};
+    if (!std::ranges::all_of(meant.text, isIdent)) return {};
+    Diagnostic& d = error(Code::UnexpectedText, range(1), "the name of a Param is written without `$` where it gets its value");
+    fix(d, meant.text, {edit(range(1), meant.text)});
+    return meant;
+}
+
 bool ParamErrors::restOfName(Name& name) {
     const auto assigns = [this](std::size_t i) { return kind(i) == TokenKind::Equals || wrongEquals(i); };
     if (kind() == TokenKind::Word && !newLine() && !adjacent() && assigns(1)) {

@@ -5,7 +5,7 @@
 namespace trundle {
 
 Diagnostic& SyntaxReporter::report(Severity severity, Code code, TextRange r, std::string message) {
-    if (isFull() || r.begin >= m_cut) return m_unreported = {};
+    if (m_silent || isFull() || r.begin >= m_cut) return m_unreported = {};
     if (m_diagnostics.size() == kMaxDiagnostics) {
         code = Code::TooManyMistakes;
         message = "too many mistakes, the rest of this file is not reported";
@@ -19,18 +19,27 @@ Diagnostic& SyntaxReporter::report(Severity severity, Code code, TextRange r, st
     return d;
 }
 
-void SyntaxReporter::semicolon(TextRange r) {
+void SyntaxReporter::needless(std::size_t& index, TextRange r, std::string message, Code code) {
     constexpr std::size_t kMaxEdits = 10'000; // bounds the size of the fix
-    if (m_semicolon == 0) {
-        Diagnostic& d = error(Code::UnexpectedText, r, "no `;` is needed");
-        d.fixes.push_back({"remove `;`", {}});
-        m_semicolon = indexOf(d);
-        if (m_semicolon == 0) return;
+    if (m_silent) return;
+    if (index == 0) {
+        Diagnostic& d = error(code, r, std::move(message));
+        d.fixes.push_back({"remove `" + std::string(&index == &m_comma ? "," : ";") + "`", {}});
+        index = indexOf(d);
+        if (index == 0) return;
     }
-    Fix& fix = at(m_semicolon).fixes.back();
+    Fix& fix = at(index).fixes.back();
     if (fix.edits.size() == kMaxEdits) return;
-    if (fix.edits.size() == 1) fix.title = "remove each `;`";
+    if (fix.edits.size() == 1) fix.title = "remove each `" + std::string(&index == &m_comma ? "," : ";") + "`";
     fix.edits.push_back({{m_file, r}, ""});
+}
+
+void SyntaxReporter::comma(TextRange r, std::string alone, Code code) {
+    const bool first = m_comma == 0;
+    needless(m_comma, r, std::move(alone), code);
+    if (first || m_comma == 0) return;
+    at(m_comma).message = kNoComma;
+    at(m_comma).code = Code::UnexpectedText;
 }
 
 Diagnostic* SyntaxReporter::lastAt(TextRange r) {

@@ -19,7 +19,13 @@ public:
         return report(Severity::Error, code, r, std::move(message));
     }
     /// A `;`: one message for all of them, with a fix that removes them.
-    void semicolon(TextRange r);
+    void semicolon(TextRange r) { needless(m_semicolon, r, "no `;` is needed", Code::UnexpectedText); }
+    /// A `,` behind a value or block: one message for all of them likewise. `alone` is said if there is but one.
+    void comma(TextRange r, std::string alone, Code code);
+    /// A comma between two items of a line, where no element is missing.
+    void separator(TextRange r) { needless(m_comma, r, kNoComma, Code::UnexpectedText); }
+    /// Nothing is reported until it is set to false.
+    void setSilent(bool silent) { m_silent = silent; }
     /// Errors from this offset on may only be caused by parsing having stopped there: they are not reported.
     void setCut(std::uint32_t offset) { m_cut = offset; }
     void changeLast(std::string message) { m_diagnostics.back().message = std::move(message); }
@@ -34,17 +40,23 @@ public:
 
     void clear() {
         m_diagnostics.clear();
-        m_semicolon = 0;
+        m_semicolon = m_comma = 0;
+        m_silent = false;
     }
     [[nodiscard]] std::vector<Diagnostic> takeSorted(); ///< in the order of their positions
 
 private:
+    void needless(std::size_t& index, TextRange r, std::string message, Code code);
+
+    static constexpr const char* kNoComma = "no `,` is needed behind a property or a block";
     static constexpr std::size_t kMaxDiagnostics = 100; ///< bounds the number of messages for an unreadable text
 
     FileId m_file;
     std::uint32_t m_cut = std::numeric_limits<std::uint32_t>::max();
     std::vector<Diagnostic> m_diagnostics;
     std::size_t m_semicolon = 0; ///< 1-based index of the message about `;`
+    std::size_t m_comma = 0;     ///< likewise about a `,` that is too much
+    bool m_silent = false;
     Diagnostic m_unreported; ///< receives diagnostics beyond the limit
 };
 

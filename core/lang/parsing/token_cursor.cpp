@@ -59,7 +59,8 @@ bool TokenCursor::wrongEquals(std::size_t ahead) const {
     if (sign == "==" || sign == ":=") return true;
     const std::size_t after = range(ahead).end;
     const std::string_view bytes = m_source.bytes();
-    return sign == ":" && !(after < bytes.size() && (bytes[after] == '/' || bytes[after] == '\\'));
+    const bool scope = adjacent(ahead) && after < bytes.size() && bytes[after] == ':'; // `a::b`
+    return sign == ":" && !scope && !(after < bytes.size() && (bytes[after] == '/' || bytes[after] == '\\'));
 }
 
 bool TokenCursor::startsItem(std::size_t ahead) const {

@@ -81,6 +81,7 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     const bool number = e.kind == Element::Kind::Number;
     const bool word = e.kind == Element::Kind::Word;
     if (number && m_units.inPieces(e)) return;
+    if (m_paths.computed(e, v) || m_paths.behindParam(e, v)) return;
     if (m_arithmetic.comparison(e, v) || m_arithmetic.elementOfList(e, v)) return;
     if (e.kind == Element::Kind::ParamRef && kind() == TokenKind::OpenParen && adjacent()) return m_arithmetic.calledParam(e, v);
     if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) &&
@@ -92,6 +93,7 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     if ((word && kind() == TokenKind::OpenParen) || (number && e.unit.empty() && kind() == TokenKind::Number))
         return arithmetic(e, v);
     if (!word && !number) return;
+    if (word && text() == "[" && text(2) == "]" && kind(1) == TokenKind::Number && adjacent(1)) return unquotedText(e, v);
     const bool sign = kind() == TokenKind::Unknown && text() != ";" && text() != "]" && text() != "[";
     if (!sign && kind() != TokenKind::Dot && kind() != TokenKind::Slash && kind() != TokenKind::Star) return;
     if (!wrongEquals(0) || number || adjacent(1)) unquotedText(e, v);
@@ -269,6 +271,8 @@ void ValueErrors::reportUnquoted(const Element& e, const std::string& written) {
         const std::string meant = "$(" + written.substr(0, colon) + "/" + written.substr(colon + 1) + ")";
         Diagnostic& d = error(Code::BadExpression, e.range, "a ratio is written as a number or in $( )");
         fix(d, meant, {edit(e.range, meant)});
+    } else if (m_paths.element(e, written)) {
+        return;
     } else if (written == "$" || std::count(written.begin(), written.end(), '"') > 0) {
         error(Code::UnexpectedText, e.range, "syntax error: unexpected `" + written + "`");
     } else {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "lang/parsing/arithmetic_errors.h"
+#include "lang/parsing/path_errors.h"
 #include "lang/parsing/unit_errors.h"
 
 namespace trundle {
@@ -13,7 +14,8 @@ class ValueErrors : ParserPart {
 public:
     /// `element` parses one element of a value.
     ValueErrors(TokenCursor& tokens, SyntaxReporter& report, std::function<bool(Value&)> element)
-        : ParserPart(tokens, report), m_units(tokens, report), m_arithmetic(tokens, report), m_element(std::move(element)) {}
+        : ParserPart(tokens, report), m_units(tokens, report), m_arithmetic(tokens, report), m_paths(tokens, report),
+          m_element(std::move(element)) {}
 
     /// Reports a suffix that looks like a unit but belongs to a number in another notation.
     void checkNumberTail(Element& e, Value& v);
@@ -44,6 +46,7 @@ private:
 
     UnitErrors m_units;
     ArithmeticErrors m_arithmetic;
+    PathErrors m_paths;
     std::function<bool(Value&)> m_element;
 };
 

@@ -86,13 +86,10 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
         v.broken = true;
         advance();
     }
-    const auto noneHere = [&] { // the next line begins another item
-        return newLine() && namedBlock() && (v.elements.empty() || numberLike(v.elements.back()));
-    };
     bool commas = false; // an element before a comma was already reported as missing
     while (true) {
         const std::size_t before = position();
-        if (!noneHere() && element(v)) {
+        if (!blockBegins(v) && element(v)) {
             if (position() == before) break; // not expected; guards against an endless loop
             const bool keyed = bracket.size() == 0 && keyFollows(v, !gaps.empty());
             if (keyed) m_keyAt = position();
@@ -107,14 +104,7 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
             if (newLine() || !startsElement()) break;
             continue;
         }
-        const TextRange place = previous();
-        if (slice(place) == "," && !commas) {
-            Diagnostic& d = error(Code::MissingValue, place, "an element is missing after this comma");
-            if (!v.elements.empty()) fix(d, "remove `,`", {edit(place, "")});
-        } else if (v.elements.empty()) {
-            error(Code::MissingValue, equals.size() ? TextRange{equals.end, equals.end} : keyRange,
-                  "`" + std::string(key) + "` has no value");
-        }
+        if (!commas) reportNone(v, key, keyRange, equals);
         break;
     }
     if (!v.elements.empty()) v.range = {v.elements.front().range.begin, v.elements.back().range.end};
@@ -122,6 +112,31 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
     else if (bracket.size()) m_errors.reportBrackets(v, bracket, gaps);
     else if (!gaps.empty()) m_errors.reportGaps(v, gaps);
     return v;
+}
+
+/// Whether another block begins where an element could be, as `Box b {` on the next line or behind a comma.
+bool ValueParser::blockBegins(const Value& v) const {
+    if (!namedBlock()) return false;
+    const bool none = v.elements.empty(), numbers = !none && numberLike(v.elements.back());
+    if (newLine() && (none || numbers)) return true;
+    if (!isCapital(text()) || (isCapital(text(1)) && !numbers)) return false; // a word, and a block without a name
+    return none ? m_mayBeDescribed : slice(previous()) == ",";
+}
+
+/// Reports that an element is missing here.
+void ValueParser::reportNone(const Value& v, std::string_view key, TextRange keyRange, TextRange equals) {
+    const TextRange place = previous();
+    const bool comma = slice(place) == ",";
+    if (v.elements.empty() && !comma) {
+        error(Code::MissingValue, equals.size() ? TextRange{equals.end, equals.end} : keyRange,
+              "`" + std::string(key) + "` has no value");
+    } else if (v.elements.empty()) {
+        error(Code::MissingValue, place, "an element is missing after this comma");
+    } else if (comma && kind() == TokenKind::Word && !newLine()) {
+        m_report.separator(place);
+    } else if (comma) {
+        m_report.comma(place, "an element is missing after this comma", Code::MissingValue);
+    }
 }
 
 void ValueParser::skipEquals(Value& v) {

@@ -25,6 +25,8 @@ public:
 
 private:
     void skipEquals(Value& v); ///< of which one is enough
+    [[nodiscard]] bool blockBegins(const Value& v) const;
+    void reportNone(const Value& v, std::string_view key, TextRange keyRange, TextRange equals);
     void wordElement(Element& e);
     void numberElement(Element& e, Value& v);
     void stringElement(Element& e, Value& v);
