@@ -44,16 +44,19 @@ std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::stri
     if (device == config.devices.end()) return std::nullopt;
     const auto joint = std::ranges::find(config.joints, device->text("Joint"), &JointSpec::name);
     if (joint == config.joints.end()) return std::nullopt;
+    const auto index = static_cast<int>(joint - config.joints.begin());
+    const auto turnsIt = [&](const GearSpec& gear) { return gear.joint == index || gear.other == index; };
+    if (std::ranges::any_of(config.gears, turnsIt)) return std::nullopt;
     const Vec3& axle = joint->type == JointType::Suspension ? joint->axis2 : joint->axis;
-    const auto index = static_cast<std::size_t>(joint->child);
-    const BodySpec& body = config.bodies[index];
+    const auto child = static_cast<std::size_t>(joint->child);
+    const BodySpec& body = config.bodies[child];
     std::optional<DriveWheel> wheel;
     for (const GeomSpec& g : body.geoms) {
         const Pose pose = body.pose * g.pose;
         const bool round = g.shape == GeomShape::Sphere || g.shape == GeomShape::Cylinder;
         if (!g.collide || !round) continue;
         if (g.shape == GeomShape::Cylinder && (pose.rotation * Vec3::UnitZ()).cross(axle).norm() > kSameAxis) continue;
-        if (!wheel || g.radius > wheel->geom->radius) wheel = DriveWheel{&g, &*device, index, pose.position, axle};
+        if (!wheel || g.radius > wheel->geom->radius) wheel = DriveWheel{&g, &*device, child, pose.position, axle};
     }
     return wheel;
 }

@@ -31,7 +31,7 @@ struct DriveWheel {
     [[nodiscard]] double topRate() const;     ///< rad/s, without load
 };
 
-/// The largest round geom of the motor's body that rotates about its axle.
+/// The largest round geom of the motor's body that rotates about its axle; nothing where a Gear leads on from there.
 [[nodiscard]] std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::string& motor);
 /// Of all drives of a config; those that are found.
 [[nodiscard]] std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config);

@@ -2,6 +2,7 @@
 // imply: `Parent=$carrier`, where no text declares carrier.
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/spelling.h"
 #include "model/outline.h"
@@ -40,7 +41,9 @@ void inheritParams(const Outline& outline, Part& variant) {
 
 class ImpliedParams {
 public:
-    explicit ImpliedParams(const Outline& outline) : m_outline(outline) {}
+    explicit ImpliedParams(const Outline& outline) : m_outline(outline) {
+        for (const auto& part : outline.parts) collectGiven(*part);
+    }
 
     /// Adds them to a PartConfig, and to any variant those of what it is a variant of.
     void add(Part& config) {
@@ -53,6 +56,29 @@ public:
     }
 
 private:
+    void collectGiven(const Part& part) {
+        for (const SourceAssignment& a : part.assignments.all()) {
+            if (a.path.size() > 1) m_givenByPath.insert(a.path.back().text);
+            else if (part.kind && !part.kind->find(a.key))
+                for (const Part* config = part.config; config; config = config->config) ++m_given[config][a.key];
+        }
+        for (const Part& inner : part.parts) collectGiven(inner);
+    }
+    bool isGiven(const Part& config, const std::string& name) const {
+        const auto given = m_given.find(&config);
+        return (given != m_given.end() && given->second.contains(name)) || m_givenByPath.contains(name);
+    }
+    /// What all Parts call a Param that the config spells otherwise; empty: nothing.
+    std::string spelling(const Part& config, const std::string& name) const {
+        const auto given = m_given.find(&config);
+        if (given == m_given.end() || given->second.contains(name)) return {};
+        std::vector<std::string> others;
+        for (const auto& [key, count] : given->second)
+            if (count > 1 && !config.param(key)) others.push_back(key);
+        const std::vector<std::string> near = nearestWords(name, others);
+        return near.empty() ? std::string() : near.front();
+    }
+
     void searchIn(const Part& holder, Part& config) {
         m_holders.push_back(&holder);
         for (const Part& part : holder.parts) {
@@ -87,25 +113,41 @@ private:
 
     void names(Part& config, const Part& part, const SourceAssignment& a) const {
         for (const Element& e : a.value->elements) {
-            if (e.kind != Element::Kind::ParamRef || config.param(e.text) || part.param(e.text)) continue;
+            const bool isParam = e.kind == Element::Kind::ParamRef;
+            if ((!isParam && e.kind != Element::Kind::Word) || config.param(e.text) || part.param(e.text)) continue;
             const auto isInside = [&](const Part* holder) {
                 return holder->param(e.text) || std::ranges::find(holder->parts, e.text, &Part::name) != holder->parts.end();
             };
             if (std::ranges::any_of(m_holders, isInside)) continue; // `$wheel` for `wheel`
-            if (const SourceParam* global = globalName(e.text)) {   // a default, which uses can change
+            if (!isParam) {
+                const auto given = m_given.find(&config); // `Parent=carrier`, whose `$` is missing, is reported there alone
+                if (given != m_given.end() && given->second.contains(e.text)) imply(config, e.text, e.range, a.file, false);
+                continue;
+            }
+            if (const SourceParam* global = globalName(e.text)) { // a default, which uses can change
                 config.params.push_back(*global);
                 continue;
             }
-            std::vector<std::string> declared;
-            for (const SourceParam& param : config.params) declared.push_back(param.name->text);
-            if (!nearestWords(e.text, declared).empty()) continue; // most likely one of these, misspelt
             const TextRange range{e.range.begin + 1, e.range.end};
-            auto implied = std::make_shared<ImpliedParam>();
-            implied->name = {e.text, range};
-            implied->value.range = {range.end, range.end};
-            config.params.push_back({&implied->name, &implied->value, a.file, a.file, nullptr, true});
-            config.implied.push_back(std::move(implied));
+            const std::string other = isGiven(config, e.text) ? std::string() : spelling(config, e.text);
+            if (!other.empty()) imply(config, other, range, a.file, false); // `$carier` is reported there alone
+            else if (isGiven(config, e.text) || !isMisspelt(config, e.text)) imply(config, e.text, range, a.file, true);
         }
+    }
+
+    static void imply(Part& config, const std::string& name, TextRange range, FileId file, bool required) {
+        auto implied = std::make_shared<ImpliedParam>();
+        implied->name = {name, range};
+        implied->value.range = {range.end, range.end};
+        config.params.push_back({&implied->name, &implied->value, file, file, nullptr, required});
+        config.implied.push_back(std::move(implied));
+    }
+
+    /// Whether it is most likely one of the other Params.
+    static bool isMisspelt(const Part& config, const std::string& name) {
+        std::vector<std::string> declared;
+        for (const SourceParam& param : config.params) declared.push_back(param.name->text);
+        return !nearestWords(name, declared).empty();
     }
 
     /// A Param of the top level that names something; one that is a number is not meant.
@@ -119,6 +161,9 @@ private:
 
     const Outline& m_outline;
     std::unordered_set<const Part*> m_visited;
+    /// What the Parts and variants of a config give but for their properties, and how many do.
+    std::unordered_map<const Part*, std::map<std::string, int>> m_given;
+    std::set<std::string> m_givenByPath;                                 ///< `left.carrier=...`: the last word
     mutable std::map<std::pair<const Part*, std::string>, bool> m_named; ///< results of namesByParam()
     std::vector<const Part*> m_holders; ///< the config that is searched and the Repeats around the place
 };

@@ -222,9 +222,10 @@ private:
     }
 
     Diagnostic& report(Code code, const GivenElement& element, const std::string& needed) {
-        Diagnostic& d = m_diagnostics.error(code, m_value.range,
+        const bool isPassedOn = element.source.known(); // by one Param after another, from where it is given
+        Diagnostic& d = m_diagnostics.error(code, isPassedOn ? element.source : m_value.range,
                                             m_description.property.name + " is " + elementText(element) + ", it " + needed);
-        if (element.source.known()) d.notes.push_back({kGivenHere, element.source});
+        if (isPassedOn) d.notes.push_back({kUsedHere, m_value.range});
         d.notes.push_back({kDescribedHere, m_description.range});
         return d;
     }

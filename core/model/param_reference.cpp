@@ -33,8 +33,11 @@ private:
         return part.config ? in(*part.config, key) : nullptr;
     }
     static bool isValueOf(const SourceAssignment& assignment, std::string_view param) {
-        return std::ranges::any_of(assignment.value->elements,
-                                   [&](const Element& e) { return e.kind == Element::Kind::ParamRef && e.text == param; });
+        return std::ranges::any_of(assignment.value->elements, [&](const Element& e) {
+            bool isIt = e.kind == Element::Kind::ParamRef && e.text == param;
+            if (e.expression) eachNameGiven(*e.expression, [&](const std::string& name) { isIt = isIt || name == param; });
+            return isIt;
+        });
     }
 
     std::set<std::pair<const Part*, std::string>> m_seen; ///< PartConfigs in a circle end there
@@ -55,6 +58,15 @@ bool usesParam(const Part& config, std::string_view param) {
     const auto isIn = [&](const SourceAssignment& a) { return std::ranges::any_of(a.value->elements, isUse); };
     return std::ranges::any_of(config.assignments.all(), isIn) ||
            std::ranges::any_of(config.parts, [&](const Part& part) { return usesParam(part, param); });
+}
+
+void eachNameGiven(const Expression& expression, const std::function<void(const std::string&)>& take) {
+    const std::vector<Expression>& arguments = expression.arguments;
+    if (expression.op == Expression::Op::Name) return take(expression.name);
+    if (expression.op != Expression::Op::Call) return;
+    if (expression.name == "element" && !arguments.empty()) eachNameGiven(arguments[0], take);
+    if (expression.name == "if" && arguments.size() == 3)
+        for (std::size_t i : {1, 2}) eachNameGiven(arguments[i], take);
 }
 
 const Property* propertyNamedBy(const Part& config, std::string_view param) { return Search().in(config, param); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string_view>
 
 #include "model/part.h"
@@ -11,5 +12,9 @@ namespace trundle {
 
 /// Whether a value in a config uses a Param of that name, by itself or in $( ), that is declared nowhere in it.
 [[nodiscard]] bool usesParam(const Part& config, std::string_view param);
+
+/// The Params whose value, a word or a list, an expression may have: `$(name)`, `$(if(a > b, name, other))`,
+/// `$(element(name, 0))`.
+void eachNameGiven(const Expression& expression, const std::function<void(const std::string&)>& take);
 
 } // namespace trundle

@@ -124,7 +124,7 @@ bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scop
             m_source = outer;
             return addPicked(*held, file, scope, given.range, out);
         }
-        if (held && held != element.expression.get() && isText(*held, file, scope)) {
+        if (held && isText(*held, file, scope)) {
             m_source = outer;
             return addParam(held->name, given.range, scope, out);
         }
@@ -292,7 +292,7 @@ std::optional<Amount> Evaluator::paramAmount(const Expression& e, FileId file, P
     if (!value) return std::nullopt;
     if (!m_source.known() && !value->elements.empty()) {
         const GivenElement& first = value->elements[0];
-        m_source = first.source.known() ? first.source : scope.find(e.name)->isPreset ? first.range : SourceRange();
+        m_source = first.source.known() ? first.source : scope.find(e.name)->isFromOutside() ? first.range : SourceRange();
     }
     if (value->elements.size() != 1)
         return fault(e, file,

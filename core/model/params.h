@@ -42,6 +42,8 @@ private:
         GivenValue value;
         bool isUsed = false;
         bool isPreset = false;
+        /// An instance gives the value, or a variant.
+        [[nodiscard]] bool isFromOutside() const { return isPreset || (param.item && param.value != &param.item->value); }
     };
     [[nodiscard]] Entry* find(std::string_view name);
     [[nodiscard]] std::vector<std::string> names() const;

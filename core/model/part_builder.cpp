@@ -7,6 +7,7 @@
 #include "base/spelling.h"
 #include "model/dotted_path.h"
 #include "schema/allowed_parents.h"
+#include "schema/foreign_words.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -222,7 +223,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     }
     const bool isWorldInstance = parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && !parent->isPartUse();
     const bool holdsModuleKinds = isWorldInstance || (parent && m_config);
-    std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : nearestWords(word, candidates);
+    std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : meantWords(word, candidates);
     for (const Kind* kind : m_registry.all()) // `cylinder` is Cylinder, in the wrong place as well
         if (spellingDistance(word, kind->name) < 1 && (near.empty() || near[0] != kind->name))
             near.insert(near.begin(), kind->name);
@@ -232,7 +233,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
         for (const Kind* kind : m_registry.all()) {
             if (kind->role != Role::Settings) others.push_back(kind->name);
         }
-        near = nearestWords(word, others);
+        near = meantWords(word, others);
     }
     Diagnostic& d = m_diagnostics.error(Code::UnknownKind, part.typeRange(), "there is no kind " + word);
     if (near.empty()) {

@@ -22,6 +22,7 @@ struct TextSet {
     std::unordered_map<const ImportItem*, FileId> imports; ///< successful imports
     std::vector<SetText> sets;
     FileId firstSet = kNoFile; ///< this file and all later ones are --set texts
+    bool openImports = false; ///< some imported file is not there, which is reported: names that are unknown may be defined in it
     bool openModules = false;  ///< some module's kinds are unknown: unknown blocks in robots are kept as raw text
 
     [[nodiscard]] bool commandLine(FileId file) const { return file != kNoFile && file >= firstSet; }

@@ -43,7 +43,7 @@ public:
         : m_property(property), m_given(given), m_diagnostics(diagnostics) {}
 
     std::optional<PropertyValue> read() {
-        if (!countFits()) return std::nullopt;
+        if (isQuotedNumbers() || !countFits()) return std::nullopt;
         PropertyValue value{m_property.type, {}, {}};
         for (std::size_t i = 0; i < m_given.elements.size(); ++i) {
             m_index = i;
@@ -63,6 +63,30 @@ private:
         suggestPoint(d);
         if (const GivenElement* element = fromList()) addSourceNote(d, *element);
         return false;
+    }
+
+    /// `Pos="1 2 3"`, as XML has it.
+    bool isQuotedNumbers() {
+        const bool isNumeric = m_property.type == PropertyType::Number || m_property.type == PropertyType::Integer;
+        if (!isNumeric || m_given.elements.size() != 1 || m_given.elements[0].kind != ElementKind::String) return false;
+        const GivenElement& element = m_given.elements[0];
+        std::string numbers;
+        for (std::size_t at = 0; (at = element.text.find_first_not_of(" ,;\t", at)) != std::string::npos;) {
+            const std::size_t end = std::min(element.text.find_first_of(" ,;\t", at), element.text.size());
+            const std::string each = element.text.substr(at, end - at);
+            double number = 0;
+            const auto [rest, fault] = std::from_chars(each.data(), each.data() + each.size(), number);
+            if (fault != std::errc() || rest != each.data() + each.size()) return false;
+            numbers += (numbers.empty() ? "" : ",") + each;
+            at = end;
+        }
+        if (numbers.empty()) return false;
+        Diagnostic& d =
+            m_diagnostics.error(Code::WrongType, m_given.range,
+                                m_property.name + " is a text; numbers are written without quotes, with commas between");
+        if (element.literal) d.fixes.push_back({numbers, {{element.range, numbers}}});
+        addSourceNote(d, element);
+        return true;
     }
 
     /// The first element of the Param that is the whole value, or is a list in it; nullptr: the number of elements is that of the text.

@@ -1,36 +1,17 @@
 // A mistake is reported once, at the value that is wrong: at that of an instance rather than in the config that it uses.
 #include <QTest>
 
-#include "model_fixture.h"
+#include "reported.h"
 #include "schema/value_reader.h"
 
 using namespace trundle;
+using sample::reported;
 using sample::Resolved;
 
 namespace {
 
 const std::string kHead = "Material g { } Surface s { }\n";
 const std::string kBox = "Box h { Size=0.1,0.1,0.1 Mass=1 Material=g Surface=s }";
-
-/// Each error with the text that it is about, its notes with theirs, and what its fix writes. One that several uses of a value cause is
-/// reported once, as by the project.
-QString reported(const Resolved& r) {
-    QStringList all;
-    for (const Diagnostic& d : r.diagnostics.all()) {
-        if (d.severity == Severity::Hint) continue;
-        std::string text = codeName(d.code) + " " + d.message + " | " + r.slice(d.range);
-        for (const auto& [note, range] : d.notes) {
-            text += " | " + note + ": " + r.slice(range);
-            if (note == kUsedHere) break;
-        }
-        if (!d.fixes.empty()) text += " | fix " + d.fixes[0].title;
-        const QString line = QString::fromStdString(text);
-        const auto isSame = [&](const QString& said) { return said.section(" | ", 0, 1) == line.section(" | ", 0, 1); };
-        const bool isUse = !d.notes.empty() && d.notes[0].first == kUsedHere;
-        if (!isUse || std::ranges::none_of(all, isSame)) all += line;
-    }
-    return all.join(u'\n');
-}
 
 } // namespace
 
@@ -248,7 +229,7 @@ private Q_SLOTS:
             "");
         row("the world for a device of a Part in a robot",
             "PartConfig E { Camera e { Body=world } }\nRobotConfig n { Body c { " + kBox + " } Part a { Config=E } }\n",
-            "E208 Body names world, but there is no Body here | world | used here by Part a: a");
+            "E208 Body cannot be the world | world | used here by Part a: a");
         row("a Param without its sign",
             "RobotConfig n { Param x = 1  Body c { Box b { Size=x,1,1 Mass=1 Material=g Surface=s } } }\n",
             "E202 the 1st element of Size is a word (x), it must be a number; the Param of that name is $x | x | fix $x");

@@ -50,7 +50,7 @@ private Q_SLOTS:
         };
         row("Hinge j { Parent=arm10 Child=arm }");
         row("Hinge j { Parent=world Child=arm }");
-        row("Hinge j { Parent=arm Child=world }", "E208 Child names world, but there is no such Body; there are arm1 and arm10");
+        row("Hinge j { Parent=arm Child=world }", "E208 Child cannot be the world, a Parent can: exchange the two");
         row("Hinge j { Parent=arm2 Child=arm10 }", "E208 Parent names arm2, but there is no such Body", "arm arm1");
         row("Hinge j { Parent=h1 Child=arm }", "E208 Parent names h1, a Hinge; it takes a Body");
         row("Hinge j { Parent=arm.tip Child=arm1 }", "E208 Parent names arm.tip, a Box; it takes a Body", "arm");

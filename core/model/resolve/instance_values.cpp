@@ -38,6 +38,8 @@ public:
         std::vector<const SourceAssignment*> taken;
         extra.take = [&](const SourceAssignment& a) {
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
+                const Part* block = likely ? likely->find(a.key) : nullptr;
+                if (block && block->kind) return takesNoValue(*block, a.keyRange()), true;
                 const std::vector<std::string> own = propertyNames(*m_part.kind);
                 const bool isUnknown = !likely || likely->kind->name != kind || isBaseMissing(*likely);
                 const bool isUndeclared = likely && !a.key.starts_with("index") && !m_context.globals.has(a.key) &&
@@ -148,13 +150,23 @@ private:
         return walk.leads || (!walk.isRaw && noSuchPath(walk.exchanged ? *walk.exchanged : *walk.at, a, walk.word));
     }
 
+    void takesNoValue(const Part& block, SourceRange place) {
+        m_context.diagnostics.error(Code::NoSuchPath, place,
+                                    block.title() + " takes no value itself; set one of its properties, " + block.name + ". ...");
+    }
+
     bool noSuchPath(const Part& part, const SourceAssignment& a, std::size_t i) {
         const Part* config = part.is(Role::Config) ? &part : part.config;
         if ((part.isPartUse() && !config) || (config && isBaseMissing(*config)))
             return false; // what is unknown there is reported
         std::vector<std::string> words;
+        std::string member;
         eachBlock(part, [&](const Part& inner) {
             if (!inner.name.empty()) words.push_back(inner.name);
+            const std::string& word = a.path[i].text; // `m0` for `m_0`
+            if (inner.isRepeat() && word.size() > inner.name.size() && word.starts_with(inner.name) &&
+                word.find_first_not_of("0123456789", inner.name.size()) == std::string::npos)
+                member = inner.name + "_" + word.substr(inner.name.size());
         });
         if (i + 1 == a.path.size()) {
             words = part.is(Role::Config) ? std::vector<std::string>() : propertyNames(*part.kind);
@@ -163,16 +175,18 @@ private:
         }
         const SourceRange place{a.file, a.path[i].range};
         const Part* block = i + 1 == a.path.size() ? part.find(a.path[i].text) : nullptr;
-        if (block && block->kind)
-            return m_context.diagnostics.error(Code::NoSuchPath, place,
-                                               block->title() + " takes no value itself; set one of its properties, " +
-                                                   a.path[i].text + ". ..."),
+        if (block && block->kind) return takesNoValue(*block, place), false;
+        if (i + 1 < a.path.size() && part.kind && part.kind->find(a.path[i].text)) // `left.Pos.x`
+            return m_context.diagnostics.error(Code::NoSuchPath, {a.file, a.path[i + 1].range},
+                                               a.path[i].text + " of " + part.title() +
+                                                   " has nothing in it; it is set as a whole, " + a.path[i].text + "=..."),
                    false;
         Diagnostic& d = m_context.diagnostics.error(Code::NoSuchPath, place, part.title() + " has no " + a.path[i].text);
         if (words.empty()) return false;
         d.message += "; it has " + listText(words, "and", 20);
         if (manyAlready(m_context.diagnostics)) return false;
-        suggest(d, a.path[i].text, words, place);
+        if (member.empty()) suggest(d, a.path[i].text, words, place);
+        else suggestWords(d, {member}, place);
         if (d.suggestions.empty() && i + 1 < a.path.size()) suggestWords(d, oneDeeper(part, a.path[i].text), place);
         return false;
     }
@@ -197,14 +211,28 @@ bool inside(const SourceRange& a, const SourceRange& b) {
     return a.file == b.file && a.range.begin >= b.range.begin && a.range.end <= b.range.end;
 }
 
+/// Whether what is wrong is in one block of the top level and the value in another one, a variant or what a Part is in, or on the
+/// command line.
+bool isFromElsewhere(const ResolveContext& context, const SourceRange& value, const SourceRange& wrong) {
+    if (context.texts.commandLine(value.file)) return true;
+    const Part* own = nullptr;
+    const Part* other = nullptr;
+    for (const auto& part : context.outline.parts) {
+        if (inside(wrong, part->range)) own = part.get();
+        if (inside(value, part->range)) other = part.get();
+    }
+    return own && other && own != other;
+}
+
 /// Its fixes are for the place in the config, which other instances use too. The word of a reference is given for it alone.
-bool moveToValue(Diagnostic& d, const InstanceValues& given) {
+bool moveToValue(const ResolveContext& context, Diagnostic& d, const InstanceValues& given) {
     if (d.notes.empty() || d.notes[0].first != kGivenHere) return false;
     const SourceRange value = d.notes[0].second;
     const auto param = std::ranges::find_if(given.params, [&](const auto& p) { return inside(value, p.second.range); });
-    if (param == given.params.end()) return false;
+    const bool isOwn = param != given.params.end();
+    if (!isOwn && !isFromElsewhere(context, value, d.range)) return false;
     d.notes[0] = {kUsedHere, d.range};
-    d.range = d.code == Code::WrongCount ? param->second.range : value;
+    d.range = d.code == Code::WrongCount && isOwn ? param->second.range : value;
     d.fixes.clear();
     if (d.code == Code::UnknownReference && !d.suggestions.empty())
         d.fixes.push_back({d.suggestions.front(), {{value, d.suggestions.front()}}});
@@ -229,8 +257,8 @@ void nameInstance(ResolveContext& context, std::size_t first, const InstanceValu
     if (context.diagnostics.all().size() == first || manyAlready(context.diagnostics)) return;
     for (std::size_t i = first; i < context.diagnostics.all().size(); ++i) {
         Diagnostic& d = context.diagnostics.at(i);
-        if (moveToValue(d, given)) continue;
-        if (!inside(d.range, instance.range)) d.notes.push_back({note, instance.nameRange()});
+        if (moveToValue(context, d, given)) continue;
+        if (!note.empty() && !inside(d.range, instance.range)) d.notes.push_back({note, instance.nameRange()});
     }
 }
 

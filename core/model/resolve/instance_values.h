@@ -21,7 +21,7 @@ struct InstanceValues {
                                   std::size_t member = 0);
 
 /// Moves the diagnostics from index `first` on to the values of the instance that caused them; one that they did not cause gets a
-/// note with the instance.
+/// note with the instance, if `note` says something.
 void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part& instance,
                   const std::string& note);
 

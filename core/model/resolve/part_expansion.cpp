@@ -85,15 +85,25 @@ void PartExpansion::add(PartFrame& frame, const Part& part) {
     m_parts.push_back({&part, &frame});
 }
 
+static void reportTaken(ResolveContext& context, SourceRange name, std::string message, SourceRange by) {
+    Diagnostic& d = context.diagnostics.error(Code::DuplicateName, name, std::move(message));
+    d.notes.emplace_back("first defined here", by);
+}
+
 /// Whether a variant has a block with a name that is taken in what it is a variant of; reports it.
 bool PartExpansion::clashes(const Part& part, const Part& holder) {
-    const Part* taken = holder.config && !part.name.empty() ? holder.config->find(part.name) : nullptr;
+    if (!holder.config || part.name.empty()) return false;
+    const Part* taken = holder.config->find(part.name);
+    if (const SourceParam* param = taken ? nullptr : holder.config->param(part.name); param && part.kind) {
+        reportTaken(m_context, part.nameRange(), holder.config->title() + " has a Param " + part.name + " already",
+                    param->nameRange());
+        return true;
+    }
     if (!taken) return false;
     if (!part.kind) return true; // reported at its block
-    Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, part.nameRange(),
-                                                holder.config->title() + " has " + taken->title() +
-                                                    " already; set its values by path, " + part.name + ". ...");
-    d.notes.emplace_back("first defined here", taken->nameRange());
+    reportTaken(m_context, part.nameRange(),
+                holder.config->title() + " has " + taken->title() + " already; set its values by path, " + part.name + ". ...",
+                taken->nameRange());
     return true;
 }
 
@@ -115,11 +125,13 @@ void PartExpansion::addVariant(const Part& config, ParamScope& scope, OverrideNo
     for (const auto& [name, node] : given.overrides.children) layMember(node, overrides.children[name]);
     for (const SourceParam& param : config.params) { // those of the base are among them, unless they have been declared again
         const SourceParam* taken = config.config->param(param.name->text);
+        const Part* block = taken ? nullptr : config.config->find(param.name->text);
+        const std::string base = config.config->title() + " has ";
+        if (block) reportTaken(m_context, param.nameRange(), base + block->title() + " already", block->nameRange());
         if (!taken || taken->name == param.name) continue;
-        Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, param.nameRange(),
-                                                    config.config->title() + " has a Param " + param.name->text +
-                                                        " already; set its value: " + param.name->text + "=...");
-        d.notes.emplace_back("first defined here", taken->nameRange());
+        reportTaken(m_context, param.nameRange(),
+                    base + "a Param " + param.name->text + " already; set its value: " + param.name->text + "=...",
+                    taken->nameRange());
     }
 }
 
@@ -290,7 +302,7 @@ bool PartExpansion::takeIn(ResolveContext& context, PartFrame& frame, const Reco
                                   "In has no meaning in a Body: its geoms are described in " + root->config->title() + " itself");
         return false;
     }
-    const std::optional<std::string> in = bodyOfIn(context, record, *frame.outer);
+    const std::optional<std::string> in = bodyOfIn(context, record, *frame.outer, frame.use->name);
     if (!in) return false;
     frame.in = *in;
     frame.inRange = record.rangeOf("In", frame.use->nameRange());

@@ -82,7 +82,10 @@ std::optional<Pose> RelativePoses::seenFrom(const std::string& name, const PartF
         const std::string holder = frame.member ? frame.use->title() : frame.config->title();
         m_context.diagnostics.error(Code::WrongPlace, place,
                                     "In names " + name + ", which is outside of " + holder + "; give In to " +
-                                        (frame.use ? frame.use->title() : "what is around it") + " instead");
+                                        (!frame.use     ? "what is around it"
+                                         : frame.member ? frame.use->title()
+                                                        : "the Part") + // of any name: all of them are one mistake
+                                        " instead");
         return std::nullopt;
     }
     if (!complete(body, name)) return std::nullopt;

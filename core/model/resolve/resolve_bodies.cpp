@@ -202,7 +202,7 @@ private:
 std::optional<BodySpec> resolveBody(ResolveContext& context, const ExpandedPart& expanded, std::string& in, SourceRange& place) {
     BodyReader reader(context, expanded);
     std::optional<BodySpec> body = reader.read();
-    const std::optional<std::string> named = bodyOfIn(context, reader.record(), *expanded.frame);
+    const std::optional<std::string> named = bodyOfIn(context, reader.record(), *expanded.frame, expanded.part->name);
     if (!body || !named) return std::nullopt;
     in = *named;
     place = reader.record().rangeOf("In", expanded.part->nameRange());

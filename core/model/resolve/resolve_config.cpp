@@ -8,6 +8,7 @@
 #include "model/dotted_path.h"
 #include "model/kinds/config_fields.h"
 #include "model/kinds/world_fields.h"
+#include "model/resolve/reference_check.h"
 #include "model/resolve/relative_poses.h"
 #include "model/resolve/resolve_steps.h"
 #include "schema/value_words.h"
@@ -95,7 +96,7 @@ std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Expand
     own.declare(part.params);
     context.evaluator.checkAll(own);
     Record record = context.read(part, own, expanded.overrides(), Origin::Config);
-    const bool known = context.checkReferences(record, *expanded.frame) && hasGeoms(context, record, bodies);
+    const bool known = checkReferences(context, record, *expanded.frame) && hasGeoms(context, record, bodies);
     if (!record.complete || !known || !checkOrder(context, record, part) || !hasMirrorImage(context, expanded)) return std::nullopt;
     ComponentSpec device = componentFrom(record, part);
     expanded.place(device);

@@ -6,6 +6,7 @@
 #include "lang/tree_edit.h"
 #include "model/config_blocks.h"
 #include "model/robot_path.h"
+#include "schema/foreign_words.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -88,13 +89,13 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
     record.values.resize(properties.size());
     record.literal.resize(properties.size(), false);
     std::vector<bool> validated(properties.size(), false);
-    std::vector<std::string> meant; ///< properties meant by misspelt keys: not reported as missing
+    UnknownKeys unknown;
     for (const SourceAssignment& a : assignments.all()) {
         const auto it = std::find_if(properties.begin(), properties.end(), [&](const Property& p) { return p.name == a.key; });
         if (it == properties.end()) {
             if (extra.take && extra.take(a)) continue;
             if (a.path.size() > 1 && part && part->is(Role::Config) && isBaseMissing(*part)) continue; // it is for what that has
-            unknownKey(*record.kind, a, part ? part->title() : std::string(), extra.words, meant);
+            unknownKey(*record.kind, a, part ? part->title() : std::string(), extra.words, unknown);
             continue;
         }
         const std::size_t i = static_cast<std::size_t>(it - properties.begin());
@@ -122,14 +123,27 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
                 ResolvedValue{*p.defaultValue, {}, Origin::Default}; // also for an invalid value: others are still checked
         if (!p.required || record.values[i]) continue;
         record.complete = false;
-        if (validated[i] || !part || std::count(meant.begin(), meant.end(), p.name) || brokenText(part->range)) continue;
-        diagnostics.error(Code::MissingRequired, part->nameRange(), part->title() + " needs " + p.name + inBrackets(p.help));
+        if (!validated[i] && part && !brokenText(part->range)) reportMissing(*part, p, unknown);
     }
-    if (part) checkAlternatives(record, *part, validated, meant);
+    if (part) checkAlternatives(record, *part, validated, unknown.meant);
+}
+
+/// A required property: by itself, or as what a key that is unknown was meant to be.
+void ResolveContext::reportMissing(const Part& part, const Property& property, UnknownKeys& unknown) {
+    if (std::count(unknown.meant.begin(), unknown.meant.end(), property.name)) return;
+    if (!unknown.stranger) {
+        diagnostics.error(Code::MissingRequired, part.nameRange(),
+                          part.title() + " needs " + property.name + inBrackets(property.help));
+        return;
+    }
+    unknown.missing.push_back(property.name);
+    std::string& message = diagnostics.at(*unknown.stranger).message;
+    const std::size_t end = message.find(unknown.missing.size() > 1 ? "; it needs " : "; it has ");
+    message = message.substr(0, end) + "; it needs " + listText(unknown.missing, "and");
 }
 
 void ResolveContext::unknownKey(const Kind& kind, const SourceAssignment& a, const std::string& title,
-                                const std::vector<std::string>& more, std::vector<std::string>& meant) {
+                                const std::vector<std::string>& more, UnknownKeys& unknown) {
     if (a.path.size() > 1) {
         Diagnostic& d =
             diagnostics.error(Code::NoSuchPath, a.keyRange(),
@@ -146,11 +160,13 @@ void ResolveContext::unknownKey(const Kind& kind, const SourceAssignment& a, con
     words.insert(words.end(), more.begin(), more.end());
     std::string message = title.empty() ? "there is no setting " + a.key : title + " has no property " + a.key;
     std::vector<std::string> near;
-    if (!manyAlready(diagnostics)) near = nearestWords(a.key, words);
+    if (!manyAlready(diagnostics)) near = meantWords(a.key, words);
     if (near.empty() && !words.empty()) message += "; it has " + listText(words, "and", 20);
     if (near.empty() && title.empty()) message = "there is no setting " + a.key + "; there are " + listText(words, "and", 20);
-    if (!near.empty()) meant.push_back(near.front());
+    if (!near.empty()) unknown.meant.push_back(near.front());
+    const std::size_t at = diagnostics.all().size();
     Diagnostic& d = diagnostics.error(Code::UnknownKey, a.keyRange(), message);
+    if (near.empty() && !unknown.stranger && diagnostics.all().size() > at) unknown.stranger = at;
     suggestWords(d, std::move(near), a.keyRange());
 }
 

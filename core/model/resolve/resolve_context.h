@@ -49,10 +49,6 @@ public:
     [[nodiscard]] std::uint32_t surfaceIndex(const Record& record, const Part& user);
     /// The config that an instance names; nullptr, with a diagnostic, on failure.
     [[nodiscard]] const Part* configOf(const Record& record, const Part& user, std::string_view kind);
-    /// Checks the references of a controller of a robot with this config.
-    [[nodiscard]] bool checkReferences(Record& record, const Part& config);
-    /// Checks the references of a block of a frame, and replaces the names by those in the config that is resolved: "left.wheel".
-    [[nodiscard]] bool checkReferences(Record& record, const PartFrame& frame);
     /// The surface of a mirrored geom: the friction that points to the left points to the right.
     [[nodiscard]] std::uint32_t mirroredSurface(std::uint32_t surface);
     void unknownReference(const std::string& property, const std::string& what, const std::string& name, SourceRange range,
@@ -66,21 +62,17 @@ public:
     std::unordered_set<const Part*> defaultedParts;
     std::size_t reads = 0; ///< blocks read so far
     std::unordered_set<const Part*> failedRobots; ///< blocks of robots not all of which are in `out`: they have errors of their own
+    /// Whether an unknown name has an error of its own, or may have been defined in an import that is not there.
+    [[nodiscard]] bool isReported(const std::string& name) const { return texts.openImports || outline.unknown.contains(name); }
     /// Whether a path begins with the name of such a robot, or of a member of it.
     [[nodiscard]] bool isFailedRobot(std::string_view path) const;
 
 private:
-    /// Names that a reference cannot mean: what the other end of the joint names, and what is in the Part that gives it.
-    struct NotMeant {
-        std::string otherEnd;
-        const Part* part; ///< nullptr: none
-
-        void eraseFrom(std::vector<std::string>& names) const;
+    struct UnknownKeys {
+        std::vector<std::string> meant;      ///< properties meant by misspelt keys: not reported as missing
+        std::optional<std::size_t> stranger; ///< index of the diagnostic of the first key that is near to none
+        std::vector<std::string> missing;    ///< required properties that it is most likely for
     };
-    /// Checks one name against the parts of a frame; `property` defines the accepted kinds. `given`: the name's element, if it
-    /// comes from a Param.
-    [[nodiscard]] bool checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
-                                      const PartFrame& frame, const GivenElement* given, const NotMeant& notMeant);
     void fill(Record& record, const AssignmentList& assignments, const Part* part, ParamScope& scope,
               const OverrideNode* overrides, Origin origin, const ExtraKeys& extra);
     [[nodiscard]] std::optional<ResolvedValue> readGiven(const Property& property, const GivenValue& given, Origin origin);
@@ -90,8 +82,9 @@ private:
                            const std::vector<std::string>& meant);
     void hasNone(const Record& record, const Part& part, const Alternatives& choice);
     void hasSeveral(const Part& part, const std::vector<std::string>& there);
+    void reportMissing(const Part& part, const Property& property, UnknownKeys& unknown);
     void unknownKey(const Kind& kind, const SourceAssignment& a, const std::string& title, const std::vector<std::string>& more,
-                    std::vector<std::string>& meant);
+                    UnknownKeys& unknown);
     [[nodiscard]] std::uint32_t lookUp(const Record& record, const Part& user, const char* key, const NameSpace& space,
                                        const std::map<std::string, std::uint32_t>& places);
     void hintLater(const Part& found, const Part& user, SourceRange range);
@@ -111,7 +104,8 @@ private:
 }
 /// What `In` names in the config that is resolved, checked; empty: it is not given, or is the world. Nothing, with a diagnostic, if
 /// it is wrong.
-[[nodiscard]] std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& record, const PartFrame& frame);
+[[nodiscard]] std::optional<std::string> bodyOfIn(ResolveContext& context, const Record& record, const PartFrame& frame,
+                                                  const std::string& self);
 [[nodiscard]] ComponentSpec componentFrom(const Record& record, const Part& part);
 
 } // namespace trundle

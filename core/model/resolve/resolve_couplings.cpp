@@ -4,6 +4,7 @@
 
 #include "model/gear_line.h"
 #include "model/kinds/config_fields.h"
+#include "model/resolve/reference_check.h"
 #include "model/resolve/resolve_steps.h"
 
 namespace trundle {
@@ -16,7 +17,7 @@ std::optional<Record> recordOf(ResolveContext& context, const ExpandedPart& expa
     own.declare(expanded.part->params);
     context.evaluator.checkAll(own);
     Record record = context.read(*expanded.part, own, expanded.overrides(), Origin::Config);
-    const bool known = context.checkReferences(record, *expanded.frame);
+    const bool known = checkReferences(context, record, *expanded.frame);
     if (!record.complete || !known) return std::nullopt;
     return record;
 }

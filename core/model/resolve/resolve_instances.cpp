@@ -11,6 +11,7 @@
 #include "model/resolve/footprint.h"
 #include "model/resolve/instance_variants.h"
 #include "model/resolve/part_messages.h"
+#include "model/resolve/reference_check.h"
 #include "model/resolve/resolve_steps.h"
 #include "schema/value_reader.h"
 #include "schema/value_words.h"
@@ -124,7 +125,7 @@ private:
         m_context.evaluator.checkAll(scope);
         std::shared_ptr<const Spec> spec = resolve(m_context, config, scope, given.key.empty() ? nullptr : &given.overrides);
         if (given.key.empty() || m_context.diagnostics.errorCount() == errors) cache.emplace(key, spec);
-        if (!given.key.empty()) nameInstance(m_context, said, given, *m_instance, "with the values of " + m_instance->title());
+        nameInstance(m_context, said, given, *m_instance, given.key.empty() ? "" : "with the values of " + m_instance->title());
         return spec;
     }
     std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const InstanceValues& given) {
@@ -231,7 +232,7 @@ private:
             ParamScope own(&scope);
             own.declare(inner.params);
             Record record = m_context.read(inner, own, nullptr, Origin::Instance);
-            const bool known = !config || m_context.checkReferences(record, *config);
+            const bool known = !config || checkReferences(m_context, record, *config);
             if (!record.complete || !known) continue;
             const Kind* kind = m_context.registry.find(inner.kind->name);
             all.push_back({componentFrom(record, inner), kind ? kind->signals : std::vector<SignalDescription>()});

@@ -2,6 +2,7 @@
 
 #include "lang/tree_edit.h"
 #include "model/kinds/config_fields.h"
+#include "model/resolve/reference_check.h"
 #include "model/resolve/resolve_steps.h"
 
 namespace trundle {
@@ -155,7 +156,7 @@ std::optional<JointSpec> resolveJoint(ResolveContext& context, const ExpandedPar
     own.declare(part.params);
     context.evaluator.checkAll(own);
     Record record = context.read(part, own, expanded.overrides(), Origin::Config);
-    const bool known = context.checkReferences(record, *expanded.frame);
+    const bool known = checkReferences(context, record, *expanded.frame);
     if (!record.complete || !known) return std::nullopt;
     JointSpec joint;
     const bool isGood = JointReader(context, part, record, &own).read(joint);

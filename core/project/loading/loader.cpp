@@ -81,6 +81,7 @@ void Loader::import(const ImportItem& item, FileId file, int depth) {
     if (m_notFound > kMaxNotFound) return; // searching for each of them would take minutes
     Result<std::string> found = m_search.find(item.path, m_folders[file]);
     if (!found.ok()) {
+        m_texts.openImports = true;
         Diagnostic& d = m_diagnostics.error(found.error().code, range, found.error().message);
         if (++m_notFound > kMaxNotFound) d.message = "too many imports are not found; those from here on are not looked for";
         else if (found.error().code == Code::ImportNotFound) suggestWords(d, m_search.nearest(item.path, m_folders[file]), range);

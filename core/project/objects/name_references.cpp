@@ -214,12 +214,17 @@ private:
             if (e.kind == Element::Kind::Word) word(property, {e.text, {file, e.range}}, place, key);
             if (e.kind == Element::Kind::String && e.range.size() == e.text.size() + 2) // only strings without escapes
                 word(property, {e.text, {file, {e.range.begin + 1, e.range.end - 1}}}, place, key);
-            if (e.kind != Element::Kind::ParamRef) continue;
-            const NameScope::Declaration d = scope.find(e.text);
-            const SourceParam* implied = d.item || !place.config ? nullptr : place.config->param(e.text);
-            if (d.item) follow(property, d.item->value, d.file, place, key, *d.scope, seen);
-            if (d.item || implied) followUsers(property, e.text, d.item ? d.scope->config() : place.config, place, key, seen);
+            const auto param = [&](const std::string& name) { followParam(property, name, place, key, scope, seen); };
+            if (e.kind == Element::Kind::ParamRef) param(e.text);
+            if (e.expression) eachNameGiven(*e.expression, param);
         }
+    }
+    void followParam(const Property& property, const std::string& name, const ValueContext& place, const std::string& key,
+                     const NameScope& scope, std::set<const Value*>& seen) {
+        const NameScope::Declaration d = scope.find(name);
+        const SourceParam* implied = d.item || !place.config ? nullptr : place.config->param(name);
+        if (d.item) follow(property, d.item->value, d.file, place, key, *d.scope, seen);
+        if (d.item || implied) followUsers(property, name, d.item ? d.scope->config() : place.config, place, key, seen);
     }
     /// The values that instances of a config give to one of its Params. A name that a Part gives is one of the config around it.
     void followUsers(const Property& property, const std::string& param, const Part* config, const ValueContext& place,
