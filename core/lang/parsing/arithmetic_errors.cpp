@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lang/characters.h"
+#include "lang/parsing/expression_parser.h"
 
 namespace trundle {
 namespace {
@@ -24,6 +25,53 @@ bool isOneGroup(std::string_view text) {
 bool isOperator(TokenKind kind) {
     return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash ||
            kind == TokenKind::Caret;
+}
+
+bool isQuotient(std::string_view word) {
+    const std::size_t sign = word.find('/');
+    if (sign == std::string_view::npos || sign + 1 == word.size()) return word == "pi";
+    return std::ranges::all_of(word.substr(0, sign), isIdent) &&
+           std::ranges::all_of(word.substr(sign + 1), [](char c) { return isDigit(c) || c == '.'; });
+}
+
+bool ArithmeticErrors::wordAmongNumbers(Element& e, Value& v) {
+    if (e.kind != Element::Kind::Word || !isQuotient(e.text) || isOperator(kind())) return false;
+    const bool numberBefore = !v.elements.empty() && v.elements.back().kind == Element::Kind::Number;
+    if (!numberBefore && !(kind() == TokenKind::Comma && kind(1) == TokenKind::Number)) return false;
+    if (position() > 1 && isOperator(m_tokens.at(position() - 2).kind)) return false; // `-pi/2`, a sign before it
+    arithmetic(e, v);
+    if (Diagnostic* d = m_report.lastAt(e.range); d && e.text.starts_with("pi")) d->message += kDegrees;
+    return true;
+}
+
+bool ArithmeticErrors::otherCall(Element& e, Value& v) {
+    if (e.kind != Element::Kind::Word || kind() != TokenKind::OpenParen || !adjacent() || isFunction(e.text)) return false;
+    constexpr std::size_t kFar = 60;
+    std::size_t close = 1, commas = 0;
+    bool plain = true; // numbers and Params alone
+    for (; close < kFar && kind(close) != TokenKind::CloseParen; ++close) {
+        const TokenKind k = kind(close);
+        if (newLine(close) || k == TokenKind::OpenParen || k == TokenKind::OpenBrace || k == TokenKind::CloseBrace) return false;
+        if (k == TokenKind::Comma) ++commas;
+        else
+            plain =
+                plain && (k == TokenKind::Number || k == TokenKind::Unit || k == TokenKind::ParamRef || k == TokenKind::Minus);
+    }
+    if (close == kFar || close == 1 || isOperator(kind(close + 1))) return false;
+    const std::string inside(slice({range(1).begin, range(close - 1).end}));
+    for (std::size_t i = 0; i <= close; ++i) advance();
+    e.range.end = previous().end;
+    const bool isRange = e.text == "range", isCast = e.text == "int" || e.text == "float" || e.text == "double";
+    const bool isRight = plain && (commas > 0 ? !isRange : isRange || isCast);
+    Diagnostic& d = error(Code::BadExpression, e.range,
+                          "there is no function `" + e.text + "`" +
+                              (!isRight     ? std::string()
+                               : commas > 0 ? "; a list is written without it: " + inside
+                                            : "; the number is written alone: " + inside));
+    if (isRight) fix(d, inside, {edit(e.range, inside)});
+    e.kind = Element::Kind::Number;
+    v.broken = true;
+    return true;
 }
 
 /// `$if(a > b, x, y)`.
@@ -88,7 +136,7 @@ void ArithmeticErrors::arithmetic(Element& e, Value& v) {
         const TokenKind k = kind();
         if (isOperator(k)) operand = true;
         else if (k == TokenKind::OpenParen) ++parens, operand = true;
-        else if (k == TokenKind::CloseParen && parens > 0) --parens;
+        else if (k == TokenKind::CloseParen && parens > 0) --parens, operand = parens > 0;
         else if (k == TokenKind::Unit) units = true;
         else if ((k == TokenKind::Number && (operand || adjacent())) ||
                  (operand && (k == TokenKind::ParamRef || k == TokenKind::ExprOpen || isBracedParam(text()) ||

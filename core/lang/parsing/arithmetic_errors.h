@@ -8,12 +8,21 @@ namespace trundle {
 /// Whether a token is `+ - * / ^`.
 [[nodiscard]] bool isOperator(TokenKind kind);
 
+inline constexpr const char* kDegrees = "; angles are in degrees";
+
+/// `pi`, `width/2`: a word that may be meant as arithmetic.
+[[nodiscard]] bool isQuotient(std::string_view word);
+
 class ArithmeticErrors : ParserPart {
 public:
     ArithmeticErrors(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report) {}
 
     /// `2*x`, `(x)`: an element that is, or continues as, arithmetic.
     void arithmetic(Element& e, Value& v);
+    /// `vec3(1,2,3)`, a function that there is not; false if the element does not continue so.
+    [[nodiscard]] bool otherCall(Element& e, Value& v);
+    /// `pi/2` between numbers, which is also a word.
+    [[nodiscard]] bool wordAmongNumbers(Element& e, Value& v);
     /// `$if(a, b, c)`.
     void calledParam(Element& e, Value& v);
     /// `$n > 2`; false if the element does not continue so.

@@ -45,6 +45,8 @@ std::string countWords(const Function& f) {
 
 } // namespace
 
+bool isFunction(std::string_view name) { return std::ranges::find(kFunctions, name, &Function::name) != kFunctions.end(); }
+
 void ExpressionParser::element(Element& e, Value& v) {
     e.kind = Element::Kind::Expression;
     const std::size_t start = position();

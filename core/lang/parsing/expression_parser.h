@@ -6,6 +6,9 @@
 
 namespace trundle {
 
+/// Whether `$( )` knows a function of this name.
+[[nodiscard]] bool isFunction(std::string_view name);
+
 class ExpressionParser : ParserPart {
 public:
     ExpressionParser(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report), m_foreign(tokens, report) {}

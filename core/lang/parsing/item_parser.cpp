@@ -36,7 +36,7 @@ void ItemParser::items(std::vector<Item>& out, int depth) {
         case TokenKind::Directive: m_directives.directive(out); break;
         case TokenKind::Word: item(out, depth); break;
         default:
-            if (!m_otherLanguages.comment() && !m_otherLanguages.markup()) m_errors.unexpected(depth);
+            if (!m_otherLanguages.explainSign()) m_errors.unexpected(depth);
             break;
         }
     }
@@ -49,6 +49,8 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
                (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
     };
     if (m_errors.braces().assumed(out, depth)) return;
+    const bool isPiece = kind(2) == TokenKind::ParamRef || kind(2) == TokenKind::ExprOpen || isBracedParam(text(2));
+    if (second == TokenKind::Word && adjacent(2) && isPiece && m_otherLanguages.computedName(out, depth)) return; // `Body q$i {`
     if (m_values.keyAt() == position()) return m_errors.keyWithoutEquals(out);
     if (text() == "Param" && (second == TokenKind::Word || second == TokenKind::ParamRef || isBracedParam(text(1))))
         return param(out, depth);

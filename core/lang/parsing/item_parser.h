@@ -16,7 +16,7 @@ public:
     ItemParser(TokenCursor& tokens, SyntaxReporter& report, BraceBalance& balance)
         : ParserPart(tokens, report), m_balance(balance), m_values(tokens, report), m_directives(tokens, report),
           m_errors(tokens, report, *this, balance), m_paramErrors(tokens, report, *this), m_pathErrors(tokens, report),
-          m_otherLanguages(tokens, report, *this) {}
+          m_otherLanguages(tokens, report, *this, balance) {}
     ItemParser(const ItemParser&) = delete;
     ItemParser& operator=(const ItemParser&) = delete;
 

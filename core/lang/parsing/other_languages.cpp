@@ -9,9 +9,6 @@
 namespace trundle {
 namespace {
 
-constexpr const char* kRepeat =
-    "blocks that are there several times belong in `Repeat name { Count=4 ... }`, with $(index) in their values";
-
 /// `key=value` as it would be in a block.
 Item assigned(std::string key, Element value) {
     const TextRange place = value.range;
@@ -34,56 +31,6 @@ bool hasConfig(std::string_view kind) {
 }
 
 } // namespace
-
-/// How many tokens ahead the first `{` of this line is; 0: it has none.
-std::size_t OtherLanguages::braceInLine() const {
-    constexpr std::size_t kFar = 40;
-    for (std::size_t i = 1; i < kFar && !newLine(i) && kind(i) != TokenKind::End; ++i)
-        if (kind(i) == TokenKind::OpenBrace) return i;
-    return 0;
-}
-
-/// `for i = 1 to 4 {`, `if $n > 3 {`: what it would repeat is skipped, since its names and values make no sense alone.
-bool OtherLanguages::loop() {
-    if (array()) return true;
-    static const std::set<std::string_view> kLoops{"for", "foreach", "while", "repeat", "loop"};
-    const std::string word(text());
-    if ((!kLoops.contains(word) && word != "if") || newLine(1)) return false;
-    const std::size_t brace = braceInLine();
-    error(Code::UnexpectedText, range(),
-          word == "if" ? "a block cannot depend on a condition, a value can: $(if(a > b, x, y))"
-                       : "there is no `" + word + "`: " + kRepeat);
-    if (brace == 0) {
-        do advance();
-        while (!atEnd() && !newLine());
-        return true;
-    }
-    for (std::size_t i = 0; i <= brace; ++i) advance();
-    m_grammar.skipBlockBody();
-    if (word == "if") otherwise();
-    return true;
-}
-
-/// `Body[4] wheel {`, `Body wheel[4] {`: the block is skipped.
-bool OtherLanguages::array() {
-    const std::size_t first = text(1) == "[" ? 1 : 2, brace = braceInLine();
-    if (!isCapital(text()) || text(first) != "[" || text(first + 2) != "]" || brace < first + 3 || brace > first + 4)
-        return false;
-    error(Code::UnexpectedText, {range(first).begin, range(first + 2).end}, kRepeat);
-    for (std::size_t i = 0; i <= brace; ++i) advance();
-    m_grammar.skipBlockBody();
-    return true;
-}
-
-/// `else {`, `else if a > b {` behind an `if`, which is reported for all of them.
-void OtherLanguages::otherwise() {
-    while (kind() == TokenKind::Word && (text() == "else" || text() == "elseif" || text() == "elif")) {
-        const std::size_t brace = braceInLine();
-        if (brace == 0) return;
-        for (std::size_t i = 0; i <= brace; ++i) advance();
-        m_grammar.skipBlockBody();
-    }
-}
 
 /// `Repeat wheel 3 {`, `Repeat wheel=3 {`, `Repeat 3 {`.
 bool OtherLanguages::count(std::vector<Item>& out, int depth) {
@@ -117,21 +64,6 @@ bool OtherLanguages::otherCount() {
     const std::string name(kind(1) == TokenKind::Word ? text(1) : "name");
     error(Code::UnexpectedText, {range(1).begin, range(brace - 1).end},
           "how often is written in the block: `Repeat " + name + " { Count=4`, with $(index) in its values");
-    for (std::size_t i = 0; i <= brace; ++i) advance();
-    m_grammar.skipBlockBody();
-    return true;
-}
-
-/// `def wheel(r) {`, `class Wheel {`: the block is skipped.
-bool OtherLanguages::definition() {
-    static const std::set<std::string_view> kWords{"class", "def", "func", "function", "macro", "struct", "template", "xacro"};
-    if (isCapital(text()) || kind(1) != TokenKind::Word || newLine(1) || !kWords.contains(text())) return false;
-    const std::size_t brace = braceInLine();
-    if (brace == 0 || (kind(2) != TokenKind::OpenBrace && kind(2) != TokenKind::OpenParen)) return false;
-    error(Code::UnexpectedText, range(),
-          "there is no `" + std::string(text()) +
-              "`: what is used several times is a `PartConfig Wheel { Param r=0.05 ... }`, each use a `Part left { Config=Wheel "
-              "}`");
     for (std::size_t i = 0; i <= brace; ++i) advance();
     m_grammar.skipBlockBody();
     return true;
@@ -206,6 +138,7 @@ bool OtherLanguages::nameInParens(std::vector<Item>& out, int depth) {
     return true;
 }
 
+/// `<link name="a">` and the tags that follow it.
 bool OtherLanguages::markup() {
     const bool isTag = text() == "<" && !newLine(1) && adjacent(1) &&
                        (kind(1) == TokenKind::Word || kind(1) == TokenKind::Slash || kind(1) == TokenKind::Unknown);
@@ -249,6 +182,7 @@ bool OtherLanguages::importWithoutSign() {
     return true;
 }
 
+/// `-- text` and `% text` on a line of their own.
 bool OtherLanguages::comment() {
     const bool dashes = kind() == TokenKind::Minus && kind(1) == TokenKind::Minus && adjacent(1);
     if (!newLine() || !(dashes || (kind() == TokenKind::Unknown && text() == "%"))) return false;
@@ -284,13 +218,12 @@ bool OtherLanguages::inheritance(std::vector<Item>& out, int depth) {
     return true;
 }
 
-/// `Body $side {`, `Body wheel_$i {`, `Body wheel$(i) {`.
 bool OtherLanguages::computedName(std::vector<Item>& out, int depth) {
     const std::size_t brace = braceInLine();
     bool isComputed = false;
     for (std::size_t i = 1; i < brace; ++i) {
         if (kind(i) == TokenKind::Equals || wrongEquals(i)) return false;
-        isComputed = isComputed || kind(i) == TokenKind::ParamRef || kind(i) == TokenKind::ExprOpen;
+        isComputed = isComputed || kind(i) == TokenKind::ParamRef || kind(i) == TokenKind::ExprOpen || isBracedParam(text(i));
     }
     if (!isComputed) return false;
     error(Code::UnexpectedText, {range(1).begin, range(brace - 1).end},

@@ -43,6 +43,14 @@ protected:
         }
     }
 
+    /// How many tokens ahead the first `{` of this line is; 0: it has none.
+    [[nodiscard]] std::size_t braceInLine() const {
+        constexpr std::size_t kFar = 40;
+        for (std::size_t i = 1; i < kFar && !newLine(i) && kind(i) != TokenKind::End; ++i)
+            if (kind(i) == TokenKind::OpenBrace) return i;
+        return 0;
+    }
+
     Diagnostic& error(Code code, TextRange r, std::string message) { return m_report.error(code, r, std::move(message)); }
     static void fix(Diagnostic& d, std::string title, std::vector<TextEdit> edits) {
         d.fixes.push_back({std::move(title), std::move(edits)});

@@ -72,6 +72,7 @@ void ValueErrors::checkNumberTail(Element& e, Value& v) {
 }
 
 void ValueErrors::continuesAt(Element& e, Value& v) {
+    if (m_arithmetic.wordAmongNumbers(e, v)) return;
     if (newLine() || atEnd()) return;
     const auto operandAt = [this](std::size_t i) {
         const TokenKind k = kind(i);
@@ -82,6 +83,7 @@ void ValueErrors::continuesAt(Element& e, Value& v) {
     const bool word = e.kind == Element::Kind::Word;
     if (number && m_units.inPieces(e)) return;
     if (m_paths.computed(e, v) || m_paths.behindParam(e, v)) return;
+    if (m_arithmetic.otherCall(e, v)) return;
     if (m_arithmetic.comparison(e, v) || m_arithmetic.elementOfList(e, v)) return;
     if (e.kind == Element::Kind::ParamRef && kind() == TokenKind::OpenParen && adjacent()) return m_arithmetic.calledParam(e, v);
     if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) &&
@@ -105,25 +107,42 @@ bool ValueErrors::closes(TextRange bracket) const {
            (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
 }
 
-/// What follows the brackets of `(0,0,1)*2` and `(x,1),2`.
-void ValueErrors::skipRest() {
+/// Skips what follows the brackets of `(0,0,1)*2` and `(x,1),2`. True if it is nothing but more lists in brackets, `(q,p),(q,z)`; then
+/// with the edits that remove these.
+bool ValueErrors::skipRest(std::vector<TextEdit>& edits) {
+    bool lists = true;
     while (!atEnd() && !newLine() && (isOperator(kind()) || kind() == TokenKind::Comma) && !newLine(1)) {
+        lists = lists && kind() == TokenKind::Comma;
         advance();
         Value rest;
-        if (!m_element(rest)) break;
+        const TextRange open = range();
+        if (text() == "(" || text() == "[") {
+            do advance();
+            while (m_element(rest) && kind() == TokenKind::Comma);
+            lists = lists && closes(open) && !rest.broken;
+            edits.push_back(edit(open, ""));
+            if (!closes(open)) break;
+            edits.push_back(edit(range(), ""));
+            advance();
+        } else {
+            lists = false;
+            if (!m_element(rest)) break;
+        }
     }
+    return lists;
 }
 
 void ValueErrors::skipBrackets(TextRange bracket) {
     if (!closes(bracket)) return;
     advance();
-    skipRest();
+    std::vector<TextEdit> none;
+    (void)skipRest(none);
 }
 
 void ValueErrors::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps) {
     const bool closed = closes(bracket);
     const TextRange whole{bracket.begin, closed ? range().end : std::max(bracket.end, v.range.end)};
-    Diagnostic& d = error(Code::UnexpectedText, whole, "a list is written without brackets");
+    const std::size_t index = m_report.indexOf(error(Code::UnexpectedText, whole, "a list is written without brackets"));
     std::vector<TextEdit> edits{edit(bracket, "")};
     if (closed) edits.push_back(edit(range(), ""));
     constexpr std::uint32_t kShort = 40;
@@ -132,8 +151,8 @@ void ValueErrors::reportBrackets(Value& v, TextRange bracket, const std::vector<
     if (gaps.size() < kMaxGaps)
         for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
     if (closed) advance();
-    skipRest();
-    if (previous().end <= whole.end) fix(d, std::move(title), std::move(edits));
+    const bool lists = skipRest(edits), more = previous().end > whole.end;
+    if (index > 0 && lists) fix(m_report.at(index), more ? "remove the brackets" : std::move(title), std::move(edits));
     v.range = whole; // a replacement of the value includes the brackets
 }
 
@@ -170,6 +189,14 @@ void ValueErrors::signedElement(Element& e, Value& v) {
             e.kind = Element::Kind::Expression;
             e.expression = inner.expression;
         }
+        return;
+    }
+    if (isQuotient(inside)) {
+        const std::string meant = std::string(minus ? "$(-" : "$(") + inside + ")";
+        Diagnostic& d = error(Code::BadExpression, e.range,
+                              std::string("arithmetic is written in $( )") + (inside.starts_with("pi") ? kDegrees : ""));
+        fix(d, meant, {edit(e.range, meant)});
+        e.kind = Element::Kind::Number;
         return;
     }
     const bool infinite =
@@ -216,6 +243,30 @@ void ValueErrors::bracedParam(Element& e, Value& v) {
                                  : "an expression is written `$(...)`, without braces");
     fix(d, meant, {edit(e.range, meant)});
     if (!isName) e.kind = Element::Kind::Number;
+}
+
+void ValueErrors::doubleBraces(Element& e, Value& v) {
+    while (!atEnd() && kind() != TokenKind::CloseBrace) {
+        advance();
+        if (newLine()) break;
+    }
+    const bool closed = kind() == TokenKind::CloseBrace && kind(1) == TokenKind::CloseBrace && adjacent(1);
+    e.kind = Element::Kind::ParamRef;
+    e.text = slice({e.range.begin + 2, previous().end});
+    while (!e.text.empty() && isBlank(e.text.front())) e.text.erase(0, 1);
+    for (int i = 0; i < 2 && !newLine() && kind() == TokenKind::CloseBrace; ++i) advance();
+    while (adjacent() && kind() == TokenKind::Word) advance(); // `{{side}}_wheel`
+    const bool part = closed && bytes()[previous().end - 1] != '}';
+    e.range.end = previous().end;
+    const bool isName = !e.text.empty() && isIdentStart(e.text[0]) && std::ranges::all_of(e.text, isIdent);
+    const std::string meant = isName ? "$" + e.text : "$(" + e.text + ")";
+    Diagnostic& d = error(Code::UnexpectedText, e.range,
+                          part     ? "a Param is written $name, and cannot be part of a word"
+                          : isName ? "a Param is written `" + meant + "`, without braces"
+                                   : "an expression is written `$(...)`, without braces");
+    if (closed && !part) fix(d, meant, {edit(e.range, meant)});
+    if (!isName) e.kind = Element::Kind::Number;
+    v.broken = true;
 }
 
 void ValueErrors::spacedParam(Element& e, Value& v) {

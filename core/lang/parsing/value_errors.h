@@ -27,6 +27,8 @@ public:
     void foreignQuotes(Element& e, Value& v);
     /// `${name}` of a shell, `${2 * name}` of xacro.
     void bracedParam(Element& e, Value& v);
+    /// `{{name}}`.
+    void doubleBraces(Element& e, Value& v);
     /// `$ name`.
     void spacedParam(Element& e, Value& v);
     void unitWithoutPower(Element& e) { m_units.withoutPower(e); }
@@ -41,7 +43,7 @@ public:
 
 private:
     [[nodiscard]] bool closes(TextRange bracket) const;
-    void skipRest();
+    [[nodiscard]] bool skipRest(std::vector<TextEdit>& edits);
     void reportUnquoted(const Element& e, const std::string& written);
 
     UnitErrors m_units;

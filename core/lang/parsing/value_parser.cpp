@@ -224,6 +224,10 @@ bool ValueParser::element(Value& v) {
         if (newLine(1)) return false;
         m_errors.signedElement(e, v);
         break;
+    case TokenKind::OpenBrace:
+        if (kind(1) != TokenKind::OpenBrace || !adjacent(1)) return false;
+        m_errors.doubleBraces(e, v);
+        break;
     case TokenKind::OpenParen:
         if (termInParens() == 0) return false;
         m_errors.arithmetic(e, v);
