@@ -281,6 +281,22 @@ private Q_SLOTS:
     }
 
     /// `$carrier` that no text declares, with what Parts, variants and robots give for it.
+    /// The word of a Param that an expression chooses, takes out of a list, or is.
+    void renamesThroughExpressions() {
+        const QString more =
+            QStringLiteral("PartConfig Post { Param looks = red,red  Param other = red  Body p { "
+                           "Box a { Size=1,1,1 Mass=1 Material=$(element(looks, 0)) Surface=floor } "
+                           "Box b { Size=1,1,1 Mass=1 Material=$(if(1 > 2, other, more)) Surface=floor } } Param more = red }\n"
+                           "RobotConfig One { Part post { Config=Post looks=red,red other=red } }\nRobot o { Config=One }\n");
+        m_loaded = m_fixture.open(kWheel + more.toStdString());
+        QCOMPARE(messages(*m_loaded), std::string());
+        const auto after = m_fixture.apply(m_loaded, planRename(*m_loaded, "Material.red", "ruby"));
+        QVERIFY(after);
+        QCOMPARE(messages(*after), std::string());
+        QCOMPARE(QString::fromStdString(std::string(after->trees[0]->source().bytes())),
+                 QString::fromStdString(kWheel + more.toStdString()).replace(QLatin1String("red"), QLatin1String("ruby")));
+    }
+
     void renamesWhatPartsGive() {
         const std::string more =
             "PartConfig Hub { Body hub { Box b { Size=1,1,1 Mass=1 Material=red Surface=floor } } Hinge h { Parent=$frame "
