@@ -144,8 +144,10 @@ void ItemParser::param(std::vector<Item>& out, int depth) {
         if (wrong) {
             equals = range();
             advance();
-        } else if (newLine() || !startsElement() || namedBlock()) {
-            return;
+        } else if (newLine() || !startsElement() || namedBlock()) { // it is there nonetheless, so that its uses are no mistakes
+            node.value.range = equals;
+            node.value.broken = true;
+            return out.push_back({{begin, equals.end}, std::move(node)});
         }
     }
     const std::string key = node.name.text;
