@@ -50,13 +50,15 @@ EditStyle editStyle(const Tree& tree) {
         const auto* block = item.as<BlockItem>();
         if (!block) continue;
         const std::string outer = indentOfLine(bytes, item.range.begin);
-        const auto inner = std::find_if(block->items.begin(), block->items.end(), [&](const Item& i) {
+        constexpr std::ptrdiff_t kFar = 1000; // items; one that long without any is not searched to its end for each edit
+        const auto last = block->items.begin() + std::min(kFar, std::ssize(block->items));
+        const auto inner = std::find_if(block->items.begin(), last, [&](const Item& i) {
             const std::string indent = indentOfLine(bytes, i.range.begin);
             const std::uint32_t start = tree.source().position(i.range.begin).line;
             return start != tree.source().position(item.range.begin).line && indent.size() > outer.size() &&
                    indent.starts_with(outer);
         });
-        if (inner == block->items.end()) continue;
+        if (inner == last) continue;
         style.step = indentOfLine(bytes, inner->range.begin).substr(outer.size());
         break;
     }

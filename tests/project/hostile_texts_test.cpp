@@ -150,6 +150,19 @@ private Q_SLOTS:
                     std::to_string(i) + " }\n";
         const auto loaded = fixture.open(text + "}\n");
         QVERIFY(loaded->diagnostics.errorCount() > 20000);
+        std::string paths = "RobotConfig Big {\n"; // bodies that lack a mass, with a path that has a `$`
+        for (int i = 0; i < 40000; ++i) paths += "Body b" + std::to_string(i) + " { Parent=$a.b }\n";
+        QVERIFY(fixture.open(paths + "}\n")->diagnostics.errorCount() > 10000);
+    }
+
+    /// What describes a Param, in another such text, and so on.
+    void deepDescriptions() {
+        ProjectFixture fixture;
+        std::string text;
+        for (int i = 0; i < 100'000; ++i) text += "Param r = 5 cm { Min=1 cm\n";
+        const auto loaded = fixture.open(text);
+        QVERIFY(sample::messages(*loaded).find("blocks nest deeper than") != std::string::npos);
+        QCOMPARE(print(*loaded->trees[0]), text);
     }
 
     void readsLargeInvalidTextsPartially_data() {

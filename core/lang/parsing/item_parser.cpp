@@ -162,6 +162,11 @@ void ItemParser::param(std::vector<Item>& out, int depth) {
 
 /// `{ Min=2 cm Help="..." }` behind a Param.
 void ItemParser::description(ParamItem& param, int indent, int depth) {
+    if (depth + 1 > kMaxBlockDepth) { // of Params in Params, since nothing else is read there
+        error(Code::TooDeep, param.name.range, "blocks nest deeper than " + std::to_string(kMaxBlockDepth));
+        if (kind() == TokenKind::OpenBrace) advance();
+        return skipBlockBody();
+    }
     OpenBlock open;
     open.indent = indent;
     open.name = param.name.range;

@@ -53,6 +53,21 @@ Path meantBy(std::string_view written) {
     return path.meant == written ? Path{} : path;
 }
 
+/// All `name` of `$name`, where no path follows, and of `Param name`.
+std::unordered_set<std::string> paramsIn(std::string_view text) {
+    std::unordered_set<std::string> names;
+    constexpr std::string_view kParam = "Param ";
+    for (std::size_t at = text.find_first_of("$P"); at != std::string_view::npos; at = text.find_first_of("$P", at + 1)) {
+        if (text[at] == 'P' && text.substr(at, kParam.size()) != kParam) continue;
+        const std::size_t begin = at + (text[at] == '$' ? 1 : kParam.size());
+        std::size_t end = begin;
+        while (end < text.size() && isIdent(text[end])) ++end;
+        const bool isPath = text[at] == '$' && end + 1 < text.size() && text[end] == '.' && isIdent(text[end + 1]);
+        if (!isPath && end > begin) names.emplace(text.substr(begin, end - begin));
+    }
+    return names;
+}
+
 std::string messageOf(const Path& path) {
     const std::string meant = "`" + path.meant + "`";
     if (path.all) return "what is meant for all members of a Repeat has no number and no `*`: " + meant;
@@ -112,22 +127,16 @@ bool PathErrors::computed(Element& e, Value& v) {
 }
 
 /// Whether `$name` is also used alone, or declared.
-bool PathErrors::isParam(std::string_view name, TextRange use) const {
-    const std::string_view all = bytes();
-    for (const std::string& sign : {"$" + std::string(name), "Param " + std::string(name)}) {
-        for (std::size_t at = all.find(sign); at != std::string_view::npos; at = all.find(sign, at + 1)) {
-            const std::size_t end = at + sign.size();
-            if (at != use.begin && (end == all.size() || (!isIdent(all[end]) && all[end] != '.'))) return true;
-        }
-    }
-    return false;
+bool PathErrors::isParam(const std::string& name) {
+    if (!m_params) m_params = paramsIn(bytes());
+    return m_params->contains(name);
 }
 
 bool PathErrors::behindParam(Element& e, Value& v) {
     if (e.kind != Element::Kind::ParamRef || kind() != TokenKind::Dot || !adjacent() || kind(1) != TokenKind::Word ||
         !adjacent(1))
         return false;
-    const bool known = isParam(e.text, e.range);
+    const bool known = isParam(e.text);
     skipRest();
     e.range.end = previous().end;
     const std::string meant(slice({e.range.begin + 1, e.range.end}));

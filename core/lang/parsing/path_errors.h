@@ -1,6 +1,9 @@
 #pragma once
 // Diagnostics for paths that are written otherwise, as `m[0].q` and `left/rim`: one message each, with its fix. Private to core/lang.
 
+#include <optional>
+#include <unordered_set>
+
 #include "lang/parsing/parser_part.h"
 
 namespace trundle {
@@ -20,7 +23,9 @@ public:
 
 private:
     void skipRest();
-    [[nodiscard]] bool isParam(std::string_view name, TextRange use) const;
+    [[nodiscard]] bool isParam(const std::string& name);
+
+    std::optional<std::unordered_set<std::string>> m_params; ///< of the whole text, as soon as one is asked for
 };
 
 } // namespace trundle

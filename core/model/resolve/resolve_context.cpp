@@ -55,6 +55,7 @@ ComponentSpec componentFrom(const Record& record, const Part& part) {
 }
 
 void ResolveContext::fixAdd(Diagnostic& d, const Part& part, const std::string& key, const std::string& value) {
+    if (manyAlready(diagnostics)) return;
     d.fixes.push_back({key + "=" + value, {editAddAssignment(*texts.trees[part.file], part.block, key, value)}});
     d.suggestions.push_back(key + "=" + value);
 }
