@@ -71,6 +71,13 @@ private Q_SLOTS:
         QVERIFY2(parts[2].startsWith(u"it is used here"), qPrintable(said[0]));
     }
 
+    void withoutAnInstance() {
+        const std::string text = passedOn({}, "2 cm", "RobotConfig V { Config=R d=-7 m }");
+        const QStringList parts = reported(sample::resolved(text)).split(QStringLiteral(" | "));
+        QCOMPARE(parts.value(0), QStringLiteral("E203 Radius is -7 m, it must be above 0"));
+        QCOMPARE(parts.value(1), QStringLiteral("-7 m"));
+    }
+
     /// What a variant gives is from outside also where an expression uses it.
     void throughAnExpression() {
         const std::string text = "Material g { } Surface s { }\nRobotConfig R { Param d = 2 cm "

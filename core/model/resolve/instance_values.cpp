@@ -252,13 +252,13 @@ Record readInstance(ResolveContext& context, const Part& part, ParamScope& scope
     return InstanceReader(context, part, scope, given).read(config, kind, outer, member);
 }
 
-void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part& instance,
+void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part* instance,
                   const std::string& note) {
     if (context.diagnostics.all().size() == first || manyAlready(context.diagnostics)) return;
     for (std::size_t i = first; i < context.diagnostics.all().size(); ++i) {
         Diagnostic& d = context.diagnostics.at(i);
         if (moveToValue(context, d, given)) continue;
-        if (!note.empty() && !inside(d.range, instance.range)) d.notes.push_back({note, instance.nameRange()});
+        if (instance && !inside(d.range, instance->range)) d.notes.push_back({note, instance->nameRange()});
     }
 }
 

@@ -21,8 +21,8 @@ struct InstanceValues {
                                   std::size_t member = 0);
 
 /// Moves the diagnostics from index `first` on to the values of the instance that caused them; one that they did not cause gets a
-/// note with the instance, if `note` says something.
-void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part& instance,
+/// note with the instance. nullptr: it has no values, but the variant that it names may have.
+void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part* instance,
                   const std::string& note);
 
 } // namespace trundle

@@ -368,7 +368,7 @@ void PartExpansion::nameUses(std::size_t first, const PartFrame& frame) {
         if (!at->member) {
             for (std::size_t i = first; i < m_context.diagnostics.all().size(); ++i)
                 adviseToDeclare(m_context, m_context.diagnostics.at(i), *at);
-            nameInstance(m_context, first, at->given, *at->use, "used here by " + at->use->title());
+            nameInstance(m_context, first, at->given, at->use, "used here by " + at->use->title());
             continue;
         }
         for (std::size_t i = first; i < m_context.diagnostics.all().size(); ++i)

@@ -125,7 +125,8 @@ private:
         m_context.evaluator.checkAll(scope);
         std::shared_ptr<const Spec> spec = resolve(m_context, config, scope, given.key.empty() ? nullptr : &given.overrides);
         if (given.key.empty() || m_context.diagnostics.errorCount() == errors) cache.emplace(key, spec);
-        nameInstance(m_context, said, given, *m_instance, given.key.empty() ? "" : "with the values of " + m_instance->title());
+        const Part* instance = given.key.empty() ? nullptr : m_instance;
+        nameInstance(m_context, said, given, instance, instance ? "with the values of " + instance->title() : std::string());
         return spec;
     }
     std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const InstanceValues& given) {
