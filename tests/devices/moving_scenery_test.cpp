@@ -102,10 +102,10 @@ private Q_SLOTS:
                                                << "no joint holds Body a";
         QTest::newRow("world on a robot") << "RobotConfig R { Body b { " + box +
                                                  " } Imu i { Body=world } }\nRobot r { Config=R }\n"
-                                          << "Body names world";
+                                          << "Body cannot be the world";
         QTest::newRow("world as child") << "StaticConfig S { Body b { " + box +
                                                " } Hinge h { Parent=b Child=world } }\nStatic s { Config=S }\n"
-                                        << "Child names world";
+                                        << "Child cannot be the world, a Parent can";
     }
     void isRefused() {
         QFETCH(QString, text);
