@@ -70,11 +70,12 @@ private:
     }
     /// What all Parts call a Param that the config spells otherwise; empty: nothing.
     std::string spelling(const Part& config, const std::string& name) const {
+        const int least = isMisspelt(config, name) ? 1 : 2; // of one Part it is not known which of the two is wrong
         const auto given = m_given.find(&config);
         if (given == m_given.end() || given->second.contains(name)) return {};
         std::vector<std::string> others;
         for (const auto& [key, count] : given->second)
-            if (count > 1 && !config.param(key)) others.push_back(key);
+            if (count >= least && !config.param(key)) others.push_back(key);
         const std::vector<std::string> near = nearestWords(name, others);
         return near.empty() ? std::string() : near.front();
     }

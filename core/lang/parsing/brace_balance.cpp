@@ -133,14 +133,16 @@ bool BraceBalance::closedHere(const OpenBlock& block) const {
 
 void BraceBalance::reportUnclosed(const OpenBlock& open, std::uint32_t place) {
     if (atEnd() && m_tokens.extent() != Tree::Extent::Whole) return; // parsing stopped before its end
-    const std::string_view bytes = this->bytes();
+    const std::string_view bytes = this->bytes(), before = slice(previous());
+    const bool isInString = before.starts_with('"') && !before.ends_with('"') && before.find('}') != std::string_view::npos;
+    if (open.description && isInString) return; // which is reported
     if (atEnd()) ++m_unclosed;
     Diagnostic& d = error(Code::UnclosedBlock, open.name, "block `" + std::string(slice(open.name)) + "` lacks its closing `}`");
     const std::string indent(static_cast<std::size_t>(std::max(open.indent, 0)), ' ');
     const std::uint32_t last = previous().end;
     if (!atEnd() && open.inlineItems && slice({open.name.begin, last}).find_first_of("\r\n") == std::string_view::npos) {
-        fix(d, "insert `}` at the end of line " + std::to_string(m_tokens.source().position(last).line),
-            {edit({last, last}, " }")});
+        const std::string line = " at the end of line " + std::to_string(m_tokens.source().position(last).line);
+        fix(d, "insert `}`" + (newLine() ? line : std::string()), {edit({last, last}, " }")});
         return;
     }
     if (!atEnd()) {

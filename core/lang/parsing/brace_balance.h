@@ -34,6 +34,7 @@ public:
     void open(const OpenBlock& block) { m_open.push_back(block); }
     void close() { m_open.pop_back(); }
     [[nodiscard]] const OpenBlock& innermost() const { return m_open.back(); }
+    [[nodiscard]] bool isInDescription() const { return !m_open.empty() && m_open.back().description; }
 
     [[nodiscard]] int indentOf(std::uint32_t offset) const; ///< -1 if it is not first on its line
     /// Records a suspected missing `}` if the token that begins an item or closes the block is indented less than the block's items.

@@ -27,6 +27,7 @@ void ItemParser::items(std::vector<Item>& out, int depth) {
         m_tokens.beginItem();
         if (depth > 0 && m_balance.closedHere(m_balance.innermost())) return;
         if (depth > 0 && m_balance.foreignClose()) return;
+        if (!out.empty() && m_balance.isInDescription() && (text() == "Param" || namedBlock())) return; // it holds none
         if (depth > 0) m_balance.recordIndent();
         switch (kind()) {
         case TokenKind::CloseBrace:

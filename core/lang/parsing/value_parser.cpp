@@ -322,11 +322,9 @@ void ValueParser::stringElement(Element& e, Value& v) {
         e.text += c;
     }
     if (!closed) {
-        // The quote belongs before the trailing spaces and comment of the line.
-        std::uint32_t end = e.range.end;
-        std::string_view body = written;
-        const std::size_t comment = body.find(" //");
-        if (comment != std::string_view::npos) end = e.range.begin + static_cast<std::uint32_t>(comment);
+        // The quote belongs before the end of the block, the trailing spaces and the comment in the line.
+        const std::size_t length = std::min({written.find(" //"), written.find(" }"), written.size()});
+        std::uint32_t end = e.range.begin + static_cast<std::uint32_t>(length);
         while (end > e.range.begin + 1 && isBlank(bytes()[end - 1])) --end;
         Diagnostic& d = error(Code::UnclosedString, {e.range.begin, end}, "this string lacks its closing quote");
         fix(d, "add `\"`", {edit({end, end}, "\"")});
