@@ -173,7 +173,8 @@ bool PartBuilder::fits(Part& part, const Part* parent) {
 /// `left { r = 0.06 }` for `left.r = 0.06` of an instance or a variant.
 bool PartBuilder::isMeantAsPath(const Part& part, const Part* parent) {
     const std::string& word = part.block->type.text;
-    const bool canBe = parent && parent->assignments.find("Config") && !part.block->name && word[0] >= 'a' && word[0] <= 'z';
+    const bool hasConfig = parent && parent->kind && parent->kind->find("Config") && parent->assignments.find("Config");
+    const bool canBe = hasConfig && !part.block->name && word[0] >= 'a' && word[0] <= 'z';
     if (!canBe || part.block->items.empty()) return false;
     std::string paths;
     for (const Item& item : part.block->items) {
