@@ -64,15 +64,22 @@ private:
         }
         for (const Part& inner : part.parts) collectGiven(inner);
     }
-    bool isGiven(const Part& config, const std::string& name) const {
+    bool isGivenByPart(const Part& config, const std::string& name) const {
         const auto given = m_given.find(&config);
-        return (given != m_given.end() && given->second.contains(name)) || m_givenByPath.contains(name);
+        return given != m_given.end() && given->second.contains(name);
+    }
+    bool isGivenWord(const Part& config, const Element& e) const {
+        return e.kind == Element::Kind::Word && isGivenByPart(config, e.text);
+    }
+    bool isGiven(const Part& config, const std::string& name) const {
+        return isGivenByPart(config, name) || m_givenByPath.contains(name);
     }
     /// What all Parts call a Param that the config spells otherwise; empty: nothing.
     std::string spelling(const Part& config, const std::string& name) const {
-        const int least = isMisspelt(config, name) ? 1 : 2; // of one Part it is not known which of the two is wrong
+        constexpr std::size_t kMany = 1000;
         const auto given = m_given.find(&config);
-        if (given == m_given.end() || given->second.contains(name)) return {};
+        if (given == m_given.end() || given->second.size() > kMany) return {};
+        const int least = isMisspelt(config, name) ? 1 : 2; // of one Part it is not known which of the two is wrong
         std::vector<std::string> others;
         for (const auto& [key, count] : given->second)
             if (count >= least && !config.param(key)) others.push_back(key);
@@ -114,15 +121,15 @@ private:
 
     void names(Part& config, const Part& part, const SourceAssignment& a) const {
         for (const Element& e : a.value->elements) {
-            const bool isParam = e.kind == Element::Kind::ParamRef;
-            if ((!isParam && e.kind != Element::Kind::Word) || config.param(e.text) || part.param(e.text)) continue;
+            const bool isParam =
+                e.kind == Element::Kind::ParamRef; // `Parent=carrier`, whose `$` is missing, is reported there alone
+            if ((!isParam && !isGivenWord(config, e)) || config.param(e.text) || part.param(e.text)) continue;
             const auto isInside = [&](const Part* holder) {
                 return holder->param(e.text) || std::ranges::find(holder->parts, e.text, &Part::name) != holder->parts.end();
             };
             if (std::ranges::any_of(m_holders, isInside)) continue; // `$wheel` for `wheel`
             if (!isParam) {
-                const auto given = m_given.find(&config); // `Parent=carrier`, whose `$` is missing, is reported there alone
-                if (given != m_given.end() && given->second.contains(e.text)) imply(config, e.text, e.range, a.file, false);
+                imply(config, e.text, e.range, a.file, false);
                 continue;
             }
             if (const SourceParam* global = globalName(e.text)) { // a default, which uses can change

@@ -194,8 +194,9 @@ bool PartBuilder::isMeantAsPath(const Part& part, const Part* parent) {
 bool PartBuilder::isConfigName(const Part& part, const Part* parent) {
     const std::string& word = part.block->type.text;
     const auto names = [&](const SourceBlock& each) { return each.block->name && each.block->name->text == word; };
-    const auto found = m_top ? std::ranges::find_if(m_top->blocks, names) : std::vector<SourceBlock>::const_iterator();
-    if (!m_top || found == m_top->blocks.end()) return false;
+    if (!m_top || manyAlready(m_diagnostics)) return false;
+    const auto found = std::ranges::find_if(m_top->blocks, names);
+    if (found == m_top->blocks.end()) return false;
     const std::string& type = found->block->type.text;
     const std::string user = userOfConfig(type);
     const Kind* kind = m_registry.find(user);
