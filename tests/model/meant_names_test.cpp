@@ -41,7 +41,7 @@ private Q_SLOTS:
             "E201 Part a has no property carier | carier | fix carrier");
         row("without its sign", parts({}, "Fixed f { Parent=to Child=b }", "Part a { Config=P to=c }"),
             "E208 Parent names to, but there is no such Body; there is world; what is outside of a PartConfig comes in by a "
-            "Param, Parent=$to | to | used here by Part a: a");
+            "Param, Parent=$to | to | used here by Part a: a | fix $to");
         row("in parentheses",
             parts("Param look = g",
                   "Body d { Box o { Size=1,1,1 Mass=1 Material=$(look) Surface=s } }"

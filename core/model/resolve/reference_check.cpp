@@ -182,9 +182,12 @@ void ReferenceCheck::unknown(const SaidName& said, const PartFrame& frame) {
     if (isBroken && firstWord(name) != name) return; // reported at its block
     const std::size_t before = m_context.diagnostics.all().size();
     m_context.unknownReference(property.name, said.wanted(m_context.registry), name, range, literal, fitting(said, frame));
-    if ((frame.isOpen || frame.holder().use) && !given && !first && m_context.diagnostics.all().size() > before)
-        m_context.diagnostics.at(before).message +=
-            "; what is outside of a PartConfig comes in by a Param, " + property.name + "=$" + std::string(lastWord(name));
+    if ((!frame.isOpen && !frame.holder().use) || given || first || m_context.diagnostics.all().size() == before) return;
+    Diagnostic& d = m_context.diagnostics.at(before);
+    const std::string param = "$" + std::string(lastWord(name));
+    d.message += "; what is outside of a PartConfig comes in by a Param, " + property.name + "=" + param;
+    const Part* config = frame.holder().config;
+    if (d.suggestions.empty() && config && config->param(name)) suggestWords(d, {param}, said.writable()); // its Parts give it
 }
 
 /// Whether a name is that of something in a member that a Repeat does not have; reports it.
