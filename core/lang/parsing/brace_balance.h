@@ -28,7 +28,7 @@ public:
     /// Forgets what the run before found; the corrections assumed so far hold.
     void beginRun();
     /// If braces do not balance, parses again (`run`) with each correction that indentation and text suggest, and last with the best
-    /// one, so that one brace causes one diagnostic. False if there is none, or none that is better.
+    /// one, so that one brace causes one diagnostic. False if no correction is better.
     [[nodiscard]] bool assume(const std::function<void()>& run);
 
     void open(const OpenBlock& block) { m_open.push_back(block); }

@@ -13,7 +13,7 @@ public:
         : ParserPart(tokens, report), m_grammar(grammar), m_flow(tokens, report, grammar, balance),
           m_formats(tokens, report, grammar, balance, m_flow) {}
 
-    /// Reports and parses what begins here and looks like an item of ours, but is none; false if it is nothing known.
+    /// Reports and parses what begins here and looks like an item, but is said otherwise here; false for all else.
     [[nodiscard]] bool misread(std::vector<Item>& out, int depth) {
         return m_flow.definition() || m_formats.block(out, depth) || nameFirst(out, depth);
     }
