@@ -104,10 +104,21 @@ void distributeSelected(const ViewContext& context, int axis) {
     (void)held.moveEach(offsets, trArrange("Distribute %1").arg(held.title()));
 }
 
+namespace {
+
+/// Pose of a Robot or Static in its text; nullptr for everything else.
+const Pose* poseInText(const ObjectIndex& objects, const ObjectRef& object) {
+    if (object.kind == ObjectKind::Robot) return &objects.robotOf(object)->pose;
+    return object.kind == ObjectKind::Static ? &objects.staticOf(object)->pose : nullptr;
+}
+
+} // namespace
+
 QString gridRefusal(const ViewContext& context) {
     const std::vector<std::string>& paths = context.selection.paths();
     const auto object = paths.size() == 1 ? context.world.find(paths[0]) : std::nullopt;
-    if (!object || object->kind != ObjectKind::Robot) return trArrange("A Grid is made of one robot.");
+    if (!object || !poseInText(*context.world.objects(), *object))
+        return trArrange("A Grid is made of one robot or one piece of scenery.");
     const auto place = placeOf(*context.document.loaded(), paths[0]);
     return !place || place->member || !place->part
                ? trArrange("%1 is part of a Grid already.").arg(QString::fromStdString(paths[0]))
@@ -116,21 +127,20 @@ QString gridRefusal(const ViewContext& context) {
 
 bool gridIsTurned(const ViewContext& context) {
     if (!gridRefusal(context).isEmpty()) return false;
-    const Pose& pose = context.world.objects()->robotOf(*context.world.find(context.selection.current()))->pose;
+    const Pose& pose = *poseInText(*context.world.objects(), *context.world.find(context.selection.current()));
     return pose.rotation.angularDistance(Quat::Identity()) > 1e-6;
 }
 
 namespace {
 
-/// Replaces the block of a robot by a Grid whose first member has the robot's pose.
+/// Replaces a Robot or Static by a Grid whose first member has its pose.
 void makeGrid(const ViewContext& context, const ArrayCopy& copy) {
     const std::string path = context.selection.current();
     const LoadedProject& loaded = *context.document.loaded();
     const auto place = placeOf(loaded, path);
-    const ObjectRef robot = *context.world.find(path);
     const Part& part = *place->part;
     const Tree& tree = *loaded.trees[part.file];
-    const Pose& pose = context.world.objects()->robotOf(robot)->pose;
+    const Pose& pose = *poseInText(*context.world.objects(), *context.world.find(path));
     const Vec3 centre =
         pose * Vec3(0.5 * (copy.count[0] - 1) * copy.spacing.x(), 0.5 * (copy.count[1] - 1) * copy.spacing.y(), 0);
     std::string pos;

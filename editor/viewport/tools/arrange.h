@@ -24,12 +24,12 @@ void distributeSelected(const ViewContext& context, int axis);
 struct ArrayCopy {
     std::array<int, 3> count{3, 1, 1}; ///< including the original
     Vec3 spacing{1, 1, 1};             ///< m
-    bool asGrid = false;               ///< replaces a single robot by a Grid with the counts of x and y
+    bool asGrid = false;               ///< replaces a single Robot or Static by a Grid with the counts of x and y
 };
 void copyInRows(const ViewContext& context, const ArrayCopy& copy);
 /// The reason why the selection cannot become a Grid; empty if it can.
 [[nodiscard]] QString gridRefusal(const ViewContext& context);
-/// True if that Grid's rows would be rotated, since its HPR applies to the rows as well as to each robot. Single copies are
+/// True if that Grid's rows would be rotated, since its HPR applies to the rows as well as to each member. Single copies are
 /// placed along the world's x and y.
 [[nodiscard]] bool gridIsTurned(const ViewContext& context);
 

@@ -40,11 +40,11 @@ ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& grid
         grid->addWidget(m_spacing[std::size_t(k)], k + 1, 2);
         connect(m_count[std::size_t(k)], &QSpinBox::valueChanged, this, &ArrayDialog::showStatus);
     }
-    m_asGrid = new QCheckBox(tr("One Grid instead of single robots"));
+    m_asGrid = new QCheckBox(tr("One Grid instead of single copies"));
     m_asGrid->setObjectName(QStringLiteral("asGrid"));
     m_asGrid->setEnabled(gridRefusal.isEmpty());
     m_asGrid->setToolTip(gridRefusal.isEmpty()
-                             ? tr("A few words of text, and any number of robots: count and spacing can be changed later.")
+                             ? tr("A few words of text, and any number of members: count and spacing can be changed later.")
                              : gridRefusal);
     connect(m_asGrid, &QCheckBox::toggled, this, &ArrayDialog::showStatus);
     m_summary = new QLabel;
@@ -79,7 +79,7 @@ void ArrayDialog::showStatus() {
     const ArrayCopy wanted = copy();
     const int total = wanted.count[0] * wanted.count[1] * wanted.count[2] * m_originals;
     const QString grid =
-        m_gridIsTurned ? tr("A Grid of %1 × %2 robots; its rows are turned with the robot") : tr("A Grid of %1 × %2 robots");
+        m_gridIsTurned ? tr("A Grid of %1 × %2; its rows are turned with the original") : tr("A Grid of %1 × %2");
     m_summary->setText(wanted.asGrid      ? grid.arg(wanted.count[0]).arg(wanted.count[1])
                        : m_originals == 1 ? tr("%1 in all, with the original").arg(total)
                                           : tr("%1 in all, with the %2 originals").arg(total).arg(m_originals));

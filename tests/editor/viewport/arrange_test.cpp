@@ -100,13 +100,13 @@ private Q_SLOTS:
                                         {[&] {
                                              copyInRows(viewContext(), {{2, 1, 1}, {1, 1, 1}, true});
                                          },
-                                         "A Grid is made of one robot."}}) {
+                                         "A Grid is made of one robot or one piece of scenery."}}) {
             call();
             QCOMPARE(m_window->refusals.back(), QLatin1String(why));
         }
-        m_window->selection.select("a");
-        copyInRows(viewContext(), {{2, 1, 1}, {1, 1, 1}, true}); // no robot
-        QCOMPARE(m_window->refusals.back(), QStringLiteral("A Grid is made of one robot."));
+        m_window->selection.set({"a", "b"});
+        copyInRows(viewContext(), {{2, 1, 1}, {1, 1, 1}, true});
+        QCOMPARE(m_window->refusals.back(), QStringLiteral("A Grid is made of one robot or one piece of scenery."));
         QCOMPARE(m_window->text(), text);
     }
 
@@ -164,6 +164,25 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=-1,0,0 Count=3,1 Spacing=0.5,0.6"), m_window->text().constData());
     }
 
+    void gridStartsAtPieceOfScenery() {
+        const QByteArray text = "StaticConfig Post { Param h = 1 m Box b { Size=0.2,0.2,$h Pos=0,0,$(h/2) } }\n"
+                                "// a row of posts\nStatic post { Config=Post h=0.5 }\n";
+        QVERIFY(m_window->open(text));
+        m_window->selection.select("post");
+        copyInRows(viewContext(), {{4, 1, 1}, {0.5, 1, 1}, true});
+        QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
+        QVERIFY2(m_window->text().contains("Grid post { Pos=0.75,0,0 Count=4,1 Spacing=0.5,1 Config=Post h=0.5 }"),
+                 m_window->text().constData());
+        const auto& statics = m_window->document.loaded()->experiment->statics;
+        QCOMPARE(statics.size(), std::size_t(4));
+        QVERIFY(statics[0].pose.position.norm() < 1e-9);
+        QVERIFY((statics[3].pose.position - Vec3(1.5, 0, 0)).norm() < 1e-9);
+        m_window->selection.select("post_1");
+        QVERIFY(!gridRefusal(viewContext()).isEmpty());
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), text);
+    }
+
     void announcesRotatedGrid() {
         m_window->selection.select("robot0");
         QVERIFY(!gridIsTurned(viewContext()));
@@ -174,7 +193,7 @@ private Q_SLOTS:
         const auto* summary = dialog.findChild<QLabel*>(QStringLiteral("summary"));
         QCOMPARE(summary->text(), QStringLiteral("3 in all, with the original"));
         dialog.findChild<QCheckBox*>(QStringLiteral("asGrid"))->setChecked(true);
-        QCOMPARE(summary->text(), QStringLiteral("A Grid of 3 × 1 robots; its rows are turned with the robot"));
+        QCOMPARE(summary->text(), QStringLiteral("A Grid of 3 × 1; its rows are turned with the original"));
     }
 
     void tooManyCopiesAreRefused() {
