@@ -8,7 +8,8 @@ namespace trundle {
 [[nodiscard]] std::string steppedNumber(double value, double step);
 
 /// Replaces the numbers in a value's text. Elements with an unchanged number keep their text, including formulas; others keep
-/// their unit. Separators are kept. `text` must contain `before`, expressed in `unit` ("m", "deg"); if it is empty or differs,
+/// their unit. A formula with index, which has another value in each member of a Repeat, gets the difference added: `$(0.1*index + 0.05)`.
+/// Separators are kept. `text` must contain `before`, expressed in `unit` ("m", "deg"); if it is empty or differs,
 /// the result is plain numbers.
 [[nodiscard]] std::string withNumbers(const std::string& text, std::span<const double> before, std::span<const double> after,
                                       const char* unit, double step);

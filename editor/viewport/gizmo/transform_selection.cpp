@@ -89,21 +89,23 @@ bool usesIndex(std::string_view text) {
     return false;
 }
 
-/// Whether a pose is worked out from the number of a member of a Repeat, so that another value would put all members in one place.
-/// `place`: of the object; a value that is written for one member is that one's.
+/// Whether a pose is worked out from the number of a member of a Repeat in a text that an edit through this path would not
+/// change, so that it would put all members in one place. `place`: of the object; a value that is written for one member is
+/// that one's.
 bool isPlacedByIndex(const LoadedProject& loaded, const std::string& path, const ObjectLocation& place) {
     const bool isRepeated = place.part->isRepeat() || !place.around.empty() || std::ranges::any_of(place.above, &Part::isRepeat);
     for (const char* key : {".Pos", ".HPR"}) {
         if (!isRepeated) return false;
         const auto from = provenanceOf(*loaded.outline, path + key);
-        const bool isOfAll = place.members.empty() || !textInPlace(loaded, path + key).empty();
+        const bool isOfAll = place.members.empty() && textInPlace(loaded, path + key).empty();
         if (from && from->value.known() && isOfAll && usesIndex(loaded.sources.slice(from->value))) return true;
     }
     return false;
 }
 
 QString placedByIndex(const std::string& path) {
-    return tr("The members of %1 are each in a place of their own, computed from index.").arg(QString::fromStdString(path));
+    return tr("The members of %1 are each in a place of their own, computed from index. Edit Model (Ctrl+E) moves them all.")
+        .arg(QString::fromStdString(path));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QtTest>
 
+#include "editor/viewport/gizmo/transform_selection.h"
 #include "editor/viewport/gizmo_hand.h"
 
 using namespace trundle;
@@ -166,33 +167,72 @@ private Q_SLOTS:
                  with("apart { Pos=-1,0,0 ", "apart { Pos=-1,0,0.1 ", with("Pos=0,0,0.3", "Pos=0,0,0.4", text)));
     }
 
-    /// A place that is worked out from index is none to be dragged, wherever it is written; that of one member is.
-    void placesFromIndexAreNotDragged_data() {
+    /// What is placed by index moves with all members, where its text is edited; through a robot that would be one place for all.
+    void placesFromIndex_data() {
         QTest::addColumn<QString>("path");
-        QTest::addColumn<bool>("refused");
-        QTest::newRow("a Repeat of the config") << "RobotConfig.Kit.row" << true;
-        QTest::newRow("through a robot") << "robot0.row" << true;
-        QTest::newRow("in a Part") << "robot0.left.lamp" << true;
-        QTest::newRow("what all members have") << "robot0.rim.disc" << true;
-        QTest::newRow("in the config") << "RobotConfig.Kit.rim.disc" << true;
-        QTest::newRow("of one member") << "robot0.rim_1.disc" << false;
-        QTest::newRow("a Param called indexer") << "RobotConfig.Kit.other" << false;
+        QTest::addColumn<QString>("before");
+        QTest::addColumn<QString>("after"); ///< empty: it is refused
+        QTest::newRow("a Repeat of the config") << "RobotConfig.Kit.row"
+                                                << "row { Count=2 Pos=$(0.3*index),0.8,0 "
+                                                << "row { Count=2 Pos=$(0.3*index),0.8,0.1 ";
+        QTest::newRow("along index") << "RobotConfig.Kit.col"
+                                     << "0.8,$(0.3*index)"
+                                     << "0.8,$(0.3*index + 0.1)";
+        QTest::newRow("a second time") << "RobotConfig.Kit.rim.disc"
+                                       << "$(0.3*index + 0.1) Box"
+                                       << "$(0.3*index + 0.2) Box";
+        QTest::newRow("one member in the config") << "RobotConfig.Kit.rim_1.disc"
+                                                  << "$(0.3*index + 0.1) Box"
+                                                  << "$(0.3*index + 0.2) Box";
+        QTest::newRow("a Param called indexer") << "RobotConfig.Kit.other"
+                                                << "Pos=$indexer,0,0"
+                                                << "Pos=$indexer,0,0.1";
+        QTest::newRow("through a robot") << "robot0.row"
+                                         << ""
+                                         << "";
+        QTest::newRow("in a Part") << "robot0.left.lamp"
+                                   << ""
+                                   << "";
+        QTest::newRow("what all members have") << "robot0.rim.disc"
+                                               << ""
+                                               << "";
     }
-    void placesFromIndexAreNotDragged() {
+    void placesFromIndex() {
         QFETCH(QString, path);
-        QFETCH(bool, refused);
+        QFETCH(QString, before);
+        QFETCH(QString, after);
         const QByteArray text =
             "PartConfig Lamps { Repeat lamp { Count=2 Pos=$(0.3*index),0.8,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
             "RobotConfig Kit { Param indexer = 0.1 Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
             "  Repeat row { Count=2 Pos=$(0.3*index),0.8,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
-            "  Repeat rim { Count=2 Body disc { Pos=$(0.3*index + 0.1),-0.8,0 Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+            "  Repeat col { Count=2 Pos=0,0.8,$(0.3*index) Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+            "  Repeat rim { Count=2 Body disc { Pos=0,-0.8,$(0.3*index + 0.1) Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
             "  Repeat other { Count=1 Pos=$indexer,0,0 Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
             "  Part left { Config=Lamps } }\nRobot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n";
         open(text);
         take(path.toStdString(), "tool.move");
-        QCOMPARE(!m_window->view().tools().gizmo().spot(kMoveZ).has_value(), refused);
+        auto& gizmo = m_window->view().tools().gizmo();
+        QCOMPARE(!gizmo.spot(kMoveZ).has_value(), after.isEmpty());
         const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
-        QCOMPARE(banner->isVisible() && banner->findChild<QLabel*>()->text().contains(u"computed from index"), refused);
+        QCOMPARE(banner->isVisible() && banner->findChild<QLabel*>()->text().contains(u"computed from index"), after.isEmpty());
+        if (after.isEmpty()) return;
+        TransformSelection held(m_window->view().context());
+        QVERIFY(held.move({{0, 0, 0.1}, Quat::Identity()}, QStringLiteral("Move"), {}));
+        QByteArray wanted = text;
+        QCOMPARE(m_window->text(), wanted.replace(before.toLatin1(), after.toLatin1()));
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), text);
+    }
+    /// A member that has a value of its own, or gets one, is moved alone.
+    void oneMemberIsMovedAlone() {
+        open("RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } }\n"
+             "  Repeat rim { Count=2 Body disc { Pos=$(0.3*index),-0.8,0 Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
+             "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n");
+        take("robot0.rim_1.disc", "tool.move");
+        TransformSelection held(m_window->view().context());
+        QVERIFY(held.move({{0.1, 0, 0}, Quat::Identity()}, QStringLiteral("Move"), {}));
+        QVERIFY2(m_window->text().contains("robot0 { Config=Kit Pos=0,0,0.2 rim_1.disc.Pos=0.4,-0.8,0 }"),
+                 m_window->text().constData());
     }
 
 private:
