@@ -137,12 +137,16 @@ Status PreparedEdit::copyItself(const Part& config) {
     const std::string from = pathOfConfig(config), to = plan.value().selects.front();
     const QString copyName = toQString(std::string(lastWord(to)));
     const QString file = shown(loaded.paths[instances.empty() ? FileId{0} : instances.front()->file]);
-    const QString made = instances.empty() ? QObject::tr("%1 is a copy of it in %2").arg(copyName, file)
+    const QString name = toQString(config.name);
+    const bool isFirst = m_notices.empty(); // the others have the same reason and the same file
+    const QString what = isFirst ? QObject::tr("a copy of it in %1").arg(file) : QObject::tr("a copy of %1").arg(name);
+    const QString made = instances.empty() ? QObject::tr("%1 is %2").arg(copyName, what)
                          : instances.size() == 1
-                             ? QObject::tr("%1 uses %2, a copy of it in %3").arg(toQString(instances[0]->name), copyName, file)
-                             : QObject::tr("%1 instances use %2, a copy of it in %3").arg(instances.size()).arg(copyName, file);
-    m_notices += (isShipped ? QObject::tr("%1 came with Trundle and is read-only: %2") : QObject::tr("%1 is unchanged: %2"))
-                     .arg(toQString(config.name), made);
+                             ? QObject::tr("%1 uses %2, %3").arg(toQString(instances[0]->name), copyName, what)
+                             : QObject::tr("%1 instances use %2, %3").arg(instances.size()).arg(copyName, what);
+    m_notices += !isFirst    ? made
+                 : isShipped ? QObject::tr("%1 came with Trundle and is read-only: %2").arg(name, made)
+                             : QObject::tr("%1 is unchanged: %2").arg(name, made);
     if (Status read = reload(plan.value()); !read) return read;
     m_copies[from] = to;
     const auto copied = placeOf(*m_loaded, to);

@@ -73,7 +73,12 @@ private Q_SLOTS:
         Document fresh(*m_application);
         QVERIFY(fresh.opening().open(file).ok());
         const Answers answers(fresh, {u"Wheel"_qs, u"Side"_qs, u"Kit"_qs});
+        QStringList notices;
+        connect(&fresh, &Document::notice, this, [&](const QString& text) { notices += text; });
         const Status inserted = insertBox(fresh, "rover.right.back.w");
+        QCOMPARE(notices,
+                 (QStringList{u"Kit is unchanged: rover uses Kit2, a copy of it in nested.sim; right uses Side2, a copy of "
+                              "Side; back uses Wheel2, a copy of Wheel"_qs}));
         QVERIFY2(inserted.ok(), inserted.ok() ? "" : inserted.error().message.c_str());
         QCOMPARE(answers.asked, (QStringList{u"Wheel"_qs, u"Side"_qs, u"Kit"_qs}));
         const std::string text = *fresh.texts().text(file);
