@@ -127,12 +127,13 @@ bool BraceBalance::assume(const std::function<void()>& run) {
 }
 
 bool BraceBalance::closedHere(const OpenBlock& block) const {
+    if (block.byIndentation) return kind() == TokenKind::CloseBrace || (newLine() && indentOf(range().begin) <= block.indent);
     return std::any_of(m_assumed.begin(), m_assumed.end(),
                        [&](const MissingBrace& m) { return m.openAt == block.openAt && m.before == position(); });
 }
 
 void BraceBalance::reportUnclosed(const OpenBlock& open, std::uint32_t place) {
-    if (atEnd() && m_tokens.extent() != Tree::Extent::Whole) return; // parsing stopped before its end
+    if (open.byIndentation || (atEnd() && m_tokens.extent() != Tree::Extent::Whole)) return; // or parsing stopped before its end
     const std::string_view bytes = this->bytes(), before = slice(previous());
     const bool isInString = before.starts_with('"') && !before.ends_with('"') && before.find('}') != std::string_view::npos;
     if (open.description && isInString) return; // which is reported

@@ -17,6 +17,7 @@ struct OpenBlock {
     bool indentedItems = false;   ///< an item is indented deeper than the block, so indentation is meaningful
     bool inlineItems = false;     ///< an item is on the line of `{`
     bool description = false;     ///< of a Param
+    bool byIndentation = false;   ///< it has no braces, its lines are indented deeper than it
     bool bracket = false;         ///< `[` or `(` was written instead of `{`
     std::size_t bracketFault = 0; ///< 1-based index of its diagnostic; 0: none
 };
@@ -34,6 +35,7 @@ public:
     void open(const OpenBlock& block) { m_open.push_back(block); }
     void close() { m_open.pop_back(); }
     [[nodiscard]] const OpenBlock& innermost() const { return m_open.back(); }
+    [[nodiscard]] bool isByIndentation() const { return !m_open.empty() && m_open.back().byIndentation; }
     [[nodiscard]] bool isInDescription() const { return !m_open.empty() && m_open.back().description; }
 
     [[nodiscard]] int indentOf(std::uint32_t offset) const; ///< -1 if it is not first on its line

@@ -64,11 +64,19 @@ bool ControlFlow::definition() {
     static const std::set<std::string_view> kWords{"class", "def", "func", "function", "macro", "struct", "template", "xacro"};
     if (isCapital(text()) || kind(1) != TokenKind::Word || newLine(1) || !kWords.contains(text())) return false;
     const std::size_t brace = braceInLine();
-    if (brace == 0 || (kind(2) != TokenKind::OpenBrace && kind(2) != TokenKind::OpenParen)) return false;
+    const int indent = m_balance.indentOf(range().begin);
+    if (brace == 0 && (indent < 0 || (text(2) != ":" && kind(2) != TokenKind::OpenParen))) return false;
+    if (brace > 0 && kind(2) != TokenKind::OpenBrace && kind(2) != TokenKind::OpenParen) return false;
     error(Code::UnexpectedText, range(),
           "there is no `" + std::string(text()) +
               "`: what is used several times is a `PartConfig Wheel { Param r=0.05 ... }`, each use a `Part left { Config=Wheel "
               "}`");
+    if (brace == 0) { // of Python
+        do advance();
+        while (!atEnd() && !newLine() && kind() != TokenKind::CloseBrace);
+        if (newLine()) skipIndented(indent);
+        return true;
+    }
     for (std::size_t i = 0; i <= brace; ++i) advance();
     m_grammar.skipBlockBody();
     if (text() == ";") advance();

@@ -80,7 +80,9 @@ bool ItemErrors::missingEquals(std::vector<Item>& out) {
     const std::string word(text());
     Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected after `" + word + "`");
     fix(d, word + " =", {edit({range().end, range().end}, adjacent(1) ? "=" : " =")});
+    const std::size_t fault = m_report.indexOf(d);
     readValue(out);
+    m_report.mergeNext(fault, Code::MissingComma, word + " = ");
     return true;
 }
 
@@ -88,7 +90,9 @@ void ItemErrors::keyWithoutEquals(std::vector<Item>& out) {
     const std::string word(text());
     Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected after `" + word + "`");
     fix(d, word + "=", {edit({range().end, range(1).begin}, "=")});
+    const std::size_t fault = m_report.indexOf(d);
     readValue(out);
+    m_report.mergeNext(fault, Code::MissingComma, word + "=");
 }
 
 /// `Config A` in a block, with nothing below it that would be the items of a block A.

@@ -49,10 +49,11 @@ void ItemParser::item(std::vector<Item>& out, int depth) {
         return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace &&
                (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
     };
-    if (m_errors.braces().assumed(out, depth)) return;
+    if (m_errors.braces().assumed(out, depth) || m_errors.braces().byIndentation(out, depth)) return;
     const bool isPiece = kind(2) == TokenKind::ParamRef || kind(2) == TokenKind::ExprOpen || isBracedParam(text(2));
     if (second == TokenKind::Word && adjacent(2) && isPiece && m_otherLanguages.computedName(out, depth)) return; // `Body q$i {`
     if (m_values.keyAt() == position()) return m_errors.keyWithoutEquals(out);
+    if (m_paramErrors.otherForm(out)) return;
     if (text() == "Param" && (second == TokenKind::Word || second == TokenKind::ParamRef || isBracedParam(text(1))))
         return param(out, depth);
     if (m_paramErrors.withoutName() || m_otherLanguages.misread(out, depth)) return;
@@ -105,10 +106,7 @@ void ItemParser::assignment(std::vector<Item>& out) {
         return;
     }
     for (const Name& part : node.path) rejectReserved(part, "a key");
-    if (wrongEquals(0)) {
-        Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected, not `" + std::string(text()) + "`");
-        fix(d, "=", {edit(range(), text() == ":" && !adjacent() ? "=" : text() == ":" ? " =" : "=")});
-    }
+    if (wrongEquals(0) && !m_balance.isByIndentation()) m_report.wrongEquals(range(), text(), adjacent());
     const TextRange equals = range();
     advance();
     const std::string path(slice(node.pathRange));
@@ -125,11 +123,6 @@ void ItemParser::param(std::vector<Item>& out, int depth) {
     node.name = meant ? *meant : name();
     advance();
     if (!m_paramErrors.restOfName(node.name)) rejectReserved(node.name, "a Param");
-    if (kind() == TokenKind::OpenBrace) {
-        error(Code::UnexpectedText, node.name.range, "a Param is no block; write `Param " + node.name.text + " = value`");
-        advance();
-        return skipBlockBody();
-    }
     TextRange equals = {node.name.range.end, node.name.range.end};
     if (kind() == TokenKind::Equals) {
         equals = range();
@@ -154,9 +147,17 @@ void ItemParser::param(std::vector<Item>& out, int depth) {
     const std::string key = node.name.text;
     node.value = m_values.paramValue(key, node.name.range, equals);
     std::uint32_t end = std::max(equals.end, node.value.range.end);
-    if (!node.value.elements.empty() && (kind() == TokenKind::OpenBrace || m_errors.braces().assumedDescription(node))) {
+    const bool inBrackets = !newLine() && (kind() == TokenKind::OpenParen || text() == "[");
+    if (inBrackets && m_paramErrors.limitsInBrackets()) {
+        end = previous().end;
+    } else if (!node.value.elements.empty() &&
+               (kind() == TokenKind::OpenBrace || (inBrackets && kind(1) == TokenKind::Word && kind(2) == TokenKind::Equals) ||
+                m_errors.braces().assumedDescription(node))) {
         description(node, m_balance.indentOf(begin), depth);
         end = std::max(node.open.end, node.close.end);
+    } else {
+        m_paramErrors.looseDescription(node);
+        end = std::max(end, previous().end);
     }
     out.push_back({{begin, end}, std::move(node)});
 }
@@ -173,16 +174,15 @@ void ItemParser::description(ParamItem& param, int indent, int depth) {
     open.name = param.name.range;
     open.description = true;
     BlockItem body;
-    if (kind() == TokenKind::OpenBrace) {
+    if (kind() == TokenKind::OpenParen || text() == "[") openBracket(open, "what is said about a Param");
+    if (kind() == TokenKind::OpenBrace || open.bracket) {
         body.open = range();
         advance();
     } else {
         body.open = {param.value.range.end, param.value.range.end};
     }
     open.openAt = static_cast<std::uint32_t>(position() - 1);
-    m_balance.open(open);
-    blockBody(body, depth);
-    m_balance.close();
+    bodyOf(open, body, depth);
     param.open = body.open;
     param.close = body.close;
     param.items = std::move(body.items);
@@ -206,13 +206,7 @@ void ItemParser::block(std::vector<Item>& out, int depth, std::size_t extra) {
     for (std::size_t i = 0; i < extra; ++i) advance();
     open.name = node.name ? node.name->range : node.type.range;
     open.openAt = static_cast<std::uint32_t>(position());
-    open.bracket = kind() != TokenKind::OpenBrace;
-    if (open.bracket) {
-        Diagnostic& d = error(Code::UnexpectedText, range(),
-                              "a block is written in { }, not in " + std::string(text() == "[" ? "[ ]" : "( )"));
-        fix(d, "{", {edit(range(), "{")});
-        open.bracketFault = m_report.indexOf(d);
-    }
+    if (kind() != TokenKind::OpenBrace) openBracket(open, "a block");
     node.open = range();
     advance();
     if (depth + 1 > kMaxBlockDepth) {
@@ -220,11 +214,26 @@ void ItemParser::block(std::vector<Item>& out, int depth, std::size_t extra) {
         skipBlockBody();
         node.close = previous();
     } else {
-        m_balance.open(open);
-        blockBody(node, depth);
-        m_balance.close();
+        bodyOf(open, node, depth);
     }
     out.push_back({{begin, std::max(node.close.end, node.open.end)}, std::move(node)});
+}
+
+/// Reports a bracket in place of a `{`. `what`: is written in it.
+void ItemParser::openBracket(OpenBlock& open, const char* what) {
+    Diagnostic& d =
+        error(Code::UnexpectedText, range(), std::string(what) + " is written in { }, not in " + (text() == "[" ? "[ ]" : "( )"));
+    fix(d, "{", {edit(range(), previous().end == range().begin ? " {" : "{")});
+    open.bracket = true;
+    open.bracketFault = m_report.indexOf(d);
+}
+
+void ItemParser::bodyOf(const OpenBlock& open, BlockItem& node, int depth) {
+    const std::size_t outer = m_report.joinSeparators(open.bracketFault);
+    m_balance.open(open);
+    blockBody(node, depth);
+    m_balance.close();
+    m_report.joinSeparators(outer);
 }
 
 void ItemParser::blockBody(BlockItem& node, int depth) {

@@ -35,6 +35,8 @@ private:
     void assignment(std::vector<Item>& out);
     void param(std::vector<Item>& out, int depth) override;
     void description(ParamItem& param, int indent, int depth);
+    void openBracket(OpenBlock& open, const char* what);
+    void bodyOf(const OpenBlock& open, BlockItem& node, int depth);
 
     BraceBalance& m_balance;
     ValueParser m_values;

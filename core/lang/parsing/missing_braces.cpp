@@ -48,6 +48,29 @@ bool MissingBraces::beforeIndented(std::vector<Item>& out, int depth) {
     return true;
 }
 
+bool MissingBraces::byIndentation(std::vector<Item>& out, int depth) {
+    const std::size_t colon = kind(1) == TokenKind::Word ? 2 : 1, below = colon + 1;
+    if (text(colon) != ":" || newLine(1) || newLine(colon) || !newLine(below) || kind(below) == TokenKind::End) return false;
+    const int indent = m_balance.indentOf(range().begin);
+    if (indent < 0 || m_balance.indentOf(range(below).begin) <= indent) return false;
+    const std::string what = isCapital(text()) ? std::string(slice({range().begin, range(colon - 1).end})) : "Body name";
+    m_report.indentation({range().begin, range(colon).end},
+                         "blocks by indentation are of YAML and Python: here a block is written `" + what +
+                             " { ... }`, a property `Mass = 2`");
+    if (isCapital(text())) blockWithoutBrace(out, depth, colon == 2, true);
+    else skipIndented(indent); // it has no kind
+    return true;
+}
+
+void MissingBraces::skipIndented(int indent) {
+    int braces = 0;
+    do {
+        if (kind() == TokenKind::OpenBrace) ++braces;
+        if (kind() == TokenKind::CloseBrace && --braces < 0) return;
+        advance();
+    } while (!atEnd() && !(newLine() && m_balance.indentOf(range().begin) <= indent));
+}
+
 /// The first of two blocks lacks its `{`; surely so if a `}` of this line has none either.
 bool MissingBraces::beforeBlock(std::vector<Item>& out, int depth) {
     for (std::size_t i = 1; i < 4; ++i)
@@ -73,15 +96,17 @@ bool MissingBraces::beforeBlock(std::vector<Item>& out, int depth) {
 }
 
 /// A kind and perhaps a name without `{`; what follows up to its `}`, or is indented deeper below, forms its body.
-void MissingBraces::blockWithoutBrace(std::vector<Item>& out, int depth, bool named) {
+void MissingBraces::blockWithoutBrace(std::vector<Item>& out, int depth, bool named, bool byIndentation) {
     BlockItem node;
     OpenBlock open;
     const std::uint32_t begin = range().begin;
     open.indent = m_balance.indentOf(begin);
+    open.byIndentation = byIndentation;
     node.type = name();
     if (named) node.name = name(1);
     open.name = named ? node.name->range : node.type.range;
     if (named) advance();
+    if (byIndentation) advance();
     open.openAt = static_cast<std::uint32_t>(position());
     advance();
     node.open = {open.name.end, open.name.end};

@@ -18,11 +18,14 @@ public:
     [[nodiscard]] bool assumedDescription(const ParamItem& param);
     /// `Robot r` with indented items below; false if no such text is here.
     [[nodiscard]] bool beforeIndented(std::vector<Item>& out, int depth);
+    /// `Body chassis:` and, deeper, the lines that belong to it; false if no such text is here.
+    [[nodiscard]] bool byIndentation(std::vector<Item>& out, int depth);
     /// `Body b Sphere s { } }`; false if no such text is here.
     [[nodiscard]] bool beforeBlock(std::vector<Item>& out, int depth);
 
 private:
-    void blockWithoutBrace(std::vector<Item>& out, int depth, bool named);
+    void blockWithoutBrace(std::vector<Item>& out, int depth, bool named, bool byIndentation = false);
+    void skipIndented(int indent);
     Diagnostic& expected(bool named);
 
     BlockGrammar& m_grammar;

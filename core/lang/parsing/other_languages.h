@@ -4,6 +4,7 @@
 
 #include "lang/parsing/control_flow.h"
 #include "lang/parsing/data_formats.h"
+#include "lang/parsing/foreign_configs.h"
 
 namespace trundle {
 
@@ -11,16 +12,17 @@ class OtherLanguages : ParserPart {
 public:
     OtherLanguages(TokenCursor& tokens, SyntaxReporter& report, BlockGrammar& grammar, const BraceBalance& balance)
         : ParserPart(tokens, report), m_grammar(grammar), m_flow(tokens, report, grammar, balance),
-          m_formats(tokens, report, grammar, balance, m_flow) {}
+          m_formats(tokens, report, grammar, balance, m_flow), m_configs(tokens, report, grammar) {}
 
     /// Reports and parses what begins here and looks like an item, but is said otherwise here; false for all else.
     [[nodiscard]] bool misread(std::vector<Item>& out, int depth) {
-        return m_flow.definition() || m_formats.block(out, depth) || nameFirst(out, depth);
+        return m_flow.definition() || m_configs.proto(out) || m_configs.group(out, depth) || m_formats.block(out, depth) ||
+               nameFirst(out, depth);
     }
     /// Reports and parses what begins here and is no item of ours; false if it is nothing known.
     [[nodiscard]] bool explain(std::vector<Item>& out, int depth) {
-        return m_flow.loop() || inheritance(out, depth) || computedName(out, depth) || count(out, depth) ||
-               nameInParens(out, depth) || importWithoutSign();
+        return m_flow.loop() || m_configs.params(out, depth) || inheritance(out, depth) || computedName(out, depth) ||
+               count(out, depth) || nameInParens(out, depth) || importWithoutSign();
     }
     /// The same for what begins with no word.
     [[nodiscard]] bool explainSign() { return comment() || markup() || m_flow.markup() || m_formats.data(); }
@@ -43,6 +45,7 @@ private:
     BlockGrammar& m_grammar;
     ControlFlow m_flow;
     DataFormats m_formats;
+    ForeignConfigs m_configs;
 };
 
 } // namespace trundle

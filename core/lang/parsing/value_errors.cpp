@@ -26,7 +26,7 @@ bool isNumber(std::string_view text) {
 
 } // namespace
 
-void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
+void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps, std::string_view key) {
     v.broken = true;
     const bool semicolons = std::any_of(gaps.begin(), gaps.end(), [](TextRange gap) { return gap.size() > 0; });
     const bool words =
@@ -37,13 +37,18 @@ void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
                                        : "a comma is missing between the elements");
     constexpr std::size_t kShort = 40;
     const std::string written(slice(v.range));
-    if (words && gaps.size() + 1 == v.elements.size())
+    const bool isText = key == "Title" || key == "Description" || key == "Help";
+    const auto offerQuotes = [&](bool now) {
+        if (!now || !words || gaps.size() + 1 != v.elements.size()) return;
         fix(d, written.size() < kShort ? "\"" + written + "\"" : "put it in quotes", {edit(v.range, "\"" + written + "\"")});
-    if (gaps.size() > kMaxGaps) return;
+    };
+    if (gaps.size() > kMaxGaps) return offerQuotes(true);
+    offerQuotes(isText);
     std::vector<TextEdit> edits;
     for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
     const std::string repaired = written.size() < kShort ? withCommas(written, v.range.begin, gaps) : std::string();
     fix(d, written.size() < kShort && repaired.find('\n') == std::string::npos ? repaired : "insert commas", std::move(edits));
+    offerQuotes(!isText);
 }
 
 void ValueErrors::checkNumberTail(Element& e, Value& v) {

@@ -35,7 +35,8 @@ public:
     /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
     void unquotedText(Element& e, Value& v);
     void arithmetic(Element& e, Value& v) { m_arithmetic.arithmetic(e, v); }
-    void reportGaps(Value& v, const std::vector<TextRange>& gaps);
+    /// `key`: of the value. Text in words is offered in quotes first, what else is offered as a list first.
+    void reportGaps(Value& v, const std::vector<TextRange>& gaps, std::string_view key);
     /// `[1,2,3]`, `(1,2,3)`, `{1,2,3}`: the elements have been parsed, the closing bracket has not.
     void reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps);
     /// `()`, whose value is reported as missing.

@@ -110,7 +110,7 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
     if (!v.elements.empty()) v.range = {v.elements.front().range.begin, v.elements.back().range.end};
     if (bracket.size() && v.elements.empty()) m_errors.skipBrackets(bracket);
     else if (bracket.size()) m_errors.reportBrackets(v, bracket, gaps);
-    else if (!gaps.empty()) m_errors.reportGaps(v, gaps);
+    else if (!gaps.empty()) m_errors.reportGaps(v, gaps, key);
     return v;
 }
 
@@ -133,7 +133,7 @@ void ValueParser::reportNone(const Value& v, std::string_view key, TextRange key
     } else if (v.elements.empty()) {
         error(Code::MissingValue, place, "an element is missing after this comma");
     } else if (comma && kind() == TokenKind::Word && !newLine()) {
-        m_report.separator(place);
+        m_report.separator(place, adjacent() ? " " : "");
     } else if (comma) {
         m_report.comma(place, "an element is missing after this comma", Code::MissingValue);
     }
