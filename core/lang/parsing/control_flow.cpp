@@ -61,7 +61,8 @@ void ControlFlow::otherwise() {
 
 /// `def wheel(r) {`, `class Wheel {`: the block is skipped.
 bool ControlFlow::definition() {
-    static const std::set<std::string_view> kWords{"class", "def", "func", "function", "macro", "struct", "template", "xacro"};
+    static const std::set<std::string_view> kWords{"class",  "def",    "func",     "function", "macro",
+                                                   "module", "struct", "template", "xacro"};
     if (isCapital(text()) || kind(1) != TokenKind::Word || newLine(1) || !kWords.contains(text())) return false;
     const std::size_t brace = braceInLine();
     const int indent = m_balance.indentOf(range().begin);

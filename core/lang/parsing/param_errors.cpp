@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t kMaxPieces = 20; ///< tokens of a name with signs
 
 bool declares(std::string_view word) {
-    constexpr std::array<std::string_view, 8> kWords{"param", "PARAM", "var", "let", "const", "constexpr", "auto", "def"};
+    constexpr std::array<std::string_view, 9> kWords{"param",     "PARAM", "var", "let",  "const",
+                                                     "constexpr", "auto",  "def", "local"};
     return std::ranges::find(kWords, word) != kWords.end();
 }
 

@@ -29,10 +29,49 @@ bool isVrml(std::string_view text) {
     return named && !word().empty() && text.starts_with('{');
 }
 
+constexpr std::size_t kHead = 4096; ///< bytes of a text that show its language
+
+std::string_view firstLine(std::string_view text) {
+    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+    return line.substr(0, line.find_last_not_of(kBlanks) + 1);
+}
+
+/// `[robot.chassis]` or `[[wheel]]`, below comments.
+bool isToml(std::string_view text) {
+    while (text.starts_with("# ") || text.starts_with(';')) {
+        text.remove_prefix(std::min(text.find('\n'), text.size()));
+        text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    }
+    const std::string_view line = firstLine(text);
+    if (line.size() < 3 || line.front() != '[' || line.back() != ']') return false;
+    return std::ranges::all_of(line, [](char c) { return isIdent(c) || c == '.' || c == '-' || c == '[' || c == ']'; }) &&
+           !isDigit(line[1]);
+}
+
+/// `define pioneer position` and `(`.
+bool isStage(std::string_view text) {
+    constexpr std::string_view kWord = "define ";
+    std::string_view head = text.substr(0, kHead);
+    for (std::size_t at = 0; at != std::string_view::npos; at = head.find("\ndefine ", at)) {
+        if (at > 0) ++at;
+        if (!head.substr(at).starts_with(kWord)) continue;
+        std::string_view rest = head.substr(at + kWord.size());
+        const std::size_t paren = rest.find('(');
+        rest = rest.substr(0, paren);
+        const bool words =
+            std::ranges::all_of(rest, [](char c) { return isIdent(c) || kBlanks.find(c) != std::string_view::npos; });
+        if (paren != std::string_view::npos && words) return true;
+    }
+    return false;
+}
+
 /// The language that the first characters of a text without blanks around it show; empty for none that is known.
 std::string_view otherLanguage(std::string_view text) {
-    constexpr std::size_t kHead = 4096;
     if (isVrml(text)) return "a VRML";
+    if (text.starts_with("#usda ")) return "a USD";
+    if (text.starts_with("%YAML") || firstLine(text) == "---") return "a YAML";
+    if (isToml(text)) return "a TOML or INI";
+    if (isStage(text)) return "a Stage world";
     const std::size_t second = text.find_first_not_of(kBlanks, 1);
     if (text[0] == '<' && text.back() == '>' && (isIdentStart(text[1]) || text[1] == '?' || text[1] == '!')) {
         const std::string_view head = text.substr(0, kHead);

@@ -11,7 +11,7 @@ public:
     TextChecks(TokenCursor& tokens, SyntaxReporter& report) : ParserPart(tokens, report) {}
 
     [[nodiscard]] bool isUtf16() const;
-    /// Whether it is an XML, JSON or VRML file; then it is reported, and nothing else in it.
+    /// Whether it is a file of another language, such as XML or JSON; then it is reported, and nothing else in it.
     [[nodiscard]] bool isOtherLanguage();
     /// Reports NUL and invalid UTF-8 everywhere, including comments: one message per run, at its first byte.
     void checkBytes();
