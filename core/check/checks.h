@@ -13,6 +13,8 @@ namespace trundle {
 void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics);
 /// Reports joints at the top level whose point is far from a body that they join.
 void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics);
+/// Reports Gears whose ratios contradict each other.
+void checkGears(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 /// Reports springs of joints and surfaces that swing faster than the tick can follow.
 void checkSprings(const ExperimentSpec& experiment, Diagnostics& diagnostics);

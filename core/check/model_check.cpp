@@ -42,6 +42,7 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     checkUnused(loaded, diagnostics);
     Diagnostics ofConfigs;
     checkBodies(loaded, ofConfigs);
+    checkGears(experiment, ofConfigs);
     checkMasses(experiment, ofConfigs);
     checkDrives(loaded, ofConfigs);
     checkSprings(experiment, ofConfigs);
