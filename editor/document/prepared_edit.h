@@ -9,6 +9,7 @@
 
 #include <QStringList>
 
+#include "editor/document/history.h"
 #include "project/edits/plans.h"
 #include "project/loading/project.h"
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QSpinBox>
 
 #include "editor/viewport/tools/arrange.h"
