@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unordered_set>
 #include <utility>
 
 #include "base/units.h"
@@ -74,8 +75,10 @@ ParamScope::Entry* ParamScope::find(std::string_view name) {
 
 std::vector<std::string> ParamScope::names() const {
     std::vector<std::string> names;
+    std::unordered_set<std::string_view> seen; // a name may hide the same one further out
     for (const ParamScope* scope = this; scope; scope = scope->m_outer) {
-        for (const auto& [name, entry] : scope->m_entries) names.push_back(name);
+        for (const auto& [name, entry] : scope->m_entries)
+            if (seen.insert(name).second) names.push_back(name);
     }
     return names;
 }

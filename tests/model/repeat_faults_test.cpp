@@ -54,6 +54,35 @@ private Q_SLOTS:
         row("a Param of the config", lane + "Robot x { Config=Ball Param r = 2 Pos=9,0,0 }\n",
             "E303 RobotConfig Ball has a Param r already; set its value: r=... | r\n");
         row("a Param of its own", lane + "Robot x { Config=Ball Param r = 2 r=$(2*r) Pos=9,0,0 }\n", "");
+        // What names something in the members of a Repeat with an error is no further mistake.
+        const std::string pair =
+            kHead + "RobotConfig K { SelfCollision=true NoContact=m_0.b,m_1.b Body a { " + kBox +
+            " } Repeat m { Count=2 Pos=$(gap*index),0,0\n"
+            "Body b { " +
+            kBox + " } Repeat n { Count=2 Body d { " + kBox +
+            " } } }\n"
+            "Fixed f { Parent=a Child=m_0.b } Fixed g { Parent=m_0.n_1.d Child=m_1.b } }\nRobot r { Config=K }\n";
+        const auto with = [&](const char* from, const char* to) {
+            return QString::fromStdString(pair).replace(QLatin1String(from), QLatin1String(to)).toStdString();
+        };
+        row("in the place of the members", pair, "E211 there is no Param gap; there is index | gap\n");
+        row("in the place of the second member", with("$(gap*index)", "$(sqrt(-index))"),
+            "E213 the square root of -1 is not a number | $(sqrt(-index))\n");
+        row("in their number", with("Count=2 Pos=$(gap*index)", "Count=$gap Pos=$(1*index)"),
+            "E211 there is no Param gap | gap\n");
+        row("in the Repeat in them",
+            QString::fromStdString(with("$(gap*index)", "$(1*index)"))
+                .replace(u"n { Count=2"_qs, u"n { Count=2 Pos=$gap,0,0"_qs)
+                .toStdString(),
+            "E211 there is no Param gap; there is index | gap\n");
+        row("a member that it does not have",
+            with("$(gap*index)", "$(1*index)") + "Robot q { Config=K m_2.b.Mass=3 Pos=9,9,9 }\n",
+            "E314 Repeat m has no member m_2; the last one is m_1 (m_1?) | m_2\n");
+        row("robots of it",
+            kHead + "RobotConfig K { Body b { " + kBox +
+                " } }\nRepeat c { Count=2 Pos=$(gap*index),0,0 Robot k { Config=K } }\n"
+                "Ball h { Parent=c_0.k.b Child=c_1.k.b }\nRegion g { Size=1,1,1 Robots=c_1.k }\nNoContact=c_0.k,c_1.k\n",
+            "E211 there is no Param gap; there is index | gap\n");
         row("a Param of the part",
             kHead + "PartConfig Leg { Param k = 1 Body b { Mass=$k " + std::string("Sphere s { Radius=1 Material=g Surface=s }") +
                 " } Fixed f { Parent=$body Child=b } }\nRobotConfig K { Body a { " + kBox + " } Part l { Config=Leg body=a Param k = 2 } }\n",

@@ -20,9 +20,8 @@ std::size_t ForeignConfigs::endOfValue(std::size_t from, std::size_t end) const 
 }
 
 /// Reads what is between a config's name and its `{`: `(r=0.05, w)`. False if it is no list of Params. `meant`: these, as they are
-/// written here; in a PartConfig, those without a value need not be.
+/// written here.
 bool ForeignConfigs::readParams(std::size_t brace, std::vector<Item>& declared, std::string& meant) const {
-    const bool isImplied = text() == "PartConfig";
     const std::string_view first = text(2), last = text(brace - 1);
     const bool bracket = first == "(" || first == "[" || first == "<";
     std::size_t i = bracket ? 3 : 2, end = brace;
@@ -36,12 +35,11 @@ bool ForeignConfigs::readParams(std::size_t brace, std::vector<Item>& declared, 
         }
         if (kind(i) != TokenKind::Word || isCapital(text(i))) return false; // `RobotConfig Big(Kit) {`
         declared.push_back(ParamErrors::unknown(name(i)));
-        const std::string own = " Param " + std::string(text(i++)) + "=";
+        meant += " Param " + std::string(text(i++)) + "=";
         if (text(i) == ":" && kind(i + 1) == TokenKind::Word) i += 2;
         const bool hasValue = kind(i) == TokenKind::Equals && i + 1 < end;
         const std::size_t next = hasValue ? endOfValue(i + 1, end) : i;
-        if (hasValue) meant += own + std::string(slice({range(i + 1).begin, range(next - 1).end}));
-        else if (!isImplied) meant += own + "0";
+        meant += hasValue ? slice({range(i + 1).begin, range(next - 1).end}) : "0";
         assigns = assigns || hasValue;
         if (!hasValue && i < end && kind(i) != TokenKind::Comma) return false;
         i = next;
@@ -59,8 +57,7 @@ bool ForeignConfigs::params(std::vector<Item>& out, int depth) {
     const TextRange all{range(1).end, range(brace).end};
     Diagnostic& d =
         error(Code::UnexpectedText, {range(2).begin, range(brace - 1).end},
-              "Params are in the block of their config: `" + std::string(text()) + " " + std::string(text(1)) +
-                  (meant.size() > 2 ? meant : " { Param " + declared.front().as<ParamItem>()->name.text + " = ...") + "`");
+              "Params are in the block of their config: `" + std::string(text()) + " " + std::string(text(1)) + meant + "`");
     fix(d, meant.substr(1), {edit(all, meant)});
     const Name own = name(1);
     const std::size_t before = out.size();

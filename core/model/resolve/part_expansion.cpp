@@ -172,8 +172,9 @@ void PartExpansion::expandRepeat(const Part& repeat, PartFrame& outer) {
     const std::size_t count = memberCount(counts);
     checkMembers(repeat, outer, count);
     if (count == 0) (void)expandMember(repeat, outer, 0, {}); // for its diagnostics
-    for (std::size_t member = 0; member < count && !isFull(); ++member)
-        if (!expandMember(repeat, outer, member, counts)) return;
+    std::size_t member = 0;
+    while (member < count && !isFull() && expandMember(repeat, outer, member, counts)) ++member;
+    if (count == 0 || member < count) outer.unfinished.insert(repeat.name);
 }
 
 /// False, with diagnostics, if the values of the Repeat are not complete.

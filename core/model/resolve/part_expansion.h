@@ -17,6 +17,7 @@ public:
     explicit PartExpansion(ResolveContext& context);
 
     [[nodiscard]] const std::vector<ExpandedPart>& parts() const { return m_parts; }
+    [[nodiscard]] const PartFrame& root() const { return m_frames.front(); } ///< of the config, or of the world
     [[nodiscard]] bool hasTooMany() const { return m_isFull; } ///< objects; it is reported
     /// Calls `resolve` for every usable block of a role; what is reported meanwhile names the Parts that it is used by.
     template <class Resolve> void each(Role role, const Resolve& resolve) { each(role, role, resolve); }

@@ -13,6 +13,22 @@ const Part* PartFrame::find(std::string_view name) const {
     return part && part->isRepeat() ? nullptr : config->findPath(name); // what is in a Repeat has the name of a member in front
 }
 
+bool PartFrame::isUnfinished(std::string_view name) const {
+    const PartFrame* in = this;
+    while (true) {
+        const std::string_view first = firstWord(name);
+        if (first == name) break;
+        const auto next = in->inner.find(first);
+        if (next == in->inner.end()) break;
+        in = next->second;
+        name = withoutFirstWord(name);
+    }
+    const std::string_view first = firstWord(name);
+    const std::optional<MemberName> one = memberName(first);
+    if (in->unfinished.contains(first) || (one && in->unfinished.contains(one->stem))) return true;
+    return in == this && member && outer->isUnfinished(name);
+}
+
 const PartFrame& PartFrame::holder() const {
     const PartFrame* at = this;
     while (at->member) at = at->outer;

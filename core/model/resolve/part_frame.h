@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "model/resolve/instance_values.h"
@@ -26,9 +27,12 @@ struct PartFrame {
     InstanceValues given;              ///< by the Part
     std::optional<std::size_t> member; ///< of a Repeat
     std::map<std::string, const PartFrame*, std::less<>> inner;
+    std::set<std::string, std::less<>> unfinished; ///< Repeats whose members are not all there: their values have errors
 
     /// What has that name: "wheel", "left.wheel", "chassis.bumper"; nullptr if there is nothing.
     [[nodiscard]] const Part* find(std::string_view name) const;
+    /// Whether a name is that of something in a Repeat whose members are not all there.
+    [[nodiscard]] bool isUnfinished(std::string_view name) const;
     /// The frame of the Part, or of the config that is resolved, that a member of a Repeat is in; else itself.
     [[nodiscard]] const PartFrame& holder() const;
     /// The frame in which a name written in it is found: itself, or one around a member of a Repeat.

@@ -175,7 +175,8 @@ void ReferenceCheck::unknown(const SaidName& said, const PartFrame& frame) {
                                     property.name + " cannot be the world" + (isChild ? ", a Parent can: exchange the two" : ""));
         return;
     }
-    if (isMissingMember(said, frame) || (frame.isOpen && given)) return; // it may name something where the part is used
+    if (frame.isUnfinished(name) || isMissingMember(said, frame) || (frame.isOpen && given))
+        return; // it may name something where the part is used
     const Part* around = frame.frameOf(firstWord(name)).config;
     const Part* first = around ? around->find(firstWord(name)) : nullptr;
     const bool isBroken = first && (!first->kind || (first->isPartUse() && !first->config));
@@ -205,7 +206,7 @@ bool ReferenceCheck::isMissingMember(const SaidName& said, const PartFrame& fram
         if (!at->inner.contains(each)) break;
         last = std::move(each);
     }
-    if (last.empty()) return false; // it has errors of its own
+    if (last.empty()) return false;
     Diagnostic& d = m_context.diagnostics.error(Code::UnknownReference, said.range,
                                                 said.property.name + " names " + said.name + ", but " + repeat->title() +
                                                     " has no member " + first + "; the last one is " + last);

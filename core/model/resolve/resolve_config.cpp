@@ -172,7 +172,8 @@ bool isIn(std::string_view body, std::string_view name) {
     return true;
 }
 
-void resolveNoContact(ResolveContext& context, const Part& config, const Record& own, RobotConfigSpec& spec) {
+void resolveNoContact(ResolveContext& context, const PartFrame& frame, const Record& own, RobotConfigSpec& spec) {
+    const Part& config = *frame.config;
     const ResolvedValue* value = own.find("NoContact");
     // Of a Part, a Repeat or one of its members all bodies in it.
     const auto bodiesOf = [&](const std::string& name) {
@@ -187,7 +188,8 @@ void resolveNoContact(ResolveContext& context, const Part& config, const Record&
         for (const auto& [name, bodies] : {std::pair(&first, &ofFirst), std::pair(&second, &ofSecond)}) {
             const Part* part = config.findPath(*name);
             const std::size_t k = at++;
-            const bool isFaulty = part && part->is(Role::Body) && !memberName(firstWord(*name)); // it has errors of its own
+            const bool isFaulty = frame.isUnfinished(*name) || // it has errors of its own
+                                  (part && part->is(Role::Body) && !memberName(firstWord(*name)));
             if (!bodies->empty() || isFaulty) continue;
             std::vector<std::string> names;
             for (const BodySpec& body : spec.bodies) {
@@ -288,7 +290,7 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
                                   config.title() + " needs a Body: the first one carries the robot's pose");
     }
     resolveParts(context, expansion, *spec);
-    resolveNoContact(context, config, own, *spec);
+    resolveNoContact(context, expansion.root(), own, *spec);
     return spec;
 }
 

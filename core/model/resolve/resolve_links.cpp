@@ -118,7 +118,8 @@ private:
         if (name == "world" && std::string_view(property) == "Parent") return LinkEnd{kWorldBody, kWorldBody};
         const auto [robot, body] = robotAt(name, frame);
         if (robot == m_robots.end()) {
-            if (!m_context.isFailedRobot(nameMeant(name, frame))) unknownRobot(record, property, frame);
+            if (!m_context.isFailedRobot(nameMeant(name, frame)) && !frame.isUnfinished(name))
+                unknownRobot(record, property, frame);
             return std::nullopt;
         }
         const std::vector<BodySpec>& bodies = m_context.out.robots[static_cast<std::size_t>(robot->second)].config->bodies;
