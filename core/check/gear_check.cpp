@@ -20,11 +20,17 @@ public:
         int first;
         double rate;
     };
-    [[nodiscard]] Rate of(int joint) const {
+    [[nodiscard]] Rate of(int joint) {
         Rate found{joint, 1};
         while (m_above[index(found.first)] != found.first) {
-            found.rate *= m_rate[index(found.first)];
-            found.first = m_above[index(found.first)];
+            int& above = m_above[index(found.first)];
+            double& rate = m_rate[index(found.first)];
+            if (m_above[index(above)] != above) { // from now on the way is half as long
+                rate *= m_rate[index(above)];
+                above = m_above[index(above)];
+            }
+            found.rate *= rate;
+            found.first = above;
         }
         return found;
     }
@@ -39,7 +45,7 @@ private:
     static std::size_t index(int joint) { return static_cast<std::size_t>(joint); }
 
     std::vector<int> m_above;
-    std::vector<double> m_rate; ///< per that of the joint above
+    std::vector<double> m_rate; ///< per that of the joint above; 1 without one
 };
 
 void check(const RobotConfigSpec& config, Diagnostics& diagnostics) {

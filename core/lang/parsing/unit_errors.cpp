@@ -13,6 +13,21 @@ void UnitErrors::withoutPower(Element& e) {
     e.unit = meant;
 }
 
+bool UnitErrors::behindParam(const Element& e) {
+    const bool isParam = e.kind == Element::Kind::ParamRef;
+    if (!isParam && (e.kind != Element::Kind::Expression || !e.expression)) return false;
+    if (newLine() || kind() != TokenKind::Word || startsItem() || namedBlock() || !findUnit(text())) return false;
+    const bool isName = isParam || e.expression->op == Expression::Op::Name;
+    std::string body = isParam ? e.text : std::string(slice({e.range.begin + 2, e.range.end - 1}));
+    if (!isName) body = "(" + body + ")";
+    const std::string meant = "$(" + body + " * 1 " + std::string(text()) + ")";
+    const TextRange all{e.range.begin, range().end};
+    Diagnostic& d = error(Code::UnknownUnit, range(), "a unit is written behind a number only: `" + meant + "`");
+    fix(d, meant, {edit(all, meant)});
+    advance();
+    return true;
+}
+
 /// Adds the part of a unit that begins `ahead` to `written` and returns its tokens; 0 if none begins there.
 std::size_t UnitErrors::pieceAt(std::size_t ahead, std::string& written) const {
     if (newLine(ahead)) return 0;

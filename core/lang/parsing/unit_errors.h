@@ -14,6 +14,9 @@ public:
     /// Reads the pieces of a unit behind the first; false if they form none.
     [[nodiscard]] bool inPieces(Element& e);
 
+    /// `$r cm`, `$(2*r) cm`: reads the unit; false if none is there.
+    bool behindParam(const Element& e);
+
 private:
     [[nodiscard]] std::size_t pieceAt(std::size_t ahead, std::string& written) const;
 };

@@ -31,6 +31,7 @@ public:
     void doubleBraces(Element& e, Value& v);
     /// `$ name`.
     void spacedParam(Element& e, Value& v);
+    bool unitBehindParam(const Element& e) { return m_units.behindParam(e); }
     void unitWithoutPower(Element& e) { m_units.withoutPower(e); }
     /// Text without spaces that is not a word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
     void unquotedText(Element& e, Value& v);

@@ -91,6 +91,7 @@ Value ValueParser::value(std::string_view key, TextRange keyRange, TextRange equ
         const std::size_t before = position();
         if (!blockBegins(v) && element(v)) {
             if (position() == before) break; // not expected; guards against an endless loop
+            if (!v.elements.empty() && m_errors.unitBehindParam(v.elements.back())) v.broken = true;
             const bool keyed = bracket.size() == 0 && keyFollows(v, !gaps.empty());
             if (keyed) m_keyAt = position();
             if (keyed || !afterElement(v, gaps)) break;
