@@ -209,9 +209,11 @@ bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, 
     const auto rest = restBehind(path, robot);
     if (byConfig ? spec->config->name != name : !rest && !isNamedInside(robot, path)) return false;
     const std::string_view which = byConfig ? withoutFirstWord(local) : rest.value_or(std::string_view());
-    if (which.empty() || component == robot + "/" + std::string(which)) return true;
+    const std::string inRobot = robot + "/";
+    if (which.empty() || (component.starts_with(inRobot) && isNameOf(std::string_view(component).substr(inRobot.size()), which)))
+        return true;
     const std::size_t own = body - m_objects->firstPose(*bodies);
-    return own < spec->config->bodies.size() && spec->config->bodies[own].name == which;
+    return own < spec->config->bodies.size() && isNameOf(spec->config->bodies[own].name, which);
 }
 
 bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {
@@ -221,6 +223,11 @@ bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef
 }
 
 JointPositions& jointPositions(ViewportScene& scene) { return scene.m_joints; }
+
+bool isNameOf(std::string_view name, std::string_view path) {
+    const std::optional<std::string_view> behind = restBehind(path, name);
+    return behind && behind->empty();
+}
 
 bool showsModel(const ViewportScene& scene) { return scene.m_document.editedModel().isOpen(); }
 

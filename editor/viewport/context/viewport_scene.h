@@ -102,6 +102,9 @@ private:
 /// Those of the text's robots; a run begins without them.
 [[nodiscard]] JointPositions& jointPositions(ViewportScene& scene);
 
+/// Whether `path` is that name in a config or robot, or that of all the members it is one of: "row.eye" for "row_3.eye".
+[[nodiscard]] bool isNameOf(std::string_view name, std::string_view path);
+
 /// Whether it shows the edited model alone.
 [[nodiscard]] bool showsModel(const ViewportScene& scene);
 

@@ -68,21 +68,26 @@ std::optional<AimTool::Aimed> AimTool::selected() const {
     for (std::uint32_t r = 0; r < robots.size(); ++r) {
         if (!robots[r].config) continue;
         const RobotConfigSpec& config = *robots[r].config;
-        const std::string byConfig = "RobotConfig." + config.name + ".";
-        const auto isIt = [&](const ComponentSpec& d) {
-            return robots[r].name + "." + d.name == path || byConfig + d.name == path;
-        };
+        const std::string byConfig = "RobotConfig." + config.name + ".", byRobot = robots[r].name + ".";
+        const bool isInside = path.starts_with(byRobot);
+        if (!isInside && !path.starts_with(byConfig)) continue;
+        const std::string& before = isInside ? byRobot : byConfig;
+        const auto isIt = [&](const ComponentSpec& d) { return isNameOf(d.name, path.substr(before.size())); };
         const auto device = std::ranges::find_if(config.devices, isIt);
         if (device == config.devices.end()) continue;
         const auto body = std::ranges::find(config.bodies, device->text("Body"), &BodySpec::name);
         if (body == config.bodies.end()) return std::nullopt;
         Aimed aimed;
-        aimed.path = path;
+        const auto own = placeOf(*context.document.loaded(), before + device->name);
+        if (!own || !own->part) return std::nullopt;
+        aimed.path = isInside ? byRobot + device->name : path; // in the text of a config all members of a Repeat are one
+        aimed.shape = byRobot + device->name;
         aimed.X_WB = context.world.poseOf({ObjectKind::Body, r, std::uint32_t(body - config.bodies.begin())});
         aimed.X_BD = {tripleOf(*device, "Pos"), rotationFromHpr(tripleOf(*device, "HPR"))};
         if (const auto range = rangeModelOf(*device); range && range->ground) aimed.sight = -Vec3::UnitZ();
-        aimed.mirror.signs = describedFrame(*context.document.loaded(), *place).signs;
-        aimed.text = textInPlace(*context.document.loaded(), path + ".HPR");
+        aimed.mirror.signs = describedFrame(*context.document.loaded(), *own).signs;
+        aimed.described = poseAt(*context.document.loaded(), *own).rotation;
+        aimed.text = textInPlace(*context.document.loaded(), aimed.path + ".HPR");
         return aimed;
     }
     return std::nullopt;
@@ -124,7 +129,7 @@ AimTool::Grip AimTool::gripAt(const QPointF& at) {
     if (!aimed) return {};
     if (const auto spot = this->spot(); spot && QLineF(*spot, at).length() < kAimReach) return {Grip::Kind::Sight, end(*aimed)};
     if (const auto roll = rollSpot(); roll && QLineF(*roll, at).length() < kAimReach) return {Grip::Kind::Roll, *rollEnd(*aimed)};
-    if (const auto point = pointUnder(m_view, aimShapeOf(m_view, aimed->path), at, kShapeReach))
+    if (const auto point = pointUnder(m_view, aimShapeOf(m_view, aimed->shape), at, kShapeReach))
         if ((*point - aimed->position()).norm() > kLeastReach) return {Grip::Kind::Shape, *point};
     return {};
 }
@@ -189,8 +194,9 @@ void AimTool::drag(const Pointer& pointer) {
 
 /// `fine`: degrees. Without a turn nothing is written that was not written before.
 Status AimTool::turnTo(const Quat& rotation, double fine) {
-    const Vec3 from = degreesOf(m_start->mirror.mirrored({Vec3::Zero(), m_start->X_BD.rotation}).rotation),
-               to = degreesOf(m_start->mirror.mirrored({Vec3::Zero(), rotation}).rotation);
+    const auto mirrored = [this](const Quat& q) { return m_start->mirror.mirrored({Vec3::Zero(), q}).rotation; };
+    const Quat frame = m_start->X_BD.rotation * mirrored(m_start->described).conjugate(); // of what it is in, in the body
+    const Vec3 from = degreesOf(m_start->described), to = degreesOf(mirrored(frame.conjugate() * rotation));
     const bool isDefault = m_start->text.empty() && to.cwiseAbs().maxCoeff() < 0.5 * fine;
     if (isDefault && !m_wrote) return {};
     const std::string text =
@@ -241,7 +247,7 @@ void AimTool::paint(QPainter& painter) {
     if (!aimed) return;
     const ScenePainter scene(painter, m_view);
     if (m_hot == Grip::Kind::Shape)
-        for (const auto& [from, to] : aimShapeOf(m_view, aimed->path)) scene.line(from, to, kAimHot, 1.4);
+        for (const auto& [from, to] : aimShapeOf(m_view, aimed->shape)) scene.line(from, to, kAimHot, 1.4);
     const bool isSight = m_hot == Grip::Kind::Sight;
     scene.line(aimed->position(), end(*aimed), isSight ? kAimHot : kAimInk, isSight ? 2.6 : 1.8);
     const auto paintHandle = [&](const Vec3& point, bool isHot, double radius) {

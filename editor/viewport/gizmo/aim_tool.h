@@ -35,7 +35,9 @@ private:
     /// The selected device: where it is and where it looks.
     struct Aimed {
         std::string path, text;     ///< text: HPR as written where it is edited
+        std::string shape;          ///< path of the device itself; of all members of a Repeat, the first one's
         Pose X_WB, X_BD;            ///< of its body, of the device in it
+        Quat described;             ///< HPR of the text
         Vec3 sight = Vec3::UnitX(); ///< unit vector in the frame of the device
         DescribedFrame mirror;      ///< signs of the Part that it is in
         [[nodiscard]] Vec3 position() const { return X_WB * X_BD.position; }

@@ -47,12 +47,12 @@ std::optional<EditedJoint> EditedJoint::selected(const ViewContext& context) {
     joint.find(context, path);
     if (joint.m_path.empty()) joint.findLink(context, path);
     if (joint.m_path.empty()) return std::nullopt;
-    if (const auto place = placeOf(loaded, path)) joint.m_described = describedFrame(loaded, *place);
-    joint.m_anchorText = textInPlace(loaded, path + ".Anchor");
-    joint.m_lowText = textInPlace(loaded, path + ".LowStop");
-    joint.m_highText = textInPlace(loaded, path + ".HighStop");
-    joint.m_swingText = textInPlace(loaded, path + ".SwingStop");
-    joint.m_travelText = textInPlace(loaded, path + ".Travel");
+    if (const auto place = placeOf(loaded, joint.m_placePath)) joint.m_described = describedFrame(loaded, *place);
+    joint.m_anchorText = textInPlace(loaded, joint.m_path + ".Anchor");
+    joint.m_lowText = textInPlace(loaded, joint.m_path + ".LowStop");
+    joint.m_highText = textInPlace(loaded, joint.m_path + ".HighStop");
+    joint.m_swingText = textInPlace(loaded, joint.m_path + ".SwingStop");
+    joint.m_travelText = textInPlace(loaded, joint.m_path + ".Travel");
     return joint;
 }
 
@@ -66,9 +66,10 @@ void EditedJoint::find(const ViewContext& context, const std::string& path) {
         const bool isInside = startsWithPath(path, robots[r].name), isInConfig = startsWithPath(path, byConfig);
         if (!isInside && !isInConfig) continue;
         const std::string name = path.substr(std::min(path.size(), (isInside ? robots[r].name : byConfig).size() + 1));
-        const auto joint = std::ranges::find(config.joints, name, &JointSpec::name);
+        const auto joint = std::ranges::find_if(config.joints, [&](const JointSpec& j) { return isNameOf(j.name, name); });
         if (joint == config.joints.end()) continue;
-        m_path = path;
+        m_placePath = (isInside ? robots[r].name : byConfig) + "." + joint->name;
+        m_path = isInside ? m_placePath : path; // in the text of a config all members of a Repeat are one
         m_spec = *joint;
         m_X_WC = robots[r].pose;
         if (joint->parent != kWorldBody) {
@@ -88,7 +89,7 @@ void EditedJoint::findLink(const ViewContext& context, const std::string& path) 
     const ExperimentSpec& experiment = context.world.objects()->experiment();
     for (const auto& link : experiment.joints) {
         if (link.spec.name != path) continue;
-        m_path = path;
+        m_path = m_placePath = path;
         m_spec = link.spec;
         const auto add = [&](int robot, int body) {
             if (robot == kWorldBody || !experiment.robots[std::size_t(robot)].config) return;

@@ -22,7 +22,7 @@ struct JointStop {
 
 class EditedJoint {
 public:
-    /// The joint that the selection refers to: a joint, or a device with a Joint. Nothing if several objects are selected, and during a run.
+    /// The joint that the selection refers to: a joint, or a device with a Joint; of all members of a Repeat the first one's. Nothing if several objects are selected, and during a run.
     [[nodiscard]] static std::optional<EditedJoint> selected(const ViewContext& context);
 
     [[nodiscard]] const std::string& path() const { return m_path; }
@@ -61,7 +61,7 @@ private:
     [[nodiscard]] bool isReversed(const Vec3& axis) const;
     [[nodiscard]] std::string axisText(const Vec3& axis) const;
 
-    std::string m_path;
+    std::string m_path, m_placePath; ///< m_placePath: of a Repeat's members, the first one's
     JointSpec m_spec;
     Pose m_X_WC;
     DescribedFrame m_described;

@@ -278,6 +278,62 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kArm);
     }
 
+    /// In the text of a config all members of a Repeat are one: the handles are at the first one, what they write is for all.
+    void jointsOfARepeatAreEditedAtTheFirst() {
+        const QByteArray text = kArm +
+                                "RobotConfig Cart { Body base { Box hull { Size=0.4,0.3,0.06 Pos=0,0,0.1 Mass=2 } }\n"
+                                "  Repeat leg { Count=2\n"
+                                "    Body w { Pos=$(0.3*index - 0.15),0.2,0.1 Sphere c { Radius=0.1 Mass=0.3 } }\n"
+                                "    Hinge axle { Parent=base Child=w Anchor=$(0.3*index - 0.15),0.17,0.1 Axis=0,1,0 } } }\n"
+                                "Robot one { Config=Cart Pos=0,2,0 }\nRobot two { Config=Cart Pos=0,4,0 }\n";
+        QVERIFY(m_window->open(text));
+        const auto moved = [&](const char* path) {
+            m_window->selection.select(path);
+            const std::optional<EditedJoint> joint = EditedJoint::selected(m_window->view().context());
+            if (!joint) return QByteArray("no joint");
+            (void)joint->setAnchor(m_window->document, joint->spec().anchor + Vec3(0.05, 0.01, 0), 1e-4, {});
+            const QByteArray after = m_window->text();
+            m_window->document.edits().undo();
+            return after;
+        };
+        const QByteArray all = QByteArray(text).replace("Anchor=$(0.3*index - 0.15),0.17,", "Anchor=$(0.3*index - 0.1),0.18,");
+        QCOMPARE(moved("RobotConfig.Cart.leg.axle"), all);
+        QCOMPARE(moved("RobotConfig.Cart.leg_1.axle"), all);
+        QCOMPARE(moved("two.leg_1.axle"), QByteArray(text).replace("Pos=0,4,0 }", "Pos=0,4,0 leg_1.axle.Anchor=0.2,0.18,0.1 }"));
+        QCOMPARE(moved("two.leg.axle"), QByteArray(text).replace("Pos=0,4,0 }", "Pos=0,4,0 leg_0.axle.Anchor=-0.1,0.18,0.1 }"));
+        m_window->selection.select("RobotConfig.Cart.leg.axle");
+        QVERIFY(tool().spot(kAnchor) && tool().spot(kAxis));
+    }
+
+    /// A device in a Ring is aimed in the frame of its member: all of them pitch by the same angle.
+    void devicesOfARingAreAimed_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<Vec3>("out");
+        QTest::newRow("all") << "RobotConfig.Arm.eyes.eye" << Vec3(1, 0, 0);
+        QTest::newRow("the first") << "RobotConfig.Arm.eyes_0.eye" << Vec3(1, 0, 0);
+        QTest::newRow("the second") << "RobotConfig.Arm.eyes_1.eye" << Vec3(0, 1, 0);
+    }
+    void devicesOfARingAreAimed() {
+        QFETCH(QString, path);
+        QFETCH(Vec3, out);
+        const QByteArray text = QByteArray(kArm).replace(
+            "  Camera eye", "  Ring eyes { Count=4 Radius=0.2 Pos=0,0,0.3\n"
+                            "    RangeSensor eye { Body=post Type=ultrasonic ConeAngle=30 MaxRange=0.8 } }\n  Camera eye");
+        QVERIFY(m_window->open(text));
+        const Vec3 eye = Vec3(0, 0, 0.3) + 0.2 * out, side = out.cross(Vec3::UnitZ());
+        m_window->look(eye + 0.5 * out + 3 * side, eye + 0.5 * out); // from its side
+        m_window->selection.select(path.toStdString());
+        const auto from = m_window->view().tools().aim().spot();
+        QVERIFY(from);
+        QVERIFY(!aimShapeOf(m_window->view(), path.toStdString()).empty());
+        const Vec3 there = eye + std::cos(M_PI / 6) * out - std::sin(M_PI / 6) * Vec3::UnitZ(); // 30 degrees down
+        const QPointF at = m_window->at(eye), way = QPointF(m_window->at(there)) - at;
+        m_window->drag(*from, at + way * (QLineF(at, *from).length() / std::hypot(way.x(), way.y())));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("MaxRange=0.8 }", "MaxRange=0.8 HPR=0,30,0 }"));
+        m_window->document.edits().undo();
+        QCOMPARE(m_window->text(), text);
+    }
+
 private:
     JointTool& tool() { return m_window->view().tools().joint(); }
     QByteArray replaced(const char* before, const char* after) const { return QByteArray(kArm).replace(before, after); }
