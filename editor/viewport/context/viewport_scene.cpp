@@ -225,6 +225,7 @@ bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef
 JointPositions& jointPositions(ViewportScene& scene) { return scene.m_joints; }
 
 bool isNameOf(std::string_view name, std::string_view path) {
+    if (name == path || lastWord(name) != lastWord(path)) return name == path; // `arm_1` may be no member of an arm
     const std::optional<std::string_view> behind = restBehind(path, name);
     return behind && behind->empty();
 }

@@ -72,8 +72,10 @@ std::optional<AimTool::Aimed> AimTool::selected() const {
         const bool isInside = path.starts_with(byRobot);
         if (!isInside && !path.starts_with(byConfig)) continue;
         const std::string& before = isInside ? byRobot : byConfig;
-        const auto isIt = [&](const ComponentSpec& d) { return isNameOf(d.name, path.substr(before.size())); };
-        const auto device = std::ranges::find_if(config.devices, isIt);
+        const std::string name = path.substr(before.size());
+        auto device = std::ranges::find(config.devices, name, &ComponentSpec::name);
+        if (device == config.devices.end())
+            device = std::ranges::find_if(config.devices, [&](const ComponentSpec& d) { return isNameOf(d.name, name); });
         if (device == config.devices.end()) continue;
         const auto body = std::ranges::find(config.bodies, device->text("Body"), &BodySpec::name);
         if (body == config.bodies.end()) return std::nullopt;

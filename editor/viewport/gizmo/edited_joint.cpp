@@ -66,7 +66,9 @@ void EditedJoint::find(const ViewContext& context, const std::string& path) {
         const bool isInside = startsWithPath(path, robots[r].name), isInConfig = startsWithPath(path, byConfig);
         if (!isInside && !isInConfig) continue;
         const std::string name = path.substr(std::min(path.size(), (isInside ? robots[r].name : byConfig).size() + 1));
-        const auto joint = std::ranges::find_if(config.joints, [&](const JointSpec& j) { return isNameOf(j.name, name); });
+        auto joint = std::ranges::find(config.joints, name, &JointSpec::name);
+        if (joint == config.joints.end())
+            joint = std::ranges::find_if(config.joints, [&](const JointSpec& j) { return isNameOf(j.name, name); });
         if (joint == config.joints.end()) continue;
         m_placePath = (isInside ? robots[r].name : byConfig) + "." + joint->name;
         m_path = isInside ? m_placePath : path; // in the text of a config all members of a Repeat are one

@@ -301,6 +301,15 @@ private Q_SLOTS:
         QCOMPARE(moved("RobotConfig.Cart.leg_1.axle"), all);
         QCOMPARE(moved("two.leg_1.axle"), QByteArray(text).replace("Pos=0,4,0 }", "Pos=0,4,0 leg_1.axle.Anchor=0.2,0.18,0.1 }"));
         QCOMPARE(moved("two.leg.axle"), QByteArray(text).replace("Pos=0,4,0 }", "Pos=0,4,0 leg_0.axle.Anchor=-0.1,0.18,0.1 }"));
+        QVERIFY(m_window->open(
+            QByteArray(kArm)
+                .replace("  Slider reach", "  Slider elbow_1")
+                .replace("  Hinge elbow",
+                         "  Hinge elbow_0 { Parent=post Child=wheel }\n  Hinge elbow"))); // names alike, and no Repeat
+        m_window->selection.select("RobotConfig.Arm.elbow");
+        QCOMPARE(EditedJoint::selected(m_window->view().context())->spec().name, std::string("elbow"));
+        QVERIFY(isNameOf("row_3.eye", "row.eye") && !isNameOf("eye_1", "eye") && isNameOf("eye_1", "eye_1"));
+        QVERIFY(m_window->open(text));
         m_window->selection.select("RobotConfig.Cart.leg.axle");
         QVERIFY(tool().spot(kAnchor) && tool().spot(kAxis));
     }
