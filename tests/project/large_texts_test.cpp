@@ -22,6 +22,7 @@ private Q_SLOTS:
         QTest::newRow("unknown kinds") << QByteArray("Foo f% { A=1 } // #%\n") << QByteArray() << false;
         QTest::newRow("modules") << QByteArray("#loadModule missing%\n") << QByteArray() << false;
         QTest::newRow("imports") << QByteArray("#import missing%\n") << QByteArray() << false;
+        QTest::newRow("pictures") << QByteArray("Material m% { Texture=no% }\n") << QByteArray() << false; // warnings
         QTest::newRow("keys") << QByteArray("Light l% { Sped=1 }\n") << QByteArray() << false;
         QTest::newRow("a Param that comes last") << QByteArray("Param p% = $(q)\n") << QByteArray("Param q = 1\n") << true;
         QTest::newRow("a Param that is imported last")
@@ -88,6 +89,19 @@ private Q_SLOTS:
         QCOMPARE(loaded->trees[0]->extent(), Tree::Extent::Limited);
         QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
         QVERIFY2(loaded->trees[0]->tokens().size() < 1'100'000, QByteArray::number(qulonglong(loaded->trees[0]->tokens().size())));
+    }
+    /// Warnings, of pictures that are missing, end it sooner.
+    void manyWarningsEndTheReading() {
+        ProjectFixture fixture;
+        std::string text;
+        for (int i = 0; text.size() < (8u << 20); ++i)
+            text += "Material m" + std::to_string(i) + " { Texture=no" + std::to_string(i) + " }\n";
+        fixture.write("c.sim", "");
+        text += "#import c.sim\n"; // could change any of them
+        const auto loaded = fixture.open(text);
+        QCOMPARE(loaded->trees[0]->extent(), Tree::Extent::Limited);
+        QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
+        QVERIFY2(loaded->trees[0]->tokens().size() < 550'000, QByteArray::number(qulonglong(loaded->trees[0]->tokens().size())));
     }
     /// Without mistakes, too: all texts together have a limit, and what is beyond it is the only error, at its place.
     void aTextWithoutMistakesHasALimit() {

@@ -106,9 +106,13 @@ bool hasManyMistakes(const Diagnostics& diagnostics) {
     return errorsOf(diagnostics) >= kHopelessMistakes || diagnostics.all().size() >= Diagnostics::kMaxOfOneFile;
 }
 
+bool hasManyWarnings(const Diagnostics& diagnostics) {
+    return errorsOf(diagnostics) < kHopelessMistakes && diagnostics.all().size() >= Diagnostics::kMaxOfOneFile;
+}
+
 bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics) {
     const std::vector<Diagnostic>& all = diagnostics.all();
-    if (errorsOf(diagnostics) < kHopelessMistakes) return false;
+    if (!hasManyMistakes(diagnostics)) return false;
     const auto nameOf = [&](const Diagnostic& d) {
         return d.range.file == tree.file() ? nameIn(tree.source().slice(d.range.range)) : std::string_view();
     };
@@ -125,9 +129,13 @@ bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics) {
         }
         return false;
     };
-    std::uint64_t remaining = 0;
-    for (const Diagnostic& d : all) remaining += isError(d) && remains(d) ? 1 + d.followUps : 0;
-    return remaining >= kHopelessMistakes;
+    std::uint64_t errors = 0, messages = 0;
+    for (const Diagnostic& d : all) {
+        if (!remains(d)) continue;
+        ++messages;
+        if (isError(d)) errors += 1 + d.followUps;
+    }
+    return errors >= kHopelessMistakes || messages >= Diagnostics::kMaxOfOneFile;
 }
 
 Diagnostic restUnread(const Tree& tree) {

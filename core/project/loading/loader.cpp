@@ -42,6 +42,7 @@ std::shared_ptr<const Tree> Loader::sameAsBefore(FileId file, const std::string&
     const LoadedProject* before = m_options.previous;
     if (!before || absolute.empty() || file >= before->paths.size() || before->paths[file] != absolute) return nullptr;
     const std::shared_ptr<const Tree>& tree = before->trees[file];
+    if (!tree) return nullptr;
     const bool same = tree->source().path() == shown && tree->source().bytes() == bytes;
     return same && tree->extent() != Tree::Extent::Limited ? tree : nullptr;
 }

@@ -93,8 +93,9 @@ Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
 }
 
 constexpr std::size_t kFirstTokens = 250'000; // first limit, about 1 MiB of text
-/// Second limit. What would become right only beyond it counts as wrong, so that the memory for a text of mistakes is bounded.
-constexpr std::size_t kPatientTokens = 4 * kFirstTokens;
+/// Later limits. What would become right only beyond them counts as wrong, so that the memory for a text of mistakes is bounded:
+/// of warnings alone, which rarely do, sooner.
+constexpr std::size_t kWarnedTokens = 2 * kFirstTokens, kPatientTokens = 4 * kFirstTokens;
 
 FileStamp stampOf(const std::string& path) {
     const Result<FileStamp> stamp = regularFileStamp(path);
@@ -169,13 +170,16 @@ struct Project::Attempt {
 
 Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& path) {
     std::shared_ptr<const LoadedProject> previous = m_options.previous;
-    for (std::size_t most = std::min(kFirstTokens, m_options.mostTokens);; most = std::min(most * 4, m_options.mostTokens)) {
+    const auto more = [&](std::size_t most) { return std::min(most * (most < kPatientTokens ? 2 : 4), m_options.mostTokens); };
+    for (std::size_t most = std::min(kFirstTokens, m_options.mostTokens);; most = more(most)) {
         Result<Attempt> tried = attempt(path, most, previous);
         if (!tried.ok()) return tried.error();
         Attempt& a = tried.value();
         const FileId limited = a.limitedFile;
-        const bool ends = limited != kNoFile && (most >= kPatientTokens ? hasManyMistakes(a.diagnostics)
-                                                                        : hasTooManyErrors(*a.loaded->trees[limited], a.diagnostics));
+        const bool ends =
+            limited != kNoFile && (most >= kPatientTokens ? hasManyMistakes(a.diagnostics)
+                                                          : (most >= kWarnedTokens && hasManyWarnings(a.diagnostics)) ||
+                                                                hasTooManyErrors(*a.loaded->trees[limited], a.diagnostics));
         if (limited != kNoFile && !ends) {
             if (most == m_options.mostTokens) {
                 a.loaded->diagnostics = tooManyTokens(*a.loaded->trees[limited], most); // other errors may come from the cut
@@ -184,6 +188,8 @@ Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& pa
             a.loaded->experiment.reset(); // of its parts only trees and shapes are reused
             a.loaded->outline.reset();
             a.loaded->named.clear();
+            a.loaded->sources = {}; // with what of the file was read: it is read again
+            a.loaded->trees[limited] = nullptr;
             previous = std::move(a.loaded); // its other trees can be reused
             continue;
         }
