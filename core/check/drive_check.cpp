@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "check/checks.h"
+#include "check/drive_directions.h"
 #include "check/drive_wheels.h"
 #include "project/objects/part_values.h"
 
@@ -30,10 +31,12 @@ public:
         std::vector<DriveWheel> wheels;
         for (const DriveMotor& motor : motors) {
             const auto wheel = wheelOf(m_config, motor.name);
-            if (!wheel) return;
+            if (!wheel) return checkAxle(m_loaded, m_config, drive, motor, m_diagnostics);
             wheels.push_back(*wheel);
         }
-        if (!wheels.empty()) checkWheels(drive, motors, wheels);
+        if (wheels.empty()) return;
+        checkWheels(drive, motors, wheels);
+        checkDirections(m_loaded, m_config, drive, motors, wheels, m_diagnostics);
     }
 
 private:
@@ -107,7 +110,7 @@ private:
         for (const ComponentSpec& device : m_config.devices)
             if (device.kind == kMotor && std::ranges::find(used, device.name, &DriveMotor::name) == used.end())
                 others.push_back(device.name);
-        if (others.size() == 1 && second.value->value.texts.size() == 1 && canWrite(*second.value))
+        if (others.size() == 1 && second.value->value.texts.size() == 1 && isWritten(m_loaded, *second.value))
             d.fixes.push_back({others[0], {{range, others[0]}}});
         d.suggestions = std::move(others);
     }
@@ -121,14 +124,7 @@ private:
                                                   where + lengthText(real) + ": " + effect + " will be " +
                                                   figureText(100 * std::abs(given / real - 1)) + " % off");
         const std::string text = shortNumber(std::round(real * 1e6) / 1e6);
-        if (canWrite(*value)) d.fixes.push_back({std::string(key) + "=" + text, {{value->range, text}}});
-    }
-
-    /// Whether a value is literal text in a file, not set by a Param or on the command line.
-    [[nodiscard]] bool canWrite(const ResolvedValue& value) const {
-        const FileId file = value.range.file;
-        if (!value.range.known() || file >= m_loaded.paths.size() || m_loaded.paths[file].empty()) return false;
-        return m_loaded.sources.slice(value.range).find('$') == std::string_view::npos;
+        if (isWritten(m_loaded, *value)) d.fixes.push_back({std::string(key) + "=" + text, {{value->range, text}}});
     }
 
     const LoadedProject& m_loaded;
