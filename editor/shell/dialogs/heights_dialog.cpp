@@ -14,6 +14,7 @@
 #include "app/arena_files.h"
 #include "editor/properties/editors/amount_field.h"
 #include "editor/shell/dialogs/plan_preview.h"
+#include "editor/shell/dialogs/result_label.h"
 #include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 

@@ -18,6 +18,7 @@
 #include "editor/properties/editors/amount_field.h"
 #include "editor/shell/dialogs/mesh_preview.h"
 #include "editor/shell/dialogs/plan_preview.h"
+#include "editor/shell/dialogs/result_label.h"
 #include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 #include "scene/shapes/bounds.h"

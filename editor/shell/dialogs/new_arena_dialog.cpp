@@ -18,6 +18,7 @@
 
 #include "app/module_template.h"
 #include "editor/properties/editors/amount_field.h"
+#include "editor/shell/dialogs/result_label.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
@@ -43,7 +44,7 @@ NewArenaDialog::NewArenaDialog(Locations locations, const QString& folder, QWidg
       m_folder(new QLineEdit(folder)), m_width(new AmountField(lengthProperty(tr("The width of the plan"), 0.1, 10000))),
       m_height(new AmountField(lengthProperty(tr("The height of the walls"), 0.01, 100))),
       m_threshold(new QSlider(Qt::Horizontal)), m_light(new QCheckBox(tr("&Light parts are walls"))), m_preview(new QLabel),
-      m_result(new QLabel) {
+      m_result(new ResultLabel("arenaResult")) {
     setObjectName(QStringLiteral("newArena"));
     setWindowTitle(tr("New Arena from Floor Plan"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -63,11 +64,6 @@ NewArenaDialog::NewArenaDialog(Locations locations, const QString& folder, QWidg
     m_preview->setFixedSize(scaledToFont(kPreview), scaledToFont(kPreview));
     m_preview->setAlignment(Qt::AlignCenter);
     m_preview->setFrameShape(QFrame::StyledPanel);
-    m_result->setObjectName(QStringLiteral("arenaResult"));
-    m_result->setTextFormat(Qt::PlainText);
-    m_result->setWordWrap(true);
-    m_result->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_result->setMinimumHeight(2 * m_result->fontMetrics().lineSpacing() + 2);
     makeLayout();
     m_width->setValue(10);
     m_height->setValue(0.5);
@@ -176,13 +172,6 @@ QString NewArenaDialog::placeFault() const {
     return QFileInfo::exists(made) ? tr("%1 exists already.").arg(made) : QString();
 }
 
-void NewArenaDialog::showResult(const QString& text, bool isFault) {
-    QPalette palette;
-    if (isFault) palette.setColor(QPalette::WindowText, ink(Ink::Error));
-    m_result->setPalette(palette);
-    m_result->setText(text);
-}
-
 /// The walls as they will be, with the place of the robot.
 void NewArenaDialog::showPlan() {
     if (!m_plan) return m_preview->setText(tr("Black is wall."));
@@ -209,17 +198,17 @@ void NewArenaDialog::check() {
     showPlan();
     if (fault.isEmpty() && m_plan) fault = placeFault();
     m_create->setEnabled(fault.isEmpty() && m_plan);
-    if (!fault.isEmpty()) return showResult(fault, true);
-    if (!m_plan) return showResult(tr("Choose the picture of a floor plan, for which you know its width."), false);
+    if (!fault.isEmpty()) return m_result->show(fault, true);
+    if (!m_plan) return m_result->show(tr("Choose the picture of a floor plan, for which you know its width."), false);
     const FloorPlan& plan = *m_plan;
     const auto metres = [&](std::uint32_t cells) { return QString::number(cells * plan.cell, 'g', 4); };
     QString text = tr("%1 walls, %2 m × %3 m.").arg(QString::number(plan.walls.size()), metres(plan.columns), metres(plan.rows));
     if (plan.step > 1)
         text += QLatin1Char(' ') + tr("Made coarser, %1 pixels to a cell, since more boxes would be needed.").arg(plan.step);
     const QString name = toQString(moduleNameFor(m_name->text().trimmed().toStdString()));
-    showResult(text + QLatin1Char(' ') +
-                   tr("Writes %1/%1.sim, and the experiment %1_drive.sim with a robot at the blue dot.").arg(name),
-               false);
+    m_result->show(text + QLatin1Char(' ') +
+                       tr("Writes %1/%1.sim, and the experiment %1_drive.sim with a robot at the blue dot.").arg(name),
+                   false);
 }
 
 void NewArenaDialog::accept() {
@@ -227,7 +216,7 @@ void NewArenaDialog::accept() {
     Result<NewArena> made =
         makePlanArena(m_name->text().trimmed().toStdString(), *m_plan, *m_height->value(), m_file->text().trimmed().toStdString(),
                       QDir::cleanPath(m_folder->text().trimmed()).toStdString());
-    if (!made) return showResult(toQString(made.error().message), true);
+    if (!made) return m_result->show(toQString(made.error().message), true);
     m_made = std::move(made).value();
     QDialog::accept();
 }

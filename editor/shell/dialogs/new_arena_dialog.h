@@ -17,6 +17,7 @@ class QSlider;
 namespace trundle {
 
 class AmountField;
+class ResultLabel;
 
 /// Asks for the picture of a floor plan and its size, shows which of it becomes walls, and writes the arena's files. Deletes itself
 /// when it is closed.
@@ -42,7 +43,6 @@ private:
     [[nodiscard]] QString planFault();
     [[nodiscard]] QString placeFault() const;
     void showPlan();
-    void showResult(const QString& text, bool isFault);
 
     const Locations m_locations;
     std::shared_ptr<const HeightMap> m_map; ///< null: no picture that can be read
@@ -53,7 +53,8 @@ private:
     AmountField *m_width, *m_height;
     QSlider* m_threshold;
     QCheckBox* m_light;
-    QLabel *m_preview, *m_result;
+    QLabel* m_preview;
+    ResultLabel* m_result;
     QPushButton* m_create = nullptr;
 };
 

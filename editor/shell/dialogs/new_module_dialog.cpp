@@ -13,14 +13,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "editor/widgets/theme.h"
+#include "editor/shell/dialogs/result_label.h"
 
 namespace trundle {
 
 NewModuleDialog::NewModuleDialog(Options options, QWidget* parent)
     : QDialog(parent), m_options(std::move(options)), m_name(new QLineEdit), m_folder(new QLineEdit(m_options.project)),
-      m_cpp(new QRadioButton(tr("C+&+: built with CMake, fastest"))), m_python(new QRadioButton(tr("&Python: a file, without a build"))),
-      m_use(new QCheckBox), m_result(new QLabel) {
+      m_cpp(new QRadioButton(tr("C+&+: built with CMake, fastest"))),
+      m_python(new QRadioButton(tr("&Python: a file, without a build"))), m_use(new QCheckBox),
+      m_result(new ResultLabel("moduleResult", 3)) {
     setObjectName(QStringLiteral("newModule"));
     setWindowTitle(m_options.isController ? tr("New Controller") : tr("New Component"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -33,11 +34,7 @@ NewModuleDialog::NewModuleDialog(Options options, QWidget* parent)
     m_use->setObjectName(QStringLiteral("moduleUse"));
     m_use->setText(m_options.isController ? tr("&Use it for %1").arg(m_options.user) : tr("&Load it into the experiment"));
     m_use->setChecked(true);
-    m_result->setObjectName(QStringLiteral("moduleResult"));
-    m_result->setTextFormat(Qt::PlainText);
-    m_result->setWordWrap(true);
-    m_result->setMinimumSize(420, 3 * m_result->fontMetrics().lineSpacing() + 4);
-    m_result->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_result->setMinimumWidth(420);
     makeLayout();
     for (QLineEdit* field : {m_name, m_folder}) connect(field, &QLineEdit::textChanged, this, &NewModuleDialog::check);
     connect(m_python, &QRadioButton::toggled, this, &NewModuleDialog::check);
@@ -110,16 +107,13 @@ void NewModuleDialog::check() {
     const bool isEmpty = kind().empty();
     const QString why = isEmpty ? QString() : fault();
     m_create->setEnabled(!isEmpty && why.isEmpty());
-    QPalette palette;
-    if (!why.isEmpty()) palette.setColor(QPalette::WindowText, ink(Ink::Error));
-    m_result->setPalette(palette);
-    if (isEmpty) return m_result->setText(tr("The name is a capital letter, then letters and digits."));
-    if (!why.isEmpty()) return m_result->setText(why);
+    if (isEmpty) return m_result->show(tr("The name is a capital letter, then letters and digits."), false);
+    if (!why.isEmpty()) return m_result->show(why, true);
     const QString name = QString::fromStdString(moduleNameFor(kind()));
     QString text = m_python->isChecked() ? tr("Writes %1/%1.py.").arg(name) : tr("Writes %1/%1.cpp and %1/CMakeLists.txt.").arg(name);
     if (isUsed() && !m_python->isChecked()) text += QLatin1Char(' ') + tr("They are built at once.");
-    m_result->setText(text + QLatin1Char(' ') +
-                      tr("The folder %1 becomes trusted: what is in it may run, with your rights.").arg(name));
+    m_result->show(
+        text + QLatin1Char(' ') + tr("The folder %1 becomes trusted: what is in it may run, with your rights.").arg(name), false);
 }
 
 } // namespace trundle

@@ -14,6 +14,8 @@ class QRadioButton;
 
 namespace trundle {
 
+class ResultLabel;
+
 /// Asks for the name, the language and the folder of a new controller or component. Deletes itself when it is closed.
 class NewModuleDialog final : public QDialog {
     Q_OBJECT
@@ -42,7 +44,7 @@ private:
     QLineEdit *m_name, *m_folder;
     QRadioButton *m_cpp, *m_python;
     QCheckBox* m_use;
-    QLabel* m_result;
+    ResultLabel* m_result;
     QPushButton* m_create = nullptr;
 };
 

@@ -19,6 +19,7 @@
 
 #include "app/module_template.h"
 #include "editor/properties/editors/amount_field.h"
+#include "editor/shell/dialogs/result_label.h"
 #include "editor/shell/dialogs/robot_plan.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/strings.h"
@@ -103,20 +104,12 @@ QString freeRobotName(const QString& folder) {
 
 NewRobotDialog::NewRobotDialog(const QString& folder, QWidget* parent)
     : QDialog(parent), m_bases(new QButtonGroup(this)), m_plan(new RobotPlan), m_name(new QLineEdit(freeRobotName(folder))),
-      m_folder(new QLineEdit(folder)), m_motor(new QLabel), m_result(new QLabel) {
+      m_folder(new QLineEdit(folder)), m_motor(new ResultLabel("robotMotor")), m_result(new ResultLabel("robotResult")) {
     setObjectName(QStringLiteral("newRobot"));
     setWindowTitle(tr("New Robot from Dimensions"));
     setAttribute(Qt::WA_DeleteOnClose);
     m_name->setObjectName(QStringLiteral("robotName"));
     m_folder->setObjectName(QStringLiteral("robotFolder"));
-    m_motor->setObjectName(QStringLiteral("robotMotor"));
-    m_result->setObjectName(QStringLiteral("robotResult"));
-    for (QLabel* label : {m_motor, m_result}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setWordWrap(true);
-        label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-        label->setMinimumHeight(2 * label->fontMetrics().lineSpacing() + 2);
-    }
     makeLayout();
     useBase(BaseShape::Differential);
     for (QLineEdit* field : {m_name, m_folder}) connect(field, &QLineEdit::textChanged, this, &NewRobotDialog::check);
@@ -249,13 +242,6 @@ QString NewRobotDialog::placeFault() const {
     return QFileInfo::exists(made) ? tr("%1 exists already.").arg(made) : QString();
 }
 
-void NewRobotDialog::showFault(const QString& text) {
-    QPalette palette;
-    if (!text.isEmpty()) palette.setColor(QPalette::WindowText, ink(Ink::Error));
-    m_result->setPalette(palette);
-    if (!text.isEmpty()) m_result->setText(text);
-}
-
 /// Shows the robot and what it reaches, and says what will be written, or why nothing can be.
 void NewRobotDialog::check() {
     if (m_fields.size() < designNumbers().size()) return; // in the making
@@ -265,31 +251,32 @@ void NewRobotDialog::check() {
     m_design.name = m_name->text().trimmed().toStdString();
     m_plan->show(m_design);
     QString fault = numberFault();
-    m_motor->clear();
+    QString reached;
     if (fault.isEmpty()) {
         if (const Result<MotorChoice> choice = chooseMotor(m_design); choice) {
             const auto& [motor, speed, slope] = choice.value();
-            m_motor->setText(tr("%1 × %2: up to %3 m/s with a reserve of 20 %, slopes of up to %4°, %5 N·m at stall.")
-                                 .arg(QString::number(drivenWheels(m_design.base)), toQString(std::string(motor.name)),
-                                      QString::number(speed, 'g', 2), QString::number(std::floor(slope * 180 / std::numbers::pi)),
-                                      QString::number(motor.stallTorque, 'g', 2)));
+            reached = tr("%1 × %2: up to %3 m/s with a reserve of 20 %, slopes of up to %4°, %5 N·m at stall.")
+                          .arg(QString::number(drivenWheels(m_design.base)), toQString(std::string(motor.name)),
+                               QString::number(speed, 'g', 2), QString::number(std::floor(slope * 180 / std::numbers::pi)),
+                               QString::number(motor.stallTorque, 'g', 2));
         } else {
             fault = toQString(choice.error().message);
         }
     }
+    m_motor->show(reached, false);
     if (fault.isEmpty()) fault = placeFault();
     m_create->setEnabled(fault.isEmpty());
-    showFault(fault);
-    if (!fault.isEmpty()) return;
+    if (!fault.isEmpty()) return m_result->show(fault, true);
     const QString name = toQString(moduleNameFor(m_design.name));
-    m_result->setText(tr("Writes %1/%1.sim, the experiment %1_square.sim and its controller %1_square.py. The folder %1 becomes "
-                         "trusted: what is in it may run, with your rights.")
-                          .arg(name));
+    m_result->show(tr("Writes %1/%1.sim, the experiment %1_square.sim and its controller %1_square.py. The folder %1 becomes "
+                      "trusted: what is in it may run, with your rights.")
+                       .arg(name),
+                   false);
 }
 
 void NewRobotDialog::accept() {
     Result<NewRobot> made = makeRobot(m_design, folder());
-    if (!made) return showFault(toQString(made.error().message));
+    if (!made) return m_result->show(toQString(made.error().message), true);
     m_made = std::move(made).value();
     QDialog::accept();
 }

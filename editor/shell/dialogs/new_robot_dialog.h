@@ -14,6 +14,7 @@ class QPushButton;
 namespace trundle {
 
 class AmountField;
+class ResultLabel;
 class RobotPlan;
 
 /// Asks for the base, the dimensions, the mass and the top speed of a new robot, shows which motors it gets and what it reaches with
@@ -41,7 +42,6 @@ private:
     [[nodiscard]] QString numberFault() const;
     [[nodiscard]] QString placeFault() const;
     [[nodiscard]] std::string folder() const;
-    void showFault(const QString& text);
 
     RobotDesign m_design; ///< as typed; of a number that cannot be read, the last one
     std::optional<NewRobot> m_made;
@@ -50,7 +50,7 @@ private:
     std::map<std::size_t, QLabel*> m_labels;
     RobotPlan* m_plan;
     QLineEdit *m_name, *m_folder;
-    QLabel *m_motor, *m_result;
+    ResultLabel *m_motor, *m_result;
     QPushButton* m_create = nullptr;
 };
 

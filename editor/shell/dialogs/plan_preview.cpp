@@ -89,19 +89,4 @@ void PlanPreview::showObstacles(const ObstacleField& field, const std::vector<Fi
     setPixmap(picture);
 }
 
-ResultLabel::ResultLabel(const char* name) {
-    setObjectName(QLatin1String(name));
-    setTextFormat(Qt::PlainText);
-    setWordWrap(true);
-    setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    setMinimumHeight(2 * fontMetrics().lineSpacing() + 2);
-}
-
-void ResultLabel::show(const QString& text, bool isFault) {
-    QPalette palette;
-    if (isFault) palette.setColor(QPalette::WindowText, ink(Ink::Error));
-    setPalette(palette);
-    setText(text);
-}
-
 } // namespace trundle

@@ -26,13 +26,4 @@ public:
     void showObstacles(const ObstacleField& field, const std::vector<FieldObstacle>& obstacles);
 };
 
-/// What will be written, or in the colour of errors why nothing can be.
-class ResultLabel final : public QLabel {
-    Q_OBJECT
-public:
-    explicit ResultLabel(const char* name);
-
-    void show(const QString& text, bool isFault);
-};
-
 } // namespace trundle

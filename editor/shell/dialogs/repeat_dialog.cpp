@@ -10,6 +10,7 @@
 
 #include "editor/properties/editors/amount_field.h"
 #include "editor/shell/dialogs/plan_preview.h"
+#include "editor/shell/dialogs/result_label.h"
 
 namespace trundle {
 

@@ -9,6 +9,7 @@
 
 #include "editor/properties/editors/amount_field.h"
 #include "editor/shell/dialogs/plan_preview.h"
+#include "editor/shell/dialogs/result_label.h"
 #include "editor/widgets/strings.h"
 
 namespace trundle {
