@@ -1,7 +1,9 @@
 #include "editor/viewport/tools/library_drop.h"
 
+#include <cmath>
 #include <filesystem>
 
+#include <QColor>
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -11,22 +13,26 @@
 #include "editor/document/document.h"
 #include "editor/document/structure_edits.h"
 #include "editor/running/session.h"
+#include "editor/viewport/context/scene_painter.h"
 #include "editor/viewport/context/tool_view.h"
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "lang/number_text.h"
 #include "lang/tree_edit.h"
+#include "scene/shapes/extents.h"
 
 namespace trundle {
 namespace {
 
 const QString kMime = QStringLiteral("application/x-trundle-library");
+const QColor kGuide(90, 220, 130);
 const char* const kThing = "droppedThing"; // temporary name while it is dragged
 constexpr double kDefaultStep = 0.01;      // m, when snapping is off
 constexpr double kFlush = 1e-6;            // m; a part as near as this to the floor rests on it
 constexpr double kClearance = 0.005;       // m, between a wheel and the face that it is put on
 constexpr double kPartGrain = 1e-4;        // m, of the position of a part
 constexpr double kNear = 0.03;             // m, from the mirror image of another body
+constexpr double kNearPixels = 14, kNearShare = 0.3; // to what a face has to snap to; of half of its extent at most
 constexpr double kSteep = 0.5;             // z of the normal of a side face is smaller
 constexpr double kSideways = 0.9;          // y of the normal of a left or right face is larger
 
@@ -184,22 +190,74 @@ bool LibraryDrop::findOwner(Ground& ground) const {
     return true;
 }
 
+std::vector<PlacementGeom> LibraryDrop::turnedGeoms(const Ground& ground) const {
+    std::vector<PlacementGeom> turned = m_geoms;
+    for (PlacementGeom& part : turned) part.body = Pose{Vec3::Zero(), ground.frame.rotation * ground.turn} * part.body;
+    return turned;
+}
+
+bool LibraryDrop::isDevice() const {
+    const Kind* kind = this->kind();
+    return kind && kind->role == Role::Device && kind->find("Body") && kind->find("Pos") && kind->find("HPR");
+}
+
+void LibraryDrop::snap(Ground& ground) const {
+    const ViewSettings& settings = m_view.context().settings;
+    const ObjectIndex& objects = *m_view.context().world.objects();
+    if (!settings.snaps() || !ground.hit()) return;
+    RayHit& hit = ground.hits.front();
+    const RobotSpec* robot = objects.robotOf(hit.geom);
+    const GeomSpec* geom = objects.geomOf(hit.geom);
+    const auto owner = objects.ownerOf(hit.geom);
+    if (!robot || !robot->config || !geom || !owner) return;
+    const auto face = FlatFace::of(*geom, m_view.context().world.poseOf(*owner), hit);
+    if (!face) return;
+    FaceSnapOptions options;
+    options.step = settings.moveStep();
+    options.origin = m_view.context().world.poseOf({ObjectKind::Robot, owner->instance}).position;
+    for (const PlacementGeom& part : turnedGeoms(ground))
+        options.thing.add(boundsOf(part.geom, Pose{Vec3::Zero(), face->rotation.conjugate()} * part.body));
+    const Mat3 axes = face->rotation.toRotationMatrix();
+    for (const int k : {0, 1}) {
+        constexpr double kSmall = 1e-3; // m
+        const auto from = m_view.camera().pixelOf(hit.point), to = m_view.camera().pixelOf(hit.point + kSmall * axes.col(k));
+        const double pixels = from && to ? std::hypot(to->x() - from->x(), to->y() - from->y()) / kSmall : 0; // per m
+        const double most = kNearShare * face->half[std::size_t(k)];
+        options.near[std::size_t(k)] = pixels > 0 ? std::min(most, kNearPixels / pixels) : most;
+    }
+    ground.snap = snapOnFace(*face, hit.point, options);
+    hit.point = ground.snap->point;
+}
+
 Vec3 LibraryDrop::placeOn(const Ground& ground) const {
     const ViewportScene& world = m_view.context().world;
     const ViewSettings& settings = m_view.context().settings;
-    const double step = settings.snaps() ? settings.moveStep() : kDefaultStep;
-    std::vector<PlacementGeom> turned = m_geoms;
-    for (PlacementGeom& part : turned) part.body = Pose{Vec3::Zero(), ground.frame.rotation * ground.turn} * part.body;
+    const double free = settings.snaps() ? settings.moveStep() : kDefaultStep;
+    const double step = ground.snap ? 0 : free; // what is snapped stays there
+    const std::vector<PlacementGeom> turned = turnedGeoms(ground);
     if (m_part && ground.isRobot) return placePart(ground, turned, step);
     const DropPlacement placement(*world.objects(), *world.poses(), [&](const ObjectRef& geom) { return !world.isHidden(geom); });
     return ground.isRobot && ground.hit() ? placement.placeAgainst(turned, *ground.hit(), step)
                                           : placement.placeFor(turned, ground.hits, ground.point, step);
 }
 
+void LibraryDrop::paintGuides(QPainter& painter) const {
+    const ScenePainter scene(painter, m_view);
+    for (const auto& [from, to] : m_guides) scene.line(from, to, kGuide, 1.5, Qt::DashLine);
+}
+
 void LibraryDrop::hover(const QPointF& at) {
-    if (!m_shown || !m_thing) return;
+    m_guides.clear();
+    m_spot.reset();
+    if (!m_shown || !(m_thing || isDevice())) return;
     Ground ground = groundAt(at);
-    const bool fits = isWorldObject() || findOwner(ground);
+    const bool fits = isWorldObject() || isDevice() || findOwner(ground);
+    if (!isWorldObject()) snap(ground);
+    if (ground.snap) m_guides = ground.snap->guides;
+    if (!m_thing) {
+        if (ground.hit()) m_spot = ground.hit()->point;
+        return;
+    }
     m_view.context().world.dragged().moveTo(fits ? std::optional(Pose{placeOn(ground), ground.frame.rotation * ground.turn})
                                                  : std::nullopt);
 }
@@ -227,7 +285,7 @@ Vec3 LibraryDrop::placePart(const Ground& ground, const std::vector<PlacementGeo
     }
     if (keepsHeight) p_R.z() = floor + m_part->position.z();
     for (int k = 0; k < 3; ++k) {
-        const double grain = keepsHeight && !isSide && k < 2 ? step : kPartGrain;
+        const double grain = keepsHeight && !isSide && k < 2 && step > 0 ? step : kPartGrain;
         p_R[k] = grain * std::round(p_R[k] / grain) + 0.0;
     }
     return X_WR * oppositeOf(ground, p_R);
@@ -260,7 +318,7 @@ std::string LibraryDrop::deviceText(const Ground& ground) const {
     const ViewportScene& world = m_view.context().world;
     const auto body = world.objects()->ownerOf(ground.hit()->geom);
     const RobotSpec* robot = body ? world.objects()->robotOf(*body) : nullptr;
-    if (!robot || !robot->config || !kind()->find("Body") || !kind()->find("Pos") || !kind()->find("HPR")) return m_content->text;
+    if (!robot || !robot->config || !isDevice()) return m_content->text;
     const Pose X_BW = world.poseOf(*body).inverse();
     const Vec3 normal = X_BW.rotation * ground.hit()->normal;
     Pose X_BD{X_BW * ground.hit()->point, Quat::Identity()};
@@ -284,11 +342,13 @@ void LibraryDrop::drop(const QPointF& at) {
         if (!isWorldObject() && !findOwner(ground))
             return refuse(kind->role == Role::Geom ? trDrop("A shape is part of a robot or an arena: drop it onto one.")
                                                    : trDrop("A body is part of a robot: drop it onto one."));
+        if (!isWorldObject()) snap(ground);
         parent = ground.owner;
         const bool isPart = m_part && ground.isRobot;
         m_content->text =
             isPart ? partText(ground) : withPos(m_content->text, m_content->kind, ground.frame.inverse() * placeOn(ground));
     } else if (const RayHit* hit = ground.hit(); hit && kind->role != Role::Material) {
+        if (isDevice()) snap(ground);
         const RobotSpec* robot = m_view.context().world.objects()->robotOf(hit->geom);
         if (robot && robot->config) parent = robot->name, m_content->text = deviceText(ground);
     }

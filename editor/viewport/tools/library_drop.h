@@ -10,8 +10,10 @@
 
 #include "editor/viewport/tools/robot_part.h"
 #include "scene/queries/drop_placement.h"
+#include "scene/queries/face_snap.h"
 
 class QMimeData;
+class QPainter;
 
 namespace trundle {
 
@@ -34,6 +36,10 @@ public:
 
     void hover(const QPointF& at);
     void drop(const QPointF& at);
+    /// Where a drop would put a sensor, in world coordinates; nothing for what is shown itself.
+    [[nodiscard]] const std::optional<Vec3>& spot() const { return m_spot; }
+    /// The lines of the face under the cursor that it snaps to.
+    void paintGuides(QPainter& painter) const;
 
 private:
     struct DraggedContent {
@@ -48,12 +54,16 @@ private:
         Pose frame;                   ///< the frame of a Pos there, in world coordinates
         bool isRobot = false;         ///< the owner belongs to a robot
         Quat turn = Quat::Identity(); ///< of a robot part, from the frame
+        std::optional<FaceSnap> snap; ///< of the first hit, whose point is that of the snap
         [[nodiscard]] const RayHit* hit() const { return hits.empty() ? nullptr : &hits.front(); }
     };
     [[nodiscard]] static std::optional<DraggedContent> draggedContentOf(const QMimeData& data);
     [[nodiscard]] Ground groundAt(const QPointF& at) const;
     /// Sets the owner and frame for a dragged shape or body; false if there is none.
     [[nodiscard]] bool findOwner(Ground& ground) const;
+    void snap(Ground& ground) const; ///< to what the face of a robot has to snap to
+    [[nodiscard]] std::vector<PlacementGeom> turnedGeoms(const Ground& ground) const;
+    [[nodiscard]] bool isDevice() const;                    ///< with a place on a body
     [[nodiscard]] Vec3 placeOn(const Ground& ground) const; ///< in world coordinates
     [[nodiscard]] Vec3 placePart(const Ground& ground, const std::vector<PlacementGeom>& turned, double step) const;
     [[nodiscard]] Vec3 oppositeOf(const Ground& ground, const Vec3& p_R) const;
@@ -73,6 +83,8 @@ private:
     std::optional<RobotPart> m_part;               ///< for a body that comes with a joint
     std::shared_ptr<const ExperimentSpec> m_thing; ///< the dragged object alone, at the origin; null if it has no shapes
     std::vector<PlacementGeom> m_geoms;            ///< of m_thing
+    std::optional<Vec3> m_spot;
+    std::vector<std::array<Vec3, 2>> m_guides;
 };
 
 } // namespace trundle

@@ -61,7 +61,9 @@ void ViewDrop::paint(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(m_view.widget().rect()).adjusted(1, 1, -1, -1));
     const CameraControl& camera = m_view.camera();
-    const auto at = m_view.context().world.dragged().pose() ? std::nullopt : camera.pixelOf(camera.pointUnder(m_at));
+    if (m_library) m_library->paintGuides(painter);
+    const Vec3 spot = m_library && m_library->spot() ? *m_library->spot() : camera.pointUnder(m_at);
+    const auto at = m_view.context().world.dragged().pose() ? std::nullopt : camera.pixelOf(spot);
     if (at) painter.drawEllipse(*at, 9, 5);
 }
 

@@ -128,6 +128,31 @@ private Q_SLOTS:
 
     // ---- rows of the Scene tree ----
 
+    /// To the middle of the face, to its edges; without snapping nowhere.
+    void onAFaceThingsSnap() {
+        const QByteArray crate =
+            "RobotConfig Crate {\n  Body b { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.05 Mass=1 } }\n}\nRobot crate { "
+            "Config=Crate }\n";
+        const auto begin = [&] {
+            QVERIFY(m_window->open(crate));
+            m_window->look({0, -0.3, 0.9}, {0, 0, 0.1});
+        };
+        begin();
+        drop("Camera", "Camera eye { Body=b }", {}, {0.006, -0.005, 0.1});
+        QVERIFY2(m_window->text().contains("Camera eye { Body=b Pos=0,0,0.1 }"), m_window->text().constData());
+        begin();
+        drop("Camera", "Camera eye { Body=b }", {}, {0.147, 0.053, 0.1}); // at the edge, and a step
+        QVERIFY2(m_window->text().contains("Camera eye { Body=b Pos=0.15,0.05,0.1 }"), m_window->text().constData());
+        begin();
+        drop("Box", "Box lid { Size=0.12,0.06,0.02 }", {}, {0.086, 0.067, 0.1}); // its edges at those of the face
+        QVERIFY2(m_window->text().contains("Pos=0.09,0.07,0.11"), m_window->text().constData());
+        begin();
+        m_window->trigger("tool.snap");
+        drop("Camera", "Camera eye { Body=b }", {}, {0.006, -0.005, 0.1});
+        m_window->trigger("tool.snap");
+        QVERIFY2(!m_window->text().contains("Pos=0,0,0.1"), m_window->text().constData());
+    }
+
     void aRowOfTheTreeMovesItsObject() {
         m_window->selection.select("robot0");
         QCOMPARE(dropRows({"robot0"}, {0.2, -0.7, 0}), Qt::MoveAction);
