@@ -1,11 +1,14 @@
 #include "editor/running/preview_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
 #include "editor/document/document.h"
 #include "project/objects/object_location.h"
+#include "project/objects/part_values.h"
 #include "project/objects/unplaced_configs.h"
 #include "scene/queries/object_index.h"
 
@@ -22,6 +25,24 @@ constexpr const char* kFloor = "Material trundlePreviewFloor { ColorRGB=0.60,0.5
                                "Surface=trundlePreviewFloor } }\n"
                                "Static trundlePreviewFloor { Config=TrundlePreviewFloor }\n";
 
+/// A board that rises along x from the origin, a deck, and a board down again, for a robot 1 m long and wide.
+std::string rampText(double slope) {
+    constexpr double kLength = 4, kWidth = 3, kThickness = 0.06, kDeck = 2; // m
+    const double angle = slope * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const Vec3 up{kLength / 2 * c + kThickness / 2 * s, 0, kLength / 2 * s - kThickness / 2 * c};
+    const double across = 2 * kLength * c + kDeck; // from its beginning to its end
+    const auto box = [&](const char* name, const Vec3& size, const Vec3& place, double pitch) {
+        return std::string(" Box ") + name + " { Size=" + positionText(size) + " Pos=" + positionText(place) + " HPR=0," +
+               shortNumber(pitch) + ",0 Material=trundlePreviewRamp Surface=trundlePreviewFloor }";
+    };
+    const Vec3 board{kLength, kWidth, kThickness};
+    return "Material trundlePreviewRamp { ColorRGB=0.55,0.40,0.26 }\nStaticConfig TrundlePreviewRamp {" +
+           box("rise", board, up, -slope) +
+           box("deck", {kDeck, kWidth, kThickness}, {across / 2, 0, kLength * s - kThickness / 2}, 0) +
+           box("fall", board, {across - up.x(), 0, up.z()}, slope) +
+           " }\nStatic trundlePreviewRamp { Config=TrundlePreviewRamp }\n";
+}
+
 bool isRobot(const Part& config) { return config.kind && config.kind->name == "RobotConfig"; }
 
 bool hasFloor(const std::vector<const Part*>& configs) {
@@ -32,13 +53,14 @@ bool hasFloor(const std::vector<const Part*>& configs) {
 }
 
 /// The text of a file next to the opened one that imports it and has one instance of each config, in their order.
-std::string placing(const std::string& file, const std::vector<const Part*>& configs) {
+std::string placing(const std::string& file, const std::vector<const Part*>& configs, double slope) {
     std::string text = "#import \"" + std::filesystem::path(file).filename().string() + "\"\n";
     for (std::size_t i = 0; i < configs.size(); ++i)
         text += std::string(isRobot(*configs[i]) ? "Robot" : "Static") + " " + kInstance + std::to_string(i) +
                 " { Config=" + configs[i]->name + " }\n";
     const bool robots = std::ranges::any_of(configs, [](const Part* config) { return isRobot(*config); });
-    return robots && !hasFloor(configs) ? text + kFloor : text;
+    if (!robots || hasFloor(configs)) return text;
+    return text + kFloor + (slope > 0 ? rampText(slope) : std::string());
 }
 
 /// What the preview has of the opened file and its imports: what is placed, joined, logged or lit there is left out.
@@ -57,6 +79,16 @@ std::shared_ptr<ExperimentSpec> previewedOf(const ExperimentSpec& loaded) {
     return preview;
 }
 
+/// Puts the ramp ahead of the robot and makes it as large as the robot needs it.
+void placeRamp(StaticSpec& ramp, const Bounds& robot) {
+    const Vec3 size = robot.high - robot.low;
+    const double scale = std::max(size.x(), size.y());
+    auto geoms = std::make_shared<std::vector<GeomSpec>>(*ramp.geoms);
+    for (GeomSpec& geom : *geoms) geom.size *= scale, geom.pose.position *= scale;
+    ramp.geoms = std::move(geoms);
+    ramp.pose.position.x() = robot.high.x() + 0.4 * scale; // in view at the start
+}
+
 /// Renames instances to their configs' paths, and places each to the right (-y) of the previous one and above the floor.
 std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
     const ObjectIndex index(std::make_shared<ExperimentSpec>(placed));
@@ -64,6 +96,8 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
     auto shown = std::make_shared<ExperimentSpec>(placed);
     double right = 0; // y (m) of the right edge of what is placed already
     bool first = true;
+    Bounds robots; // of the first one
+    StaticSpec* ramp = nullptr;
     for (const ObjectRef& object : index.instances()) {
         const bool robot = object.kind == ObjectKind::Robot;
         if (robot && !placed.robots[object.instance].config) continue;
@@ -74,6 +108,10 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
         if (rover) rover->name = "RobotConfig." + rover->config->name;
         else yard->name = "StaticConfig." + yard->configName;
         if (moving) moving->name = yard->name;
+        if (yard && yard->configName == kPreviewRamp) {
+            ramp = yard;
+            continue;
+        }
         const Bounds bounds = index.boundsOf(object, poses);
         if (bounds.empty()) continue; // only a floor
         const double shift = first ? 0 : right - kGap - bounds.high.y();
@@ -81,8 +119,10 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
         if (moving) moving->pose = yard->pose;
         if (rover && bounds.low.z() < -kBelow) rover->pose.position.z() -= bounds.low.z();
         right = bounds.low.y() + shift;
+        if (first) robots = bounds;
         first = false;
     }
+    if (ramp && !robots.empty()) placeRamp(*ramp, robots);
     return shown;
 }
 
@@ -106,7 +146,8 @@ std::shared_ptr<const LoadedProject> PreviewScene::show(const Document& document
     OpenOptions options = document.options();
     for (const std::string& file : document.texts().files()) options.texts.emplace(file, document.texts().text(file));
     const std::string root = loaded->paths[0] + ".preview";
-    options.texts.insert_or_assign(root, std::make_shared<const std::string>(placing(loaded->paths[0], configs)));
+    options.texts.insert_or_assign(root,
+                                   std::make_shared<const std::string>(placing(loaded->paths[0], configs, isAlone ? m_ramp : 0)));
     options.previous = before;
     options.shownFromProject = true;
     options.meshesLater = true; // the document reads them and then changes again
@@ -118,6 +159,10 @@ std::shared_ptr<const LoadedProject> PreviewScene::show(const Document& document
     m_shown = std::move(shown);
     if (!loaded->diagnostics.hasErrors()) m_good = m_shown->experiment;
     return m_shown;
+}
+
+void PreviewScene::setRamp(double slope) {
+    if (slope != std::exchange(m_ramp, slope)) m_of = nullptr;
 }
 
 std::shared_ptr<const ExperimentSpec> PreviewScene::lastValid(const Document& document) const {

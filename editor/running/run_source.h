@@ -28,6 +28,8 @@ public:
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> shown() const;
     /// The same for the newest text without errors; null if there was none.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastValid() const { return m_preview.lastValid(m_document); }
+    /// PreviewScene::setRamp().
+    void setRamp(double slope) { m_preview.setRamp(slope); }
     /// Checks the text against the current description of its modules: one that was rebuilt may accept other values.
     void readRebuiltModules();
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include <QActionGroup>
 #include <QFile>
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/outline/block_mime.h"
 #include "editor/outline/object_edits.h"
+#include "editor/running/run_source.h"
 #include "editor/running/session.h"
 #include "editor/shell/layouts.h"
 #include "editor/shell/status_line.h"
@@ -75,6 +77,7 @@ ModelCommands::ModelCommands(QWidget& window, Actions& actions, const Targets& t
     connect(&m_actions.at("model.edit"), &QAction::triggered, this, &ModelCommands::edit);
     connect(&m_actions.at("model.new"), &QAction::triggered, this, &ModelCommands::makeNew);
     connect(&m_actions.at("model.drive"), &QAction::triggered, this, &ModelCommands::drive);
+    offerGrounds();
     connect(&m_targets.document.editedModel(), &EditedModel::changed, this, &ModelCommands::showState);
     connect(&m_targets.session, &RunSession::stateChanged, this, [this] {
         if (m_driving && m_targets.session.state() == RunState::Start) endDrive(); // reset, or the model was closed
@@ -138,12 +141,15 @@ void ModelCommands::drive(bool on) {
     if (!m_targets.document.isOpen() || !open(wanted())) return showState();
     m_opened = !isOpen;
     m_targets.session.reset();
+    m_targets.session.source().setRamp(m_ramp);
     m_targets.session.run(); // reports why it cannot
     if (m_targets.session.state() == RunState::Start) {
+        m_targets.session.source().setRamp(0);
         if (m_opened) m_targets.document.editedModel().close();
         return showState();
     }
     m_driving = true;
+    showSensors();
     m_drove = m_actions.at("sim.drive").isChecked();
     m_actions.at("sim.drive").setChecked(true);
     m_targets.viewport.views().current().setFocus();
@@ -152,9 +158,52 @@ void ModelCommands::drive(bool on) {
 
 void ModelCommands::endDrive() {
     m_driving = false;
+    hideSensors();
+    m_targets.session.source().setRamp(0);
     m_actions.at("sim.drive").setChecked(m_drove);
     if (std::exchange(m_opened, false)) m_targets.document.editedModel().close();
     showState();
+}
+
+/// What cameras and range sensors see, and all readings in the Sensors panel.
+void ModelCommands::showSensors() {
+    for (const char* overlay : {"view.overlayFrusta", "view.overlayBeams"})
+        if (QAction& action = m_actions.at(overlay); !action.isChecked()) {
+            action.trigger();
+            m_shownForDrive.push_back(&action);
+        }
+    m_raisedSensors = m_targets.layouts.dock(QStringLiteral("sensors"))->isHidden();
+    m_targets.layouts.raise(QStringLiteral("sensors"));
+}
+
+void ModelCommands::hideSensors() {
+    for (QAction* overlay : std::exchange(m_shownForDrive, {}))
+        if (overlay->isChecked()) overlay->trigger();
+    if (std::exchange(m_raisedSensors, false)) m_targets.layouts.dock(QStringLiteral("sensors"))->hide();
+}
+
+void ModelCommands::offerGrounds() {
+    auto* group = new QActionGroup(this);
+    struct Ground {
+        const char* id;
+        double slope;
+    };
+    for (const Ground ground :
+         {Ground{"drive.floor", 0}, {"drive.ramp5", 5}, {"drive.ramp10", 10}, {"drive.ramp20", 20}, {"drive.ramp30", 30}}) {
+        QAction& action = m_actions.at(ground.id);
+        group->addAction(&action);
+        action.setChecked(ground.slope == m_ramp);
+        connect(&action, &QAction::triggered, this, [this, ground] { setRamp(ground.slope); });
+    }
+}
+
+/// A drive begins anew on the new ground.
+void ModelCommands::setRamp(double slope) {
+    const bool isDriving = m_driving;
+    m_ramp = slope;
+    if (!isDriving) return;
+    drive(false);
+    drive(true);
 }
 
 void ModelCommands::showState() {

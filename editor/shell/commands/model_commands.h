@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include <QObject>
 
 #include "editor/widgets/actions.h"
@@ -14,7 +16,7 @@ class StatusLine;
 class ViewportPanel;
 class WorkArea;
 
-/// The model editor: shows the model of the selected robot or scenery alone, makes new models, drives one on a plain floor.
+/// The model editor: shows the model of the selected robot or scenery alone, makes new models, drives one on a plain floor or a ramp.
 class ModelCommands final : public QObject {
     Q_OBJECT
 public:
@@ -38,10 +40,17 @@ private:
     void makeNew();
     void drive(bool on);
     void endDrive();
+    void showSensors();
+    void hideSensors();
+    void offerGrounds();
+    void setRamp(double slope);
     void showState();
 
     Actions& m_actions;
     Targets m_targets;
+    double m_ramp = 0;                     // degrees, of test drives
+    std::vector<QAction*> m_shownForDrive; // overlays
+    bool m_raisedSensors = false;          // the panel was hidden before
     bool m_driving = false;
     bool m_opened = false; // the test drive has opened the model
     bool m_drove = false;  // sim.drive was checked before

@@ -234,7 +234,7 @@ bool showsModel(const ViewportScene& scene) { return scene.m_document.editedMode
 
 bool ViewportScene::isLocked(const ObjectRef& object) const {
     const StaticSpec* fixed = m_objects->staticOf(object);
-    return (fixed && fixed->configName == kPreviewFloor) || holds(m_locked, object);
+    return (fixed && (fixed->configName == kPreviewFloor || fixed->configName == kPreviewRamp)) || holds(m_locked, object);
 }
 
 const Bounds& ViewportScene::bounds() const {

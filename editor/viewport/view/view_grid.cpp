@@ -121,7 +121,9 @@ void ViewGrid::followDrivenRobot() {
         m_current->camera().through())
         return;
     const std::optional<QPointF> at = m_current->camera().pixelOf(pose->position);
-    if (!at || !m_current->rect().contains(at->toPoint())) m_current->camera().setKind(ViewKind::Follow);
+    const int dx = m_current->width() / 5, dy = m_current->height() / 5; // all of the robot stays in view
+    if (!at || !m_current->rect().adjusted(dx, dy, -dx, -dy).contains(at->toPoint()))
+        m_current->camera().setKind(ViewKind::Follow);
 }
 
 bool ViewGrid::showView(const QString& name) {

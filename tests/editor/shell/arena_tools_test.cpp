@@ -1,5 +1,4 @@
-// Arenas by mouse and keys alone, from an empty file: walls and lines drawn corner by corner, rooms, mazes, obstacles, height maps. If
-// TRUNDLE_PICTURES=FOLDER is in the environment, images of the tools in use are saved there.
+// Arenas by mouse and keys alone, from an empty file: walls and lines drawn corner by corner, rooms, mazes, obstacles, height maps.
 
 #include <QApplication>
 #include <QCheckBox>
@@ -430,14 +429,7 @@ private:
         return !m_window->document().loaded()->diagnostics.hasErrors() &&
                format(*m_window->document().loaded()->trees[0]) == text().toStdString();
     }
-    void savePicture(const char* name, QWidget* widget = nullptr) {
-        const QString folder = qEnvironmentVariable("TRUNDLE_PICTURES");
-        if (folder.isEmpty()) return;
-        if (!widget) EVENTUALLY(m_window->viewport().isSettled());
-        QVERIFY((widget ? widget : m_window.get())
-                    ->grab()
-                    .save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
-    }
+    void savePicture(const char* name, QWidget* widget = nullptr) { WindowFixture::savePicture(*m_window, name, widget); }
 
     WindowFixture m_fixture;
     QTemporaryDir m_folder;

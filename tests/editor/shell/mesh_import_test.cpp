@@ -1,5 +1,4 @@
-// A mesh from a file by mouse and keys: into an experiment, into a robot; with unit, up axis, shape, textures and undo. If
-// TRUNDLE_PICTURES=FOLDER is in the environment, images are saved there.
+// A mesh from a file by mouse and keys: into an experiment, into a robot; with unit, up axis, shape, textures and undo.
 
 #include <QApplication>
 #include <QComboBox>
@@ -183,14 +182,7 @@ private:
         return !m_window->document().loaded()->diagnostics.hasErrors() &&
                format(*m_window->document().loaded()->trees[0]) == text().toStdString();
     }
-    void savePicture(const char* name, QWidget* widget = nullptr) {
-        const QString folder = qEnvironmentVariable("TRUNDLE_PICTURES");
-        if (folder.isEmpty()) return;
-        if (!widget) EVENTUALLY(m_window->viewport().isSettled());
-        QVERIFY((widget ? widget : m_window.get())
-                    ->grab()
-                    .save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
-    }
+    void savePicture(const char* name, QWidget* widget = nullptr) { WindowFixture::savePicture(*m_window, name, widget); }
 
     WindowFixture m_fixture;
     QTemporaryDir m_folder, m_elsewhere;

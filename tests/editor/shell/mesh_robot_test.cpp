@@ -82,6 +82,7 @@ private Q_SLOTS:
         QVERIFY(hand.choose(
             {QStringLiteral("Insert"), QStringLiteral("Sensors and Actuators"), QStringLiteral("DifferentialDrive")}));
         EVENTUALLY(isClean());
+        WindowFixture::savePicture(*m_window, "mesh_robot");
 
         // The check asks for a floor.
         QVERIFY(hand.press("modelDone"));

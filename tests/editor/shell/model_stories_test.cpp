@@ -1,6 +1,5 @@
 // Stories of the model editor from File > New, with mouse and keys alone: joints and their stops, connected bodies, aimed sensors, mass and
-// balance, an arena that is driven through. If TRUNDLE_PICTURES=FOLDER is in the environment, images of the tools in use are saved there;
-// with TRUNDLE_THEME=dark in the dark theme.
+// balance, an arena that is driven through.
 
 #include <QComboBox>
 #include <QLabel>
@@ -34,10 +33,7 @@ constexpr JointHandle kHighStop{JointHandle::Kind::Stop, {true, false}}, kAnchor
 class ModelStoriesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() {
-        m_fixture.start();
-        if (qEnvironmentVariable("TRUNDLE_THEME") == QStringLiteral("dark")) applyTheme(*qApp, ThemeKind::Dark);
-    }
+    void initTestCase() { m_fixture.start(); }
     void init() {
         QSettings().clear();
         m_window = m_fixture.window();
@@ -217,14 +213,7 @@ private:
         return m_window->document().loaded()->diagnostics.all().empty() &&
                format(*m_window->document().loaded()->trees[0]) == text().toStdString();
     }
-    void savePicture(const char* name, QWidget* widget = nullptr) {
-        const QString folder = qEnvironmentVariable("TRUNDLE_PICTURES");
-        if (folder.isEmpty()) return;
-        if (!widget) EVENTUALLY(m_window->viewport().isSettled());
-        QVERIFY((widget ? widget : m_window.get())
-                    ->grab()
-                    .save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
-    }
+    void savePicture(const char* name, QWidget* widget = nullptr) { WindowFixture::savePicture(*m_window, name, widget); }
 
     WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;

@@ -1,5 +1,7 @@
 // The model editor with mouse and keyboard: a robot alone, with the tree, the rows, the views and the undo of the window.
 
+#include <numbers>
+
 #include <QApplication>
 #include <QFile>
 #include <QLabel>
@@ -199,6 +201,7 @@ private Q_SLOTS:
     void differentialRobotFromEmptyFile() {
         const WindowHand hand(*m_window);
         buildRobot(hand);
+        WindowFixture::savePicture(*m_window, "model_built");
         const QByteArray built = text();
         QCOMPARE(built.simplified(), kBuilt);
         QVERIFY2(isClean(), built.constData());
@@ -215,7 +218,8 @@ private Q_SLOTS:
     void testDriveLeavesNoTrace() {
         const WindowHand hand(*m_window);
         buildRobot(hand);
-        const auto views = m_window->viewport().views().viewStates();
+        const auto* sensors = m_window->findChild<QWidget*>(QStringLiteral("sensors"));
+        QVERIFY(sensors && !sensors->isVisible());
         QVERIFY(hand.press("modelDrive"));
         RunSession& session = m_window->session();
         EVENTUALLY(session.state() == RunState::Running);
@@ -229,12 +233,47 @@ private Q_SLOTS:
         const auto turned = [&] { return hprFromRotation(session.robots().pose("RobotConfig.MyRobot")->rotation).x(); };
         EVENTUALLY(turned() > 0.5);
         hand.keyUp(Qt::Key_Left);
+        WindowFixture::savePicture(*m_window, "test_drive");
+        QVERIFY(m_window->actions().at("view.overlayBeams").isChecked());
+        QVERIFY(sensors->isVisible());
         QVERIFY(hand.press("modelDrive"));
         QCOMPARE(session.state(), RunState::Start);
         QCOMPARE(title(), QStringLiteral("Editing MyRobot"));
         QVERIFY(!m_window->actions().at("sim.drive").isChecked());
+        QVERIFY(!m_window->actions().at("view.overlayBeams").isChecked());
+        QVERIFY(!sensors->isVisible());
         QCOMPARE(text().simplified(), kBuilt);
         QCOMPARE(m_window->document().edits().history().entries().size(), std::size_t(5));
+    }
+
+    /// Ahead of it is a ramp of the chosen slope; the next drive, begun on the floor, has none.
+    void testDriveOnARamp() {
+        const WindowHand hand(*m_window);
+        buildRobot(hand);
+        const QByteArray built = text();
+        const auto ground = [&](const char* name) {
+            return hand.choose({QStringLiteral("Simulation"), QStringLiteral("Test Drive Ground"), QString::fromUtf8(name)});
+        };
+        QVERIFY(ground("Ramp of 10°"));
+        QVERIFY(hand.press("modelDrive"));
+        RunSession& session = m_window->session();
+        EVENTUALLY(session.state() == RunState::Running);
+        const auto pitch = [&] {
+            return hprFromRotation(session.robots().pose("RobotConfig.MyRobot").value_or(Pose()).rotation).y();
+        };
+        hand.keyDown(Qt::Key_W);
+        EVENTUALLY(std::abs(pitch() + std::numbers::pi / 18) < 0.01); // nose up
+        WindowFixture::savePicture(*m_window, "test_drive_ramp");
+        hand.keyUp(Qt::Key_W);
+        QVERIFY(ground("Plain Floor")); // begins anew
+        EVENTUALLY(session.state() == RunState::Running && session.results().experiment->statics.size() == 1);
+        QCOMPARE(title(), QStringLiteral("Driving MyRobot"));
+        QVERIFY(ground("Ramp of 30°"));
+        EVENTUALLY(session.state() == RunState::Running && session.results().experiment->statics.size() == 2);
+        QVERIFY(hand.press("modelDrive"));
+        QCOMPARE(session.state(), RunState::Start);
+        QCOMPARE(session.source().shown()->statics.size(), std::size_t(1));
+        QCOMPARE(text(), built);
     }
 
     /// The same robot in an experiment: an arena and a controller from the Library, then Run.
