@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 constexpr double kAlong = 0.02;      // sine of the angle between an axle and the axis of a wheel, as for WheelRadius
+constexpr double kApart = 1e-6;      // m, from the middle between the sides
 constexpr double kOff = 2 * kDegree; // between WheelAngles and the wheels
 
 struct SidePair {
@@ -41,7 +42,13 @@ public:
             for (std::size_t i = 0; i < wheels.size(); ++i) sums[motors[i].*side] += wheels[i].centre, ++counts[motors[i].*side];
             return counts[0] > 0 && counts[1] > 0 ? (sums[0] / counts[0] - sums[1] / counts[1]).dot(direction) : 0.;
         };
-        if (apart(left, &DriveMotor::isRight) < 0) return left.y() < -0.5 ? reportBackwards(wheels) : reportSides(motors, wheels);
+        double middle = 0; // m, towards the left
+        for (const DriveWheel& wheel : wheels) middle += wheel.centre.dot(left) / static_cast<double>(wheels.size());
+        std::vector<std::size_t> wrong; // on the other side
+        for (std::size_t i = 0; i < wheels.size(); ++i)
+            if ((wheels[i].centre.dot(left) - middle) * (motors[i].isRight ? -1 : 1) < -kApart) wrong.push_back(i);
+        if (wrong.size() == wheels.size()) return left.y() < -0.5 ? reportBackwards(wheels) : reportSides(motors, wheels);
+        if (!wrong.empty()) return reportSide(motors[wrong.front()], wheels[wrong.front()]);
         if (m_drive.kind == "MecanumDrive") {
             if (apart(left.cross(Vec3::UnitZ()), &DriveMotor::isBack) < 0) return reportFront();
             checkRollers(motors, wheels);
@@ -138,6 +145,13 @@ private:
         reportSwapped({left.key, right->key}, bodyOf(wheels.front()) + ", which " + left.name + " turns, is");
     }
 
+    void reportSide(const DriveMotor& motor, const DriveWheel& wheel) {
+        m_diagnostics.warning(Code::WheelGeometry, motor.value->range.known() ? motor.value->range : m_drive.nameRange,
+                              bodyOf(wheel) + ", which " + motor.name + " turns, is on the " +
+                                  (motor.isRight ? "left" : "right") + ", but " + motor.key + " of " + m_drive.name +
+                                  " names it: turns will go wrong");
+    }
+
     void reportSwapped(const SidePair& keys, const std::string& what) {
         const ResolvedValue *left = m_drive.find(keys.left), *right = m_drive.find(keys.right);
         if (!left || !right) return;
@@ -186,9 +200,11 @@ private:
     }
 
     void checkOmni(const std::vector<DriveWheel>& wheels) {
+        Vec3 middle = Vec3::Zero();
+        for (const DriveWheel& wheel : wheels) middle += wheel.centre / static_cast<double>(wheels.size());
         std::vector<DriveWheel> outward;
         for (const DriveWheel& wheel : wheels)
-            if (wheel.axis.dot(wheel.centre) > 0) outward.push_back(wheel);
+            if (wheel.axis.dot(wheel.centre - middle) > 0) outward.push_back(wheel);
         if (!outward.empty()) {
             const JointSpec* joint = jointOf(outward.front());
             if (!joint) return;

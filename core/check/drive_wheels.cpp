@@ -1,12 +1,33 @@
 #include "check/drive_wheels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trundle {
 
 namespace {
 
 constexpr double kSameAxis = 0.02; // sine of the angle between a wheel's axis and its axle
+constexpr double kLevel = 0.1;     // z of the unit axle of a free wheel
+
+/// Of the joint's body, as wheelOf().
+std::optional<DriveWheel> wheelAt(const RobotConfigSpec& config, const JointSpec& joint, const ComponentSpec* motor) {
+    const auto index = static_cast<int>(&joint - config.joints.data());
+    const auto turnsIt = [&](const GearSpec& gear) { return gear.joint == index || gear.other == index; };
+    if (std::ranges::any_of(config.gears, turnsIt)) return std::nullopt;
+    const Vec3& axle = joint.type == JointType::Suspension ? joint.axis2 : joint.axis;
+    const auto child = static_cast<std::size_t>(joint.child);
+    const BodySpec& body = config.bodies[child];
+    std::optional<DriveWheel> wheel;
+    for (const GeomSpec& g : body.geoms) {
+        const Pose pose = body.pose * g.pose;
+        const bool round = g.shape == GeomShape::Sphere || g.shape == GeomShape::Cylinder;
+        if (!g.collide || !round) continue;
+        if (g.shape == GeomShape::Cylinder && (pose.rotation * Vec3::UnitZ()).cross(axle).norm() > kSameAxis) continue;
+        if (!wheel || g.radius > wheel->geom->radius) wheel = DriveWheel{&g, motor, child, pose.position, axle};
+    }
+    return wheel;
+}
 
 } // namespace
 
@@ -44,21 +65,7 @@ std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::stri
     if (device == config.devices.end()) return std::nullopt;
     const auto joint = std::ranges::find(config.joints, device->text("Joint"), &JointSpec::name);
     if (joint == config.joints.end()) return std::nullopt;
-    const auto index = static_cast<int>(joint - config.joints.begin());
-    const auto turnsIt = [&](const GearSpec& gear) { return gear.joint == index || gear.other == index; };
-    if (std::ranges::any_of(config.gears, turnsIt)) return std::nullopt;
-    const Vec3& axle = joint->type == JointType::Suspension ? joint->axis2 : joint->axis;
-    const auto child = static_cast<std::size_t>(joint->child);
-    const BodySpec& body = config.bodies[child];
-    std::optional<DriveWheel> wheel;
-    for (const GeomSpec& g : body.geoms) {
-        const Pose pose = body.pose * g.pose;
-        const bool round = g.shape == GeomShape::Sphere || g.shape == GeomShape::Cylinder;
-        if (!g.collide || !round) continue;
-        if (g.shape == GeomShape::Cylinder && (pose.rotation * Vec3::UnitZ()).cross(axle).norm() > kSameAxis) continue;
-        if (!wheel || g.radius > wheel->geom->radius) wheel = DriveWheel{&g, &*device, child, pose.position, axle};
-    }
-    return wheel;
+    return wheelAt(config, *joint, &*device);
 }
 
 std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config) {
@@ -66,6 +73,20 @@ std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config) {
     for (const ComponentSpec& device : config.devices)
         for (const DriveMotor& motor : motorsOf(device))
             if (const auto wheel = wheelOf(config, motor.name)) wheels.push_back(*wheel);
+    return wheels;
+}
+
+std::vector<DriveWheel> freeWheelsOf(const RobotConfigSpec& config) {
+    std::vector<DriveWheel> wheels;
+    for (const JointSpec& joint : config.joints) {
+        if (joint.type != JointType::Hinge && joint.type != JointType::Suspension) continue;
+        const auto turnsIt = [&](const ComponentSpec& device) {
+            return device.kind != "Encoder" && device.text("Joint") == joint.name;
+        };
+        if (std::ranges::any_of(config.devices, turnsIt)) continue;
+        const auto wheel = wheelAt(config, joint, nullptr);
+        if (wheel && wheel->geom->shape == GeomShape::Cylinder && std::abs(wheel->axis.z()) < kLevel) wheels.push_back(*wheel);
+    }
     return wheels;
 }
 

@@ -23,7 +23,7 @@ struct DriveMotor {
 /// A wheel, from its geom and joint. Vectors in the config's frame.
 struct DriveWheel {
     const GeomSpec* geom = nullptr;
-    const ComponentSpec* motor = nullptr;
+    const ComponentSpec* motor = nullptr; ///< nullptr: a free wheel
     std::size_t body = 0;
     Vec3 centre = Vec3::Zero(), axis = Vec3::UnitY();
 
@@ -35,5 +35,7 @@ struct DriveWheel {
 [[nodiscard]] std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::string& motor);
 /// Of all drives of a config; those that are found.
 [[nodiscard]] std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config);
+/// Wheels that no drive turns: cylinders about the level axles of joints without a motor or Gear.
+[[nodiscard]] std::vector<DriveWheel> freeWheelsOf(const RobotConfigSpec& config);
 
 } // namespace trundle

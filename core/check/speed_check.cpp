@@ -22,6 +22,7 @@ constexpr double kLeastRamp = 2 * kDegree, kSteepestRamp = 40 * kDegree;
 constexpr double kUsualSlope = 3 * kDegree;           // without a ramp: a doorstep, a carpet
 constexpr double kReserve = 1.25;                     // of a gear ratio that is proposed
 constexpr double kOffGround = 3e-3, kOffShare = 0.05; // m, and of the radius: a wheel this far up carries nothing
+constexpr double kFreeShare = 0.5;                    // of the radius
 constexpr double kRay = 10;                           // m
 
 struct Ramp {
@@ -57,15 +58,14 @@ public:
         for (std::uint32_t r = 0; r < m_experiment.robots.size(); ++r) {
             const RobotConfigSpec& config = *m_experiment.robots[r].config;
             if (!seen.insert(config.name).second) continue;
-            const std::vector<DriveWheel> wheels = drivenWheelsOf(config);
-            if (wheels.empty()) continue;
+            const std::vector<DriveWheel> wheels = drivenWheelsOf(config), free = freeWheelsOf(config);
             for (const DriveWheel& wheel : wheels) {
                 const double speed = wheel.topRate() * wheel.geom->radius;
                 if (speed > m_fastest) m_fastest = speed, m_fastestName = config.name;
             }
             if (m_up.isZero()) continue;
-            checkStrength(config, wheels);
-            checkGround(r, wheels);
+            if (!wheels.empty()) checkStrength(config, wheels);
+            checkGround(r, wheels, free);
         }
         if (m_fastest > 0) checkThin();
     }
@@ -109,8 +109,11 @@ private:
         return hit ? std::optional(hit->distance - above) : std::nullopt;
     }
 
-    /// Wheels that stay in the air when the lowest shape of their robot touches the ground.
-    void checkGround(std::uint32_t r, const std::vector<DriveWheel>& wheels) {
+    /// Wheels that stay in the air when the lowest shape of their robot touches the ground. A free one that is higher than half of its
+    /// radius is for something else.
+    void checkGround(std::uint32_t r, std::vector<DriveWheel> wheels, const std::vector<DriveWheel>& free) {
+        if (wheels.empty() && free.empty()) return;
+        wheels.insert(wheels.end(), free.begin(), free.end());
         const RobotSpec& robot = m_experiment.robots[r];
         double least = HUGE_VAL;
         const GeomSpec* lowest = nullptr;
@@ -125,13 +128,14 @@ private:
             const BodySpec& body = robot.config->bodies[wheel.body];
             const auto height = heightOf(r, *wheel.geom, robot.pose * body.pose * wheel.geom->pose);
             if (!height || *height - least <= std::max(kOffGround, kOffShare * wheel.geom->radius)) continue;
+            if (!wheel.motor && *height - least > kFreeShare * wheel.geom->radius) continue;
             const bool isShared = lowest->nameRange == wheel.geom->nameRange; // the tyre of another wheel, made by the same text
             const std::string touching = isShared || holder->name.find('.') != std::string::npos ? holder->name : lowest->name;
-            Diagnostic& d = m_diagnostics.warning(Code::WheelOffGround, body.nameRange,
-                                                  body.name + " of " + robot.config->name + " is " +
-                                                      lengthText(*height - least) + " above the ground when " + touching +
-                                                      " touches it: its motor turns it in the air; lower the wheel, or raise " +
-                                                      touching);
+            Diagnostic& d = m_diagnostics.warning(
+                Code::WheelOffGround, body.nameRange,
+                body.name + " of " + robot.config->name + " is " + lengthText(*height - least) + " above the ground when " +
+                    touching + " touches it: " + (wheel.motor ? "its motor turns it in the air" : "it carries nothing") +
+                    "; lower the wheel, or raise " + touching);
             d.notes.push_back({"this touches the ground first", lowest->nameRange});
             return; // the others are the same fault
         }

@@ -86,6 +86,11 @@ private Q_SLOTS:
         add("skid-steered from the other sides", skid,
             {{" LeftMotors=", " Xs="}, {"RightMotors=", "LeftMotors="}, {" Xs=", " RightMotors="}},
             "is on the right, but LeftMotors of base names it", "frontRight.motor,backRight.motor", true);
+        add("skid-steered wheels exchanged", skid,
+            {{"LeftMotors=frontLeft.motor,backLeft.motor", "LeftMotors=frontLeft.motor,backRight.motor"},
+             {"RightMotors=frontRight.motor,backRight.motor", "RightMotors=frontRight.motor,backLeft.motor"}},
+            "backRight.wheel, which backRight.motor turns, is on the right, but LeftMotors of base names it: turns will go wrong",
+            "frontLeft.motor,backRight.motor", false);
         add("skid-steered wheel turned around", skid,
             {{"$(-wheelBase/2),$(wheelSeparation/2),$wheelRadius",
               "$(-wheelBase/2),$(wheelSeparation/2),$wheelRadius HPR=180,0,0"}},
