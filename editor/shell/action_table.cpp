@@ -139,11 +139,11 @@ static constexpr ActionRow kTable[] = {
     {"sim.drive",      "Simulation",  "&Drive with the Keyboard", "drive",      "Ctrl+K",         "Steer the selected robot with the arrow keys.", true},
 
     {"model.drive",    "Simulation",  "Test Dri&ve",             "drive",       "Ctrl+Shift+E",   "Run the model of the selected robot alone, on a plain floor or a ramp, and steer it; again: back to editing.", true},
-    {"drive.floor",    "Simulation/Test Drive &Ground", "Plain &Floor", "",      "",               "Test drives are on a level floor.", true},
-    {"drive.ramp5",    "Simulation/Test Drive &Ground", "Ramp of &5°", "",       "",               "Test drives have a ramp of 5° ahead of the robot.", true},
-    {"drive.ramp10",   "Simulation/Test Drive &Ground", "Ramp of &10°", "",      "",               "Test drives have a ramp of 10° ahead of the robot.", true},
-    {"drive.ramp20",   "Simulation/Test Drive &Ground", "Ramp of &20°", "",      "",               "Test drives have a ramp of 20° ahead of the robot.", true},
-    {"drive.ramp30",   "Simulation/Test Drive &Ground", "Ramp of &30°", "",      "",               "Test drives have a ramp of 30° ahead of the robot.", true},
+    {"drive.floor",    "Simulation/Test Drive Gro&und", "Plain &Floor", "",      "",               "Test drives are on a level floor.", true},
+    {"drive.ramp5",    "Simulation/Test Drive Gro&und", "Ramp of &5°", "",       "",               "Test drives have a ramp of 5° ahead of the robot.", true},
+    {"drive.ramp10",   "Simulation/Test Drive Gro&und", "Ramp of &10°", "",      "",               "Test drives have a ramp of 10° ahead of the robot.", true},
+    {"drive.ramp20",   "Simulation/Test Drive Gro&und", "Ramp of &20°", "",      "",               "Test drives have a ramp of 20° ahead of the robot.", true},
+    {"drive.ramp30",   "Simulation/Test Drive Gro&und", "Ramp of &30°", "",      "",               "Test drives have a ramp of 30° ahead of the robot.", true},
 
     {"sim.record",     "|Simulation", "Record &Movie…",          "record",      "",               "Make a movie of the experiment, or of this run."},
 
