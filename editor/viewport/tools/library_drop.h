@@ -26,8 +26,9 @@ class ToolView;
 
 /// Robots and arenas are inserted into the world, bodies and shapes into the config of the object under the cursor; a material is
 /// assigned to the shape. A robot part and a sensor are put on the face under the cursor, turned to it and joined to its body; parts
-/// that reach the floor keep their height above it, and near the mirror image of another part they are put exactly opposite. Objects in the world rest on the floor or on other objects, never inside them. Failures are reported
-/// through Document::refused.
+/// that reach the floor keep their height above it, and near the mirror image of another part they are put exactly opposite. On a flat
+/// face of a robot all of these snap, see snapOnFace(). Objects in the world rest on the floor or on other objects, never inside them.
+/// Failures are reported through Document::refused.
 class LibraryDrop {
 public:
     /// `shown`: the dragged object is drawn at its target pose, in all views, during the lifetime of this object.
