@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 constexpr double kAlong = 0.02;      // sine of the angle between an axle and the axis of a wheel, as for WheelRadius
+constexpr double kBeside = 1e-3, kBesideShare = 0.02; // m, and of the radius: of an axle from the middle of its wheel
 constexpr double kApart = 1e-6;      // m, from the middle between the sides
 constexpr double kOff = 2 * kDegree; // between WheelAngles and the wheels
 
@@ -29,6 +30,8 @@ public:
         : m_loaded(loaded), m_config(config), m_drive(drive), m_diagnostics(diagnostics) {}
 
     void check(const std::vector<DriveMotor>& motors, const std::vector<DriveWheel>& wheels) {
+        for (const DriveWheel& wheel : wheels)
+            if (const JointSpec* joint = jointOf(wheel); joint && reportedBeside(*joint, wheel)) return;
         if (m_drive.kind == "OmniDrive") return checkOmni(wheels);
         const Vec3 left = wheels.front().axis; // where the drive ahead is along left x up
         if (std::abs(left.z()) > 0.5) return;
@@ -42,6 +45,11 @@ public:
             for (std::size_t i = 0; i < wheels.size(); ++i) sums[motors[i].*side] += wheels[i].centre, ++counts[motors[i].*side];
             return counts[0] > 0 && counts[1] > 0 ? (sums[0] / counts[0] - sums[1] / counts[1]).dot(direction) : 0.;
         };
+        const bool haveSides = std::ranges::any_of(motors, &DriveMotor::isRight);
+        const auto isBeside = [&](const DriveWheel& w) {
+            return std::abs((w.centre - wheels.front().centre).dot(left)) > kApart;
+        };
+        if (haveSides && std::ranges::none_of(wheels, isBeside)) return reportNoSides(motors, wheels);
         double middle = 0; // m, towards the left
         for (const DriveWheel& wheel : wheels) middle += wheel.centre.dot(left) / static_cast<double>(wheels.size());
         std::vector<std::size_t> wrong; // on the other side
@@ -61,6 +69,7 @@ public:
         if (device == m_config.devices.end()) return;
         const auto joint = std::ranges::find(m_config.joints, device->text("Joint"), &JointSpec::name);
         if (joint == m_config.joints.end() || (joint->type != JointType::Hinge && joint->type != JointType::Suspension)) return;
+        if (joint->child == 0) return; // the chassis
         const auto index = static_cast<int>(joint - m_config.joints.begin());
         if (std::ranges::any_of(m_config.gears, [&](const GearSpec& g) { return g.joint == index || g.other == index; })) return;
         const BodySpec& body = m_config.bodies[static_cast<std::size_t>(joint->child)];
@@ -109,7 +118,11 @@ private:
     void addReversal(Diagnostic& d, const std::vector<DriveWheel>& wheels) {
         std::vector<const JointSpec*> joints;
         std::vector<Vec3> axes;
-        for (const DriveWheel& wheel : wheels) joints.push_back(jointOf(wheel)), axes.push_back(-wheel.axis);
+        for (const DriveWheel& wheel : wheels) {
+            const JointSpec* joint = jointOf(wheel);
+            if (!joint) return;
+            joints.push_back(joint), axes.push_back(joint->type == JointType::Suspension ? -joint->axis2 : -joint->axis);
+        }
         addAxisFix(d, wheels.size() == 1 ? "reverse the axis" : "reverse their axes", joints, axes);
     }
 
@@ -143,6 +156,24 @@ private:
         const auto right = std::ranges::find(motors, true, &DriveMotor::isRight);
         const DriveMotor& left = motors.front();
         reportSwapped({left.key, right->key}, bodyOf(wheels.front()) + ", which " + left.name + " turns, is");
+    }
+
+    /// A wheel whose axle does not go through its middle.
+    bool reportedBeside(const JointSpec& joint, const DriveWheel& wheel) {
+        const double beside = (wheel.centre - joint.anchor).cross(wheel.axis).norm();
+        if (beside <= std::max(kBeside, kBesideShare * wheel.geom->radius)) return false;
+        m_diagnostics.warning(Code::WheelGeometry, joint.nameRange,
+                              joint.name + ", the axle of " + bodyOf(wheel) + ", is " + lengthText(beside) +
+                                  " beside the middle of its " + wheel.geom->name +
+                                  ": it turns out of round; without an Anchor it is at the origin of " + bodyOf(wheel));
+        return true;
+    }
+
+    void reportNoSides(const std::vector<DriveMotor>& motors, const std::vector<DriveWheel>& wheels) {
+        const auto right = static_cast<std::size_t>(std::ranges::find(motors, true, &DriveMotor::isRight) - motors.begin());
+        m_diagnostics.warning(Code::WheelGeometry, m_config.bodies[wheels[right].body].nameRange,
+                              bodyOf(wheels[right]) + " is as far to the side as " + bodyOf(wheels.front()) + ": " +
+                                  m_drive.name + " cannot turn the robot; check the sign of its Pos");
     }
 
     void reportSide(const DriveMotor& motor, const DriveWheel& wheel) {

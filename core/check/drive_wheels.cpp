@@ -15,8 +15,9 @@ std::optional<DriveWheel> wheelAt(const RobotConfigSpec& config, const JointSpec
     const auto index = static_cast<int>(&joint - config.joints.data());
     const auto turnsIt = [&](const GearSpec& gear) { return gear.joint == index || gear.other == index; };
     if (std::ranges::any_of(config.gears, turnsIt)) return std::nullopt;
-    const Vec3& axle = joint.type == JointType::Suspension ? joint.axis2 : joint.axis;
-    const auto child = static_cast<std::size_t>(joint.child);
+    const bool isTurnedAround = joint.child == 0 && joint.parent != kWorldBody; // the chassis is the child, the wheel its parent
+    const Vec3 axle = (isTurnedAround ? -1 : 1) * (joint.type == JointType::Suspension ? joint.axis2 : joint.axis);
+    const auto child = static_cast<std::size_t>(isTurnedAround ? joint.parent : joint.child);
     const BodySpec& body = config.bodies[child];
     std::optional<DriveWheel> wheel;
     for (const GeomSpec& g : body.geoms) {

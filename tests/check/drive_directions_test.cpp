@@ -68,6 +68,13 @@ private Q_SLOTS:
             {{"Axis=0,1,0", "Axis=0,-1,0"},
              {"LeftMotor=leftMotor RightMotor=rightMotor", "LeftMotor=rightMotor RightMotor=leftMotor"}},
             "", "", false);
+        add("the chassis as the child", rover,
+            {{"Parent=chassis Child=leftWheel Axis=0,1,0", "Parent=leftWheel Child=chassis Anchor=0.1,0.15,0.05 Axis=0,-1,0"},
+             {"Parent=chassis Child=rightWheel Axis=0,1,0", "Parent=rightWheel Child=chassis Anchor=0.1,-0.15,0.05 Axis=0,-1,0"}},
+            "", "", false);
+        add("the chassis as the child of one, reversed", rover,
+            {{"Parent=chassis Child=leftWheel Axis=0,1,0", "Parent=leftWheel Child=chassis Anchor=0.1,0.15,0.05 Axis=0,1,0"}},
+            "leftAxle, the axle of leftWheel, points the other way than that of rightWheel", "leftAxle", true);
         add("an axle ahead", rover, {{"Child=leftWheel Axis=0,1,0", "Child=leftWheel Axis=1,0,0"}},
             "leftAxle, which leftMotor of base turns, is not along the axis of leftWheel's tyre: the wheel does not roll; its "
             "axis is "
@@ -79,6 +86,12 @@ private Q_SLOTS:
             {{"Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0",
               "Suspension leftAxle { Parent=chassis Child=leftWheel Axis2=1,0,0 Stiffness=2000 Damping=50 Travel=0.02"}},
             "its axis is that of Axis2=0,1,0", "leftAxle", true);
+        add("an axle beside its wheel", rover,
+            {{"Child=leftWheel Axis=0,1,0", "Child=leftWheel Anchor=0.1,0.15,0.09 Axis=0,1,0"}},
+            "leftAxle, the axle of leftWheel, is 40 mm beside the middle of its tyre: it turns out of round", "leftAxle", false);
+        add("both wheels on the left", rover, {{"Pos=0.1,-0.15,0.05", "Pos=0.1,0.15,0.05"}},
+            "rightWheel is as far to the side as leftWheel: base cannot turn the robot; check the sign of its Pos", "rightWheel",
+            false);
 
         const QString skid = made(BaseShape::SkidSteer), omni = made(BaseShape::Omni), mecanum = made(BaseShape::Mecanum),
                       car = made(BaseShape::Ackermann);
