@@ -170,8 +170,7 @@ struct Project::Attempt {
 
 Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& path) {
     std::shared_ptr<const LoadedProject> previous = m_options.previous;
-    const auto more = [&](std::size_t most) { return std::min(most * (most < kPatientTokens ? 2 : 4), m_options.mostTokens); };
-    for (std::size_t most = std::min(kFirstTokens, m_options.mostTokens);; most = more(most)) {
+    for (std::size_t most = std::min(kFirstTokens, m_options.mostTokens);;) {
         Result<Attempt> tried = attempt(path, most, previous);
         if (!tried.ok()) return tried.error();
         Attempt& a = tried.value();
@@ -191,6 +190,8 @@ Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& pa
             a.loaded->sources = {}; // with what of the file was read: it is read again
             a.loaded->trees[limited] = nullptr;
             previous = std::move(a.loaded); // its other trees can be reused
+            most =
+                std::min(most < kWarnedTokens && hasManyWarnings(a.diagnostics) ? kWarnedTokens : 4 * most, m_options.mostTokens);
             continue;
         }
         a.loaded->diagnostics = tidied(a.diagnostics, std::move(a.said));
