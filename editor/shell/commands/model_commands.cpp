@@ -149,6 +149,7 @@ void ModelCommands::drive(bool on) {
         return showState();
     }
     m_driving = true;
+    m_views = m_targets.viewport.views().viewStates();
     showSensors();
     m_drove = m_actions.at("sim.drive").isChecked();
     m_actions.at("sim.drive").setChecked(true);
@@ -159,6 +160,8 @@ void ModelCommands::drive(bool on) {
 void ModelCommands::endDrive() {
     m_driving = false;
     hideSensors();
+    ViewGrid& views = m_targets.viewport.views();
+    if (m_targets.document.editedModel().isOpen()) views.setViewStates(m_views, views.viewCount()); // it followed the robot
     m_targets.session.source().setRamp(0);
     m_actions.at("sim.drive").setChecked(m_drove);
     if (std::exchange(m_opened, false)) m_targets.document.editedModel().close();

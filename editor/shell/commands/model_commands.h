@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include "editor/viewport/view/view_grid.h"
 #include "editor/widgets/actions.h"
 
 namespace trundle {
@@ -49,6 +50,7 @@ private:
     Actions& m_actions;
     Targets m_targets;
     double m_ramp = 0;                     // degrees, of test drives
+    std::vector<ViewState> m_views;        // before the test drive
     std::vector<QAction*> m_shownForDrive; // overlays
     bool m_raisedSensors = false;          // the panel was hidden before
     bool m_driving = false;

@@ -254,6 +254,8 @@ void LibraryDrop::hover(const QPointF& at) {
     const bool fits = isWorldObject() || isDevice() || findOwner(ground);
     if (!isWorldObject()) snap(ground);
     if (ground.snap) m_guides = ground.snap->guides;
+    if (fits && m_part && isUpright() && ground.hit() && std::abs(ground.hit()->normal.z()) < kSteep) // it keeps its height
+        std::erase_if(m_guides, [](const auto& line) { return std::abs(line[1].z() - line[0].z()) < kFlush; });
     if (!m_thing) {
         if (ground.hit()) m_spot = ground.hit()->point;
         return;
@@ -345,8 +347,10 @@ void LibraryDrop::drop(const QPointF& at) {
         if (!isWorldObject()) snap(ground);
         parent = ground.owner;
         const bool isPart = m_part && ground.isRobot;
-        m_content->text =
-            isPart ? partText(ground) : withPos(m_content->text, m_content->kind, ground.frame.inverse() * placeOn(ground));
+        Vec3 place = ground.frame.inverse() * (isPart ? Vec3::Zero() : placeOn(ground));
+        if (ground.isRobot) // without the gap that keeps bodies apart
+            for (double& p : place) p = kPartGrain * std::round(p / kPartGrain) + 0.0;
+        m_content->text = isPart ? partText(ground) : withPos(m_content->text, m_content->kind, place);
     } else if (const RayHit* hit = ground.hit(); hit && kind->role != Role::Material) {
         if (isDevice()) snap(ground);
         const RobotSpec* robot = m_view.context().world.objects()->robotOf(hit->geom);

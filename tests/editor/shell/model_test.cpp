@@ -242,6 +242,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->actions().at("sim.drive").isChecked());
         QVERIFY(!m_window->actions().at("view.overlayBeams").isChecked());
         QVERIFY(!sensors->isVisible());
+        QCOMPARE(m_window->viewport().views().current().camera().free().kind(), ViewKind::Perspective); // not that of the drive
         QCOMPARE(text().simplified(), kBuilt);
         QCOMPARE(m_window->document().edits().history().entries().size(), std::size_t(5));
     }
