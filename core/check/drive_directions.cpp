@@ -24,6 +24,10 @@ struct SidePair {
     const char *left, *right; ///< keys of the drive
 };
 
+std::string axisText(const Vec3& axis) {
+    return positionText(axis.unaryExpr([](double v) { return std::round(v * 1e6) / 1e6 + 0.; }));
+}
+
 class Directions {
 public:
     Directions(const LoadedProject& loaded, const RobotConfigSpec& config, const ComponentSpec& drive, Diagnostics& diagnostics)
@@ -39,12 +43,6 @@ public:
         for (const DriveWheel& wheel : wheels)
             if (wheel.axis.dot(left) < 0) against.push_back(wheel);
         if (!against.empty()) return reportAgainst(wheels, against, left);
-        const auto apart = [&](const Vec3& direction, bool DriveMotor::*side) { // positive: the first ones are farther that way
-            Vec3 sums[2] = {Vec3::Zero(), Vec3::Zero()};
-            std::array<double, 2> counts{};
-            for (std::size_t i = 0; i < wheels.size(); ++i) sums[motors[i].*side] += wheels[i].centre, ++counts[motors[i].*side];
-            return counts[0] > 0 && counts[1] > 0 ? (sums[0] / counts[0] - sums[1] / counts[1]).dot(direction) : 0.;
-        };
         const bool haveSides = std::ranges::any_of(motors, &DriveMotor::isRight);
         const auto isBeside = [&](const DriveWheel& w) {
             return std::abs((w.centre - wheels.front().centre).dot(left)) > kApart;
@@ -58,7 +56,10 @@ public:
         if (wrong.size() == wheels.size()) return left.y() < -0.5 ? reportBackwards(wheels) : reportSides(motors, wheels);
         if (!wrong.empty()) return reportSide(motors[wrong.front()], wheels[wrong.front()]);
         if (m_drive.kind == "MecanumDrive") {
-            if (apart(left.cross(Vec3::UnitZ()), &DriveMotor::isBack) < 0) return reportFront();
+            double ahead = 0; // m, from the back wheels to the front ones, twice
+            for (std::size_t i = 0; i < wheels.size(); ++i)
+                ahead += (motors[i].isBack ? -1 : 1) * wheels[i].centre.dot(left.cross(Vec3::UnitZ()));
+            if (ahead < 0) return reportFront();
             checkRollers(motors, wheels);
         }
         if (m_drive.kind == "AckermannDrive") checkSteering(left);
@@ -70,8 +71,7 @@ public:
         const auto joint = std::ranges::find(m_config.joints, device->text("Joint"), &JointSpec::name);
         if (joint == m_config.joints.end() || (joint->type != JointType::Hinge && joint->type != JointType::Suspension)) return;
         if (joint->child == 0) return; // the chassis
-        const auto index = static_cast<int>(joint - m_config.joints.begin());
-        if (std::ranges::any_of(m_config.gears, [&](const GearSpec& g) { return g.joint == index || g.other == index; })) return;
+        if (isGeared(m_config, *joint)) return;
         const BodySpec& body = m_config.bodies[static_cast<std::size_t>(joint->child)];
         const GeomSpec* largest = nullptr;
         for (const GeomSpec& geom : body.geoms) {
@@ -84,9 +84,8 @@ public:
         const Vec3 axis = isSprung ? joint->axis2 : joint->axis,
                    along = body.pose.rotation * (largest->pose.rotation * Vec3::UnitZ());
         if (along.cross(axis).norm() <= kAlong) return;
-        Vec3 rolling = along.y() < -0.5 || (std::abs(along.y()) <= 0.5 && along.sum() < 0) ? Vec3(-along) : along;
-        rolling = rolling.unaryExpr([](double v) { return std::round(v * 1e6) / 1e6 + 0.; });
-        const std::string key = isSprung ? "Axis2" : "Axis", text = key + "=" + positionText(rolling);
+        const Vec3 rolling = along.y() < -0.5 || (std::abs(along.y()) <= 0.5 && along.sum() < 0) ? Vec3(-along) : along;
+        const std::string text = std::string(isSprung ? "Axis2=" : "Axis=") + axisText(rolling);
         Diagnostic& d = m_diagnostics.warning(Code::WheelGeometry, joint->nameRange,
                                               joint->name + ", which " + motor.name + " of " + m_drive.name +
                                                   " turns, is not along the axis of " + body.name + "'s " + largest->name +
@@ -109,8 +108,7 @@ private:
             if (!joints[i] || joints[i]->name.find('.') != std::string::npos) return;
             const char* key = joints[i]->type == JointType::Suspension ? ".Axis2" : ".Axis";
             values.push_back(
-                {DottedPath("RobotConfig." + m_config.name + "." + joints[i]->name + key),
-                 ParsedValue(positionText(axes[i].unaryExpr([](double v) { return std::round(v * 1e6) / 1e6 + 0.; })))});
+                {DottedPath("RobotConfig." + m_config.name + "." + joints[i]->name + key), ParsedValue(axisText(axes[i]))});
         }
         const auto edits = editsForValues(m_loaded, values);
         if (edits.ok() && edits.value().size() == 1) d.fixes.push_back({title, edits.value().begin()->second});

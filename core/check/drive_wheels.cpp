@@ -12,9 +12,7 @@ constexpr double kLevel = 0.1;     // z of the unit axle of a free wheel
 
 /// Of the joint's body, as wheelOf().
 std::optional<DriveWheel> wheelAt(const RobotConfigSpec& config, const JointSpec& joint, const ComponentSpec* motor) {
-    const auto index = static_cast<int>(&joint - config.joints.data());
-    const auto turnsIt = [&](const GearSpec& gear) { return gear.joint == index || gear.other == index; };
-    if (std::ranges::any_of(config.gears, turnsIt)) return std::nullopt;
+    if (isGeared(config, joint)) return std::nullopt;
     const bool isTurnedAround = joint.child == 0 && joint.parent != kWorldBody; // the chassis is the child, the wheel its parent
     const Vec3 axle = (isTurnedAround ? -1 : 1) * (joint.type == JointType::Suspension ? joint.axis2 : joint.axis);
     const auto child = static_cast<std::size_t>(isTurnedAround ? joint.parent : joint.child);
@@ -46,6 +44,11 @@ std::vector<DriveMotor> motorsOf(const ComponentSpec& device) {
     add("FrontLeftMotor", false, false), add("FrontRightMotor", true, false);
     add("BackLeftMotor", false, true), add("BackRightMotor", true, true);
     return motors;
+}
+
+bool isGeared(const RobotConfigSpec& config, const JointSpec& joint) {
+    const auto index = static_cast<int>(&joint - config.joints.data());
+    return std::ranges::any_of(config.gears, [&](const GearSpec& g) { return g.joint == index || g.other == index; });
 }
 
 double DriveWheel::stallTorque() const {

@@ -31,6 +31,8 @@ struct DriveWheel {
     [[nodiscard]] double topRate() const;     ///< rad/s, without load
 };
 
+/// Whether a Gear couples the joint to another one.
+[[nodiscard]] bool isGeared(const RobotConfigSpec& config, const JointSpec& joint);
 /// The largest round geom of the motor's body that rotates about its axle; nothing where a Gear leads on from there.
 [[nodiscard]] std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::string& motor);
 /// Of all drives of a config; those that are found.
