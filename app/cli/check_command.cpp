@@ -56,6 +56,7 @@ void checkForRun(Application& application, const LoadedProject& loaded, Diagnost
     if (!hasErrors && !isBuildable(*loaded.experiment, diagnostics)) return;
     checkLogs(*loaded.experiment, *loaded.registry, allKindsKnown && !hasErrors, diagnostics);
     checkModel(loaded, diagnostics);
+    tryRobots(loaded, diagnostics);
     if (allKindsKnown && !diagnostics.hasErrors() && !loaded.experiment->robots.empty())
         buildOnce(application, loaded, diagnostics);
 }

@@ -74,6 +74,8 @@ constexpr CodeEntry kCodes[] = {
     {Code::ThinPart, "part thinner than the way of one tick"},
     {Code::WeakMotor, "motors too weak for the robot"},
     {Code::UnusedDefinition, "definition that is not used"},
+    {Code::FailsToStand, "robot that is not stable at rest"},
+    {Code::MovesOtherwise, "drive that moves otherwise than commanded"},
     {Code::ModuleNotFound, "module not found"},
     {Code::ModuleNotTrusted, "module not trusted"},
     {Code::ModuleUnreadable, "module that cannot be loaded"},

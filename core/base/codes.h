@@ -82,6 +82,8 @@ enum class Code : int {
     ThinPart,
     WeakMotor,
     UnusedDefinition,
+    FailsToStand,
+    MovesOtherwise,
     // modules
     ModuleNotFound = 401,
     ModuleNotTrusted,

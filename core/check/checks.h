@@ -1,6 +1,7 @@
 #pragma once
 // The individual model checks. Private to core/check.
 
+#include <numbers>
 #include <stop_token>
 
 #include "base/diagnostic.h"
@@ -8,6 +9,8 @@
 #include "project/loading/project.h"
 
 namespace trundle {
+
+inline constexpr double kDegree = std::numbers::pi / 180;
 
 /// Reports bodies that no joint holds, two joints for the same bodies, closed loops, and mass properties that do not fit the shapes.
 void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics);

@@ -14,7 +14,7 @@ namespace trundle {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
+constexpr double kPi = std::numbers::pi;
 constexpr double kAlong = 0.02;      // sine of the angle between an axle and the axis of a wheel, as for WheelRadius
 constexpr double kBeside = 1e-3, kBesideShare = 0.02; // m, and of the radius: of an axle from the middle of its wheel
 constexpr double kApart = 1e-6;      // m, from the middle between the sides

@@ -12,7 +12,6 @@ constexpr double kLevel = 0.1;     // z of the unit axle of a free wheel
 
 /// Of the joint's body, as wheelOf().
 std::optional<DriveWheel> wheelAt(const RobotConfigSpec& config, const JointSpec& joint, const ComponentSpec* motor) {
-    if (isGeared(config, joint)) return std::nullopt;
     const bool isTurnedAround = joint.child == 0 && joint.parent != kWorldBody; // the chassis is the child, the wheel its parent
     const Vec3 axle = (isTurnedAround ? -1 : 1) * (joint.type == JointType::Suspension ? joint.axis2 : joint.axis);
     const auto child = static_cast<std::size_t>(isTurnedAround ? joint.parent : joint.child);
@@ -69,7 +68,12 @@ std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::stri
     if (device == config.devices.end()) return std::nullopt;
     const auto joint = std::ranges::find(config.joints, device->text("Joint"), &JointSpec::name);
     if (joint == config.joints.end()) return std::nullopt;
-    return wheelAt(config, *joint, &*device);
+    return isGeared(config, *joint) ? std::nullopt : wheelAt(config, *joint, &*device);
+}
+
+std::optional<DriveWheel> wheelOn(const RobotConfigSpec& config, const JointSpec& joint) {
+    if (joint.type != JointType::Hinge && joint.type != JointType::Suspension) return std::nullopt;
+    return wheelAt(config, joint, nullptr);
 }
 
 std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config) {
@@ -83,12 +87,12 @@ std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config) {
 std::vector<DriveWheel> freeWheelsOf(const RobotConfigSpec& config) {
     std::vector<DriveWheel> wheels;
     for (const JointSpec& joint : config.joints) {
-        if (joint.type != JointType::Hinge && joint.type != JointType::Suspension) continue;
+        if (isGeared(config, joint)) continue;
         const auto turnsIt = [&](const ComponentSpec& device) {
             return device.kind != "Encoder" && device.text("Joint") == joint.name;
         };
         if (std::ranges::any_of(config.devices, turnsIt)) continue;
-        const auto wheel = wheelAt(config, joint, nullptr);
+        const auto wheel = wheelOn(config, joint);
         if (wheel && wheel->geom->shape == GeomShape::Cylinder && std::abs(wheel->axis.z()) < kLevel) wheels.push_back(*wheel);
     }
     return wheels;

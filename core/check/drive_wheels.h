@@ -37,6 +37,8 @@ struct DriveWheel {
 [[nodiscard]] std::optional<DriveWheel> wheelOf(const RobotConfigSpec& config, const std::string& motor);
 /// Of all drives of a config; those that are found.
 [[nodiscard]] std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config);
+/// What turns about a joint and may roll on the floor, geared or not, with a motor or without; nothing for other joints.
+[[nodiscard]] std::optional<DriveWheel> wheelOn(const RobotConfigSpec& config, const JointSpec& joint);
 /// Wheels that no drive turns: cylinders about the level axles of joints without a motor or Gear.
 [[nodiscard]] std::vector<DriveWheel> freeWheelsOf(const RobotConfigSpec& config);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "check/checks.h"
@@ -17,7 +16,6 @@ namespace trundle {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLeastRamp = 2 * kDegree, kSteepestRamp = 40 * kDegree;
 constexpr double kUsualSlope = 3 * kDegree;           // without a ramp: a doorstep, a carpet
 constexpr double kReserve = 1.25;                     // of a gear ratio that is proposed
