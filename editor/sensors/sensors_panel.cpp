@@ -61,6 +61,7 @@ SensorsPanel::SensorsPanel(Document& document, Selection& selection, RunSession&
         connect(&session, changed, this, &SensorsPanel::markChanged);
     connect(&document, &Document::changed, this, &SensorsPanel::markChanged);
     connect(&selection, &Selection::changed, this, &SensorsPanel::markChanged);
+    connect(&document.editedModel(), &EditedModel::changed, this, &SensorsPanel::markChanged);
     connect(m_pins.get(), &PinnedValues::changed, this, &SensorsPanel::markChanged);
     showHint();
 }
@@ -174,7 +175,10 @@ void SensorsPanel::displayTurn(bool wasHidden) {
 std::vector<std::string> SensorsPanel::shownPaths() {
     std::vector<std::string> paths = m_pins->paths();
     std::ranges::copy(m_selection.paths(), std::back_inserter(paths));
-    std::vector<std::string> devices = devicesOf(*m_session.results().experiment, paths);
+    const RunResults& run = m_session.results();
+    std::vector<std::string> devices = devicesOf(*run.experiment, *run.built->registry, paths);
+    if (const EditedModel& model = m_document.editedModel(); devices.empty() && model.isOpen()) // a test drive
+        devices = devicesOf(*run.experiment, *run.built->registry, model.path());
     m_omitted = devices.size() > kMaxCards ? devices.size() - kMaxCards : 0;
     if (m_omitted > 0) devices.resize(kMaxCards);
     return devices;

@@ -125,15 +125,32 @@ private Q_SLOTS:
         f.selection.select("two.north");
         QVERIFY(f.runFor(0.02));
         QCOMPARE(f.shown(), QStringList{QStringLiteral("two.north")});
-        f.selection.select("one"); // all of its devices, in the order of the text
-        EVENTUALLY_EQUAL(f.panel.cards().size(), std::size_t(10));
-        QCOMPARE(f.shown().front(), QStringLiteral("one.motor"));
+        f.selection.select("one"); // all of its devices: sensors, then the others, in the order of the text
+        const QString all =
+            QStringLiteral("one.front one.scan one.imu one.north one.gps one.floor one.feel one.eye one.motor one.pack");
+        EVENTUALLY_EQUAL(f.shown().join(u' '), all);
         f.selection.select("one.axle"); // a joint: what is mounted on it
         EVENTUALLY_EQUAL(f.shown(), QStringList{QStringLiteral("one.motor")});
         f.selection.select("RobotConfig.Station.imu"); // in the config: of the first robot
         EVENTUALLY_EQUAL(f.shown(), QStringList{QStringLiteral("one.imu")});
         f.selection.set({"two.front", "one.front", "two.front"});
         EVENTUALLY_EQUAL(f.shown(), (QStringList{QStringLiteral("two.front"), QStringLiteral("one.front")}));
+    }
+
+    /// A click on the floor selects nothing; what is driven remains in the panel.
+    void theEditedModelIsShownUnselected() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(kStation));
+        f.document.editedModel().open("RobotConfig.Station");
+        f.selection.select("RobotConfig.Station.imu");
+        QVERIFY(f.runFor(0.02));
+        const QStringList imu{QStringLiteral("RobotConfig.Station.imu")};
+        EVENTUALLY_EQUAL(f.shown(), imu);
+        f.selection.clear();
+        EVENTUALLY_EQUAL(f.panel.cards().size(), std::size_t(10));
+        f.selection.select("StaticConfig.TrundlePreviewFloor");
+        QVERIFY(f.settled());
+        QCOMPARE(f.panel.cards().size(), std::size_t(10));
     }
 
     void everySignalOfADeviceIsReadable() {
