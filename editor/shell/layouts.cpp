@@ -139,6 +139,21 @@ void Layouts::raise(const QString& name) {
     dock->raise();
 }
 
+bool Layouts::isInFront(const QString& name) const {
+    const QDockWidget* dock = m_docks.value(name);
+    return dock && dock->isVisible() && !dock->visibleRegion().isEmpty();
+}
+
+QString Layouts::raiseOver(const QString& name) {
+    QStringList before = m_docks.keys();
+    before.removeIf([this](const QString& other) { return !isInFront(other); });
+    raise(name);
+    const QList<QDockWidget*> tabs = m_window.tabifiedDockWidgets(m_docks.value(name)); // of a hidden one Qt has none
+    for (const QString& other : before)
+        if (other == name || tabs.contains(m_docks.value(other))) return other;
+    return {};
+}
+
 void Layouts::arrange(Layout layout) {
     for (QDockWidget* dock : m_docks) {
         dock->setFloating(false);

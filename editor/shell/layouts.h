@@ -29,6 +29,9 @@ public:
     void setShown(bool shown);
     /// Shows a dock and raises it. On the Welcome page only the guide can be shown.
     void raise(const QString& name);
+    /// The same; the answer is the name of the dock that was in front there, maybe this one. Empty: all there were hidden.
+    QString raiseOver(const QString& name);
+    [[nodiscard]] bool isInFront(const QString& name) const; ///< not behind another tab, not hidden
     /// Shows and hides each dock; disabled while setShown(false).
     [[nodiscard]] QMenu* menu() const { return m_menu; }
     /// "Show Console" ...: actions that raise a dock, for the command palette.

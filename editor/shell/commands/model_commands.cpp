@@ -176,13 +176,16 @@ void ModelCommands::showSensors() {
             m_shownForDrive.push_back(&action);
         }
     m_raisedSensors = m_targets.layouts.dock(QStringLiteral("sensors"))->isHidden();
-    m_targets.layouts.raise(QStringLiteral("sensors"));
+    m_front = m_targets.layouts.raiseOver(QStringLiteral("sensors"));
 }
 
 void ModelCommands::hideSensors() {
     for (QAction* overlay : std::exchange(m_shownForDrive, {}))
         if (overlay->isChecked()) overlay->trigger();
-    if (std::exchange(m_raisedSensors, false)) m_targets.layouts.dock(QStringLiteral("sensors"))->hide();
+    const QString sensors = QStringLiteral("sensors"), before = std::exchange(m_front, {});
+    const bool isInFront = m_targets.layouts.isInFront(sensors); // else the user has chosen another one
+    if (std::exchange(m_raisedSensors, false)) m_targets.layouts.dock(sensors)->hide();
+    if (isInFront && !before.isEmpty()) m_targets.layouts.raise(before);
 }
 
 void ModelCommands::offerGrounds() {

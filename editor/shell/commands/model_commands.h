@@ -52,6 +52,7 @@ private:
     double m_ramp = 0;                     // degrees, of test drives
     std::vector<ViewState> m_views;        // before the test drive
     std::vector<QAction*> m_shownForDrive; // overlays
+    QString m_front;                       // the panel in front before Sensors
     bool m_raisedSensors = false;          // the panel was hidden before
     bool m_driving = false;
     bool m_opened = false; // the test drive has opened the model

@@ -220,6 +220,8 @@ private Q_SLOTS:
         buildRobot(hand);
         const auto* sensors = m_window->findChild<QWidget*>(QStringLiteral("sensors"));
         QVERIFY(sensors && !sensors->isVisible());
+        const auto* problems = m_window->findChild<QWidget*>(QStringLiteral("dock.problems"));
+        QVERIFY(problems && !problems->visibleRegion().isEmpty());
         QVERIFY(hand.press("modelDrive"));
         RunSession& session = m_window->session();
         EVENTUALLY(session.state() == RunState::Running);
@@ -242,6 +244,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->actions().at("sim.drive").isChecked());
         QVERIFY(!m_window->actions().at("view.overlayBeams").isChecked());
         QVERIFY(!sensors->isVisible());
+        EVENTUALLY(!problems->visibleRegion().isEmpty());
         QCOMPARE(m_window->viewport().views().current().camera().free().kind(), ViewKind::Perspective); // not that of the drive
         QCOMPARE(text().simplified(), kBuilt);
         QCOMPARE(m_window->document().edits().history().entries().size(), std::size_t(5));
