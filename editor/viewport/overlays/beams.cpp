@@ -1,5 +1,6 @@
 #include "editor/viewport/overlays/beams.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -15,7 +16,7 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMaxSensors = 200, kMaxSelectedSensors = 40;
-constexpr std::uint32_t kMaxBeamLines = 64; // beams in a layer that are drawn as lines too
+constexpr std::size_t kMaxBeamLines = 48;   // of a sensor; of more beams every n-th is a line, fainter
 constexpr double kSurfaceGap = 0.2;         // of the distance
 constexpr int kConeSides = 24;
 constexpr double kMaxReadingAge = 2; // s; an older reading is drawn where its sensor is now
@@ -45,10 +46,12 @@ struct DrawnSensor {
         return std::abs(a - b) > kSurfaceGap * std::min(a, b) + 0.01 * sensor.maxRange;
     }
 
+    /// All lines to and from the sensor together must leave the picture behind them readable.
     void fan() const {
         std::vector<Vec3> echoes, area, surface;
         std::vector<bool> ends;
-        const bool many = sensor.beams > kMaxBeamLines;
+        const std::size_t count = std::size_t(sensor.beams) * sensor.layers, step = (count + kMaxBeamLines - 1) / kMaxBeamLines;
+        const bool many = step > 1;
         for (std::uint32_t layer = 0; layer < sensor.layers; ++layer) {
             area.clear();
             surface.clear();
@@ -63,18 +66,24 @@ struct DrawnSensor {
                     ends.push_back(i + 1 == sensor.beams || isApart(distance(beam), distance(beam + 1)));
                 }
                 if (hits(beam)) echoes.push_back(end);
-                if (sensor.beams <= kMaxBeamLines) pen.line(eye.position, end, translucent(colour, 150), 1);
+                if (!many) pen.line(eye.position, end, translucent(colour, 150), 1);
+                else if (beam % step == 0) faint(end);
             }
             const QPen outline(translucent(colour, sensor.layers > 1 ? 60 : 130), 1);
             painter.setPen(many ? QPen(Qt::NoPen) : outline);
-            painter.setBrush(translucent(colour, std::max(6, 34 / int(sensor.layers))));
+            painter.setBrush(translucent(colour, std::max(1, (many ? 8 : 34) / int(sensor.layers))));
             painter.setRenderHint(QPainter::Antialiasing, !many); // hundreds of smooth corners take milliseconds
             pen.polygon(area);
             painter.setPen(outline);
-            if (many) pen.path(surface, ends); // long lines to and from the sensor show nothing and take as long
+            if (many) pen.path(surface, ends); // lines between surfaces show nothing
             painter.setRenderHint(QPainter::Antialiasing);
         }
         pen.dots(echoes, colour, 3);
+    }
+
+    void faint(const Vec3& end) const {
+        painter.setPen(QPen(translucent(colour, 60), 1));
+        pen.path(std::array{eye.position, end}, {false, true});
     }
 
     void cone() const {

@@ -12,7 +12,7 @@ namespace trundle {
 class ToolView;
 
 /// Draws what distance sensors measure, of all of them or of the selected ones only: a fan as the area that its beams crossed,
-/// with a dot where each hit something, a cone up to its distance. Without a reading, their reach.
+/// with a dot where each hit something, a cone up to its distance. Without a reading, their reach. Of many beams a few are drawn.
 void paintBeams(QPainter& painter, const ToolView& view, bool all);
 
 /// The distances of a sensor, one for each of its directions; empty before its first reading.

@@ -102,6 +102,33 @@ private Q_SLOTS:
         }
     }
 
+    /// A lidar of hundreds of beams: floor and robot stay readable, what it has measured is seen.
+    void manyBeamsLeaveThePictureReadable() {
+        QVERIFY(m_window->open(QByteArray(kScanner).replace("Beams=4", "Beams=360")));
+        EVENTUALLY(m_window->panel->views().isUpToDate());
+        step();
+        const QImage plain = shown();
+        m_window->selection.select("robot0.scan");
+        EVENTUALLY(m_window->panel->views().isUpToDate());
+        const QImage drawn = shown();
+        double change = 0;
+        int strong = 0, hits = 0;
+        for (int y = 0; y < plain.height(); ++y)
+            for (int x = 0; x < plain.width(); ++x) {
+                const QColor a = plain.pixelColor(x, y), b = drawn.pixelColor(x, y);
+                const int most =
+                    std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+                change += most;
+                strong += most > 24;
+                hits += most > 60;
+            }
+        const double pixels = double(plain.width()) * plain.height();
+        const QByteArray measured =
+            "mean " + QByteArray::number(change / pixels) + ", strong " + QByteArray::number(strong / pixels);
+        QVERIFY2(change / pixels < 6 && strong / pixels < 0.06, measured);
+        QVERIFY2(hits > 300, QByteArray::number(hits)); // dots
+    }
+
     void aReadingIsDrawnWhereItWasMeasured() {
         const RangeModel sensor{"r/scan", "r", 0, {}, 5, 0, 2, 1, false, false, {Vec3::UnitX(), Vec3::UnitY()}};
         SignalLayout layout;
