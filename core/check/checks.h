@@ -23,6 +23,8 @@ void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 void checkSprings(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 /// Reports robots without a device that their controller needs; a run would refuse them.
 void checkNeeds(const LoadedProject& loaded, Diagnostics& diagnostics);
+/// Reports motors that share a joint or differ between the sides, and encoders on the wrong joint.
+void checkMotors(const RobotConfigSpec& config, Diagnostics& diagnostics);
 /// Reports drives whose values disagree with their wheels, or whose wheels turn the wrong way.
 void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics);
 /// Reports robots that start inside something else or below a floor.

@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
-#include <unordered_map>
 
 #include "check/checks.h"
 #include "check/drive_directions.h"
@@ -13,6 +13,7 @@ namespace trundle {
 namespace {
 
 constexpr double kTolerance = 0.02; // relative, for radius and distances
+constexpr double kOdd = 0.05;       // of WheelSeparation
 constexpr std::string_view kMotor = "RotaryMotor";
 
 /// Checks all drives of one config.
@@ -28,23 +29,26 @@ public:
                     std::find_if(motors.begin(), motor, [&](const DriveMotor& m) { return m.name == motor->name; });
                 earlier != motor)
                 return sameMotor(drive, *earlier, *motor);
+        DriveReport report(m_loaded, m_config, drive, m_diagnostics);
         std::vector<DriveWheel> wheels;
         for (const DriveMotor& motor : motors) {
             const auto wheel = wheelOf(m_config, motor.name);
-            if (!wheel) return checkAxle(m_loaded, m_config, drive, motor, m_diagnostics);
+            if (!wheel) return checkAxle(report, motor);
             wheels.push_back(*wheel);
         }
         if (wheels.empty()) return;
-        checkWheels(drive, motors, wheels);
-        checkDirections(m_loaded, m_config, drive, motors, wheels, m_diagnostics);
+        const auto radius = [](const DriveWheel& w) { return w.geom->radius; };
+        if (const auto all = sameOf(wheels, radius))
+            compare(drive, "WheelRadius", *all, namesOf(wheels) + " have a radius of ", "distances");
+        const std::size_t before = m_diagnostics.all().size();
+        checkDirections(report, motors, wheels);
+        if (m_diagnostics.all().size() == before) checkDistances(drive, motors, wheels); // which follow from the sides
     }
 
 private:
-    void checkWheels(const ComponentSpec& drive, const std::vector<DriveMotor>& motors, const std::vector<DriveWheel>& wheels) {
-        const std::string names = "the wheels " + nameOf(wheels.front()) + " and " + nameOf(wheels.back());
-        const auto radius = [](const DriveWheel& w) { return w.geom->radius; };
-        if (const auto all = sameOf(wheels, radius))
-            compare(drive, "WheelRadius", *all, names + " have a radius of ", "distances");
+    void checkDistances(const ComponentSpec& drive, const std::vector<DriveMotor>& motors,
+                        const std::vector<DriveWheel>& wheels) {
+        const std::string names = namesOf(wheels);
         const Vec3 across = wheels.front().axis, ahead = across.cross(Vec3::UnitZ());
         const auto apart = [&](const Vec3& direction, bool DriveMotor::*side) {
             std::array<double, 2> sums{}, counts{};
@@ -60,14 +64,44 @@ private:
                 compare(drive, "WheelDistance", *all, names + " are away from the middle by ", "turns");
             return;
         }
-        compare(drive, "WheelSeparation", apart(across, &DriveMotor::isRight), "the middles of " + names + " are apart by ",
-                "turns");
+        if (!reportedOdd(drive, motors, wheels))
+            compare(drive, "WheelSeparation", apart(across, &DriveMotor::isRight), "the middles of " + names + " are apart by ",
+                    "turns");
         if (drive.kind == "MecanumDrive")
             compare(drive, "WheelBase", apart(ahead, &DriveMotor::isBack), "the axles of " + names + " are apart by ", "turns");
         if (drive.kind == "AckermannDrive")
             if (const auto steered = steeredAnchor(drive))
                 compare(drive, "WheelBase", std::abs((*steered - wheels.front().centre).dot(ahead.normalized())),
                         "the steered wheels are ahead of the driven ones by ", "curves");
+    }
+
+    /// Of several wheels on a side, one that is farther out than the others, from which WheelSeparation is.
+    bool reportedOdd(const ComponentSpec& drive, const std::vector<DriveMotor>& motors, const std::vector<DriveWheel>& wheels) {
+        const Vec3 left = wheels.front().axis;
+        const auto usual = [&](bool isRight) { // m, the median of a side, towards the left
+            std::vector<double> places;
+            for (std::size_t i = 0; i < wheels.size(); ++i)
+                if (motors[i].isRight == isRight) places.push_back(wheels[i].centre.dot(left));
+            std::ranges::sort(places);
+            return places.empty() ? 0 : places[places.size() / 2];
+        };
+        const double onLeft = usual(false), onRight = usual(true), given = drive.number("WheelSeparation");
+        if (std::abs(given - (onLeft - onRight)) > kTolerance * given) return false;
+        for (std::size_t i = 0; i < wheels.size(); ++i) {
+            const double out =
+                (wheels[i].centre.dot(left) - (motors[i].isRight ? onRight : onLeft)) * (motors[i].isRight ? -1 : 1);
+            if (std::abs(out) <= kOdd * given) continue;
+            const BodySpec& body = m_config.bodies[wheels[i].body];
+            m_diagnostics.hint(Code::WheelGeometry, body.nameRange,
+                               body.name + " is " + lengthText(std::abs(out)) + (out > 0 ? " farther out" : " farther in") +
+                                   " than the other wheels of its side, from which the WheelSeparation of " + drive.name + " is");
+            break;
+        }
+        return true;
+    }
+
+    [[nodiscard]] std::string namesOf(const std::vector<DriveWheel>& wheels) const {
+        return "the wheels " + nameOf(wheels.front()) + " and " + nameOf(wheels.back());
     }
 
     /// Names the geom, and its body where another wheel has a geom of that name.
@@ -124,7 +158,16 @@ private:
                                                   where + lengthText(real) + ": " + effect + " will be " +
                                                   figureText(100 * std::abs(given / real - 1)) + " % off");
         const std::string text = shortNumber(std::round(real * 1e6) / 1e6);
-        if (isWritten(m_loaded, *value)) d.fixes.push_back({std::string(key) + "=" + text, {{value->range, text}}});
+        if (isWritten(m_loaded, *value) && isOneForAll(*value))
+            d.fixes.push_back({std::string(key) + "=" + text, {{value->range, text}}});
+    }
+
+    /// Whether no other robot has it with other values, to which a change of the config would be wrong.
+    [[nodiscard]] bool isOneForAll(const ResolvedValue& value) const {
+        const auto isOther = [&](const RobotSpec& robot) {
+            return robot.config.get() != &m_config && robot.config->name == m_config.name;
+        };
+        return value.origin != Origin::Config || std::ranges::none_of(m_loaded.experiment->robots, isOther);
     }
 
     const LoadedProject& m_loaded;
@@ -132,48 +175,13 @@ private:
     Diagnostics& m_diagnostics;
 };
 
-bool turnsJoint(const ComponentSpec& device) { return device.kind == kMotor || device.kind == "Servo" || device.kind == "LinearMotor"; }
-
-/// Warns of motors that share a joint: a joint has one motor row, which the last of them sets.
-void checkSharedJoints(const RobotConfigSpec& config, Diagnostics& diagnostics) {
-    std::unordered_map<std::string, const ComponentSpec*> firsts; // by joint
-    for (const ComponentSpec& motor : config.devices) {
-        if (!turnsJoint(motor)) continue;
-        const auto [earlier, isFirst] = firsts.try_emplace(motor.text("Joint"), &motor);
-        if (isFirst) continue;
-        const ResolvedValue* joint = motor.find("Joint");
-        diagnostics.warning(Code::DeviceSetup, joint && joint->range.known() ? joint->range : motor.nameRange,
-                            motor.name + " and " + earlier->second->name + " move the same joint, " + earlier->first + ": only " +
-                                motor.name +
-                                " acts on it, and both report its torque; give each a joint of its own, or keep one of them");
-    }
-}
-
-/// An encoder on a slider counts lines, whose pitch it needs; the lines of a disc have none.
-void checkEncoders(const RobotConfigSpec& config, Diagnostics& diagnostics) {
-    std::unordered_map<std::string_view, const JointSpec*> joints;
-    for (const JointSpec& joint : config.joints) joints.try_emplace(joint.name, &joint);
-    for (const ComponentSpec& encoder : config.devices) {
-        if (encoder.kind != "Encoder") continue;
-        const std::string name = encoder.text("Joint");
-        const auto joint = joints.find(name);
-        const ResolvedValue* pitch = encoder.find("Pitch");
-        const bool hasPitch = pitch && !pitch->value.numbers.empty();
-        if (joint == joints.end() || (joint->second->type == JointType::Slider) == hasPitch) continue;
-        diagnostics.warning(Code::DeviceSetup, hasPitch && pitch->range.known() ? pitch->range : encoder.nameRange,
-                            encoder.name + (hasPitch ? " has a Pitch, but " + name + " is no Slider: its angle will be wrong"
-                                                     : " is on the Slider " + name + " and needs the Pitch of its lines"));
-    }
-}
-
 } // namespace
 
 void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics) {
     std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
     for (const RobotSpec& robot : loaded.experiment->robots) {
         if (!robot.config || !seen.insert(robot.config.get()).second) continue;
-        checkSharedJoints(*robot.config, diagnostics);
-        checkEncoders(*robot.config, diagnostics);
+        checkMotors(*robot.config, diagnostics);
         DriveCheck check(loaded, *robot.config, diagnostics);
         for (const ComponentSpec& device : robot.config->devices) check.check(device);
     }

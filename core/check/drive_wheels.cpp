@@ -2,28 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "check/extent.h"
 
 namespace trundle {
 
 namespace {
 
 constexpr double kSameAxis = 0.02; // sine of the angle between a wheel's axis and its axle
+constexpr double kBeyond = 0.05;   // of the radius
 constexpr double kLevel = 0.1;     // z of the unit axle of a free wheel
 
-/// Of the joint's body, as wheelOf().
+/// m, how far a geom reaches from an axle, in eight directions.
+double reachOf(const GeomSpec& geom, const Pose& pose, const Vec3& anchor, const Vec3& axle) {
+    const Vec3 side = axle.unitOrthogonal(), other = axle.cross(side);
+    double reach = 0;
+    for (int k = 0; k < 8; ++k) {
+        const Vec3 out = std::cos(k * std::numbers::pi / 4) * side + std::sin(k * std::numbers::pi / 4) * other;
+        reach = std::max(reach, extentAlong(geom, pose, out).high - anchor.dot(out));
+    }
+    return reach;
+}
+
+/// Of the joint's body, as wheelOf(); nothing if another shape, like a spoke, reaches farther from the axle.
 std::optional<DriveWheel> wheelAt(const RobotConfigSpec& config, const JointSpec& joint, const ComponentSpec* motor) {
     const bool isTurnedAround = joint.child == 0 && joint.parent != kWorldBody; // the chassis is the child, the wheel its parent
     const Vec3 axle = (isTurnedAround ? -1 : 1) * (joint.type == JointType::Suspension ? joint.axis2 : joint.axis);
     const auto child = static_cast<std::size_t>(isTurnedAround ? joint.parent : joint.child);
     const BodySpec& body = config.bodies[child];
     std::optional<DriveWheel> wheel;
+    double reach = 0; // m, of the others from the axle
     for (const GeomSpec& g : body.geoms) {
         const Pose pose = body.pose * g.pose;
+        if (g.collide) reach = std::max(reach, reachOf(g, pose, joint.anchor, axle));
         const bool round = g.shape == GeomShape::Sphere || g.shape == GeomShape::Cylinder;
         if (!g.collide || !round) continue;
         if (g.shape == GeomShape::Cylinder && (pose.rotation * Vec3::UnitZ()).cross(axle).norm() > kSameAxis) continue;
         if (!wheel || g.radius > wheel->geom->radius) wheel = DriveWheel{&g, motor, child, pose.position, axle};
     }
+    if (wheel && reach > (1 + kBeyond) * (wheel->geom->radius + (wheel->centre - joint.anchor).cross(axle).norm()))
+        return std::nullopt;
     return wheel;
 }
 
@@ -33,7 +52,8 @@ std::vector<DriveMotor> motorsOf(const ComponentSpec& device) {
     std::vector<DriveMotor> motors;
     const auto add = [&](const char* key, bool isRight, bool isBack) {
         if (const ResolvedValue* value = device.find(key))
-            for (const std::string& name : value->value.texts) motors.push_back({key, name, value, isRight, isBack});
+            for (std::size_t i = 0; i < value->value.texts.size(); ++i)
+                motors.push_back({key, value->value.texts[i], value, isRight, isBack, i});
     };
     if (device.kind == "DifferentialDrive" || device.kind == "AckermannDrive")
         add("LeftMotor", false, true), add("RightMotor", true, true);

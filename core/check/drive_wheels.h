@@ -15,6 +15,9 @@ struct DriveMotor {
     std::string name;
     const ResolvedValue* value;
     bool isRight = false, isBack = false;
+    std::size_t index = 0; ///< in the value
+
+    [[nodiscard]] const SourceRange& place() const { return value->rangeOf(index); } ///< of its name
 };
 
 /// The motors of a drive's wheels; empty for other devices.

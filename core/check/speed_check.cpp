@@ -104,7 +104,8 @@ private:
         const double low = extentAlong(geom, X_WG, m_up).low, middle = X_WG.position.dot(m_up);
         const double above = std::max(0.02, middle - low); // m: it may start inside the ground
         const auto hit = m_scene.ray(X_WG.position + (low - middle + above) * m_up, -m_up, kRay, r);
-        return hit ? std::optional(hit->distance - above) : std::nullopt;
+        return hit && m_scene.owner(hit->geom).isStatic ? std::optional(hit->distance - above)
+                                                        : std::nullopt; // no other robot is ground
     }
 
     /// Wheels that stay in the air when the lowest shape of their robot touches the ground. A free one that is higher than half of its

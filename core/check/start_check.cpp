@@ -8,7 +8,9 @@
 #include <map>
 
 #include "check/checks.h"
+#include "check/drive_wheels.h"
 #include "check/extent.h"
+#include "check/free_place.h"
 #include "check/inside_mesh.h"
 #include "check/pose_fix.h"
 
@@ -176,6 +178,8 @@ private:
         std::string message = robot.name + (below ? " starts below " : " starts inside ") + partner + ": its geom " +
                               m_scene.pathOf(own) + " is " + lengthText(pair.deepest.depth) +
                               " deep in it, and would be thrown out";
+        const double lower = pair.withStatic && out.dot(m_scene.up()) > kLevel ? belowWheels(own) : 0;
+        if (lower > 0) message += "; it reaches " + lengthText(lower) + " lower than the wheels";
         if (others > 0) message += " (and " + std::to_string(others) + " more like it)";
         Diagnostic& d = m_diagnostics.warning(below ? Code::BelowFloor : Code::StartOverlap, robot.nameRange, std::move(message));
         const RobotSpec* second = pair.withStatic || pair.other == pair.robot ? nullptr : &m_experiment.robots[pair.other];
@@ -183,7 +187,30 @@ private:
         else if (pair.withStatic) d.notes.push_back({"what it starts in", m_experiment.statics[pair.other].nameRange});
         if (pair.other == pair.robot && !pair.withStatic) return; // contacts among its own bodies: moving the robot does not help
         if (robot.scenery) return;                                // moving all of it would not part it from itself
-        if (auto fix = moveFix(m_loaded, robot, moveOutOf(pair))) d.fixes.push_back(std::move(*fix));
+        if (lower > 0) return;                                    // moved up, its wheels would be in the air
+        const std::optional<Vec3> move = second ? moveBesideOther(pair) : std::optional(moveOutOf(pair));
+        if (!move) return;
+        if (auto fix = moveFix(m_loaded, robot, *move)) d.fixes.push_back(std::move(*fix));
+    }
+
+    /// From another robot. Nothing if there is no free place, or the robot has to be moved out of scenery first.
+    [[nodiscard]] std::optional<Vec3> moveBesideOther(const Pair& pair) const {
+        const auto isInScenery = [&](const Pair& p) { return p.withStatic && p.robot == pair.robot; };
+        return std::ranges::any_of(m_pairs, isInScenery) ? std::nullopt : moveBeside(m_scene, pair.robot, pair.other);
+    }
+
+    /// m, by which a geom is lower than all wheels of its robot, and than what they can stand on.
+    [[nodiscard]] double belowWheels(std::uint32_t geom) const {
+        const GeomOwner& o = m_scene.owner(geom);
+        const RobotConfigSpec& config = *m_experiment.robots[o.object].config;
+        double lowest = HUGE_VAL;
+        for (const DriveWheel& wheel : drivenWheelsOf(config)) {
+            if (wheel.geom == o.spec) return 0;
+            const Pose pose = m_experiment.robots[o.object].pose * config.bodies[wheel.body].pose * wheel.geom->pose;
+            lowest = std::min(lowest, extentAlong(*wheel.geom, pose, m_scene.up()).low);
+        }
+        const double lower = lowest - extentAlong(*o.spec, poseOf(geom), m_scene.up()).low;
+        return std::isfinite(lower) && lower > kLeastDepth ? lower : 0;
     }
 
     /// Whether a geom is wholly behind the surface that it is `depth` deep in.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kHigh = 0.05;            // m; smaller drops are not reported
 constexpr double kHighForMachines = 0.35; // m; articulated robots are often placed above the ground, in the thesis by 0.3 m
+constexpr double kHighShare = 0.75;       // the same of the diagonal of the robot: a small one is not
 constexpr double kUpright = 0.999;        // cosine of the angle between up and z at which a plane at z = 0 is a floor
 constexpr double kFar = 1e4;              // m, range of a ray
 constexpr double kLeave = 1e-4;           // m, clearance after a fix
@@ -127,7 +128,7 @@ private:
         }
         ++m_measured;
         SupportFinding finding{piece, std::nullopt, {}, 0};
-        const double high = piece.bodies.size() > 1 ? kHighForMachines : kHigh;
+        const double high = piece.bodies.size() > 1 ? highFor(piece) : kHigh;
         if (!fall(finding) || (finding.height && *finding.height <= high)) return;
         if (known != m_byConfig.end()) {
             ++m_findings[known->second].others;
@@ -135,6 +136,19 @@ private:
         }
         m_byConfig.emplace(block, m_findings.size());
         m_findings.push_back(std::move(finding));
+    }
+
+    /// m, up to which a robot of several bodies may be placed above the ground.
+    [[nodiscard]] double highFor(const Piece& piece) const {
+        const RobotSpec& robot = m_experiment.robots[piece.robot];
+        Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
+        for (const std::uint32_t b : piece.bodies)
+            for (const GeomSpec& g : robot.config->bodies[b].geoms)
+                for (int k = 0; k < 3; ++k) {
+                    const Extent e = extentAlong(g, robot.config->bodies[b].pose * g.pose, Vec3::Unit(k));
+                    low[k] = std::min(low[k], e.low), high[k] = std::max(high[k], e.high);
+                }
+        return low.x() > high.x() ? kHigh : std::clamp(kHighShare * (high - low).norm(), kHigh, kHighForMachines);
     }
 
     /// Measures how far the piece would fall, and onto which geom. False if it has no shape.

@@ -50,8 +50,7 @@ private Q_SLOTS:
         add("as it should be", rover, {}, "", "", false);
         add("motors of the other sides", rover,
             {{"LeftMotor=leftMotor RightMotor=rightMotor", "LeftMotor=rightMotor RightMotor=leftMotor"}},
-            "rightWheel, which rightMotor turns, is on the right, but LeftMotor of base names it: turns will go the other way; "
-            "swap "
+            "rightWheel, which rightMotor turns, is on the right, but LeftMotor of base names it: its motion will be wrong; swap "
             "LeftMotor and RightMotor",
             "rightMotor", true);
         add("one axis reversed", rover, {{"Child=leftWheel Axis=0,1,0", "Child=leftWheel Axis=0,-1,0"}},
@@ -86,6 +85,23 @@ private Q_SLOTS:
             {{"Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0",
               "Suspension leftAxle { Parent=chassis Child=leftWheel Axis2=1,0,0 Stiffness=2000 Damping=50 Travel=0.02"}},
             "its axis is that of Axis2=0,1,0", "leftAxle", true);
+        add("a tyre that lies flat", rover, {{"Mass=0.2 HPR=0,0,90 } }\n  Body rightWheel", "Mass=0.2 } }\n  Body rightWheel"}},
+            "tyre of leftWheel lies flat, across its axle leftAxle: the wheel does not roll; a Cylinder is along z, and HPR "
+            "turns it: "
+            "HPR=0,0,90",
+            "tyre", true);
+        add("axles that are not in line", rover, {{"Pos=0.1,-0.15,0.05", "Pos=0.08,-0.15,0.05"}},
+            "rightWheel is 20 mm behind leftWheel: their axles are not in line", "rightWheel", false);
+        add("a motor of a tenth of the voltage", rover, {{"Joint=rightAxle MaxVoltage=12", "Joint=rightAxle MaxVoltage=1.2"}},
+            "rightMotor of base turns at up to 24 rad/s with up to 0.03 N m, leftMotor at up to 240 rad/s with up to 0.3 N m: "
+            "its "
+            "MaxVoltage is 1.2, that of leftMotor 12",
+            "rightMotor", false);
+        add("two encoders on one joint", rover,
+            {{"  DifferentialDrive", "  Encoder one { Joint=leftAxle CountsPerRevolution=100 }\n  Encoder two { Joint=leftAxle "
+                                     "CountsPerRevolution=100 }\n  DifferentialDrive"}},
+            "two and one count the same joint, leftAxle, and no encoder counts rightAxle, which rightMotor turns", "leftAxle",
+            false);
         add("an axle beside its wheel", rover,
             {{"Child=leftWheel Axis=0,1,0", "Child=leftWheel Anchor=0.1,0.15,0.09 Axis=0,1,0"}},
             "leftAxle, the axle of leftWheel, is 40 mm beside the middle of its tyre: it turns out of round", "leftAxle", false);
@@ -102,8 +118,9 @@ private Q_SLOTS:
         add("skid-steered wheels exchanged", skid,
             {{"LeftMotors=frontLeft.motor,backLeft.motor", "LeftMotors=frontLeft.motor,backRight.motor"},
              {"RightMotors=frontRight.motor,backRight.motor", "RightMotors=frontRight.motor,backLeft.motor"}},
-            "backRight.wheel, which backRight.motor turns, is on the right, but LeftMotors of base names it: turns will go wrong",
-            "frontLeft.motor,backRight.motor", false);
+            "backRight.wheel, which backRight.motor turns, is on the right, but LeftMotors of base names it: its motion will be "
+            "wrong; swap backRight.motor and backLeft.motor",
+            "backRight.motor", true);
         add("skid-steered wheel turned around", skid,
             {{"$(-wheelBase/2),$(wheelSeparation/2),$wheelRadius",
               "$(-wheelBase/2),$(wheelSeparation/2),$wheelRadius HPR=180,0,0"}},
@@ -127,11 +144,19 @@ private Q_SLOTS:
              {"BackLeftMotor=backLeft.motor BackRightMotor=backRight.motor",
               "BackLeftMotor=frontLeft.motor BackRightMotor=frontRight.motor"}},
             "the wheels that the front motors of base turn are at the back", "backLeft.motor", false);
+        add("mecanum front and back of one side", mecanum,
+            {{"FrontLeftMotor=frontLeft.motor", "FrontLeftMotor=backLeft.motor"},
+             {"BackLeftMotor=backLeft.motor", "BackLeftMotor=frontLeft.motor"}},
+            "backLeft.wheel, which backLeft.motor turns, is at the back, but FrontLeftMotor of base names it: its motion will be "
+            "wrong; swap backLeft.motor and frontLeft.motor",
+            "backLeft.motor", true);
         add("mecanum rollers all alike", mecanum, {{" Mirror=y", ""}},
             "the rollers of frontRight.wheel lie across those that base needs there: the FrictionHeading of its Surface is -45 "
             "degrees, not 45",
             "tyre", false);
         add("a car as it should be", car, {}, "", "", false);
+        add("a car steered about axes that point down", car, {{"Axis=0,0,1", "Axis=0,0,-1"}},
+            "frontLeft.pivot points down: base steers its wheel to the other side; reverse its axis", "pivot", false);
         add("a car steered from the other sides", car,
             {{"LeftSteering=frontLeft.steering RightSteering=frontRight.steering",
               "LeftSteering=frontRight.steering RightSteering=frontLeft.steering"}},

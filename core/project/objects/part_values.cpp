@@ -1,5 +1,7 @@
 #include "project/objects/part_values.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -46,7 +48,13 @@ std::optional<PropertyValue> valueAt(const LoadedProject& loaded, const ObjectLo
 std::string shortNumber(double value) {
     for (double power = 1; power < 1e11; power *= 10) {
         const double rounded = std::round(value * power) / power;
-        if (std::abs(rounded - value) < 1e-10) return numberText(rounded == 0 ? 0.0 : rounded);
+        if (!(std::abs(rounded - value) < 1e-10)) continue;
+        std::array<char, 32> digits; // "0.0001", not "1e-04"
+        const bool isSmall = rounded != 0 && std::abs(rounded) < 1;
+        return isSmall ? std::string(
+                             digits.data(),
+                             std::to_chars(digits.data(), digits.data() + digits.size(), rounded, std::chars_format::fixed).ptr)
+                       : numberText(rounded == 0 ? 0.0 : rounded);
     }
     return numberText(value);
 }

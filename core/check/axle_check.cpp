@@ -1,0 +1,64 @@
+// Axles that are not along the axis of their wheel: which of both is level is taken for what is meant.
+#include <algorithm>
+#include <cmath>
+
+#include "check/drive_directions.h"
+#include "project/edits/value_edits.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kAlong = 0.02;                 // sine of the angle between an axle and the axis of a wheel, as for WheelRadius
+constexpr double kFlat = 0.9, kLevelAxle = 0.1; // z of unit vectors
+
+/// The largest cylinder of the body; nullptr if another shape may be what it rolls on.
+const GeomSpec* largestCylinder(const BodySpec& body) {
+    const GeomSpec* largest = nullptr;
+    for (const GeomSpec& geom : body.geoms) {
+        if (!geom.collide) continue;
+        if (geom.shape != GeomShape::Cylinder) return nullptr;
+        if (!largest || geom.radius > largest->radius) largest = &geom;
+    }
+    return largest;
+}
+
+/// A wheel that lies on its side, on a level axle.
+void reportFlat(DriveReport& report, const JointSpec& joint, const BodySpec& body, const GeomSpec& geom, const Vec3& axis) {
+    const Vec3 along = body.pose.rotation.conjugate() * axis; // of the body's frame
+    const char* turn = std::abs(along.y()) > 1 - kAlong ? "0,0,90" : std::abs(along.x()) > 1 - kAlong ? "0,90,0" : nullptr;
+    Diagnostic& d = report.warn(geom.nameRange, geom.name + " of " + body.name + " lies flat, across its axle " + joint.name +
+                                                    ": the wheel does not roll; a Cylinder is along z, and HPR turns it" +
+                                                    (turn ? std::string(": HPR=") + turn : std::string()));
+    if (!turn || body.name.find('.') != std::string::npos) return;
+    const auto edits = editsForValues(
+        report.loaded,
+        {{DottedPath("RobotConfig." + report.config.name + "." + body.name + "." + geom.name + ".HPR"), ParsedValue(turn)}});
+    if (edits.ok() && edits.value().size() == 1) d.fixes.push_back({std::string("HPR=") + turn, edits.value().begin()->second});
+}
+
+} // namespace
+
+void checkAxle(DriveReport& report, const DriveMotor& motor) {
+    const RobotConfigSpec& config = report.config;
+    const auto device = std::ranges::find(config.devices, motor.name, &ComponentSpec::name);
+    if (device == config.devices.end()) return;
+    const auto joint = std::ranges::find(config.joints, device->text("Joint"), &JointSpec::name);
+    if (joint == config.joints.end() || (joint->type != JointType::Hinge && joint->type != JointType::Suspension)) return;
+    if (joint->child == 0 || isGeared(config, *joint)) return; // the chassis
+    const BodySpec& body = config.bodies[static_cast<std::size_t>(joint->child)];
+    const GeomSpec* geom = largestCylinder(body);
+    if (!geom) return;
+    const bool isSprung = joint->type == JointType::Suspension;
+    const Vec3 axis = isSprung ? joint->axis2 : joint->axis, along = body.pose.rotation * (geom->pose.rotation * Vec3::UnitZ());
+    if (along.cross(axis).norm() <= kAlong) return;
+    if (std::abs(along.z()) > kFlat && std::abs(axis.z()) < kLevelAxle) return reportFlat(report, *joint, body, *geom, axis);
+    const Vec3 rolling = along.y() < -0.5 || (std::abs(along.y()) <= 0.5 && along.sum() < 0) ? Vec3(-along) : along;
+    const std::string text = std::string(isSprung ? "Axis2=" : "Axis=") + axisText(rolling);
+    Diagnostic& d = report.warn(joint->nameRange, joint->name + ", which " + motor.name + " of " + report.drive.name +
+                                                      " turns, is not along the axis of " + body.name + "'s " + geom->name +
+                                                      ": the wheel does not roll; its axis is that of " + text);
+    report.addAxisFix(d, text, {&*joint}, {rolling});
+}
+
+} // namespace trundle

@@ -1,0 +1,14 @@
+#pragma once
+// Private to core/check.
+
+#include <optional>
+
+#include "check/start_scene.h"
+
+namespace trundle {
+
+/// The shortest level move (m, world frame) that brings a robot beside another one without meeting anything else, by the boxes around
+/// all; nothing if there is none along the axes of the world.
+[[nodiscard]] std::optional<Vec3> moveBeside(const StartScene& scene, std::size_t robot, std::size_t other);
+
+} // namespace trundle

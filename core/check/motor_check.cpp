@@ -1,0 +1,130 @@
+// Motors and encoders: which joints they are on, and whether those of both sides are alike.
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "check/checks.h"
+#include "check/drive_wheels.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kUnlike = 1.5;   // between torques or speeds of both sides
+constexpr double kOneValue = 1.2; // between values that make them so
+
+bool turnsJoint(const ComponentSpec& device) {
+    return device.kind == "RotaryMotor" || device.kind == "Servo" || device.kind == "LinearMotor";
+}
+
+/// Warns of motors that share a joint: a joint has one motor row, which the last of them sets.
+void checkSharedJoints(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    std::unordered_map<std::string, const ComponentSpec*> firsts; // by joint
+    for (const ComponentSpec& motor : config.devices) {
+        if (!turnsJoint(motor)) continue;
+        const auto [earlier, isFirst] = firsts.try_emplace(motor.text("Joint"), &motor);
+        if (isFirst) continue;
+        const ResolvedValue* joint = motor.find("Joint");
+        diagnostics.warning(Code::DeviceSetup, joint && joint->range.known() ? joint->range : motor.nameRange,
+                            motor.name + " and " + earlier->second->name + " move the same joint, " + earlier->first + ": only " +
+                                motor.name +
+                                " acts on it, and both report its torque; give each a joint of its own, or keep one of them");
+    }
+}
+
+/// An encoder on a slider counts lines, whose pitch it needs; the lines of a disc have none.
+void checkEncoders(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    std::unordered_map<std::string_view, const JointSpec*> joints;
+    for (const JointSpec& joint : config.joints) joints.try_emplace(joint.name, &joint);
+    for (const ComponentSpec& encoder : config.devices) {
+        if (encoder.kind != "Encoder") continue;
+        const std::string name = encoder.text("Joint");
+        const auto joint = joints.find(name);
+        const ResolvedValue* pitch = encoder.find("Pitch");
+        const bool hasPitch = pitch && !pitch->value.numbers.empty();
+        if (joint == joints.end() || (joint->second->type == JointType::Slider) == hasPitch) continue;
+        diagnostics.warning(Code::DeviceSetup, hasPitch && pitch->range.known() ? pitch->range : encoder.nameRange,
+                            encoder.name + (hasPitch ? " has a Pitch, but " + name + " is no Slider: its angle will be wrong"
+                                                     : " is on the Slider " + name + " and needs the Pitch of its lines"));
+    }
+}
+
+/// Two encoders count one joint, and none counts another motor's.
+void checkTwins(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    std::unordered_map<std::string, const ComponentSpec*> firsts; // by joint
+    for (const ComponentSpec& encoder : config.devices) {
+        if (encoder.kind != "Encoder") continue;
+        const auto [earlier, isFirst] = firsts.try_emplace(encoder.text("Joint"), &encoder);
+        if (isFirst) continue;
+        const auto isCounted = [&](const ComponentSpec& motor) {
+            return std::ranges::any_of(config.devices, [&](const ComponentSpec& d) {
+                return d.kind == "Encoder" && d.text("Joint") == motor.text("Joint");
+            });
+        };
+        const auto other = std::ranges::find_if(config.devices,
+                                                [&](const ComponentSpec& d) { return d.kind == "RotaryMotor" && !isCounted(d); });
+        if (other == config.devices.end()) continue;
+        const ResolvedValue* joint = encoder.find("Joint");
+        Diagnostic& d =
+            diagnostics.warning(Code::DeviceSetup, joint && joint->range.known() ? joint->range : encoder.nameRange,
+                                encoder.name + " and " + earlier->second->name + " count the same joint, " + earlier->first +
+                                    ", and no encoder counts " + other->text("Joint") + ", which " + other->name + " turns");
+        d.suggestions.push_back(other->text("Joint"));
+    }
+}
+
+/// The value in which two motors differ most.
+std::string differenceOf(const ComponentSpec& one, const ComponentSpec& two) {
+    double most = kOneValue;
+    std::string text;
+    for (const char* key :
+         {"GearRatio", "MaxVoltage", "TorqueConstant", "SpeedConstant", "BackEmfConstant", "Resistance", "Efficiency"}) {
+        const double a = one.number(key), b = two.number(key);
+        const double ratio = a > 0 && b > 0 ? std::max(a / b, b / a) : 0;
+        if (ratio <= most) continue;
+        most = ratio;
+        text = std::string(": its ") + key + " is " + figureText(b) + ", that of " + one.name + " " + figureText(a);
+    }
+    return text;
+}
+
+/// Motors in the same place of both sides that have other torques or speeds.
+void checkAlike(const RobotConfigSpec& config, const ComponentSpec& drive, Diagnostics& diagnostics) {
+    const std::vector<DriveMotor> motors = motorsOf(drive);
+    const auto deviceOf = [&](const DriveMotor& motor) {
+        return std::ranges::find(config.devices, motor.name, &ComponentSpec::name);
+    };
+    for (auto left = motors.begin(); left != motors.end(); ++left) {
+        const auto isAcross = [&](const DriveMotor& m) {
+            return m.isRight && !left->isRight && m.isBack == left->isBack && m.index == left->index;
+        };
+        const auto right = drive.kind == "OmniDrive" ? motors.begin() : std::ranges::find_if(motors, isAcross);
+        if (right == motors.end() || right == left) continue;
+        auto one = deviceOf(*left), two = deviceOf(*right);
+        if (one == config.devices.end() || two == config.devices.end()) continue;
+        DriveWheel a, b;
+        a.motor = &*one, b.motor = &*two;
+        const auto isUnlike = [](double x, double y) { return std::max(x, y) > kUnlike * std::min(x, y); };
+        const bool isWeaker = isUnlike(a.stallTorque(), b.stallTorque());
+        if (!isWeaker && !isUnlike(a.topRate(), b.topRate())) continue;
+        if (isWeaker ? a.stallTorque() < b.stallTorque() : a.topRate() > b.topRate())
+            std::swap(one, two), std::swap(a, b); // the odd one
+        diagnostics.warning(Code::WeakMotor, two->nameRange,
+                            two->name + " of " + drive.name + " turns at up to " + figureText(b.topRate()) +
+                                " rad/s with up to " + figureText(b.stallTorque()) + " N m, " + one->name + " at up to " +
+                                figureText(a.topRate()) + " rad/s with up to " + figureText(a.stallTorque()) + " N m" +
+                                differenceOf(*one, *two));
+        return;
+    }
+}
+
+} // namespace
+
+void checkMotors(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    checkSharedJoints(config, diagnostics);
+    checkEncoders(config, diagnostics);
+    checkTwins(config, diagnostics);
+    for (const ComponentSpec& device : config.devices) checkAlike(config, device, diagnostics);
+}
+
+} // namespace trundle
