@@ -92,6 +92,14 @@ private Q_SLOTS:
                  std::string("forward 18°, backward 18°, left 34°, right 34°; least 18°"));
     }
 
+    void theNearestEdgeIsTheMarginAway() {
+        const auto balance =
+            balanceOf(experimentOf({boxBody({0.4, 0.2, 0.6}, {1, 2, 0.3}, 1), boxBody({0.1, 0.1, 0.1}, {1, 2.05, 0.7}, 1)}));
+        QVERIFY(balance && balance->isStable());
+        QVERIFY(nearestEdge(*balance).isApprox(Vec3(1, 2.1, 0), 1e-9));
+        QVERIFY(std::abs((nearestEdge(*balance) - balance->centre).norm() - balance->margin) < 1e-12);
+    }
+
     void whatIsNotStableTipsOnAnySlope() {
         const auto balance =
             balanceOf(experimentOf({boxBody({0.2, 0.2, 0.1}, {0, 0, 0.05}, 1), boxBody({0.1, 0.1, 0.1}, {0.4, 0, 0.4}, 1)}));

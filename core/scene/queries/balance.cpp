@@ -138,6 +138,19 @@ Vec3 edgeTowards(const Balance& balance, const Vec3& direction) {
     return std::isfinite(reach) ? Vec3(balance.centre + reach * along) : balance.centre;
 }
 
+Vec3 nearestEdge(const Balance& balance) {
+    Vec3 nearest = balance.centre;
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < balance.polygon.size(); ++i) {
+        const Vec3 &a = balance.polygon[i], along = balance.polygon[(i + 1) % balance.polygon.size()] - a;
+        const double length = along.squaredNorm();
+        const double t = length > 0 ? std::clamp((balance.centre - a).dot(along) / length, 0.0, 1.0) : 0;
+        const Vec3 point = a + t * along;
+        if (const double distance = (point - balance.centre).norm(); distance < least) nearest = point, least = distance;
+    }
+    return nearest;
+}
+
 double tipAngle(const Balance& balance, const Vec3& direction) {
     if (!balance.isStable()) return 0;
     return std::atan2((edgeTowards(balance, direction) - balance.centre).norm(), balance.height);

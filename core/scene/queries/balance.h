@@ -33,6 +33,8 @@ struct Balance {
 };
 /// Where the line from the centre in a horizontal direction crosses the edge of the polygon. Only of a stable one.
 [[nodiscard]] Vec3 edgeTowards(const Balance& balance, const Vec3& direction);
+/// The point of the edge that is nearest to the centre: `margin` away. Only of a stable one.
+[[nodiscard]] Vec3 nearestEdge(const Balance& balance);
 /// rad: on ground that goes down in this direction and is steeper than this, the robot turns over. It does not slide or roll. 0: it is not stable.
 [[nodiscard]] double tipAngle(const Balance& balance, const Vec3& direction);
 [[nodiscard]] double leastTipAngle(const Balance& balance); ///< rad, of all directions

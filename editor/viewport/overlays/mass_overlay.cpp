@@ -88,25 +88,83 @@ std::vector<ObjectRef> massesToShow(const ToolView& view) {
     return shown;
 }
 
-/// At the edge in each direction, the slope on which the robot turns over.
-void paintTipping(QPainter& painter, const ToolView& view, const Balance& balance, const Quat& rotation) {
-    const ScenePainter scene(painter, view);
+/// A robot that rests on level ground.
+struct Resting {
+    Balance balance;
+    Quat rotation; ///< of the robot
+};
+
+std::vector<Resting> restingRobots(const ToolView& view) {
+    std::vector<Resting> all;
+    const ViewportScene& world = view.context().world;
+    const Vec3& gravity = world.objects()->experiment().settings.gravity;
+    if (gravity.z() >= 0 || gravity.head<2>().norm() > 1e-3 * gravity.norm()) return all; // the ground would not be level
+    for (const std::uint32_t r : shownRobots(world, kMostShown)) {
+        auto balance = balanceOf(*world.objects(), r, view.shownPoses());
+        if (!balance) continue;
+        const Pose& first = world.objects()->experiment().robots[r].config->bodies.front().pose;
+        const Quat now = world.objects()->poseOf({ObjectKind::Body, r, 0}, view.shownPoses()).rotation;
+        all.push_back({std::move(*balance), now * first.rotation.conjugate()});
+    }
+    return all;
+}
+
+int degrees(double angle) { return int(std::lround(angle * 180 / std::numbers::pi)); }
+
+/// A direction in which the robot turns over on a slope.
+struct Tipping {
+    Vec3 edge;
+    int angle = 0; ///< degrees, of that slope
+    bool isNearest = false;
+};
+
+/// Forward, backward, left and right, and to the nearest edge if that is none of these.
+std::vector<Tipping> tippingsOf(const Resting& robot) {
+    std::vector<Tipping> all;
+    const Balance& balance = robot.balance;
+    const int least = degrees(leastTipAngle(balance));
+    bool hasNearest = false;
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
-        Vec3 direction = rotation * axis;
+        Vec3 direction = robot.rotation * axis;
         direction.z() = 0;
         if (direction.norm() < 1e-3) continue;
-        const Vec3 edge = edgeTowards(balance, direction);
-        scene.line(balance.centre, edge, kStable, 1, Qt::DotLine);
-        const QString angle = figure(tipAngle(balance, direction) * 180 / std::numbers::pi, 1) + QStringLiteral("°");
-        const auto from = view.shownPixelOf(balance.centre), at = view.shownPixelOf(edge);
+        const int angle = degrees(tipAngle(balance, direction));
+        all.push_back({edgeTowards(balance, direction), angle, angle == least && !hasNearest});
+        hasNearest = hasNearest || angle == least;
+    }
+    if (!hasNearest) all.push_back({nearestEdge(balance), least, true});
+    return all;
+}
+
+/// Beyond the edge, then further out, then beside that.
+void addTippingLabels(const ToolView& view, const Resting& robot, std::vector<LabelRequest>& labels) {
+    const auto from = view.shownPixelOf(robot.balance.centre);
+    for (const Tipping& tipping : tippingsOf(robot)) {
+        const auto at = view.shownPixelOf(tipping.edge);
         if (!from || !at) continue;
-        const QPointF out = *at - *from;
-        const double length = std::hypot(out.x(), out.y());
-        if (length > kLeastTipPixels) paintLabel(painter, *at + out * (kTipPixels / length), angle);
+        const QPointF way = *at - *from;
+        const double length = std::hypot(way.x(), way.y());
+        if (length <= kLeastTipPixels && !tipping.isNearest) continue;
+        const QPointF out = length > 1 ? way / length : QPointF(0, -1), beside(-out.y(), out.x());
+        LabelRequest label{QStringLiteral("%1°").arg(tipping.angle), {}, tipping.isNearest};
+        for (const double aside : {0.0, 1.0, -1.0})
+            for (const double steps : {1.0, 2.0, 3.0})
+                label.places.push_back(*at + kTipPixels * (steps * out + 2 * aside * beside));
+        labels.push_back(std::move(label));
     }
 }
 
-void paintBalance(QPainter& painter, const ToolView& view, const Balance& balance, const Quat& rotation) {
+void addBalanceLabel(const ToolView& view, const Balance& balance, std::vector<LabelRequest>& labels) {
+    const auto at = view.shownPixelOf(balance.centre);
+    if (!at) return;
+    LabelRequest label{QString::fromStdString(balanceText(balance)), {}, true};
+    for (const double below : {1.0, -1.0, 2.5, -2.5, 4.0, -4.0, 5.5, -5.5})
+        label.places.push_back(*at + QPointF(0, below * kTipPixels));
+    labels.push_back(std::move(label));
+}
+
+void paintBalance(QPainter& painter, const ToolView& view, const Resting& robot) {
+    const Balance& balance = robot.balance;
     const QColor colour = balance.isStable() ? kStable : kUnstable;
     const ScenePainter scene(painter, view);
     std::vector<Vec3> polygon = balance.polygon;
@@ -121,13 +179,24 @@ void paintBalance(QPainter& painter, const ToolView& view, const Balance& balanc
     for (std::size_t i = 0; i < polygon.size(); ++i) scene.line(polygon[i], polygon[(i + 1) % polygon.size()], colour, 2);
     scene.dots(polygon, colour, 6);
     scene.line(balance.centre, balance.centre + balance.height * Vec3::UnitZ(), QColor(245, 246, 248), 1, Qt::DashLine);
-    if (balance.isStable()) paintTipping(painter, view, balance, rotation);
+    if (balance.isStable())
+        for (const Tipping& tipping : tippingsOf(robot))
+            scene.line(balance.centre, tipping.edge, kStable, tipping.isNearest ? 2 : 1,
+                       tipping.isNearest ? Qt::SolidLine : Qt::DotLine);
     const auto at = view.shownPixelOf(balance.centre);
     if (!at) return;
     painter.setPen(QPen(kMassDark, 1.2));
     painter.setBrush(colour);
     painter.drawEllipse(*at, 4.5, 4.5);
-    paintLabel(painter, *at + QPointF(0, 18), QString::fromStdString(balanceText(balance)));
+}
+
+std::vector<PlacedLabel> labelsOf(const std::vector<Resting>& robots, const ToolView& view) {
+    std::vector<LabelRequest> labels;
+    for (const Resting& robot : robots) {
+        if (robot.balance.isStable()) addTippingLabels(view, robot, labels);
+        addBalanceLabel(view, robot.balance, labels);
+    }
+    return placeLabels(labels, QFontMetricsF(view.widget().font()), view.widget().rect());
 }
 
 } // namespace
@@ -157,18 +226,12 @@ void paintInertia(QPainter& painter, const ToolView& view) {
     }
 }
 
+std::vector<PlacedLabel> supportLabels(const ToolView& view) { return labelsOf(restingRobots(view), view); }
+
 void paintSupport(QPainter& painter, const ToolView& view) {
-    const ViewportScene& world = view.context().world;
-    const Vec3& gravity = world.objects()->experiment().settings.gravity;
-    if (gravity.z() >= 0 || gravity.head<2>().norm() > 1e-3 * gravity.norm()) return; // the ground would not be level
-    for (const std::uint32_t r : shownRobots(world, kMostShown)) {
-        const auto balance = balanceOf(*world.objects(), r, view.shownPoses());
-        if (!balance) continue;
-        const Pose& first = world.objects()->experiment().robots[r].config->bodies.front().pose;
-        const Quat rotation =
-            world.objects()->poseOf({ObjectKind::Body, r, 0}, view.shownPoses()).rotation * first.rotation.conjugate();
-        paintBalance(painter, view, *balance, rotation);
-    }
+    const std::vector<Resting> robots = restingRobots(view);
+    for (const Resting& robot : robots) paintBalance(painter, view, robot);
+    for (const PlacedLabel& label : labelsOf(robots, view)) paintLabel(painter, label.middle, label.text);
 }
 
 } // namespace trundle

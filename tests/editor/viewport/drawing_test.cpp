@@ -3,6 +3,7 @@
 
 #include "editor/document/structure_edits.h"
 #include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/overlays/mass_overlay.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
 
@@ -314,6 +315,34 @@ private Q_SLOTS:
         view.hints().setHint(QStringLiteral("Distance 1.234 m · x 1.000 m   y 0.500 m   z 0.250 m"));
         QVERIFY(view.grab().toImage() != whole);
         QCOMPARE(scaleBar(), before);
+    }
+
+    /// Its nearest edge is ahead; from afar there is no room for all of its labels.
+    void theNearestEdgeHasALabelOfItsOwn_data() {
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<double>("height");
+        QTest::addColumn<int>("least"); // labels
+        QTest::newRow("near") << 0.6 << 0.5 << 5;
+        QTest::newRow("far") << 4.0 << 2.0 << 2;
+        QTest::newRow("very far") << 30.0 << 10.0 << 2;
+        QTest::newRow("from ahead, flat") << 1.0 << 0.02 << 2;
+    }
+    void theNearestEdgeHasALabelOfItsOwn() {
+        QFETCH(double, distance);
+        QFETCH(double, height);
+        QFETCH(int, least);
+        QVERIFY(m_window->open("RobotConfig Heavy {\n  Body frame {\n    Box base { Size=0.3,0.3,0.1 Pos=0,0,0.05 Mass=1 }\n"
+                               "    Box load { Size=0.1,0.1,0.1 Pos=0.12,0,0.15 Mass=2 }\n  }\n}\nRobot one { Config=Heavy }\n"));
+        m_window->trigger("view.overlaySupport");
+        m_window->look({distance, -0.001, height}, {0, 0, 0});
+        EVENTUALLY(m_window->panel->views().isUpToDate());
+        const std::vector<PlacedLabel> labels = supportLabels(m_window->view());
+        QVERIFY2(int(labels.size()) >= least, QByteArray::number(int(labels.size())));
+        QCOMPARE(labels[0].text, QStringLiteral("31°")); // 70 mm from below its centre of mass to the edge ahead, 117 mm high
+        QCOMPARE(labels[1].text, QStringLiteral("Stable: 70 mm to the edge"));
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) QVERIFY(!labels[i].rect.intersects(labels[k].rect));
+        QVERIFY(!m_window->view().grab().isNull());
     }
 
     void oneMeasuresFromOneViewToAnother() {
