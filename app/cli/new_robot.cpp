@@ -32,6 +32,7 @@ RobotDesign designOf(const RobotArguments& a, const std::string& name) {
                                     {&d.mass, a.mass},
                                     {&d.topSpeed, a.topSpeed}})
         if (given) *to = *given;
+    placeWheels(d, !a.wheelSeparation, !a.wheelBase);
     return d;
 }
 

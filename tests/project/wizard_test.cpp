@@ -137,6 +137,48 @@ private Q_SLOTS:
         QVERIFY2(said.startsWith(expected), qPrintable(said));
     }
 
+    /// It rocks from wheel to wheel where it skids; one that is as high and longer does not.
+    void aSkidSteeredBaseMustNotRock() {
+        RobotDesign design = usualDesign(BaseShape::SkidSteer);
+        QVERIFY2(chooseMotor(design).ok(), failure(design).c_str());
+        design.height = 0.45;
+        const QString said = QString::fromStdString(failure(design));
+        QVERIFY2(said.startsWith("It would rock from wheel to wheel when it skids in a turn: make the hull at most 0.32 m high"),
+                 qPrintable(said));
+        design.wheelBase = 0.4;
+        QVERIFY2(chooseMotor(design).ok(), failure(design).c_str());
+    }
+
+    /// A long skid-steered base turns so slowly that its wheels are not faster than the top speed.
+    void wheelsKeepTheTopSpeedInTurns() {
+        for (const double wheelBase : {0.2, 0.4, 0.6}) {
+            RobotDesign design = usualDesign(BaseShape::SkidSteer);
+            design.wheelBase = wheelBase;
+            const double rim = squareDrive(design).turnRate * design.wheelSeparation / 2 * skidFactor(design);
+            QVERIFY2(rim <= design.topSpeed, qPrintable(QString::number(rim)));
+        }
+    }
+
+    void wheelsFollowTheHull() {
+        for (const BaseShape base : kBaseShapes) {
+            const RobotDesign usual = usualDesign(base);
+            RobotDesign same = usual;
+            placeWheels(same, true, true);
+            QCOMPARE(same.wheelSeparation, usual.wheelSeparation);
+            QCOMPARE(same.wheelBase, usual.wheelBase);
+            for (const auto& [value, to] :
+                 {std::pair{&RobotDesign::width, 1.}, {&RobotDesign::wheelRadius, 0.15}, {&RobotDesign::length, 1.}}) {
+                RobotDesign design = usual;
+                design.*value = to;
+                placeWheels(design, true, true);
+                QVERIFY2(chooseMotor(design).ok(), failure(design).c_str());
+                if (value == &RobotDesign::length && hasWheelBase(base)) QVERIFY(design.wheelBase > 0.6);
+                placeWheels(design = usual, false, false);
+                QCOMPARE(design.wheelSeparation, usual.wheelSeparation);
+            }
+        }
+    }
+
     void aSkidSteeredBaseMustTurnOnTheSpot() {
         RobotDesign design = usualDesign(BaseShape::SkidSteer);
         design.mass = 250;

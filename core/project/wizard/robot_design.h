@@ -36,12 +36,19 @@ struct DesignNumber {
 
 /// Dimensions to start from.
 [[nodiscard]] RobotDesign usualDesign(BaseShape base);
+/// Gives the wheels the places that go with the hull, where these were not chosen: a wheelbase in proportion to the length, a wheel
+/// separation as usual, or as large as hull and wheels need.
+void placeWheels(RobotDesign& design, bool choosesSeparation, bool choosesWheelBase);
 [[nodiscard]] bool hasWheelBase(BaseShape base);
 [[nodiscard]] int drivenWheels(BaseShape base);
 /// m: half of the radius, to the millimetre.
 [[nodiscard]] double wheelWidth(const RobotDesign& design);
 /// m from the floor to the hull.
 [[nodiscard]] double groundClearance(const RobotDesign& design);
+
+/// SkidFactor of a skid-steered base; 1 of others. Point contacts that slip by Coulomb's law without a force along: the sides run
+/// 1 + (wheelbase / separation)^2 times as fast as without skidding.
+[[nodiscard]] double skidFactor(const RobotDesign& design);
 
 /// A DC motor with a gear; all values at its output shaft.
 struct GearMotor {

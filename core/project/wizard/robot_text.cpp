@@ -150,12 +150,10 @@ std::string threeWheels(const RobotDesign& d) {
     return text;
 }
 
-/// Point contacts that slip by Coulomb's law without a force along: the sides run 1 + (wheelbase / separation)^2 times as fast as without skidding.
 std::string skidDrive(const RobotDesign& d) {
-    const double factor = 1 + std::pow(d.wheelBase / d.wheelSeparation, 2);
     return "  SkidDrive base {\n    LeftMotors=frontLeft.motor,backLeft.motor  RightMotors=frontRight.motor,backRight.motor\n    "
            "WheelRadius=$wheelRadius WheelSeparation=$wheelSeparation " +
-           line("SkidFactor=%.4g }\n", factor);
+           line("SkidFactor=%.4g }\n", skidFactor(d));
 }
 
 std::string wheelsAndDrive(const RobotDesign& d) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kSteering = 25 * kPi / 180; // rad, of the tightest corner
+constexpr double kTurnShare = 0.8;           // of the top speed, by the wheels in a turn
 constexpr double kRamp = 1;                  // m/s^2, as a base does
 
 std::string number(double value) {
@@ -107,6 +108,7 @@ SquareDrive squareDrive(const RobotDesign& d) {
     SquareDrive square;
     square.speed = std::min(0.3, d.topSpeed);
     square.turnRate = std::min(1., 0.5 * square.speed / (d.wheelSeparation / 2));
+    square.turnRate = std::min(square.turnRate, kTurnShare * d.topSpeed / (d.wheelSeparation / 2 * skidFactor(d)));
     square.turnRate = std::max(0.02, std::floor(square.turnRate * 50) / 50);
     if (d.base != BaseShape::Ackermann) return square;
     square.radius = std::ceil(d.wheelBase / std::tan(kSteering) * 20) / 20;

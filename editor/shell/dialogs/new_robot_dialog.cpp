@@ -179,7 +179,7 @@ QWidget* NewRobotDialog::makeNumbers() {
         form->addRow(label, field);
         m_fields[i] = field;
         m_labels[i] = label;
-        connect(field, &AmountField::changed, this, &NewRobotDialog::check);
+        connect(field, &AmountField::changed, this, [this, i] { change(i); });
         connect(field, &AmountField::submitted, m_create, [this] { m_create->click(); });
         connect(field, &AmountField::focused, this, [this, number] { m_plan->highlight(number.value); });
     }
@@ -207,15 +207,35 @@ QWidget* NewRobotDialog::makePlace() {
 /// Its usual dimensions: those of another base rarely fit.
 void NewRobotDialog::useBase(BaseShape base) {
     m_design = usualDesign(base);
-    const RobotDesign usual = m_design; // each field changes m_design
+    m_chosen.clear();
+    m_isFilling = true;
     for (const auto& [i, field] : m_fields) {
         const auto number = designNumbers()[i].value;
-        field->setValue(usual.*number);
+        field->setValue(m_design.*number);
         const bool counts = (number != &RobotDesign::wheelBase || hasWheelBase(base)) &&
                             (number != &RobotDesign::length || base != BaseShape::Omni);
         field->setEnabled(counts);
         m_labels[i]->setEnabled(counts);
     }
+    m_isFilling = false;
+    check();
+}
+
+/// The places of the wheels follow the hull until they are chosen.
+void NewRobotDialog::change(std::size_t number) {
+    if (m_isFilling || m_fields.size() < designNumbers().size()) return;
+    m_chosen.insert(number);
+    if (const auto value = m_fields[number]->value()) m_design.*designNumbers()[number].value = *value;
+    const auto isFree = [this](double RobotDesign::*value) {
+        const auto at = std::ranges::find(designNumbers(), value, &DesignNumber::value) - designNumbers().begin();
+        return !m_chosen.contains(static_cast<std::size_t>(at));
+    };
+    RobotDesign placed = m_design;
+    placeWheels(placed, isFree(&RobotDesign::wheelSeparation), isFree(&RobotDesign::wheelBase));
+    m_isFilling = true;
+    for (const auto& [i, field] : m_fields)
+        if (const auto value = designNumbers()[i].value; placed.*value != m_design.*value) field->setValue(placed.*value);
+    m_isFilling = false;
     check();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 
 #include <QDialog>
 
@@ -38,6 +39,7 @@ private:
     [[nodiscard]] QWidget* makePlace();
     void useBase(BaseShape base);
     void chooseFolder();
+    void change(std::size_t number);
     void check();
     [[nodiscard]] QString numberFault() const;
     [[nodiscard]] QString placeFault() const;
@@ -48,6 +50,8 @@ private:
     QButtonGroup* m_bases;
     std::map<std::size_t, AmountField*> m_fields; ///< by place in designNumbers()
     std::map<std::size_t, QLabel*> m_labels;
+    std::set<std::size_t> m_chosen; ///< numbers that the person has changed; the other ones follow them
+    bool m_isFilling = false;       ///< fields, not by the person
     RobotPlan* m_plan;
     QLineEdit *m_name, *m_folder;
     ResultLabel *m_motor, *m_result;

@@ -133,6 +133,19 @@ private Q_SLOTS:
         QVERIFY(TrustedFolders::covers(real("crawler")));
     }
 
+    /// The wheels follow the hull until their place is typed.
+    void wheelsFollowTheHull() {
+        openByKeys();
+        const auto separation = [&] { return qobject_cast<QLineEdit*>(number("robotWheelSeparation"))->text(); };
+        QCOMPARE(separation(), QStringLiteral("0.25"));
+        typeOver(number("robotWidth"), QStringLiteral("1"));
+        QCOMPARE(separation(), QStringLiteral("1.03"));
+        QVERIFY2(create()->isEnabled(), qPrintable(result()));
+        typeOver(number("robotWheelSeparation"), QStringLiteral("1.2"));
+        typeOver(number("robotWidth"), QStringLiteral("0.5"));
+        QCOMPARE(separation(), QStringLiteral("1.2"));
+    }
+
     /// What is wrong is shown with each key, and nothing can be created until it is right.
     void saysWhatIsWrongWhileTyping() {
         openByKeys();
