@@ -22,6 +22,20 @@ constexpr QSize kListPicture(72, 34);
 void LibrarySectionFilter::setWords(const QStringList& words) {
     m_words = words;
     invalidateFilter();
+    sort(0);
+}
+
+/// 0: its title begins with the first word; 1: all words are in the title; 2: some are in its help alone.
+int LibrarySectionFilter::rankOf(const QModelIndex& index) const {
+    const QString title = index.data().toString();
+    if (m_words.isEmpty() || title.startsWith(m_words.front(), Qt::CaseInsensitive)) return 0;
+    const auto isInTitle = [&](const QString& word) { return title.contains(word, Qt::CaseInsensitive); };
+    return std::ranges::all_of(m_words, isInTitle) ? 1 : 2;
+}
+
+bool LibrarySectionFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+    const int a = rankOf(left), b = rankOf(right);
+    return a != b ? a < b : left.row() < right.row();
 }
 
 bool LibrarySectionFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {

@@ -17,8 +17,11 @@ public:
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+    bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
 private:
+    [[nodiscard]] int rankOf(const QModelIndex& index) const;
+
     LibrarySection m_section;
     QStringList m_words;
 };
