@@ -235,11 +235,14 @@ QMimeData* mimeOf(const LoadedProject& loaded, const std::vector<std::string>& p
     return mime;
 }
 
-QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports) {
+QMimeData* libraryMime(const LibraryItem& item, const std::string& text) {
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    const PasteContents contents{text, imports, {}, {}, {}};
-    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, contents, contents));
+    const PasteContents contents{text, item.imports, {}, {}, {}};
+    QJsonObject object = QJsonDocument::fromJson(jsonOf(item.kind, contents, contents)).object();
+    object.insert(QStringLiteral("title"), item.title);
+    object.insert(QStringLiteral("isTemplate"), item.text.empty());
+    mime->setData(QLatin1String(kLibraryMime), QJsonDocument(object).toJson(QJsonDocument::Compact));
     return mime;
 }
 

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "base/result.h"
+#include "editor/outline/library_item.h"
 #include "project/loading/project.h"
 
 class QMimeData;
@@ -37,7 +38,8 @@ struct Blocks {
 
 /// Plain text for other editors; for other Trundle windows also the blocks that it refers to, or the files that contain them.
 [[nodiscard]] QMimeData* mimeOf(const LoadedProject& loaded, const std::vector<std::string>& paths);
-[[nodiscard]] QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports);
+/// `text`: of the item, made for the selection if it has none of its own.
+[[nodiscard]] QMimeData* libraryMime(const LibraryItem& item, const std::string& text);
 
 using MayImport = std::function<bool(const std::string& file)>; ///< absolute
 /// Decodes what is dropped or pasted. Blocks of files that cannot be imported here are inserted as text instead. Fails if there

@@ -54,7 +54,7 @@ QMimeData* LibraryModel::mimeData(const QModelIndexList& indexes) const {
     if (indexes.isEmpty() || std::size_t(indexes.front().row()) >= m_items.size()) return nullptr;
     const LibraryItem& item = m_items[std::size_t(indexes.front().row())];
     const std::string text = textOf(item);
-    return text.empty() ? nullptr : libraryMime(item.kind, text, item.imports);
+    return text.empty() ? nullptr : libraryMime(item, text);
 }
 
 } // namespace trundle

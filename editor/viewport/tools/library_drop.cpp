@@ -19,6 +19,7 @@
 #include "editor/viewport/context/viewport_scene.h"
 #include "lang/number_text.h"
 #include "lang/tree_edit.h"
+#include "project/edits/plans.h"
 #include "scene/shapes/extents.h"
 
 namespace trundle {
@@ -31,7 +32,8 @@ constexpr double kDefaultStep = 0.01;      // m, when snapping is off
 constexpr double kFlush = 1e-6;            // m; a part as near as this to the floor rests on it
 constexpr double kClearance = 0.005;       // m, between a wheel and the face that it is put on
 constexpr double kPartGrain = 1e-4;        // m, of the position of a part
-constexpr double kNear = 0.03;             // m, from the mirror image of another body
+constexpr double kMirrorPixels = 24,
+                 kMirrorShare = 0.5; // to the mirror image of another body; of its distance from the middle at most
 constexpr double kNearPixels = 14, kNearShare = 0.3; // to what a face has to snap to; of half of its extent at most
 constexpr double kSteep = 0.5;             // z of the normal of a side face is smaller
 constexpr double kSideways = 0.9;          // y of the normal of a left or right face is larger
@@ -110,7 +112,10 @@ std::optional<LibraryDrop::DraggedContent> LibraryDrop::draggedContentOf(const Q
     const QJsonObject json = QJsonDocument::fromJson(data.data(kMime)).object();
     DraggedContent content{json.value(QStringLiteral("kind")).toString().toStdString(),
                            json.value(QStringLiteral("text")).toString().toStdString(),
-                           {}};
+                           {},
+                           json.value(QStringLiteral("title")).toString(),
+                           json.value(QStringLiteral("isTemplate")).toBool()};
+    if (content.title.isEmpty()) content.title = QString::fromStdString(content.kind);
     for (const QJsonValue& file : json.value(QStringLiteral("imports")).toArray())
         content.imports.push_back(file.toString().toStdString());
     if (content.text.empty()) return std::nullopt;
@@ -201,6 +206,13 @@ bool LibraryDrop::isDevice() const {
     return kind && kind->role == Role::Device && kind->find("Body") && kind->find("Pos") && kind->find("HPR");
 }
 
+/// At a point in W, along a direction; 0 where it is not seen.
+double LibraryDrop::pixelsPerMetre(const Vec3& at, const Vec3& along) const {
+    constexpr double kSmall = 1e-3; // m
+    const auto from = m_view.camera().pixelOf(at), to = m_view.camera().pixelOf(at + kSmall * along);
+    return from && to ? std::hypot(to->x() - from->x(), to->y() - from->y()) / kSmall : 0;
+}
+
 void LibraryDrop::snap(Ground& ground) const {
     const ViewSettings& settings = m_view.context().settings;
     const ObjectIndex& objects = *m_view.context().world.objects();
@@ -219,9 +231,7 @@ void LibraryDrop::snap(Ground& ground) const {
         options.thing.add(boundsOf(part.geom, Pose{Vec3::Zero(), face->rotation.conjugate()} * part.body));
     const Mat3 axes = face->rotation.toRotationMatrix();
     for (const int k : {0, 1}) {
-        constexpr double kSmall = 1e-3; // m
-        const auto from = m_view.camera().pixelOf(hit.point), to = m_view.camera().pixelOf(hit.point + kSmall * axes.col(k));
-        const double pixels = from && to ? std::hypot(to->x() - from->x(), to->y() - from->y()) / kSmall : 0; // per m
+        const double pixels = pixelsPerMetre(hit.point, axes.col(k));
         const double most = kNearShare * face->half[std::size_t(k)];
         options.near[std::size_t(k)] = pixels > 0 ? std::min(most, kNearPixels / pixels) : most;
     }
@@ -290,18 +300,25 @@ Vec3 LibraryDrop::placePart(const Ground& ground, const std::vector<PlacementGeo
         const double grain = keepsHeight && !isSide && k < 2 && step > 0 ? step : kPartGrain;
         p_R[k] = grain * std::round(p_R[k] / grain) + 0.0;
     }
-    return X_WR * oppositeOf(ground, p_R);
+    Vec3 p_seen = p_R + X_WR.rotation.conjugate() * (ground.point - ground.hit()->point); // without what it has snapped to
+    if (keepsHeight) p_seen.z() = p_R.z();
+    return X_WR * oppositeOf(ground, p_seen).value_or(p_R);
 }
 
-/// The mirror image of a body of the robot, left for right, if that is near.
-Vec3 LibraryDrop::oppositeOf(const Ground& ground, const Vec3& p_R) const {
+/// The mirror image of a body of the robot, left for right, if that is near in the picture.
+std::optional<Vec3> LibraryDrop::oppositeOf(const Ground& ground, const Vec3& p_R) const {
     const ViewportScene& world = m_view.context().world;
     const RobotSpec& robot = *world.objects()->robotOf(ground.hit()->geom);
+    const double pixels = pixelsPerMetre(ground.frame * p_R, cameraAxes(m_view.shownCamera()).col(0));
+    const double seen = pixels > 0 ? kMirrorPixels / pixels : HUGE_VAL;
+    std::optional<Vec3> nearest;
+    double least = HUGE_VAL;
     for (const BodySpec& body : robot.config->bodies) {
         const Vec3 opposite = body.pose.position.cwiseProduct(Vec3(1, -1, 1));
-        if (std::abs(opposite.y()) > kNear && (opposite - p_R).norm() < kNear) return opposite;
+        const double distance = (opposite - p_R).norm();
+        if (distance < std::min({seen, kMirrorShare * std::abs(opposite.y()), least})) nearest = opposite, least = distance;
     }
-    return p_R;
+    return nearest;
 }
 
 std::string LibraryDrop::partText(const Ground& ground) const {
@@ -346,6 +363,7 @@ void LibraryDrop::drop(const QPointF& at) {
                                                    : trDrop("A body is part of a robot: drop it onto one."));
         if (!isWorldObject()) snap(ground);
         parent = ground.owner;
+        if (m_content->isTemplate && kind->role == Role::Geom) m_content->text = templateOf(*document.loaded(), *kind, parent);
         const bool isPart = m_part && ground.isRobot;
         Vec3 place = ground.frame.inverse() * (isPart ? Vec3::Zero() : placeOn(ground));
         if (ground.isRobot) // without the gap that keeps bodies apart
@@ -356,7 +374,7 @@ void LibraryDrop::drop(const QPointF& at) {
         const RobotSpec* robot = m_view.context().world.objects()->robotOf(hit->geom);
         if (robot && robot->config) parent = robot->name, m_content->text = deviceText(ground);
     }
-    const QString title = trDrop("Insert %1").arg(QString::fromStdString(m_content->kind));
+    const QString title = trDrop("Insert %1").arg(m_content->title);
     const auto plan = [parent, content = *m_content, isPart = m_part.has_value()](const LoadedProject& loaded,
                                                                                   const StructureEdits::PathMapping& renamed) {
         Result<EditPlan> plan = planInsert(loaded, renamed(parent), content.text, content.imports);
@@ -372,7 +390,7 @@ void LibraryDrop::dropController(const Ground& ground) {
     const RobotSpec* robot = hit ? m_view.context().world.objects()->robotOf(hit->geom) : nullptr;
     if (!robot) return refuse(trDrop("A controller drives a robot: drop it onto one."));
     Document& document = m_view.context().document;
-    (void)document.edits().apply(trDrop("Insert %1").arg(QString::fromStdString(m_content->kind)),
+    (void)document.edits().apply(trDrop("Insert %1").arg(m_content->title),
                                  planInsert(*document.loaded(), robot->name, m_content->text, m_content->imports));
 }
 

@@ -21,7 +21,7 @@ struct Kind;
 struct StaticSpec;
 class ToolView;
 
-/// True if the drag contains blocks from the Library (JSON {"kind", "text", "imports"}).
+/// True if the drag contains blocks from the Library (JSON {"kind", "text", "imports"}; {"title", "isTemplate"} of the Library itself).
 [[nodiscard]] bool canDrop(const QMimeData& data);
 
 /// Robots and arenas are inserted into the world, bodies and shapes into the config of the object under the cursor; a material is
@@ -46,6 +46,8 @@ private:
     struct DraggedContent {
         std::string kind, text;
         std::vector<std::string> imports;
+        QString title;           ///< what the history names
+        bool isTemplate = false; ///< the text is one for the selection, not for what it is dropped on
     };
     /// What is under the cursor, and the object that a drop inserts into.
     struct Ground {
@@ -62,12 +64,13 @@ private:
     [[nodiscard]] Ground groundAt(const QPointF& at) const;
     /// Sets the owner and frame for a dragged shape or body; false if there is none.
     [[nodiscard]] bool findOwner(Ground& ground) const;
+    [[nodiscard]] double pixelsPerMetre(const Vec3& at, const Vec3& along) const;
     void snap(Ground& ground) const; ///< to what the face of a robot has to snap to
     [[nodiscard]] std::vector<PlacementGeom> turnedGeoms(const Ground& ground) const;
     [[nodiscard]] bool isDevice() const;                    ///< with a place on a body
     [[nodiscard]] Vec3 placeOn(const Ground& ground) const; ///< in world coordinates
     [[nodiscard]] Vec3 placePart(const Ground& ground, const std::vector<PlacementGeom>& turned, double step) const;
-    [[nodiscard]] Vec3 oppositeOf(const Ground& ground, const Vec3& p_R) const;
+    [[nodiscard]] std::optional<Vec3> oppositeOf(const Ground& ground, const Vec3& p_R) const;
     [[nodiscard]] bool isUpright() const;
     [[nodiscard]] std::string partText(const Ground& ground) const;
     [[nodiscard]] std::string deviceText(const Ground& ground) const;

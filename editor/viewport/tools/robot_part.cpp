@@ -151,8 +151,11 @@ std::string textAt(const std::string& text, const RobotPart& part, const PartLoc
     }
     const bool isTurned = location.X_CB.rotation.angularDistance(Quat::Identity()) > kAlong;
     BlockEdits body(*tree, *blocks.front(), edits);
-    body.set("Pos", positionText(location.X_CB.position));
-    if (isTurned) body.set("HPR", headingOf(location.X_CB.rotation));
+    std::string place = positionText(location.X_CB.position);
+    const bool hasHeading = assignmentIn(*blocks.front(), "HPR");
+    if (isTurned && hasHeading) body.set("HPR", headingOf(location.X_CB.rotation));
+    if (isTurned && !hasHeading) place += " HPR=" + headingOf(location.X_CB.rotation); // on the line of Pos
+    body.set("Pos", place);
     BlockEdits hold(*tree, *joint, edits);
     hold.set("Parent", location.parent);
     if (isTurned && assignmentIn(*joint, "Axis"))

@@ -126,6 +126,66 @@ private Q_SLOTS:
         QVERIFY2(std::abs(nose->pose.position.y() + 0.13) < 1e-4, qPrintable(QString::number(nose->pose.position.y())));
     }
 
+    /// The Library writes a shape for the selection; it gets the values that fit what it is dropped on.
+    void aShapeOfTheLibraryFitsWhatItFallsOn_data() {
+        QTest::addColumn<QByteArray>("written");
+        QTest::newRow("nothing selected") << QByteArray("Box box { Size=0.1,0.1,0.1 Material=red Surface=stone }");
+        QTest::newRow("a body selected") << QByteArray("Box box { Size=0.1,0.1,0.1 Pos=0,0,0.5 Material=blue Mass=0.1 }");
+    }
+    void aShapeOfTheLibraryFitsWhatItFallsOn() {
+        QFETCH(const QByteArray, written);
+        QVERIFY(
+            m_window->open("Material red { ColorRGB=1,0,0 }\nMaterial blue { ColorRGB=0,0,1 }\nStaticConfig Yard {\n  Box wall { "
+                           "Pos=1,0,0.2 Size=0.4,0.4,0.4 Material=blue }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n"
+                           "RobotConfig Kit {\n  Body b { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.05 Mass=1 Material=blue } }\n}\n"
+                           "Robot kit { Config=Kit Pos=0,0,0 }\n"));
+        m_window->look({0.5, -2, 2}, {0.5, 0, 0.1});
+        drop("Box", written, {}, {0, 0, 0.1}, true);
+        QVERIFY2(m_window->text().contains("Box box { Size=0.1,0.1,0.1 Pos=0,0,0.15 Material=blue Mass=0.1 }"),
+                 m_window->text().constData());
+        drop("Box", written, {}, {1, 0, 0.4}, true);
+        QVERIFY2(m_window->text().contains("Box box { Size=0.1,0.1,0.1 Pos=1,0,0.45 Material=blue }"),
+                 m_window->text().constData());
+    }
+
+    /// As far as it is seen to be: from afar within centimetres, from near not even within three.
+    void aWheelFindsTheMirrorImageAsFarAsItIsSeen_data() {
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<double>("beside");
+        QTest::addColumn<bool>("isFound");
+        QTest::newRow("afar") << 3.0 << 0.05 << true;
+        QTest::newRow("near") << 0.4 << 0.022 << false;
+        QTest::newRow("near, there") << 0.4 << 0.005 << true;
+    }
+    void aWheelFindsTheMirrorImageAsFarAsItIsSeen() {
+        QFETCH(double, distance);
+        QFETCH(double, beside);
+        QFETCH(bool, isFound);
+        QVERIFY(m_window->open(
+            "RobotConfig Kit {\n  Body chassis { Box hull { Size=0.4,0.2,0.08 Pos=0,0,0.08 Mass=1 } }\n"
+            "  Body leftWheel { Pos=0.0623,0.122,0.05 Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.1 } }\n"
+            "  Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0 }\n}\nRobot kit { Config=Kit }\n"));
+        m_window->look({0.06, -distance, 0.5 * distance}, {0.06, 0, 0.08});
+        drop("Body",
+             "Body wheel { Pos=0,0.125,0.05\n  Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.15 } }\nHinge axle { "
+             "Parent=chassis Child=wheel Axis=0,1,0 }\n",
+             {}, {0.0623 - beside, -0.1, 0.08});
+        QVERIFY2(m_window->text().contains("Body rightWheel { Pos="), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Pos=0.0623,-0.122,0.05") == isFound, m_window->text().constData());
+    }
+
+    void aTurnedPartHasItsPlaceOnOneLine() {
+        QVERIFY(m_window->open("RobotConfig Kit {\n  Body chassis { Box hull { Size=0.4,0.2,0.08 Pos=0,0,0.08 Mass=1 } }\n}\n"
+                               "Robot kit { Config=Kit }\n"));
+        m_window->look({0, -1, 0.4}, {0, 0, 0.08});
+        drop("Body",
+             "Body bumper { Pos=0.16,0,0.07\n  Box bar { Size=0.02,0.30,0.04 Mass=0.05 } }\nFixed bumperHold { Parent=chassis "
+             "Child=bumper }\n",
+             {}, {0, -0.1, 0.08});
+        QVERIFY2(m_window->text().contains(" HPR=-90,0,0\n"), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Body bumper { Pos=0,-0.11"), m_window->text().constData());
+    }
+
     // ---- rows of the Scene tree ----
 
     /// To the middle of the face, to its edges; without snapping nowhere.
@@ -244,16 +304,17 @@ private:
                                                                                                     : Qt::IgnoreAction;
     }
 
-    static void fill(QMimeData& data, const char* kind, const char* text, const QStringList& imports) {
+    static void fill(QMimeData& data, const char* kind, const char* text, const QStringList& imports, bool isTemplate = false) {
         const QJsonObject json{{QStringLiteral("kind"), QLatin1String(kind)},
                                {QStringLiteral("text"), QLatin1String(text)},
-                               {QStringLiteral("imports"), QJsonArray::fromStringList(imports)}};
+                               {QStringLiteral("imports"), QJsonArray::fromStringList(imports)},
+                               {QStringLiteral("isTemplate"), isTemplate}};
         data.setData(QStringLiteral("application/x-trundle-library"), QJsonDocument(json).toJson());
     }
 
-    void drop(const char* kind, const char* text, const QStringList& imports, const Vec3& where) {
+    void drop(const char* kind, const char* text, const QStringList& imports, const Vec3& where, bool isTemplate = false) {
         QMimeData data;
-        fill(data, kind, text, imports);
+        fill(data, kind, text, imports, isTemplate);
         const QPoint at = m_window->at(where);
         QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&m_window->view(), &enter);
