@@ -13,7 +13,7 @@ namespace trundle {
 namespace {
 
 constexpr int kDelayMs = 300;                          // after the last edit
-constexpr std::chrono::milliseconds kRobotsDelay(700); // after that, since it starts a process
+constexpr std::chrono::milliseconds kRobotsDelay(700); // after that, since it takes longer and may start a process
 
 /// False if a stop was requested meanwhile.
 bool waitUnlessStopped(const std::stop_token& stop) {
@@ -56,9 +56,10 @@ void ModelChecker::start() {
         checkModel(*loaded, found, stop);
         QMetaObject::invokeMethod(
             this, [this, loaded, all = found.all()] { finish(loaded, all); }, Qt::QueuedConnection);
-        if (isWhole && hasAllModules(loaded->diagnostics) && !found.hasErrors() && !robots.program.empty() &&
-            waitUnlessStopped(stop))
-            found.append(checkRobots(robots, *loaded, stop));
+        if (isWhole && !found.hasErrors() && waitUnlessStopped(stop)) {
+            tryRobots(*loaded, found, stop);
+            if (hasAllModules(loaded->diagnostics) && !robots.program.empty()) found.append(checkRobots(robots, *loaded, stop));
+        }
         // The project is moved along: if this is its last reference, it is destroyed in this object's thread.
         QMetaObject::invokeMethod(
             this, [this, loaded = std::move(loaded), all = found.all()] { report(loaded, all); }, Qt::QueuedConnection);

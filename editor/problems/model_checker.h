@@ -15,8 +15,8 @@
 
 namespace trundle {
 
-/// Runs one check at a time: of the model and the logs, then of what only code of modules can say. That code never runs in this
-/// process.
+/// Runs one check at a time: of the model and the logs, then of what robots do on a plain floor, and of what only code of modules can
+/// say. That code never runs in this process.
 class ModelChecker final : public QObject {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
     void request(std::shared_ptr<const LoadedProject> loaded, RobotsCheck robots = {});
 
 Q_SIGNALS:
-    /// The diagnostics of the project requested last; a second time, with more of them, if its robots cannot be set up.
+    /// The diagnostics of the project requested last; a second time, with more of them, of its robots.
     void checked(const std::shared_ptr<const trundle::LoadedProject>& loaded, const std::vector<trundle::Diagnostic>& found);
 
 private:

@@ -391,6 +391,15 @@ private Q_SLOTS:
         QCOMPARE(fixture.model().rowCount(), 0);
     }
 
+    /// What only a trial on a plain floor finds comes a moment after the rest.
+    void robotsAreTried() {
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open("#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nStatic floor { Config=OpenFloor }\n"
+                             "Robot r { Config=SimpleRobot leftAxle.Friction=100 rightAxle.Friction=100 }\n"));
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.model().rowCount(), 1, 30'000);
+        QVERIFY2(fixture.messages()[0].contains(QStringLiteral("does not move the robot")), qPrintable(fixture.messages()[0]));
+    }
+
     void thePanelMayGoWhileItChecks() {
         for (int i = 0; i < 3; ++i) {
             ProblemsFixture fixture;
