@@ -11,7 +11,7 @@ namespace trundle {
 
 namespace {
 
-constexpr double kMargin = 1e-3; // m
+constexpr double kMargin = 1e-4, kInFloor = 2e-3; // m
 
 /// Along two level directions and up.
 struct Bounds {
@@ -67,7 +67,7 @@ private:
                 if (!geom.collide || geom.shape == GeomShape::Plane || geom.shape == GeomShape::Heightfield) continue;
                 Bounds bounds;
                 include(bounds, geom, object.pose * geom.pose);
-                bounds.high.z() -= kMargin; // of a floor
+                bounds.high.z() -= kInFloor; // what it is on is not in its way
                 if (meet(at, bounds)) return false;
             }
         return true;
