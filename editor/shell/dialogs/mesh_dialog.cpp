@@ -69,7 +69,8 @@ MeshDialog::MeshDialog(Locations locations, const QString& folder, bool isOfBody
     setAttribute(Qt::WA_DeleteOnClose);
     m_file->setObjectName(QStringLiteral("meshFile"));
     m_file->setPlaceholderText(tr("OBJ, STL, COLLADA, glTF or GLB"));
-    m_file->setMinimumWidth(scaledToFont(200));
+    constexpr int kFrame = 16; // left and right of the text
+    m_file->setMinimumWidth(m_file->fontMetrics().horizontalAdvance(m_file->placeholderText()) + scaledToFont(kFrame));
     m_unit->setObjectName(QStringLiteral("meshUnit"));
     for (const auto& [name, metres] :
          {std::pair(tr("Metres"), 1.), {tr("Centimetres"), 0.01}, {tr("Millimetres"), 0.001}, {tr("Inches"), 0.0254}})
@@ -88,6 +89,7 @@ MeshDialog::MeshDialog(Locations locations, const QString& folder, bool isOfBody
     connect(m_mass, &AmountField::changed, this, &MeshDialog::check);
     connect(m_mass, &AmountField::submitted, m_insert, [this] { m_insert->click(); });
     read();
+    m_file->setFocus();
 }
 
 QString MeshDialog::file() const { return QFileInfo(m_file->text().trimmed()).absoluteFilePath(); }
@@ -232,11 +234,15 @@ void MeshDialog::check() {
     m_result->show(fault.isEmpty() ? sentence() : fault, !fault.isEmpty());
 }
 
-QString MeshDialog::sentence() const {
-    if (!m_mesh) return tr("Choose a mesh. It is drawn as it is; a simple shape around it collides, which is fast and steady.");
+Vec3 MeshDialog::size() const {
     Bounds bounds;
     for (const auto& p : m_placed.points) bounds.add(Vec3(p.data()));
-    const Vec3 size = bounds.size();
+    return bounds.size();
+}
+
+QString MeshDialog::sentence() const {
+    if (!m_mesh) return tr("Choose a mesh. It is drawn as it is; a simple shape around it collides, which is fast and steady.");
+    const Vec3 size = this->size();
     QString text = tr("%1 triangles, %2 × %3 × %4.")
                        .arg(QString::number(m_placed.triangles.size()), length(size.x()), length(size.y()), length(size.z()));
     if (const ConvexParts* several = hulls())

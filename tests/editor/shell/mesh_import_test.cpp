@@ -95,6 +95,7 @@ private Q_SLOTS:
         mass->selectAll();
         QTest::keyClicks(mass, QStringLiteral("500 g"));
         QVERIFY(hand.press("meshInsert"));
+        QVERIFY2(text().contains(" Pos=-0.15,0.1,0.1 HPR="), text().constData()); // on top of the chassis
         QVERIFY2(text().contains("Shape=hull Mass=0.5 Surface=plastic }\n  }\n}\nRobot"), text().constData());
         EVENTUALLY(isClean()); // once the mesh is read
         const RobotSpec& robot = m_window->document().loaded()->experiment->robots.at(0);
@@ -162,7 +163,8 @@ private:
         QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Mesh from File")}));
         auto* file = m_window->findChild<QLineEdit*>(QStringLiteral("meshFile"));
         QVERIFY(file);
-        file->setFocus();
+        QCOMPARE(file->window()->focusWidget(), static_cast<QWidget*>(file));
+        QVERIFY(file->width() > file->fontMetrics().horizontalAdvance(file->placeholderText()));
         QTest::keyClicks(file, m_elsewhere.filePath(QStringLiteral("my box.obj")));
         for (const auto& [name, choice] : {std::pair("meshUnit", "Mill"), {"meshUp", "y"}}) {
             auto* box = m_window->findChild<QComboBox*>(QLatin1String(name));
