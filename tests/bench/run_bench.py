@@ -265,7 +265,8 @@ def radios(programs, options):
 
 
 def controllers(programs, options):
-    """What the calls of controllers cost in a tick, inside the program and in processes of their own, by wall time. Robots stand still."""
+    """What the calls of controllers cost in a tick: inside the program by processor time, in processes of their own by wall time, as the
+    run waits for them. Robots stand still."""
     rows, failed = [], []
     for count, isolations in [(10, ["none", "module", "robot"]), (100, ["none", "module"])]:
         progress(f"controllers, {count} robots")
@@ -273,12 +274,14 @@ def controllers(programs, options):
         ticks = round(100 * seconds)
         without = programs.write(f"parked{count}", experiments.parked(count, seconds, False))
         path = programs.write(f"controlled{count}", experiments.parked(count, seconds))
-        sides = {"no controller": lambda: programs.run(without)["wall_s"]}
-        sides |= {name: lambda name=name: programs.run(path, "--set", f"Isolation={name}")["wall_s"] for name in isolations}
+        sides = {"processor": lambda: programs.tick_cost(without, ticks, 1)[0], "wall": lambda: 1e6 * programs.run(without)["wall_s"] / ticks}
+        sides |= {name: lambda name=name: 1e6 * programs.run(path, "--set", f"Isolation={name}")["wall_s"] / ticks for name in isolations}
+        sides["none"] = lambda: programs.tick_cost(path, ticks, 1)[0]
         values = interleaved(options.repetitions, sides)
         for name in isolations:
-            cost = median(1e6 * (a - b) / ticks for a, b in zip(values[name], values["no controller"]))
-            least = 1e6 * (min(values[name]) - min(values["no controller"])) / ticks
+            base = values["processor" if name == "none" else "wall"]
+            cost = median(a - b for a, b in zip(values[name], base))
+            least = min(values[name]) - min(base)
             hosts = {"none": 0, "module": 1, "robot": count}[name]
             rows.append([count, name, hosts, round(cost, 1), round(least, 1)])
             wanted = {(10, "module"): 100, (100, "none"): 10}.get((count, name))

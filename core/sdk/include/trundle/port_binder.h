@@ -64,29 +64,30 @@ protected:
     bool m_missing = false;
 };
 
-/// Ports of what has its signals in equipment_signals.h and drive_signals.h.
+/// Ports of what has its signals in equipment_signals.h and drive_signals.h. Templates, so that only the ones that a controller uses are
+/// compiled.
 class EquipmentPorts : public PortBinder {
 public:
     using PortBinder::PortBinder;
     // since 1.7
-    [[nodiscard]] ServoPort servo(PortName name) { return bindPort<ServoPort, ServoSignals>(name); }
-    [[nodiscard]] LinearMotorPort linearMotor(PortName name) { return bindPort<LinearMotorPort, LinearMotorSignals>(name); }
+    template <class = void> [[nodiscard]] ServoPort servo(PortName name) { return bindPort<ServoPort, ServoSignals>(name); }
+    template <class = void> [[nodiscard]] LinearMotorPort linearMotor(PortName name) { return bindPort<LinearMotorPort, LinearMotorSignals>(name); }
     // since 1.8
-    [[nodiscard]] BatteryPort battery(PortName name) { return bindPort<BatteryPort, BatterySignals>(name); }
-    [[nodiscard]] GripperPort gripper(PortName name) { return bindPort<GripperPort, GripperSignals>(name); }
-    [[nodiscard]] OmniDrivePort omniDrive(PortName name) { return bindPort<OmniDrivePort, OmniDriveSignals>(name); }
-    [[nodiscard]] MecanumDrivePort mecanumDrive(PortName name) { return bindPort<MecanumDrivePort, MecanumDriveSignals>(name); }
-    [[nodiscard]] AckermannDrivePort ackermannDrive(PortName name) {
+    template <class = void> [[nodiscard]] BatteryPort battery(PortName name) { return bindPort<BatteryPort, BatterySignals>(name); }
+    template <class = void> [[nodiscard]] GripperPort gripper(PortName name) { return bindPort<GripperPort, GripperSignals>(name); }
+    template <class = void> [[nodiscard]] OmniDrivePort omniDrive(PortName name) { return bindPort<OmniDrivePort, OmniDriveSignals>(name); }
+    template <class = void> [[nodiscard]] MecanumDrivePort mecanumDrive(PortName name) { return bindPort<MecanumDrivePort, MecanumDriveSignals>(name); }
+    template <class = void> [[nodiscard]] AckermannDrivePort ackermannDrive(PortName name) {
         return bindPort<AckermannDrivePort, AckermannDriveSignals>(name);
     }
     // since 1.10
-    [[nodiscard]] BeltPort belt(PortName name) { return bindPort<BeltPort, BeltSignals>(name); }
-    [[nodiscard]] TrackPort track(PortName name) { return bindPort<TrackPort, TrackSignals>(name); }
-    [[nodiscard]] TrackDrivePort trackDrive(PortName name) { return bindPort<TrackDrivePort, TrackDriveSignals>(name); }
-    [[nodiscard]] PenPort pen(PortName name) { return bindPort<PenPort, PenSignals>(name); }
-    [[nodiscard]] LedPort led(PortName name) { return bindPort<LedPort, LedSignals>(name); }
-    [[nodiscard]] ChargerPort charger(PortName name) { return bindPort<ChargerPort, ChargerSignals>(name); }
-    [[nodiscard]] LatchPort latch(PortName name) { return bindPort<LatchPort, LatchSignals>(name); }
+    template <class = void> [[nodiscard]] BeltPort belt(PortName name) { return bindPort<BeltPort, BeltSignals>(name); }
+    template <class = void> [[nodiscard]] TrackPort track(PortName name) { return bindPort<TrackPort, TrackSignals>(name); }
+    template <class = void> [[nodiscard]] TrackDrivePort trackDrive(PortName name) { return bindPort<TrackDrivePort, TrackDriveSignals>(name); }
+    template <class = void> [[nodiscard]] PenPort pen(PortName name) { return bindPort<PenPort, PenSignals>(name); }
+    template <class = void> [[nodiscard]] LedPort led(PortName name) { return bindPort<LedPort, LedSignals>(name); }
+    template <class = void> [[nodiscard]] ChargerPort charger(PortName name) { return bindPort<ChargerPort, ChargerSignals>(name); }
+    template <class = void> [[nodiscard]] LatchPort latch(PortName name) { return bindPort<LatchPort, LatchSignals>(name); }
 };
 
 } // namespace sdk1

@@ -90,31 +90,31 @@ public:
     /// Whether the robot has a device with this name (and, if given, the device a signal with that name).
     [[nodiscard]] bool has(const char* device, const char* signal = "") const;
 
-    [[nodiscard]] DifferentialDrivePort differentialDrive(PortName name);
-    [[nodiscard]] MotorPort motor(PortName name);
-    [[nodiscard]] EncoderPort encoder(PortName name);
-    [[nodiscard]] TouchPort touch(PortName name);
-    [[nodiscard]] CameraPort camera(PortName name);
-    [[nodiscard]] RadioPort radio(PortName name);
+    template <class = void> [[nodiscard]] DifferentialDrivePort differentialDrive(PortName name);
+    template <class = void> [[nodiscard]] MotorPort motor(PortName name);
+    template <class = void> [[nodiscard]] EncoderPort encoder(PortName name);
+    template <class = void> [[nodiscard]] TouchPort touch(PortName name);
+    template <class = void> [[nodiscard]] CameraPort camera(PortName name);
+    template <class = void> [[nodiscard]] RadioPort radio(PortName name);
     // since 1.6
-    [[nodiscard]] RangePort rangeSensor(PortName name);
-    [[nodiscard]] LidarPort lidar(PortName name);
-    [[nodiscard]] ImuPort imu(PortName name);
-    [[nodiscard]] CompassPort compass(PortName name);
-    [[nodiscard]] GpsPort gps(PortName name);
+    template <class = void> [[nodiscard]] RangePort rangeSensor(PortName name);
+    template <class = void> [[nodiscard]] LidarPort lidar(PortName name);
+    template <class = void> [[nodiscard]] ImuPort imu(PortName name);
+    template <class = void> [[nodiscard]] CompassPort compass(PortName name);
+    template <class = void> [[nodiscard]] GpsPort gps(PortName name);
     // since 1.7
-    [[nodiscard]] GroundPort groundSensor(PortName name);
-    [[nodiscard]] LightPort lightSensor(PortName name);
+    template <class = void> [[nodiscard]] GroundPort groundSensor(PortName name);
+    template <class = void> [[nodiscard]] LightPort lightSensor(PortName name);
     // since 1.8
-    [[nodiscard]] SkidDrivePort skidDrive(PortName name);
+    template <class = void> [[nodiscard]] SkidDrivePort skidDrive(PortName name);
     // since 1.11
     /// Name of an object by its number in a ground truth signal, "box1/block"; empty if no object has it.
     [[nodiscard]] std::string objectName(std::uint32_t object) const;
-    [[nodiscard]] ForcePort forceSensor(PortName name);
+    template <class = void> [[nodiscard]] ForcePort forceSensor(PortName name);
     /// A device of a module by the table of its signals (since 1.5): robot.port<SonarSignals>("front").
     template <class S> [[nodiscard]] Port<S> port(PortName name) { return bindPort<Port<S>, S>(name); }
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);
-    [[nodiscard]] GroundTruthPort groundTruth();
+    template <class = void> [[nodiscard]] GroundTruthPort groundTruth();
     /// A signal published by this controller and described as output() in describe(): logs, summaries and the window show it as
     /// robot0/brain/<name>. Set it in setup and update; it keeps its value in between.
     [[nodiscard]] Slot publish(const char* name);

@@ -10,30 +10,30 @@ inline bool RobotPorts::has(const char* device, const char* signal) const {
     return m_robot.signalInfo && m_robot.signalInfo(m_robot.context, device, signal, &count, &direction) == 0;
 }
 
-inline DifferentialDrivePort RobotPorts::differentialDrive(PortName name) {
+template <class> DifferentialDrivePort RobotPorts::differentialDrive(PortName name) {
     return bindPort<DifferentialDrivePort, DifferentialDriveSignals>(name);
 }
-inline MotorPort RobotPorts::motor(PortName name) { return bindPort<MotorPort, RotaryMotorSignals>(name); }
-inline EncoderPort RobotPorts::encoder(PortName name) { return bindPort<EncoderPort, EncoderSignals>(name); }
-inline TouchPort RobotPorts::touch(PortName name) { return bindPort<TouchPort, TouchSensorSignals>(name); }
-inline RangePort RobotPorts::rangeSensor(PortName name) { return bindPort<RangePort, RangeSensorSignals>(name); }
-inline LidarPort RobotPorts::lidar(PortName name) { return bindPort<LidarPort, LidarSignals>(name); }
-inline ImuPort RobotPorts::imu(PortName name) { return bindPort<ImuPort, ImuSignals>(name); }
-inline CompassPort RobotPorts::compass(PortName name) { return bindPort<CompassPort, CompassSignals>(name); }
-inline GpsPort RobotPorts::gps(PortName name) { return bindPort<GpsPort, GpsSignals>(name); }
-inline GroundPort RobotPorts::groundSensor(PortName name) { return bindPort<GroundPort, GroundSensorSignals>(name); }
-inline LightPort RobotPorts::lightSensor(PortName name) { return bindPort<LightPort, LightSensorSignals>(name); }
+template <class> MotorPort RobotPorts::motor(PortName name) { return bindPort<MotorPort, RotaryMotorSignals>(name); }
+template <class> EncoderPort RobotPorts::encoder(PortName name) { return bindPort<EncoderPort, EncoderSignals>(name); }
+template <class> TouchPort RobotPorts::touch(PortName name) { return bindPort<TouchPort, TouchSensorSignals>(name); }
+template <class> RangePort RobotPorts::rangeSensor(PortName name) { return bindPort<RangePort, RangeSensorSignals>(name); }
+template <class> LidarPort RobotPorts::lidar(PortName name) { return bindPort<LidarPort, LidarSignals>(name); }
+template <class> ImuPort RobotPorts::imu(PortName name) { return bindPort<ImuPort, ImuSignals>(name); }
+template <class> CompassPort RobotPorts::compass(PortName name) { return bindPort<CompassPort, CompassSignals>(name); }
+template <class> GpsPort RobotPorts::gps(PortName name) { return bindPort<GpsPort, GpsSignals>(name); }
+template <class> GroundPort RobotPorts::groundSensor(PortName name) { return bindPort<GroundPort, GroundSensorSignals>(name); }
+template <class> LightPort RobotPorts::lightSensor(PortName name) { return bindPort<LightPort, LightSensorSignals>(name); }
 inline std::string RobotPorts::objectName(std::uint32_t object) const {
     const bool known = m_robot.size >= offsetof(TrundleRobot, cameras) + sizeof m_robot.cameras && m_robot.cameras;
     const char* name = known ? m_robot.cameras->objectName(m_robot.cameras->context, object) : nullptr;
     return name ? name : "";
 }
 
-inline ForcePort RobotPorts::forceSensor(PortName name) { return bindPort<ForcePort, ForceSensorSignals>(name); }
+template <class> ForcePort RobotPorts::forceSensor(PortName name) { return bindPort<ForcePort, ForceSensorSignals>(name); }
 
-inline SkidDrivePort RobotPorts::skidDrive(PortName name) { return bindPort<SkidDrivePort, SkidDriveSignals>(name); }
+template <class> SkidDrivePort RobotPorts::skidDrive(PortName name) { return bindPort<SkidDrivePort, SkidDriveSignals>(name); }
 
-inline CameraPort RobotPorts::camera(PortName name) {
+template <class> CameraPort RobotPorts::camera(PortName name) {
     auto port = bindPort<CameraPort, CameraSignals>(name);
     port.m_name = name;
     // The table of an older program is shorter.
@@ -41,7 +41,7 @@ inline CameraPort RobotPorts::camera(PortName name) {
     return port;
 }
 
-inline RadioPort RobotPorts::radio(PortName name) {
+template <class> RadioPort RobotPorts::radio(PortName name) {
     RadioPort port;
     if (m_missing) return port;
     const TrundleRobotRadio* border = m_robot.radio;
@@ -69,7 +69,7 @@ inline Slot RobotPorts::publish(const char* name) {
     return Slot(first, count);
 }
 
-inline GroundTruthPort RobotPorts::groundTruth() {
+template <class> GroundTruthPort RobotPorts::groundTruth() {
     GroundTruthPort port;
     port.bind([](const SignalInfo&) { return true; },
               [&](const SignalInfo& s) { return bind(GroundTruthSignals::kKind, "groundTruth", s.name.c_str(), s.count); });
