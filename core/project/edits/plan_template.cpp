@@ -420,15 +420,6 @@ std::string templateOf(const LoadedProject& loaded, const Kind& kind, const std:
     return Template(loaded, parent).write(kind);
 }
 
-Vec3 templatePlace(const LoadedProject& loaded, const std::string& parent, const Vec3& size) {
-    const std::optional<ObjectLocation> place = placeOf(loaded, parent);
-    if (!place || !place->part) return Vec3::Zero();
-    GeomSpec box;
-    box.shape = GeomShape::Box;
-    box.size = size;
-    return templatePosition(loaded, parent, *place->part, box);
-}
-
 std::string objectTemplateOf(const LoadedProject& loaded, const Kind& geom) { return Template(loaded, {}).writeObject(geom); }
 
 } // namespace trundle

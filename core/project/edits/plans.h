@@ -61,8 +61,6 @@ struct EditPlan {
 /// The smallest valid block of a kind, with its required properties ("Sphere sphere { Radius=0.1 }"), preceded by the missing
 /// blocks that it needs. Empty for the settings.
 [[nodiscard]] std::string templateOf(const LoadedProject& loaded, const Kind& kind, const std::string& parent);
-/// Pos of a box of that size (m) in a body, StaticConfig or RobotConfig: as in a template, on top of what is there. Zero if there is none.
-[[nodiscard]] Vec3 templatePlace(const LoadedProject& loaded, const std::string& parent, const Vec3& size);
 /// A movable object for the top level with one shape of this kind: a RobotConfig and a Robot without joints, devices and
 /// controller. "" for a kind that cannot be part of a body.
 [[nodiscard]] std::string objectTemplateOf(const LoadedProject& loaded, const Kind& geom);

@@ -48,10 +48,6 @@ void MeshCommands::insert(const MeshDialog& dialog, const std::string& body) {
         if (!files) return Q_EMIT m_document.refused(toQString(files.error().message));
         part.shape.files = std::move(files).value();
     }
-    if (!body.empty()) { // on top of it, as a new shape
-        const Vec3 size = dialog.size(), middle = templatePlace(*m_document.loaded(), body, size);
-        part.foot = {middle.x(), middle.y(), middle.z() - size.z() / 2};
-    }
     const std::string parent = body.empty() ? sceneryTarget(m_document, m_world).path : body;
     const std::string text = parent.empty() ? meshSceneryText(part) : meshGeomsText(part);
     const auto plan = [parent, text](const LoadedProject& loaded,

@@ -234,15 +234,11 @@ void MeshDialog::check() {
     m_result->show(fault.isEmpty() ? sentence() : fault, !fault.isEmpty());
 }
 
-Vec3 MeshDialog::size() const {
-    Bounds bounds;
-    for (const auto& p : m_placed.points) bounds.add(Vec3(p.data()));
-    return bounds.size();
-}
-
 QString MeshDialog::sentence() const {
     if (!m_mesh) return tr("Choose a mesh. It is drawn as it is; a simple shape around it collides, which is fast and steady.");
-    const Vec3 size = this->size();
+    Bounds bounds;
+    for (const auto& p : m_placed.points) bounds.add(Vec3(p.data()));
+    const Vec3 size = bounds.size();
     QString text = tr("%1 triangles, %2 × %3 × %4.")
                        .arg(QString::number(m_placed.triangles.size()), length(size.x()), length(size.y()), length(size.z()));
     if (const ConvexParts* several = hulls())

@@ -29,7 +29,6 @@ public:
 
     [[nodiscard]] QString file() const;                            ///< whole path
     [[nodiscard]] MeshPart part(const std::string& written) const; ///< for a file as it is written; valid when accepted
-    [[nodiscard]] Vec3 size() const;                               ///< m, of the box around the mesh; zero without one
     /// If several hulls are chosen; part() has their volumes, not yet their files.
     [[nodiscard]] const ConvexParts* hulls() const;
 
