@@ -67,6 +67,21 @@ private Q_SLOTS:
         QCOMPARE(edited(*loaded), scene("Robot robot0 { // mine\n\tConfig=Rover\n\tPos = 1,1,1 // here\n}"));
     }
 
+    void aJointsPlaceComesBeforeItsStops() {
+        const auto config = [](const std::string& place, const std::string& behind) {
+            return "RobotConfig Kit {\n  Body a { Sphere s { Radius=0.1 Mass=1 } }\n  Body b { Pos=1,0,0 Sphere s { Radius=0.1 "
+                   "Mass=1 } }\n"
+                   "  Hinge axle { Parent=a Child=b " +
+                   place + "LowStop=-20 HighStop=70 }\n  Hinge other {\n    Parent = a\n" + behind +
+                   "    LowStop = -20\n  }\n}\n";
+        };
+        ProjectFixture fixture;
+        fixture.options.sets = {"RobotConfig.Kit.axle.Anchor=0,0,1", "RobotConfig.Kit.axle.Axis=0,1,0",
+                                "RobotConfig.Kit.other.Anchor=0,0,2"};
+        const auto loaded = fixture.open(config("", "    Child = b\n"));
+        QCOMPARE(edited(*loaded), config("Anchor=0,0,1 Axis=0,1,0 ", "    Child = b\n    Anchor = 0,0,2\n"));
+    }
+
     void anOverrideIsAddedToTheRobot() {
         ProjectFixture fixture;
         fixture.options.sets = {"robot0.leftMotor.Resistance=3", "robot0.rightMotor.Resistance=4"};

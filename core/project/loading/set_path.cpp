@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/edit_style.h"
 #include "lang/tree_edit.h"
 
 namespace trundle {
@@ -17,6 +18,23 @@ void addEdit(std::vector<TextEdit>& edits, TextEdit edit) {
         }
     }
     edits.push_back(std::move(edit));
+}
+
+/// Where a joint is and along what comes before its stops.
+std::optional<TextEdit> beforeStops(const Tree& tree, const SetTarget& target, const std::string& text) {
+    if (!target.part || !target.part->is(Role::Joint) || (target.key != "Anchor" && target.key != "Axis")) return std::nullopt;
+    for (const Item& item : target.part->block->items) {
+        const auto* stop = item.as<AssignmentItem>();
+        if (!stop || stop->path.size() != 1 || stop->path[0].text.find("Stop") == std::string::npos) continue;
+        const SourceText& source = tree.source();
+        const std::string equals(source.slice({stop->path[0].range.end, stop->value.range.begin}));
+        const std::string_view before = source.bytes().substr(0, item.range.begin);
+        const std::string_view indent = before.substr(before.find_last_of('\n') + 1);
+        const bool beginsLine = indent.find_first_not_of(" \t") == std::string_view::npos;
+        const std::string behind = beginsLine ? editStyle(tree).lineEnd + std::string(indent) : " ";
+        return TextEdit{{tree.file(), {item.range.begin, item.range.begin}}, target.key + equals + text + behind};
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -42,6 +60,10 @@ std::map<FileId, std::vector<TextEdit>> editsForTargets(const LoadedProject& loa
         const FileId file = t.part ? t.part->file : FileId{0};
         const Tree& tree = *loaded.trees[file];
         const BlockItem* block = t.part ? t.part->block : nullptr;
+        if (auto edit = beforeStops(tree, t, text)) {
+            addEdit(edits[file], std::move(*edit));
+            continue;
+        }
         constexpr std::string_view kParam = "Param "; // it is declared with its value
         addEdit(edits[file], block && t.key.starts_with(kParam) ? editAddParam(tree, *block, t.key.substr(kParam.size()), text)
                                                                 : editAddAssignment(tree, block, t.key, text));
