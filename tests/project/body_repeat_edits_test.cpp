@@ -184,8 +184,9 @@ private Q_SLOTS:
         QVERIFY2(after, plan.ok() ? "" : plan.error().message.c_str());
         QCOMPARE(messages(*after), std::string());
         const std::string text(after->trees[0]->source().bytes());
-        QVERIFY2(text.find("    Repeat fins {\n      Count=3 Pos=0,0,$(0.25*index)\n      Box fin {") != std::string::npos, text.c_str());
-        QVERIFY2(text.find("hub.fins_0.fin, post_1") != std::string::npos, text.c_str());
+        QVERIFY2(text.find("    Repeat fin {\n      Count=3 Pos=0,0,$(0.25*index)\n      Box fin {") != std::string::npos,
+                 text.c_str());
+        QVERIFY2(text.find("hub.fin_0.fin, post_1") != std::string::npos, text.c_str());
         QCOMPARE(format(*after->trees[0]), text);
         QCOMPARE(after->experiment->robots[0].config->bodies[0].geoms.size(), std::size_t(7));
     }

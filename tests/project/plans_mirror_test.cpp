@@ -88,7 +88,7 @@ private Q_SLOTS:
     void movesComments_data() {
         QTest::addColumn<QString>("kind");
         QTest::newRow("part") << "PartConfig Left {\n";
-        QTest::newRow("repeat") << "  Repeat lefts {\n    Count=2 Pos=$(0.1*index),0,0\n";
+        QTest::newRow("repeat") << "  Repeat left {\n    Count=2 Pos=$(0.1*index),0,0\n";
     }
     /// A comment above a block or behind it goes along; one with a blank line between stays.
     void movesComments() {
@@ -114,8 +114,12 @@ private Q_SLOTS:
         checkClean(plan);
         const std::string text = m_fixture.text(m_loaded, plan);
         std::string wanted = blocks;
-        if (isPart) wanted.replace(wanted.find("Parent=chassis"), 14, "Parent=$chassis");
-        else {
+        if (isPart) {
+            wanted.replace(wanted.find("Parent=chassis"), 14, "Parent=$chassis");
+            for (const auto& [name, inPart] : {std::pair("leftWheel", "wheel"), {"leftAxle", "axle"}, {"leftMotor", "motor"}})
+                for (std::size_t at; (at = wanted.find(name)) != std::string::npos;)
+                    wanted.replace(at, std::string_view(name).size(), inPart);
+        } else {
             wanted = "  ";
             for (const char c : blocks.substr(0, blocks.size() - 1)) wanted += c == '\n' ? "\n  " : std::string(1, c);
             wanted += "\n";

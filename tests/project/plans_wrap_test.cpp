@@ -45,13 +45,13 @@ Surface floor { Friction=1 }
 PartConfig Left {
   Param r = 5 cm { Min=1 cm Max=20 cm Help="of the wheel" }
   Param half = $(2 * r)
-  Body leftWheel { // driven
+  Body wheel { // driven
     Pos=0,$half,$r
     Cylinder tyre { Radius=$r Length=0.02 Mass=0.1 Material=red Surface=floor }
   }
-  Hinge leftAxle { Parent=$chassis Child=leftWheel Axis=0,1,0 }
-  RotaryMotor leftMotor { Joint=leftAxle TorqueConstant=1 SpeedConstant=1 Resistance=2 MaxVoltage=12 } // strong
-  TouchSensor leftTouch { Geom=leftWheel.tyre, $bumper }
+  Hinge axle { Parent=$chassis Child=wheel Axis=0,1,0 }
+  RotaryMotor motor { Joint=axle TorqueConstant=1 SpeedConstant=1 Resistance=2 MaxVoltage=12 } // strong
+  TouchSensor touch { Geom=wheel.tyre, $bumper }
 }
 
 // A robot.
@@ -64,11 +64,11 @@ RobotConfig Kit {
   }
   Part left { Config=Left chassis=chassis bumper=chassis.bumper half=$half r=$r }
 )";
-const std::string kPartRest = R"(  Encoder count { Joint=left.leftAxle CountsPerRevolution=512 }
+const std::string kPartRest = R"(  Encoder count { Joint=left.axle CountsPerRevolution=512 }
 }
 
-Robot a { Config=Kit left.leftWheel.tyre.Mass=0.2 }
-SignalLog volts { Signals="a/left.leftMotor/voltage" }
+Robot a { Config=Kit left.wheel.tyre.Mass=0.2 }
+SignalLog volts { Signals="a/left.motor/voltage" }
 )";
 
 } // namespace
@@ -145,10 +145,10 @@ private Q_SLOTS:
         const std::string text = m_fixture.text(m_loaded, plan);
         std::string lines;
         for (const char c : "  " + kLeft.substr(0, kLeft.size() - 1)) lines += c == '\n' ? "\n  " : std::string(1, c);
-        const std::string wanted = kHead + "  Repeat lefts {\n    Count=3 Pos=$(0.1*index),0,0\n" + lines +
-                                   "\n  }\n  Encoder count { Joint=lefts_0.leftAxle CountsPerRevolution=512 }\n}\n\n"
-                                   "Robot a { Config=Kit lefts.leftWheel.tyre.Mass=0.2 }\n"
-                                   "SignalLog volts { Signals=\"a/lefts_0.leftMotor/voltage\" }\n";
+        const std::string wanted = kHead + "  Repeat left {\n    Count=3 Pos=$(0.1*index),0,0\n" + lines +
+                                   "\n  }\n  Encoder count { Joint=left_0.leftAxle CountsPerRevolution=512 }\n}\n\n"
+                                   "Robot a { Config=Kit left.leftWheel.tyre.Mass=0.2 }\n"
+                                   "SignalLog volts { Signals=\"a/left_0.leftMotor/voltage\" }\n";
         QCOMPARE(QString::fromStdString(text), QString::fromStdString(wanted));
         checkClean(plan);
     }
@@ -168,7 +168,7 @@ PoseLog path { Robot=b File=path.csv }
         QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
         const auto plan = planRepeat(*loaded, {"b", "a", "hitch"}, 2, {0, 7, 0});
         QCOMPARE(m_fixture.text(loaded, plan), config + R"(
-Repeat as {
+Repeat a {
   Count=2 Pos=0,$(7*index),0
   // pulls
   Robot a { Config=Kit Pos=0,1,0 } // in front
@@ -177,12 +177,12 @@ Repeat as {
 }
 
 Robot c { Config=Kit Pos=0,-3,0 }
-PoseLog path { Robot=as_0.b File=path.csv }
+PoseLog path { Robot=a_0.b File=path.csv }
 )");
         const auto after = m_fixture.apply(loaded, plan);
         QVERIFY2(!after->diagnostics.hasErrors(), sample::messages(*after).c_str());
         QCOMPARE(after->experiment->robots.size(), std::size_t{5});
-        QCOMPARE(plan.value().selects, std::vector<std::string>{"as"});
+        QCOMPARE(plan.value().selects, std::vector<std::string>{"a"});
         const auto message = [&](const std::vector<std::string>& paths) {
             const auto refused = planRepeat(*loaded, paths, 2, Vec3::Zero());
             return refused.ok() ? std::string() : refused.error().message;

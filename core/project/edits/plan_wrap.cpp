@@ -33,6 +33,13 @@ std::string blockOfLines(const std::string& head, const std::string& lines, cons
     return text + "\n}";
 }
 
+/// The common name of the blocks; a block of that name is inside of what is around them now.
+std::string nameAround(const WrappedBlocks& blocks, UsedNames& names) {
+    const std::string common = blocks.commonName();
+    const bool isOwn = std::ranges::find(blocks.blocks(), common, &Part::name) != blocks.blocks().end();
+    return isOwn ? common : names.take(common);
+}
+
 /// Makes the PartConfig and the text of its use.
 class PartMaker {
 public:
@@ -44,15 +51,14 @@ public:
     Result<EditPlan> plan(std::optional<char> axis) {
         const Result<std::string> in = takeIn(m_loaded, m_blocks, m_references);
         if (!in.ok()) return in.error();
+        m_blocks.shortenNames(m_references);
         for (const NameReference& reference : m_references)
             if (m_blocks.contains(reference.name) && !m_blocks.isRemoved(reference.name)) bringIn(reference);
         for (const Part* block : m_blocks.blocks()) takeParamsOf(block->block->items);
         const Part& config = m_blocks.config();
         const std::string step = editStyle(*m_loaded.trees[config.file]).step;
         const std::string common = m_blocks.commonName();
-        std::string name = common; // a block of that name is in the part now
-        if (const auto own = std::ranges::find(m_blocks.blocks(), name, &Part::name); own == m_blocks.blocks().end())
-            name = m_names.take(name);
+        const std::string name = nameAround(m_blocks, m_names);
         const std::string type = UsedNames(m_loaded, nullptr, m_loaded.registry->find("PartConfig")).take(upperFirst(common));
         std::string lines;
         declareAlikeNames();
@@ -111,7 +117,7 @@ private:
             return m_params.contains(name) || paramOf(name) ||
                    std::ranges::any_of(kinds, [&](const Kind* kind) { return kind->find(name); }) ||
                    std::ranges::any_of(globals, [&](const SourceParam& p) { return p.name->text == name; }) ||
-                   std::ranges::any_of(m_blocks.blocks(), [&](const Part* block) { return block->name == name; });
+                   std::ranges::any_of(m_blocks.blocks(), [&](const Part* block) { return m_blocks.nameOf(*block) == name; });
         };
         std::string name = preferred;
         for (int i = 2; isTaken(name); ++i) name = preferred + std::to_string(i);
@@ -245,8 +251,7 @@ Result<EditPlan> planRepeat(const LoadedProject& loaded, const std::vector<std::
     if (!read.ok()) return read.error();
     WrappedBlocks& blocks = read.value();
     UsedNames names(loaded, blocks.holder(), loaded.registry->find("Repeat"));
-    const std::string common = blocks.commonName();
-    const std::string name = names.take(common.ends_with("s") ? common + "Row" : common + "s");
+    const std::string name = nameAround(blocks, names); // that of one member, as foot_0 and foot_1
     std::string pos;
     for (int i = 0; i < 3; ++i) pos += (i ? "," : "") + (step[i] == 0 ? "0" : "$(" + shortNumber(step[i]) + "*index)");
     const std::vector<NameReference> references = referencesIn(loaded);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "lang/characters.h"
 #include "lang/edit_style.h"
@@ -86,6 +87,42 @@ std::string WrappedBlocks::commonName() const {
     if (!common.empty()) return common;
     const auto body = std::ranges::find_if(m_blocks, [](const Part* block) { return block->is(Role::Body); });
     return (body == m_blocks.end() ? m_blocks.front() : *body)->name;
+}
+
+/// Empty if one would have no name, or that of another.
+std::map<const Part*, std::string> WrappedBlocks::shorterNames() const {
+    const std::string common = commonName();
+    std::map<const Part*, std::string> names;
+    std::set<std::string> taken;
+    for (const Part* block : m_blocks) {
+        if (!block->block->name || !block->name.starts_with(common)) return {};
+        std::string rest = block->name.substr(common.size());
+        if (rest.starts_with('_')) rest.erase(0, 1);
+        if (rest.empty() || !std::isalpha(static_cast<unsigned char>(rest[0]))) return {};
+        rest[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(rest[0])));
+        if (!taken.insert(rest).second) return {};
+        names.emplace(block, std::move(rest));
+    }
+    return names;
+}
+
+void WrappedBlocks::shortenNames(const std::vector<NameReference>& references) {
+    const std::map<const Part*, std::string> names = shorterNames();
+    const auto renamed = [&](const NameReference& m) {
+        return std::ranges::find(names, m.target, [](const auto& pair) -> const BlockItem* { return pair.first->block; });
+    };
+    const TextSet& texts = m_loaded.outline->texts();
+    for (const NameReference& m : references) // a pattern, or a default that is found by its name
+        if (const auto it = renamed(m); it != names.end() && (!m.name.known() || texts.slice(m.name) != it->first->name)) return;
+    for (const auto& [block, name] : names) change({{block->file, block->block->name->range}, name});
+    for (const NameReference& m : references)
+        if (const auto it = renamed(m); it != names.end() && contains(m.name) && !isRemoved(m.name)) change({m.name, it->second});
+    m_newNames = names;
+}
+
+const std::string& WrappedBlocks::nameOf(const Part& block) const {
+    const auto it = m_newNames.find(&block);
+    return it == m_newNames.end() ? block.name : it->second;
 }
 
 bool WrappedBlocks::contains(const SourceRange& range) const {
@@ -201,7 +238,9 @@ Status WrappedBlocks::prefixNames(const std::vector<NameReference>& references, 
             return Error{Code::Conflict, usersText({&m}) + " names it together with others; name it by itself first"};
         const std::string_view word = texts.slice(m.name);
         const auto at = m.name.range.begin;
-        sheet.add({{m.name.file, {at, at}}, isWordOfPath(m, word) ? ofOverrides : prefix});
+        const std::string before = isWordOfPath(m, word) ? ofOverrides : prefix;
+        if (m_newNames.contains(*ours)) sheet.add({m.name, before + nameOf(**ours)});
+        else sheet.add({{m.name.file, {at, at}}, before});
     }
     return {};
 }

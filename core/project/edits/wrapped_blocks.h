@@ -24,6 +24,10 @@ public:
     [[nodiscard]] const std::string& parentPath() const { return m_parentPath; }
     /// "left" for leftWheel, leftAxle and leftMotor; else the name of the first body, or of the first block.
     [[nodiscard]] std::string commonName() const;
+    /// Takes the common name off theirs, "motor" for leftMotor: they are in `left` now. None is changed if one would not be a name, or if
+    /// what refers to it cannot follow. Before text() and prefixNames().
+    void shortenNames(const std::vector<NameReference>& references);
+    [[nodiscard]] const std::string& nameOf(const Part& block) const; ///< after shortenNames()
     [[nodiscard]] bool contains(const SourceRange& range) const;
     /// A selected block or one inside; nullptr if it is neither.
     [[nodiscard]] const Part* find(const BlockItem* block) const;
@@ -48,6 +52,7 @@ public:
 
 private:
     explicit WrappedBlocks(const LoadedProject& loaded) : m_loaded(loaded) {}
+    [[nodiscard]] std::map<const Part*, std::string> shorterNames() const;
     [[nodiscard]] Status take(const std::vector<std::string>& paths, const std::string& wrapper);
     [[nodiscard]] Status takeHolder(const Part& part, const Part* holder, const std::string& wrapper);
     [[nodiscard]] std::vector<const Part*> siblings() const;
@@ -59,6 +64,7 @@ private:
     std::vector<const Part*> m_blocks; ///< in text order
     std::map<const Part*, std::vector<TextEdit>> m_changes;
     std::vector<SourceRange> m_removed;
+    std::map<const Part*, std::string> m_newNames; ///< by shortenNames()
 };
 
 } // namespace trundle
