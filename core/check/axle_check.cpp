@@ -37,6 +37,18 @@ void reportFlat(DriveReport& report, const JointSpec& joint, const BodySpec& bod
     if (edits.ok() && edits.value().size() == 1) d.fixes.push_back({std::string("HPR=") + turn, edits.value().begin()->second});
 }
 
+/// A Suspension that springs along the axis of its wheel and rolls about the other one.
+void reportExchanged(DriveReport& report, const JointSpec& joint, const BodySpec& body) {
+    Diagnostic& d =
+        report.warn(joint.nameRange, "Axis and Axis2 of " + joint.name + " are exchanged: along Axis it springs, about Axis2 " +
+                                         body.name + " rolls");
+    if (joint.name.find('.') != std::string::npos) return;
+    const std::string path = "RobotConfig." + report.config.name + "." + joint.name;
+    const auto edits = editsForValues(report.loaded, {{DottedPath(path + ".Axis"), ParsedValue(axisText(joint.axis2))},
+                                                      {DottedPath(path + ".Axis2"), ParsedValue(axisText(joint.axis))}});
+    if (edits.ok() && edits.value().size() == 1) d.fixes.push_back({"exchange them", edits.value().begin()->second});
+}
+
 } // namespace
 
 void checkAxle(DriveReport& report, const DriveMotor& motor) {
@@ -54,6 +66,7 @@ void checkAxle(DriveReport& report, const DriveMotor& motor) {
     if (along.cross(axis).norm() <= kAlong) return;
     if (std::abs(along.z()) > kFlat && std::abs(axis.z()) < kLevelAxle) return reportFlat(report, *joint, body, *geom, axis);
     const Vec3 rolling = along.y() < -0.5 || (std::abs(along.y()) <= 0.5 && along.sum() < 0) ? Vec3(-along) : along;
+    if (isSprung && rolling.cross(joint->axis).norm() <= kAlong) return reportExchanged(report, *joint, body);
     const std::string text = std::string(isSprung ? "Axis2=" : "Axis=") + axisText(rolling);
     Diagnostic& d = report.warn(joint->nameRange, joint->name + ", which " + motor.name + " of " + report.drive.name +
                                                       " turns, is not along the axis of " + body.name + "'s " + geom->name +

@@ -15,6 +15,7 @@ namespace trundle {
 namespace {
 
 constexpr double kOutside = 0.1;      // of the extent: the centre of mass may be that far outside of the shapes
+constexpr double kFarAnchor = 2;      // of the size of both bodies
 constexpr double kLeastSpread = 1e-3; // of the moment of inertia of a solid box around the shapes
 
 /// The connected bodies; the last one is the world.
@@ -49,6 +50,7 @@ public:
         for (const JointSpec& joint : m_config.joints)
             if (joined.insert(std::minmax(joint.parent, joint.child)).second && !groups.join(joint.parent, joint.child))
                 reportLoop(joint);
+        for (const JointSpec& joint : m_config.joints) checkAnchor(joint);
         for (const SpringSpec& spring : m_config.springs) groups.join(spring.parent, spring.child);
         if (!m_config.joints.empty()) reportLoose(groups);
         for (const BodySpec& body : m_config.bodies) checkMass(body);
@@ -92,10 +94,31 @@ private:
                                                       " is held by no joint, and stays behind when the robot moves; " +
                                                       "a joint with Child=" + body.name + " holds it");
             if (body.name.find('.') != std::string::npos) continue; // of a Part: the joint belongs into its config
+            const auto isRound = [](const GeomSpec& g) { return g.shape == GeomShape::Cylinder || g.shape == GeomShape::Sphere; };
+            if (std::ranges::any_of(body.geoms, isRound)) continue; // a wheel or a ball is to turn
             addFix(d, "fix it to " + m_config.bodies[0].name,
                    planInsert(m_loaded, "RobotConfig." + m_config.name,
                               "Fixed " + body.name + "Hold { Parent=" + m_config.bodies[0].name + " Child=" + body.name + " }"));
         }
+    }
+
+    /// Reports a joint that is far from both its bodies, as with millimetres for metres.
+    void checkAnchor(const JointSpec& joint) {
+        if (joint.parent == kWorldBody || joint.type == JointType::Fixed || joint.type == JointType::Slider) return;
+        double size = 0, distance = 0; // m, of both bodies together; from the farther one
+        for (const int index : {joint.parent, joint.child}) {
+            const BodySpec& body = m_config.bodies[static_cast<std::size_t>(index)];
+            if (body.geoms.empty()) return;
+            const auto [low, high] = boxAround(body);
+            const Vec3 at = body.pose.inverse() * joint.anchor;
+            size += (high - low).norm();
+            distance = std::max(distance, (low - at).cwiseMax(at - high).cwiseMax(0.0).norm());
+        }
+        if (!(distance > kFarAnchor * size)) return;
+        m_diagnostics.warning(Code::BadJoint, joint.nameRange,
+                              joint.name + " of " + m_config.name + " is " + lengthText(distance) + " away from " +
+                                  nameOf(joint.parent) + " or " + nameOf(joint.child) +
+                                  "; check its Anchor, or the Pos of what it joins");
     }
 
     /// Compares the mass properties with those that shapes of this extent can have.

@@ -13,6 +13,7 @@ namespace trundle {
 namespace {
 
 constexpr double kBeside = 1e-3, kBesideShare = 0.02; // m, and of the radius: of an axle from the middle of its wheel
+constexpr double kTogether = 0.2;                     // of the radius
 constexpr double kApart = 1e-6;                       // m, from the middle between the sides
 constexpr double kInLine = 2e-3, kInLineShare = 0.1;  // m, and of the radius: between the axles of both sides
 
@@ -156,11 +157,23 @@ bool reportedBeside(DriveReport& report, const DriveWheel& wheel) {
     return true;
 }
 
+/// Two wheels in one place; a body that two motors turn has a warning of its own.
+bool reportedTogether(DriveReport& report, const DriveWheel& one, const DriveWheel& two) {
+    if (one.body == two.body) return true;
+    if ((one.centre - two.centre).norm() > kTogether * one.geom->radius) return false;
+    report.warn(report.config.bodies[two.body].nameRange, report.bodyOf(two) + " is in the place of " + report.bodyOf(one) +
+                                                              "; check its Pos and HPR, or those of its Part");
+    return true;
+}
+
 } // namespace
 
 void checkDirections(DriveReport& report, const std::vector<DriveMotor>& motors, const std::vector<DriveWheel>& wheels) {
     for (const DriveWheel& wheel : wheels)
         if (reportedBeside(report, wheel)) return;
+    for (auto second = wheels.begin(); second != wheels.end(); ++second)
+        for (auto first = wheels.begin(); first != second; ++first)
+            if (reportedTogether(report, *first, *second)) return;
     if (report.drive.kind == "OmniDrive") checkOmni(report, wheels);
     else SideDirections(report, motors, wheels).check();
 }

@@ -41,6 +41,11 @@ std::optional<DriveWheel> wheelAt(const RobotConfigSpec& config, const JointSpec
         if (g.shape == GeomShape::Cylinder && (pose.rotation * Vec3::UnitZ()).cross(axle).norm() > kSameAxis) continue;
         if (!wheel || g.radius > wheel->geom->radius) wheel = DriveWheel{&g, motor, child, pose.position, axle};
     }
+    const auto isTread = [&](const GeomSpec& g) { // of a wheel whose largest cylinder is a flange
+        return g.collide && g.shape == GeomShape::Cylinder && g.length > 2 * wheel->geom->length &&
+               g.radius > 0.5 * wheel->geom->radius;
+    };
+    if (wheel && wheel->geom->shape == GeomShape::Cylinder && std::ranges::any_of(body.geoms, isTread)) return std::nullopt;
     if (wheel && reach > (1 + kBeyond) * (wheel->geom->radius + (wheel->centre - joint.anchor).cross(axle).norm()))
         return std::nullopt;
     return wheel;

@@ -10,6 +10,7 @@ namespace trundle {
 
 namespace {
 
+constexpr double kLeastPower = 0.3, kMostPower = 2; // times that taken
 constexpr double kUnlike = 1.5;   // between torques or speeds of both sides
 constexpr double kOneValue = 1.2; // between values that make them so
 
@@ -55,7 +56,7 @@ void checkTwins(const RobotConfigSpec& config, Diagnostics& diagnostics) {
     for (const ComponentSpec& encoder : config.devices) {
         if (encoder.kind != "Encoder") continue;
         const auto [earlier, isFirst] = firsts.try_emplace(encoder.text("Joint"), &encoder);
-        if (isFirst) continue;
+        if (isFirst || encoder.text("Type") != earlier->second->text("Type")) continue; // a coarse and an absolute one
         const auto isCounted = [&](const ComponentSpec& motor) {
             return std::ranges::any_of(config.devices, [&](const ComponentSpec& d) {
                 return d.kind == "Encoder" && d.text("Joint") == motor.text("Joint");
@@ -118,12 +119,48 @@ void checkAlike(const RobotConfigSpec& config, const ComponentSpec& drive, Diagn
     }
 }
 
+/// By its constants a motor gives TorqueConstant x SpeedConstant times the power that it takes, without its losses: 1 but for rounding.
+void checkConstants(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    for (const ComponentSpec& motor : config.devices) {
+        if (motor.kind != "RotaryMotor") continue;
+        const double bemf = motor.number("BackEmfConstant"), perVolt = motor.find("SpeedConstant") ? motor.number("SpeedConstant")
+                                                                       : bemf > 0                  ? 1 / bemf
+                                                                                                   : 0;
+        const double power = motor.number("TorqueConstant") * perVolt;
+        if (!(power > 0) || (power >= kLeastPower && power <= kMostPower)) continue;
+        const ResolvedValue* value = motor.find("TorqueConstant");
+        const std::string other = motor.find("SpeedConstant") ? "SpeedConstant, " + figureText(perVolt) + " rad/s/V"
+                                                              : "BackEmfConstant, " + figureText(bemf) + " V s/rad";
+        diagnostics.warning(
+            Code::WeakMotor, value && value->range.known() ? value->range : motor.nameRange,
+            "TorqueConstant of " + motor.name + ", " + figureText(motor.number("TorqueConstant")) + " N m/A, does not fit its " +
+                other + ": it would give " + figureText(power) +
+                " times the power that it takes; in these units each is 1 divided by the other, or both are equal");
+    }
+}
+
+/// Drives that command the same motor: the last one acts on it.
+void checkSharedMotors(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    std::unordered_map<std::string, const ComponentSpec*> firsts; // by motor
+    for (const ComponentSpec& drive : config.devices)
+        for (const DriveMotor& motor : motorsOf(drive)) {
+            const auto [earlier, isFirst] = firsts.try_emplace(motor.name, &drive);
+            if (isFirst || earlier->second == &drive) continue;
+            diagnostics.warning(Code::DeviceSetup, motor.place().known() ? motor.place() : drive.nameRange,
+                                drive.name + " and " + earlier->second->name + " command the same motor, " + motor.name +
+                                    ": only one of them acts on it; give each motors of its own");
+            return;
+        }
+}
+
 } // namespace
 
 void checkMotors(const RobotConfigSpec& config, Diagnostics& diagnostics) {
     checkSharedJoints(config, diagnostics);
     checkEncoders(config, diagnostics);
     checkTwins(config, diagnostics);
+    checkConstants(config, diagnostics);
+    checkSharedMotors(config, diagnostics);
     for (const ComponentSpec& device : config.devices) checkAlike(config, device, diagnostics);
 }
 

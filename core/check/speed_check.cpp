@@ -18,8 +18,12 @@ namespace {
 
 constexpr double kLeastRamp = 2 * kDegree, kSteepestRamp = 40 * kDegree;
 constexpr double kUsualSlope = 3 * kDegree;           // without a ramp: a doorstep, a carpet
+constexpr double kMostGear = 4;                       // of the factor of a gear ratio that is proposed
 constexpr double kReserve = 1.25;                     // of a gear ratio that is proposed
 constexpr double kOffGround = 3e-3, kOffShare = 0.05; // m, and of the radius: a wheel this far up carries nothing
+constexpr double kOffShareOfMany = 0.15;              // the same where enough others carry: some are meant to be higher
+constexpr std::ptrdiff_t kPair = 2, kEnough = 3;      // supports
+constexpr double kSamePlane = 0.9999, kSameLevel = 5e-3; // cosine; m
 constexpr double kFreeShare = 0.5;                    // of the radius
 constexpr double kRay = 10;                           // m
 
@@ -85,6 +89,7 @@ private:
                 " needs " + figureText(needed) +
                 " N: it does not climb that; a larger GearRatio, TorqueConstant or MaxVoltage, or less mass, helps");
         const double ratio = needed / push * kReserve;
+        if (ratio > kMostGear) return; // another value is odd
         Fix fix{"GearRatio=" + figureText(motor.number("GearRatio") * ratio), {}};
         std::set<std::uint32_t> written;
         for (const DriveWheel& wheel : wheels) {
@@ -99,45 +104,78 @@ private:
         d.fixes.push_back(std::move(fix));
     }
 
-    /// From the lowest point of a geom to what is below; nothing if there is nothing.
-    [[nodiscard]] std::optional<double> heightOf(std::uint32_t r, const GeomSpec& geom, const Pose& X_WG) const {
-        const double low = extentAlong(geom, X_WG, m_up).low, middle = X_WG.position.dot(m_up);
+    /// From the lowest point of a geom to the ground, along its normal; nothing if there is none of the scenery.
+    [[nodiscard]] std::optional<double> heightOf(std::uint32_t r, const GeomSpec& geom, const Pose& X_WG,
+                                                 const Vec3& normal) const {
+        const double low = extentAlong(geom, X_WG, normal).low, middle = X_WG.position.dot(normal);
         const double above = std::max(0.02, middle - low); // m: it may start inside the ground
-        const auto hit = m_scene.ray(X_WG.position + (low - middle + above) * m_up, -m_up, kRay, r);
+        const auto hit = m_scene.ray(X_WG.position + (low - middle + above) * normal, -normal, kRay, r);
         return hit && m_scene.owner(hit->geom).isStatic ? std::optional(hit->distance - above)
                                                         : std::nullopt; // no other robot is ground
     }
 
+    /// The normal of the ground beneath all wheels; nothing where it is not one plane, as between rails.
+    [[nodiscard]] std::optional<Vec3> groundNormal(std::uint32_t r, const std::vector<DriveWheel>& wheels) const {
+        const RobotSpec& robot = m_experiment.robots[r];
+        std::optional<Vec3> normal;
+        double level = 0;
+        for (const DriveWheel& wheel : wheels) {
+            const Vec3 from =
+                (robot.pose * robot.config->bodies[wheel.body].pose * wheel.geom->pose).position + wheel.geom->radius * m_up;
+            const auto hit = m_scene.ray(from, -m_up, kRay, r);
+            if (!hit) return std::nullopt;
+            const Vec3 at = from - hit->distance * m_up;
+            if (!normal) normal = hit->normal, level = at.dot(*normal);
+            if (hit->normal.dot(*normal) < kSamePlane || std::abs(at.dot(*normal) - level) > kSameLevel) return std::nullopt;
+        }
+        return normal;
+    }
+
     /// Wheels that stay in the air when the lowest shape of their robot touches the ground. A free one that is higher than half of its
-    /// radius is for something else.
+    /// radius is for something else, and one of a robot with three other supports too.
     void checkGround(std::uint32_t r, std::vector<DriveWheel> wheels, const std::vector<DriveWheel>& free) {
         if (wheels.empty() && free.empty()) return;
         wheels.insert(wheels.end(), free.begin(), free.end());
         const RobotSpec& robot = m_experiment.robots[r];
-        double least = HUGE_VAL;
-        const GeomSpec* lowest = nullptr;
-        const BodySpec* holder = nullptr;
+        const std::optional<Vec3> normal = groundNormal(r, wheels);
+        if (!normal) return;
+        struct Low {
+            const GeomSpec* geom;
+            const BodySpec* body;
+            double height;
+        };
+        std::vector<Low> lows;
         for (const BodySpec& body : robot.config->bodies)
             for (const GeomSpec& geom : body.geoms)
-                if (const auto height = geom.collide ? heightOf(r, geom, robot.pose * body.pose * geom.pose) : std::nullopt;
-                    height && *height < least)
-                    least = *height, lowest = &geom, holder = &body;
-        if (!lowest) return;
+                if (const auto height =
+                        geom.collide ? heightOf(r, geom, robot.pose * body.pose * geom.pose, *normal) : std::nullopt)
+                    lows.push_back({&geom, &body, *height});
+        if (lows.empty()) return;
+        const Low lowest = *std::ranges::min_element(lows, {}, &Low::height);
+        const auto supports = std::ranges::count_if(lows, [&](const Low& l) { return l.height - lowest.height <= kOffGround; });
         for (const DriveWheel& wheel : wheels) {
-            const BodySpec& body = robot.config->bodies[wheel.body];
-            const auto height = heightOf(r, *wheel.geom, robot.pose * body.pose * wheel.geom->pose);
-            if (!height || *height - least <= std::max(kOffGround, kOffShare * wheel.geom->radius)) continue;
-            if (!wheel.motor && *height - least > kFreeShare * wheel.geom->radius) continue;
-            const bool isShared = lowest->nameRange == wheel.geom->nameRange; // the tyre of another wheel, made by the same text
-            const std::string touching = isShared || holder->name.find('.') != std::string::npos ? holder->name : lowest->name;
-            Diagnostic& d = m_diagnostics.warning(
-                Code::WheelOffGround, body.nameRange,
-                body.name + " of " + robot.config->name + " is " + lengthText(*height - least) + " above the ground when " +
-                    touching + " touches it: " + (wheel.motor ? "its motor turns it in the air" : "it carries nothing") +
-                    "; lower the wheel, or raise " + touching);
-            d.notes.push_back({"this touches the ground first", lowest->nameRange});
+            const auto own = std::ranges::find(lows, wheel.geom, &Low::geom);
+            if (own == lows.end()) continue;
+            const double gap = own->height - lowest.height;
+            const double share = wheel.motor && supports >= kPair ? kOffShareOfMany : kOffShare;
+            if (gap <= std::max(kOffGround, share * wheel.geom->radius)) continue;
+            if (!wheel.motor && (supports >= kEnough || gap > kFreeShare * wheel.geom->radius)) continue;
+            reportOffGround(*robot.config, wheel, *lowest.geom, *lowest.body, gap);
             return; // the others are the same fault
         }
+    }
+
+    void reportOffGround(const RobotConfigSpec& config, const DriveWheel& wheel, const GeomSpec& lowest, const BodySpec& holder,
+                         double gap) {
+        const BodySpec& body = config.bodies[wheel.body];
+        const bool isShared = lowest.nameRange == wheel.geom->nameRange; // the tyre of another wheel, made by the same text
+        const std::string touching = isShared || holder.name.find('.') != std::string::npos ? holder.name : lowest.name;
+        Diagnostic& d = m_diagnostics.warning(
+            Code::WheelOffGround, body.nameRange,
+            body.name + " of " + config.name + " is " + lengthText(gap) + " above the ground when " + touching +
+                " touches it: " + (wheel.motor ? "its motor turns it in the air" : "it carries nothing") +
+                "; lower the wheel, or raise " + touching);
+        d.notes.push_back({"this touches the ground first", lowest.nameRange});
     }
 
     /// Scenery that the fastest robot could be through in one tick.

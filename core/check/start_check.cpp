@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kLeastDepth = 1e-3;              // m
 constexpr double kLeastShare = 0.02;              // of the smaller object's width
+constexpr double kStraightUp = 0.9999;            // cosine
 constexpr double kMargin = 1e-4;                  // m, clearance after a fix
 constexpr double kLevel = 0.7;                    // cosine of the steepest slope that counts as ground
 constexpr int kRounds = 60;                       // iterations of the search for a move out of several contacts
@@ -199,13 +200,14 @@ private:
         return std::ranges::any_of(m_pairs, isInScenery) ? std::nullopt : moveBeside(m_scene, pair.robot, pair.other);
     }
 
-    /// m, by which a geom is lower than all wheels of its robot, and than what they can stand on.
+    /// m, by which a geom is lower than all other wheels of an upright robot.
     [[nodiscard]] double belowWheels(std::uint32_t geom) const {
         const GeomOwner& o = m_scene.owner(geom);
         const RobotConfigSpec& config = *m_experiment.robots[o.object].config;
+        if ((m_experiment.robots[o.object].pose.rotation * Vec3::UnitZ()).dot(m_scene.up()) < kStraightUp) return 0;
         double lowest = HUGE_VAL;
         for (const DriveWheel& wheel : drivenWheelsOf(config)) {
-            if (wheel.geom == o.spec) return 0;
+            if (wheel.geom == o.spec) continue;
             const Pose pose = m_experiment.robots[o.object].pose * config.bodies[wheel.body].pose * wheel.geom->pose;
             lowest = std::min(lowest, extentAlong(*wheel.geom, pose, m_scene.up()).low);
         }

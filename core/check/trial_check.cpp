@@ -5,6 +5,7 @@
 #include <set>
 
 #include "check/checks.h"
+#include "check/drive_wheels.h"
 #include "check/model_check.h"
 #include "check/trial_drive.h"
 #include "project/edits/plan_targets.h"
@@ -15,8 +16,10 @@ namespace trundle {
 namespace {
 
 constexpr double kStand = 1; // s
-constexpr double kFallen = 30 * kDegree, kLeans = 3 * kDegree;
+constexpr std::size_t kMostTrials = 30;
+constexpr double kFallen = 30 * kDegree, kLeans = 3 * kDegree, kLeansLater = 6 * kDegree;
 constexpr double kGivesWay = 5 * kDegree, kSinks = 0.01; // of a servo, of a linear motor in m
+constexpr double kBalances = 0.2;                        // of its height: a centre of mass beside the axle
 constexpr double kStop = 0.97, kLeastTravel = 1e-3;      // of the way to a stop; m
 
 class Trial {
@@ -32,12 +35,26 @@ public:
         if (!m_world->run(kStand, m_stop)) return reportFault();
         if (!stands()) return;
         if (std::ranges::count_if(m_config.devices, isDrive) > 1) return; // while one drives, the others would brake
+        if (isGuided() || isOffFloor()) return;
         for (const ComponentSpec& device : m_config.devices)
             if (isDrive(device)) tryOut(device);
     }
 
 private:
-    [[nodiscard]] const BodySpec& first() const { return m_config.bodies.front(); }
+    [[nodiscard]] const BodySpec& base() const { return m_world->base(); }
+
+    /// By a rail of the world.
+    [[nodiscard]] bool isGuided() const {
+        const auto isRail = [](const JointSpec& joint) { return joint.parent == kWorldBody && joint.type == JointType::Slider; };
+        return std::ranges::any_of(m_config.joints, isRail);
+    }
+    /// Its wheels are for another floor, as rails that it hangs from.
+    [[nodiscard]] bool isOffFloor() const {
+        const auto wheels = drivenWheelsOf(m_config);
+        const auto isLoaded = [&](const DriveWheel& wheel) { return m_world->loadOf(m_config.bodies[wheel.body]) > 0; };
+        const auto isHeld = [](const JointSpec& joint) { return joint.parent == kWorldBody; };
+        return !wheels.empty() && std::ranges::none_of(wheels, isLoaded) && std::ranges::none_of(m_config.joints, isHeld);
+    }
 
     void tryOut(const ComponentSpec& drive) {
         Diagnostics found;
@@ -45,7 +62,10 @@ private:
         const bool mayTip = mayBalance() && tilt() > kLeans; // without its controller
         if (!isWhole) reportFault();
         else if (tilt() > kFallen && !mayTip) reportFallen(", when " + drive.name + " moves it");
-        else if (!mayTip) m_diagnostics.append(found.all());
+        else if (!mayTip) {
+            if (found.all().empty() && tilt() > kLeansLater && !m_leans) reportLeaning(", after " + drive.name + " has moved it");
+            m_diagnostics.append(found.all());
+        }
     }
 
     /// rad, from the start.
@@ -53,7 +73,7 @@ private:
 
     void reportFault() {
         if (const Fault* fault = m_world->fault())
-            m_diagnostics.warning(Code::FailsToStand, first().nameRange,
+            m_diagnostics.warning(Code::FailsToStand, base().nameRange,
                                   "tried on a plain floor, " + m_config.name + " does not hold together: " + fault->reason);
     }
 
@@ -64,26 +84,40 @@ private:
             return false;
         }
         if (reportedSpring() || reportedServo()) return false;
-        if (tilt() > kLeans && !mayBalance())
-            m_diagnostics.hint(
-                Code::FailsToStand, first().nameRange,
-                "tried on a plain floor, " + m_config.name + " leans by " + figureText(tilt() / kDegree) +
-                    " degrees at rest: not all that is to support it reaches as low; check the heights of wheels and casters");
+        if (tilt() > kLeans && !mayBalance()) reportLeaning(" at rest");
         return true;
     }
 
-    /// One that measures its tilt may keep upright by its controller.
+    void reportLeaning(const std::string& when) {
+        m_leans = true;
+        m_diagnostics.hint(Code::FailsToStand, base().nameRange,
+                           "tried on a plain floor, " + m_config.name + " leans by " + figureText(tilt() / kDegree) + " degrees" +
+                               when + ": not all that is to support it reaches as low; check the heights of wheels and casters");
+    }
+
+    /// One that measures its tilt may keep upright by its controller, if its centre of mass is above its two wheels.
     [[nodiscard]] bool mayBalance() const {
         const auto isImu = [](const ComponentSpec& device) { return device.kind == "Imu"; };
-        const auto isOther = [](const ComponentSpec& device) { return isDrive(device) && device.kind != "DifferentialDrive"; };
-        return std::ranges::any_of(m_config.devices, isImu) && std::ranges::none_of(m_config.devices, isOther);
+        if (std::ranges::none_of(m_config.devices, isImu)) return false;
+        const auto drive = std::ranges::find_if(m_config.devices, isDrive);
+        if (drive == m_config.devices.end()) return true; // on legs
+        const auto wheels = drivenWheelsOf(m_config);
+        if (motorsOf(*drive).size() != 2 || drive->kind == "AckermannDrive" || wheels.size() != 2) return false;
+        Vec3 centre = Vec3::Zero();
+        double mass = 0;
+        for (const BodySpec& body : m_config.bodies)
+            centre += body.mass.mass * (body.pose * body.mass.centre), mass += body.mass.mass;
+        const Vec3 up = m_wasUp, ahead = wheels[0].axis.cross(up).normalized(),
+                   above = centre / mass - (wheels[0].centre + wheels[1].centre) / 2;
+        return above.dot(up) > 0 && std::abs(above.dot(ahead)) < kBalances * above.dot(up);
     }
 
     void reportFallen(const std::string& when) {
-        m_diagnostics.warning(Code::FailsToStand, first().nameRange,
-                              "tried on a plain floor, " + m_config.name + " falls over" + when + ": it is tilted by " +
-                                  figureText(tilt() / kDegree) +
-                                  " degrees; its centre of mass is not above what supports it, as without a caster");
+        m_diagnostics.warning(
+            Code::FailsToStand, base().nameRange,
+            "tried on a plain floor, " + m_config.name + " falls over" + when + ": it is tilted by " +
+                figureText(tilt() / kDegree) +
+                " degrees; check what supports it, as a caster, its centre of mass, and the joints that let it tip");
     }
 
     /// Of a Suspension, or of a Slider with a spring, that was not at its stop at the start.
@@ -92,6 +126,7 @@ private:
             double stop = joint.travel;
             if (joint.type == JointType::Slider && joint.stiffness > 0) {
                 const double at = m_world->value(joint.name + "/position");
+                if ((joint.rest - at) * at > 0) continue; // its spring holds it there
                 stop = std::abs((at < 0 ? joint.lowStop : joint.highStop).value_or(0));
             } else if (joint.type != JointType::Suspension) continue;
             if (stop < kLeastTravel || movedAlong(joint) < kStop * stop) continue;
@@ -143,6 +178,7 @@ private:
     std::unique_ptr<TrialWorld> m_world;
     std::vector<Pose> m_start; ///< of the bodies
     Vec3 m_wasUp = Vec3::UnitZ();
+    bool m_leans = false; ///< and this is reported
 };
 
 /// Whether a warning has its place in the config's text or in that of its parts.
@@ -162,7 +198,9 @@ void tryRobots(const LoadedProject& loaded, Diagnostics& diagnostics, const std:
     const ExperimentSpec& experiment = *loaded.experiment;
     Diagnostics found;
     if (!isBuildable(experiment, found) || experiment.settings.gravity.norm() < 1e-6) return;
-    std::set<std::string> seen; // configs of one name differ in values alone
+
+    std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
+    std::set<SourceRange> reported;        // configs of one name differ in values alone
     for (std::size_t i = 0; i < experiment.robots.size() && !stop.stop_requested(); ++i) {
         const RobotSpec& robot = experiment.robots[i];
         const auto isHeld = [&](const Link<JointSpec>& link) {
@@ -172,8 +210,13 @@ void tryRobots(const LoadedProject& loaded, Diagnostics& diagnostics, const std:
             return isDrive(d) || d.kind == "Servo" || d.kind == "LinearMotor" || d.kind == "RotaryMotor";
         };
         if (robot.scenery || std::ranges::any_of(experiment.joints, isHeld)) continue;
-        if (std::ranges::none_of(robot.config->devices, moves) || !seen.insert(robot.config->name).second) continue;
-        if (!hasWarning(*robot.config, diagnostics)) Trial(experiment, robot, found, stop).run();
+        if (std::ranges::none_of(robot.config->devices, moves) || !seen.insert(robot.config.get()).second) continue;
+        if (hasWarning(*robot.config, diagnostics)) continue;
+        Diagnostics ofRobot;
+        Trial(experiment, robot, ofRobot, stop).run();
+        for (const Diagnostic& d : ofRobot.all())
+            if (reported.insert(d.range).second) found.append({d});
+        if (seen.size() >= kMostTrials) break;
     }
     diagnostics.append(found.all());
 }

@@ -17,14 +17,15 @@ namespace {
 constexpr double kRamp = 1, kMeasure = 1, kPause = 0.7; // s
 constexpr double kTopShare = 0.5;                       // of the speed without load
 constexpr double kLeast = 0.5, kMost = 1.5;             // of the commanded motion
-constexpr double kLeastLoose = 0.1;                     // the same where wheels skid, or nothing controls their speed
+constexpr double kLeastSkids = 0.2;                     // of a turn, where wheels skid
 constexpr double kSlowest = 2e-3;                       // m/s; slower ones are lost in the noise of contacts
 constexpr double kFastestTurn = 2;                      // rad/s
 constexpr double kStraight = 20 * kDegree;              // by which one that drives straight may turn
 constexpr double kSideways = 30 * kDegree;
 constexpr double kSlips = 0.3;    // of the speed
 constexpr double kStill = 0.02;   // of the speed
-constexpr double kOnFloor = 3e-3; // m, of the lowest point of a wheel
+constexpr double kTurns = 0.1, kDragged = 0.05; // of the speed, of the weight
+constexpr double kLeastGrip = 0.03;             // of the weight: what slips with less drags nothing
 
 struct Moved {
     Vec3 way = Vec3::Zero(); ///< m, as seen from the heading at its start
@@ -43,7 +44,9 @@ class DriveTrial {
 public:
     DriveTrial(TrialWorld& world, const RobotConfigSpec& config, const ComponentSpec& drive, Diagnostics& diagnostics,
                const std::stop_token& stop)
-        : m_world(world), m_config(config), m_drive(drive), m_diagnostics(diagnostics), m_stop(stop) {}
+        : m_world(world), m_config(config), m_drive(drive), m_diagnostics(diagnostics), m_stop(stop) {
+        for (const BodySpec& body : config.bodies) m_weight += body.mass.mass * world.gravity();
+    }
 
     bool run() {
         m_speed = speed();
@@ -52,7 +55,7 @@ public:
                    isOmni = m_drive.kind == "OmniDrive" || m_drive.kind == "MecanumDrive";
         const auto ahead = measure("linearVelocity", m_speed);
         if (!ahead || !isAhead(*ahead)) return ahead.has_value();
-        if (!ahead->slipping.empty()) return reportSlip(*ahead), true;
+        if (!ahead->slipping.empty() && !isLoose()) return reportSlip(*ahead), true;
         const auto turned = isCar ? steer() : turn();
         if (!turned || !*turned || !isOmni) return turned.has_value();
         const auto aside = measure("lateralVelocity", m_speed);
@@ -68,19 +71,21 @@ private:
 
     /// m/s, that it reaches and keeps: by its motors, its ramps and its size.
     [[nodiscard]] double speed() const {
-        double top = HUGE_VAL;
+        double top = HUGE_VAL, ramp = m_drive.number("MaxAcceleration"); // m/s, m/s^2
         for (const DriveMotor& motor : motorsOf(m_drive)) {
             DriveWheel wheel;
             wheel.motor = device(motor.name);
             if (wheel.motor) top = std::min(top, wheel.topRate() * m_drive.number("WheelRadius"));
         }
         for (const char* key : {"LeftTrack", "RightTrack"})
-            if (const ComponentSpec* track = device(m_drive.text(key))) top = std::min(top, track->number("MaxSpeed"));
+            if (const ComponentSpec* track = device(m_drive.text(key))) {
+                top = std::min(top, track->number("MaxSpeed"));
+                if (const double own = track->number("MaxAcceleration"); own > 0) ramp = ramp > 0 ? std::min(ramp, own) : own;
+            }
         double size = 0; // m
         for (const BodySpec& body : m_config.bodies)
             for (const GeomSpec& geom : body.geoms)
                 if (geom.collide) size = std::max(size, geom.pose.position.norm() + body.pose.position.norm());
-        const double ramp = m_drive.number("MaxAcceleration");
         return std::min({kTopShare * top, std::max(size, 0.05) / kMeasure, ramp > 0 ? 0.5 * ramp * kRamp : HUGE_VAL});
     }
 
@@ -91,6 +96,7 @@ private:
         const Pose from = m_world.pose();
         if (!m_world.run(kMeasure, m_stop)) return std::nullopt;
         const Pose to = m_world.pose();
+        m_causes = causes();
         const double heading = headingOf(from.rotation);
         const Vec3 way = Eigen::AngleAxisd(-heading, Vec3::UnitZ()) * (to.position - from.position);
         Moved moved{{way.x(), way.y(), 0}, headingOf(to.rotation * from.rotation.conjugate()), {}, {}};
@@ -101,13 +107,24 @@ private:
         return moved;
     }
 
+    /// By a motor that no drive has: a brush, a tool.
+    [[nodiscard]] bool isTurnedByOther(const JointSpec& joint) const {
+        return std::ranges::any_of(m_config.devices, [&](const ComponentSpec& device) {
+            const bool turns = device.kind == "RotaryMotor" || device.kind == "Servo";
+            const std::vector<DriveMotor> own = motorsOf(m_drive);
+            return turns && device.text("Joint") == joint.name &&
+                   std::ranges::find(own, device.name, &DriveMotor::name) == own.end();
+        });
+    }
+
     /// Whether the wheel on a joint rolls as fast as the robot moves along with it, at the end of a way.
     void findSlip(const JointSpec& joint, Moved& moved) const {
         const auto wheel = wheelOn(m_config, joint);
         if (!wheel || std::abs(wheel->axis.z()) > 0.5) return;
         const BodySpec& body = m_config.bodies[wheel->body];
         const Pose now = m_world.bodyPose(body);
-        if (now.position.z() > wheel->geom->radius + kOnFloor) return;
+        const double grip = m_world.surface(*wheel->geom).friction;
+        if (m_world.loadOf(body) * grip < kLeastGrip * m_weight || isTurnedByOther(joint)) return;
         const Vec3 along = (now.rotation * (body.pose.rotation.conjugate() * wheel->axis)).cross(Vec3::UnitZ());
         const double rolls = std::abs(m_world.value(joint.name + "/rate")) * wheel->geom->radius,
                      moves = std::abs(m_world.velocity(body).dot(along.normalized()));
@@ -122,7 +139,7 @@ private:
         const double share = moved.way.norm() / (m_speed * kMeasure);
         if (std::abs(moved.turn) > kStraight)
             return report("turns the robot " + sideOf(moved.turn) + " instead of driving it straight ahead");
-        if (share < (isLoose() ? kLeastLoose : kLeast) || share > kMost)
+        if (share < (isLoose() ? 0 : kLeast) || share > kMost)
             return report(movesText(moved) + " when commanded to drive at " + lengthText(m_speed) + "/s");
         return true;
     }
@@ -141,9 +158,9 @@ private:
         const auto isServo = [](const ComponentSpec& device) {
             return device.kind == "Servo";
         }; // it may hold a wheel that steers
-        const bool skids =
-            m_drive.kind == "SkidDrive" || m_drive.kind == "TrackDrive" || std::ranges::any_of(m_config.devices, isServo);
-        return isTurned(moved->turn, rate * kMeasure, skids || isLoose());
+        const bool skids = m_drive.kind == "SkidDrive" || m_drive.kind == "TrackDrive" || !m_config.gears.empty();
+        const double least = isLoose() || std::ranges::any_of(m_config.devices, isServo) ? 0 : skids ? kLeastSkids : kLeast;
+        return isTurned(moved->turn, rate * kMeasure, least);
     }
 
     [[nodiscard]] std::optional<bool> steer() {
@@ -151,13 +168,13 @@ private:
         m_world.command(m_drive.name, "steeringAngle", angle);
         const auto moved = measure("linearVelocity", m_speed);
         if (!moved) return std::nullopt;
-        return isTurned(moved->turn, m_speed * std::tan(angle) / m_drive.number("WheelBase") * kMeasure, isLoose());
+        return isTurned(moved->turn, m_speed * std::tan(angle) / m_drive.number("WheelBase") * kMeasure, isLoose() ? 0 : kLeast);
     }
 
-    bool isTurned(double is, double wanted, bool isLoose) {
+    bool isTurned(double is, double wanted, double least) {
         const double share = is / wanted;
         if (share < -0.1) return report("turns the robot to the right when commanded to turn it to the left");
-        if (share >= (isLoose ? kLeastLoose : kLeast) && share <= kMost) return true;
+        if ((least == 0 || share >= least) && share <= kMost) return true;
         const double round = std::round(is / kDegree * 10) / 10 + 0.;
         return report("turns the robot by " + figureText(round) + " degrees in a second when commanded to turn it by " +
                       figureText(wanted / kDegree));
@@ -189,12 +206,34 @@ private:
         const double rate = moved.way.norm() / kMeasure;
         return rate < kStill * m_speed ? "does not move the robot" : "moves the robot at " + lengthText(rate) + "/s";
     }
+    /// What is seen while it is to move: motors that do not turn, and what it drags over the floor.
+    [[nodiscard]] std::string causes() const {
+        for (const DriveMotor& motor : motorsOf(m_drive)) {
+            const ComponentSpec* turning = device(motor.name);
+            const std::string joint = turning ? turning->text("Joint") : std::string();
+            const double rim = std::abs(m_world.value(joint + "/rate")) * m_drive.number("WheelRadius");
+            if (rim < kTurns * m_speed)
+                return ": " + motor.name + " does not turn " + joint + "; check its stops, its Friction and what it is joined to";
+        }
+        for (const BodySpec& body : m_config.bodies) {
+            const auto rolls = [&](const JointSpec& joint) {
+                const auto wheel = wheelOn(m_config, joint);
+                return wheel && &m_config.bodies[wheel->body] == &body;
+            };
+            const auto isRound = [](const GeomSpec& geom) {
+                return geom.shape == GeomShape::Sphere || geom.shape == GeomShape::Cylinder;
+            };
+            if (std::ranges::any_of(m_config.joints, rolls) || std::ranges::any_of(body.geoms, isRound)) continue;
+            if (m_world.loadOf(body) > kDragged * m_weight) return ": " + body.name + " is dragged over the floor";
+        }
+        return {};
+    }
     static std::string sideOf(double turn) { return turn < 0 ? "to the right" : "to the left"; }
 
     bool report(const std::string& what) {
         m_diagnostics.warning(Code::MovesOtherwise, m_drive.nameRange,
                               "tried on a plain floor, " + m_drive.name + " of " + m_config.name + " " + what +
-                                  "; check what turns with its motors: axes, gears, stops, and what touches the floor");
+                                  (m_causes.empty() ? "; check what turns with its motors: axes and gears" : m_causes));
         return false;
     }
 
@@ -203,7 +242,9 @@ private:
     const ComponentSpec& m_drive;
     Diagnostics& m_diagnostics;
     const std::stop_token& m_stop;
-    double m_speed = 0; ///< m/s, that is commanded
+    double m_speed = 0;  ///< m/s, that is commanded
+    double m_weight = 0; ///< N
+    std::string m_causes;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "check/drive_wheels.h"
 #include "check/extent.h"
 #include "devices/builtin.h"
 
@@ -11,8 +12,10 @@ namespace trundle {
 
 namespace {
 
+constexpr double kBaseShare = 0.2;           // of the mass
 constexpr double kClearance = 1e-4;          // m, above the floor
-constexpr std::uint64_t kMostWork = 300'000; // bodies times ticks: about half a second
+constexpr std::size_t kMostBodies = 150;
+constexpr std::chrono::seconds kMostSeconds(2); // of one robot; only a few take longer, which are not tried to the end
 constexpr std::array<std::string_view, 10> kTried{"RotaryMotor", "Servo",     "LinearMotor",  "DifferentialDrive",
                                                   "SkidDrive",   "OmniDrive", "MecanumDrive", "AckermannDrive",
                                                   "Track",       "TrackDrive"};
@@ -33,11 +36,38 @@ double lowestOf(const RobotConfigSpec& config, const Quat& rotation) {
     return low;
 }
 
+/// The body above the first wheel of a drive that has a fair share of the mass; without a drive, the heaviest.
+std::size_t baseOf(const RobotConfigSpec& config) {
+    double whole = 0;
+    for (const BodySpec& body : config.bodies) whole += body.mass.mass;
+    const auto carrierOf = [&](int body) {
+        const auto joint =
+            std::ranges::find_if(config.joints, [&](const JointSpec& j) { return j.child == body && j.parent != kWorldBody; });
+        return joint == config.joints.end() ? body : joint->parent;
+    };
+    for (const ComponentSpec& device : config.devices)
+        for (const DriveMotor& motor : motorsOf(device)) {
+            const auto turning = std::ranges::find(config.devices, motor.name, &ComponentSpec::name);
+            if (turning == config.devices.end()) continue;
+            const auto axle = std::ranges::find(config.joints, turning->text("Joint"), &JointSpec::name);
+            if (axle == config.joints.end() || axle->parent == kWorldBody) continue;
+            int base = axle->child == 0 ? 0 : axle->parent; // the chassis may be the child of its wheels
+            for (std::size_t i = 0;
+                 i < config.bodies.size() && config.bodies[static_cast<std::size_t>(base)].mass.mass < kBaseShare * whole; ++i)
+                base = carrierOf(base);
+            return static_cast<std::size_t>(base);
+        }
+    const auto heaviest = std::ranges::max_element(config.bodies, {}, [](const BodySpec& body) { return body.mass.mass; });
+    return static_cast<std::size_t>(heaviest - config.bodies.begin());
+}
+
 } // namespace
+
+const BodySpec& TrialWorld::base() const { return m_world->experiment().robots[0].config->bodies[m_base]; }
 
 std::unique_ptr<TrialWorld> TrialWorld::build(const ExperimentSpec& experiment, const RobotSpec& robot) {
     const auto isUnknown = [](const ComponentSpec& device) { return !findBuiltInDevice(device.kind); };
-    if (std::ranges::any_of(robot.config->devices, isUnknown)) return nullptr;
+    if (robot.config->bodies.size() > kMostBodies || std::ranges::any_of(robot.config->devices, isUnknown)) return nullptr;
     const Vec3 gravity = experiment.settings.gravity;
     const Quat rotation = uprightOf(robot.pose.rotation, -gravity.normalized());
     const double low = lowestOf(*robot.config, rotation);
@@ -61,15 +91,14 @@ std::unique_ptr<TrialWorld> TrialWorld::build(const ExperimentSpec& experiment, 
     Diagnostics unused;
     const auto code = [](const std::string& kind) { return findBuiltInDevice(kind); };
     auto world = World::build(std::move(alone), code, unused);
-    return world ? std::unique_ptr<TrialWorld>(new TrialWorld(std::move(world))) : nullptr;
+    return world ? std::unique_ptr<TrialWorld>(new TrialWorld(std::move(world), baseOf(*robot.config))) : nullptr;
 }
 
 bool TrialWorld::run(double seconds, const std::stop_token& stop) {
     const auto ticks = static_cast<std::uint64_t>(std::ceil(seconds / m_world->experiment().settings.tick - 1e-9));
-    m_work += ticks * m_world->experiment().robots[0].config->bodies.size();
-    if (m_work > kMostWork) return false;
     for (std::uint64_t i = 0; i < ticks; ++i)
-        if (stop.stop_requested() || !m_world->tick() || fault()) return false;
+        if (stop.stop_requested() || std::chrono::steady_clock::now() - m_begin > kMostSeconds || !m_world->tick() || fault())
+            return false;
     return true;
 }
 
@@ -91,6 +120,15 @@ Pose TrialWorld::bodyPose(const BodySpec& body) const {
 Vec3 TrialWorld::velocity(const BodySpec& body) const {
     const std::string path = body.name + "/velocity";
     return {value(path, 0), value(path, 1), value(path, 2)};
+}
+
+double TrialWorld::loadOf(const BodySpec& body) const {
+    const std::string own = "robot/" + body.name + "/";
+    double load = 0;
+    for (const WorldContact& contact : m_world->contacts())
+        if (contact.first.starts_with(own) || contact.second.starts_with(own))
+            load += contact.force * std::abs(contact.normal.z());
+    return load;
 }
 
 const Fault* TrialWorld::fault() const {

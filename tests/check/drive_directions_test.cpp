@@ -85,6 +85,13 @@ private Q_SLOTS:
             {{"Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0",
               "Suspension leftAxle { Parent=chassis Child=leftWheel Axis2=1,0,0 Stiffness=2000 Damping=50 Travel=0.02"}},
             "its axis is that of Axis2=0,1,0", "leftAxle", true);
+        add("both wheels in one place", rover, {{"Pos=0.1,-0.15,0.05", "Pos=0.1,0.15,0.05"}},
+            "rightWheel is in the place of leftWheel; check its Pos and HPR, or those of its Part", "rightWheel", false);
+        add("a strut whose axes are exchanged", rover,
+            {{"Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0",
+              "Suspension leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0 Axis2=0,0,1 Stiffness=2000 Damping=50 "
+              "Travel=0.02"}},
+            "Axis and Axis2 of leftAxle are exchanged: along Axis it springs, about Axis2 leftWheel rolls", "leftAxle", true);
         add("a tyre that lies flat", rover, {{"Mass=0.2 HPR=0,0,90 } }\n  Body rightWheel", "Mass=0.2 } }\n  Body rightWheel"}},
             "tyre of leftWheel lies flat, across its axle leftAxle: the wheel does not roll; a Cylinder is along z, and HPR "
             "turns it: "
@@ -105,7 +112,7 @@ private Q_SLOTS:
         add("an axle beside its wheel", rover,
             {{"Child=leftWheel Axis=0,1,0", "Child=leftWheel Anchor=0.1,0.15,0.09 Axis=0,1,0"}},
             "leftAxle, the axle of leftWheel, is 40 mm beside the middle of its tyre: it turns out of round", "leftAxle", false);
-        add("both wheels on the left", rover, {{"Pos=0.1,-0.15,0.05", "Pos=0.1,0.15,0.05"}},
+        add("both wheels on the left", rover, {{"Pos=0.1,-0.15,0.05", "Pos=-0.02,0.15,0.05"}},
             "rightWheel is as far to the side as leftWheel: base cannot turn the robot; check the sign of its Pos", "rightWheel",
             false);
 

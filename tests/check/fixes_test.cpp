@@ -59,6 +59,24 @@ private Q_SLOTS:
             "Cylinder tyre { Radius=0.02 Length=0.03 HPR=0,0,90 Mass=0.15 } Capsule a { Radius=0.005 Length=0.09 "
             "Mass=0.01 } Capsule b { Radius=0.005 Length=0.09 Mass=0.01 HPR=0,90,0 }";
         row("a wheel of spokes", changed(kit, "Cylinder tyre { Radius=$r Length=0.03 HPR=0,0,90 Mass=0.15 }", spokes), "", false);
+        row("a torque constant in mN m", changed(kit, "TorqueConstant=0.02", "TorqueConstant=20"),
+            "TorqueConstant of fl.motor, 20 N m/A, does not fit its SpeedConstant, 50 rad/s/V: it would give 1000 times the "
+            "power",
+            false);
+        row("an anchor in millimetres", changed(kit, "Child=wheel Axis=0,1,0", "Child=wheel Anchor=0,0,50 Axis=0,1,0"),
+            "fl.axle of Kit is 50 m away from hull or fl.wheel", false);
+        row("two drives of the same motors",
+            changed(kit, "  SkidDrive",
+                    "  DifferentialDrive other { LeftMotor=fl.motor RightMotor=fr.motor WheelRadius=0.05 "
+                    "WheelSeparation=0.24 }\n  SkidDrive"),
+            "base and other command the same motor, fl.motor", false);
+        row("motors of a thousandth of the voltage", changed(kit, "MaxVoltage=12", "MaxVoltage=0.012"), "it does not climb that",
+            false);
+        row("one wheel twice as large", changed(kit, "Part bl { Config=W", "Part bl { Config=W r=0.1"),
+            "r/bl.wheel/tyre is 50 mm deep in it, and would be thrown out; it reaches 50 mm lower than the wheels", false);
+        const std::string ramp =
+            "StaticConfig Ramp { Box board { Size=4,4,0.02 } }\nStatic ramp { Config=Ramp Pos=3,0,1 HPR=0,-20,0 }\n";
+        row("a robot on a ramp", kKit + ramp + "Robot r { Config=Kit Pos=2.9966,0,1.0095 HPR=0,-20,0 }\n", "", false);
         row("a small robot in the air", kit + "Robot s { Config=Kit Pos=1,0,0.34 }\n", "s starts 340 mm above floor/ground",
             true);
     }

@@ -237,15 +237,18 @@ private Q_SLOTS:
                Robot r { Config=Kit })",
             Code::WheelOffGround, "bl.wheel of Kit is 10 mm above the ground when fl.wheel touches it", "wheel", false);
         row("a free wheel in the air",
-            changed("  Hinge rightAxle",
-                    "  Body tail { Pos=-0.12,0.1,0.05 Cylinder roll { Radius=0.04 Length=0.02 Mass=0.05 HPR=0,0,90 } }\n"
-                    "  Hinge tailAxle { Parent=chassis Child=tail Axis=0,1,0 }\n  Hinge rightAxle"),
-            Code::WheelOffGround, "tail of Rover is 10 mm above the ground when caster touches it: it carries nothing;", "tail",
+            QString::fromStdString(
+                changed("  Hinge rightAxle",
+                        "  Body tail { Pos=-0.12,0.1,0.05 Cylinder roll { Radius=0.04 Length=0.02 Mass=0.05 HPR=0,0,90 } }\n"
+                        "  Hinge tailAxle { Parent=chassis Child=tail Axis=0,1,0 }\n  Hinge rightAxle"))
+                .replace("Radius=0.03 Mass=0.1", "Radius=0.03 Mass=0.1 Collide=false") // no caster
+                .toStdString(),
+            Code::WheelOffGround, "tail of Rover is 10 mm above the ground when tyre touches it: it carries nothing;", "tail",
             false);
         row("a wheel too small", changed("Cylinder tyre { Radius=0.05", "Cylinder tyre { Radius=0.03"), Code::WheelOffGround,
             "above the ground", "leftWheel", false);
-        row("motors too weak for a doorstep", changed("TorqueConstant=0.05 BackEmf", "TorqueConstant=0.0001 BackEmf"),
-            Code::WeakMotor, "a slope of 3 degrees needs", "leftMotor", false);
+        row("motors too weak for a doorstep", changed("Resistance=2 ", "Resistance=900 "), Code::WeakMotor,
+            "a slope of 3 degrees needs", "leftMotor", false);
         row("motors too weak for a ramp",
             changed("MaxVoltage=12", "GearRatio=1 MaxVoltage=12",
                     "StaticConfig Ramp { Box board { Size=1,1,0.02 Pos=2,0,0.3 HPR=0,30,0 } }\nStatic ramp { Config=Ramp }\n"

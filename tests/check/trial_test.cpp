@@ -140,12 +140,15 @@ private Q_SLOTS:
         std::string text = kThings + kRover;
         text.replace(text.find("Sphere caster"), 13, "Sphere lamp");
         text.replace(text.find("Pos=-0.12,0,0.02"), 16, "Pos=-0.12,0,0.12");
+        text.replace(text.find("Body chassis {"), 14, "Body chassis { CenterOfMass=0.08,0,0.09");
         const auto falls = m_fixture.open(text);
         QVERIFY(!tried(*falls).all().empty());
         text.replace(text.find("  DifferentialDrive"), 0, "  Imu imu { Body=chassis }\n");
         const auto loaded = m_fixture.open(text);
         const Diagnostics found = tried(*loaded);
         QVERIFY2(found.all().empty(), CheckFixture::shown(*loaded, found).c_str());
+        text.replace(text.find("CenterOfMass=0.08,0,0.09"), 24, "CenterOfMass=0,0,0.09"); // not above its wheels
+        QVERIFY(!tried(*m_fixture.open(text)).all().empty());
     }
 
     /// A stop request ends it; a robot with very many bodies is not tried to the end.

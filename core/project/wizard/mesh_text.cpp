@@ -19,10 +19,6 @@ std::string three(const std::array<double, 3>& v) { return tidyNumber(v[0]) + ",
 
 bool isZero(const std::array<double, 3>& v) { return three(v) == "0,0,0"; }
 
-std::array<double, 3> sum(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
 std::string posText(const std::array<double, 3>& v) { return isZero(v) ? "" : " Pos=" + three(v); }
 
 std::string massText(const MeshPart& part) { return part.mass ? " Mass=" + tidyNumber(*part.mass) : ""; }
@@ -39,8 +35,7 @@ std::string hullsText(const MeshPart& part) {
     for (const double volume : part.shape.volumes) whole += volume;
     std::string text;
     for (std::size_t i = 0; i < part.shape.files.size(); ++i) {
-        text += "Convex " + part.name + "Part" + std::to_string(i + 1) + " {" + fileText(part.shape.files[i]) +
-                posText(part.foot) + " Visible=false";
+        text += "Convex " + part.name + "Part" + std::to_string(i + 1) + " {" + fileText(part.shape.files[i]) + " Visible=false";
         if (part.mass) {
             const bool isLast = i + 1 == part.shape.files.size();
             const double share = std::round(*part.mass * part.shape.volumes[i] / whole * 1e4) / 1e4;
@@ -57,8 +52,7 @@ std::string shapeText(const MeshPart& part) {
     const CollisionShape& s = part.shape;
     if (s.kind == CollisionShape::Kind::Hulls) return hullsText(part);
     constexpr const char* kKinds[] = {"Box", "Cylinder", "Sphere", "Capsule"};
-    std::string text =
-        std::string(kKinds[static_cast<int>(s.kind)]) + " " + part.name + "Shape {" + posText(sum(s.centre, part.foot));
+    std::string text = std::string(kKinds[static_cast<int>(s.kind)]) + " " + part.name + "Shape {" + posText(s.centre);
     const bool isRound = s.kind == CollisionShape::Kind::Cylinder || s.kind == CollisionShape::Kind::Capsule;
     if (isRound && s.axis == 0) text += " HPR=0,90,0";
     if (isRound && s.axis == 1) text += " HPR=0,0,90";
@@ -90,7 +84,7 @@ std::string meshGeomsText(const MeshPart& part) {
     const bool isHull = part.shape.kind == CollisionShape::Kind::Hull;
     std::string text = "Mesh " + part.name + " {" + fileText(part.file);
     if (part.scale != 1) text += " Scale=" + tidyNumber(part.scale);
-    text += posText(sum(part.origin, part.foot));
+    text += posText(part.origin);
     if (part.isYUp) text += " HPR=0,0,90";
     text += isHull ? " Shape=hull" + massText(part) : std::string(" Shape=none");
     if (!part.hasOwnLook) text += " Material=grey";

@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-/// The shape that collides. Where it is, if the foot of the mesh is at 0,0,0 of the config or body, and how large, in m.
+/// The shape that collides. Where it is and how large, in m, in the frame of the config or body.
 struct CollisionShape {
     enum class Kind { Box, Cylinder, Sphere, Capsule, Hull, Hulls };
     Kind kind = Kind::Hull; ///< Hull: of the mesh itself, without numbers; Hulls: in files of their own
@@ -25,8 +25,7 @@ struct MeshPart {
     std::string file; ///< as written
     double scale = 1;
     bool isYUp = false;             ///< of the file: turned so that z is up
-    std::array<double, 3> origin{}; ///< of the file, m, where the middle of the mesh's foot is at 0,0,0
-    std::array<double, 3> foot{};   ///< where that is instead, m
+    std::array<double, 3> origin{}; ///< of the file, m
     bool hasOwnLook = false;        ///< colours of its own file
     std::string surface = "wall";
     std::optional<double> mass; ///< kg; of a body

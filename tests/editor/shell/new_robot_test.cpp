@@ -46,7 +46,7 @@ class NewRobotTest final : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        applyTheme(*qApp, ThemeKind::Light);
+        applyTheme(*qApp, qEnvironmentVariable("TRUNDLE_THEME") == QStringLiteral("dark") ? ThemeKind::Dark : ThemeKind::Light);
         m_application = makeApplication(findLocations(), Isolation::Module); // as the program does
     }
     void init() {
@@ -83,6 +83,7 @@ private Q_SLOTS:
         QTest::mouseClick(field("robotFolder"), Qt::LeftButton);
         typeOver(field("robotFolder"), m_folder->path());
         QVERIFY2(create()->isEnabled(), qPrintable(result()));
+        WindowFixture::savePicture(*m_window, qPrintable(QStringLiteral("robot_dialog_%1").arg(base)), dialog());
         QVERIFY(hand.press("robotCreate"));
         Document& document = m_window->document();
         EVENTUALLY(document.isOpen());
