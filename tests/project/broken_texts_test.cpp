@@ -58,7 +58,9 @@ private Q_SLOTS:
                                        Code::ImportOutside, Code::ThesisSpelling, Code::TurnRate,     Code::TooManyMistakes,
                                        Code::StartOverlap,  Code::BelowFloor,     Code::Unsupported,  Code::MassRatio,
                                        Code::WheelGeometry, Code::SpringTooFast, Code::MultipleControllers};
-        const auto isOfCheck = [](Code code) { return code >= Code::WheelOffGround && code <= Code::UnusedDefinition; }; // check_model
+        const auto isOfCheck = [](Code code) {
+            return code >= Code::WheelOffGround && code <= Code::MovesOtherwise;
+        }; // check_model, check_trial
         std::set<Code> seen;
         for (const std::string& name : brokenFiles()) {
             sample::ProjectFixture fixture;
