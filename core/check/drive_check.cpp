@@ -23,6 +23,7 @@ public:
         : m_loaded(loaded), m_config(config), m_diagnostics(diagnostics) {}
 
     void check(const ComponentSpec& drive) {
+        if (drive.kind == "TrackDrive") return checkTracks(drive);
         const std::vector<DriveMotor> motors = motorsOf(drive);
         for (auto motor = motors.begin(); motor != motors.end(); ++motor)
             if (const auto earlier =
@@ -46,6 +47,25 @@ public:
     }
 
 private:
+    /// The middle of a track's geom, in the config's frame; nothing if it has several, as flippers farther out.
+    [[nodiscard]] std::optional<Vec3> middleOfTrack(const std::string& name) const {
+        const auto track = std::ranges::find(m_config.devices, name, &ComponentSpec::name);
+        if (track == m_config.devices.end()) return std::nullopt;
+        const std::vector<std::string> geoms = track->texts("Geom");
+        if (geoms.size() != 1) return std::nullopt;
+        for (const BodySpec& body : m_config.bodies)
+            for (const GeomSpec& geom : body.geoms)
+                if (body.name + "." + geom.name == geoms[0]) return (body.pose * geom.pose).position;
+        return std::nullopt;
+    }
+
+    void checkTracks(const ComponentSpec& drive) {
+        const auto left = middleOfTrack(drive.text("LeftTrack")), right = middleOfTrack(drive.text("RightTrack"));
+        if (!left || !right) return;
+        const Vec3 apart = (*left - *right).cwiseAbs();
+        compare(drive, "TrackSeparation", std::max(apart.x(), apart.y()), "the middles of its tracks are apart by ", "turns");
+    }
+
     void checkDistances(const ComponentSpec& drive, const std::vector<DriveMotor>& motors,
                         const std::vector<DriveWheel>& wheels) {
         const std::string names = namesOf(wheels);

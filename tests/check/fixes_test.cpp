@@ -77,6 +77,14 @@ private Q_SLOTS:
         const std::string ramp =
             "StaticConfig Ramp { Box board { Size=4,4,0.02 } }\nStatic ramp { Config=Ramp Pos=3,0,1 HPR=0,-20,0 }\n";
         row("a robot on a ramp", kKit + ramp + "Robot r { Config=Kit Pos=2.9966,0,1.0095 HPR=0,-20,0 }\n", "", false);
+        const std::string crawler =
+            "RobotConfig Crawler { Body hull { Box b { Size=0.3,0.1,0.06 Pos=0,0,0.06 Mass=3 } Box l { "
+            "Size=0.3,0.05,0.08 Pos=0,0.1,0.04 Mass=0.5 } Box r { Size=0.3,0.05,0.08 Pos=0,-0.1,0.04 Mass=0.5 } }\n"
+            "  Track left { Geom=hull.l MaxSpeed=0.5 } Track right { Geom=hull.r MaxSpeed=0.5 }\n"
+            "  TrackDrive base { LeftTrack=left RightTrack=right TrackSeparation=0.2 }\n}\nRobot c { Config=Crawler }\n";
+        row("a crawler", crawler, "", false);
+        row("a crawler with another TrackSeparation", changed(crawler, "TrackSeparation=0.2", "TrackSeparation=0.1"),
+            "TrackSeparation of base is 100 mm, but the middles of its tracks are apart by 200 mm", true);
         row("a small robot in the air", kit + "Robot s { Config=Kit Pos=1,0,0.34 }\n", "s starts 340 mm above floor/ground",
             true);
     }
