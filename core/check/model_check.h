@@ -18,7 +18,7 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
 /// Tries each RobotConfig with motors, alone on a plain floor without its controllers, in the physics engine, and reports those that fall
 /// over, lean, stand on the stops of their springs, cannot hold their servos, or whose drives move them otherwise than commanded. Leaves
 /// out configs for which `diagnostics` has a warning, as that names the cause, and those with devices of modules, of whose code nothing
-/// is run. Takes milliseconds for most robots, two seconds at most, and tries at most 30. Thread-safe. Returns soon after a stop request.
+/// is run. Takes milliseconds for most robots; two seconds and 30 robots at most. Thread-safe. Returns soon after a stop request.
 void tryRobots(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop = {});
 
 } // namespace trundle

@@ -11,8 +11,8 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastPower = 0.3, kMostPower = 2; // times that taken
-constexpr double kUnlike = 1.5;   // between torques or speeds of both sides
-constexpr double kOneValue = 1.2; // between values that make them so
+constexpr double kUnlike = 1.5;                     // between torques or speeds of both sides
+constexpr double kOneValue = 1.2;                   // between values that make them so
 
 bool turnsJoint(const ComponentSpec& device) {
     return device.kind == "RotaryMotor" || device.kind == "Servo" || device.kind == "LinearMotor";

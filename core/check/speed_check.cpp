@@ -104,7 +104,7 @@ private:
         d.fixes.push_back(std::move(fix));
     }
 
-    /// From the lowest point of a geom to the ground, along its normal; nothing if there is none of the scenery.
+    /// From the lowest point of a geom to the ground, along its normal; nothing if no scenery is beneath.
     [[nodiscard]] std::optional<double> heightOf(std::uint32_t r, const GeomSpec& geom, const Pose& X_WG,
                                                  const Vec3& normal) const {
         const double low = extentAlong(geom, X_WG, normal).low, middle = X_WG.position.dot(normal);

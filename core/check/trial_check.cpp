@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kStand = 1; // s
 constexpr std::size_t kMostTrials = 30;
+constexpr std::chrono::seconds kMostSeconds(2); // of all; what is large is not tried to the end
 constexpr double kFallen = 30 * kDegree, kLeans = 3 * kDegree, kLeansLater = 6 * kDegree;
 constexpr double kGivesWay = 5 * kDegree, kSinks = 0.01; // of a servo, of a linear motor in m
 constexpr double kBalances = 0.2;                        // of its height: a centre of mass beside the axle
@@ -27,8 +28,8 @@ public:
     Trial(const ExperimentSpec& experiment, const RobotSpec& robot, Diagnostics& diagnostics, const std::stop_token& stop)
         : m_experiment(experiment), m_robot(robot), m_config(*robot.config), m_diagnostics(diagnostics), m_stop(stop) {}
 
-    void run() {
-        m_world = TrialWorld::build(m_experiment, m_robot);
+    void run(TrialTime end) {
+        m_world = TrialWorld::build(m_experiment, m_robot, end);
         if (!m_world) return;
         for (const BodySpec& body : m_config.bodies) m_start.push_back(m_world->bodyPose(body));
         m_wasUp = m_world->pose().rotation.conjugate() * Vec3::UnitZ();
@@ -196,6 +197,7 @@ bool hasWarning(const RobotConfigSpec& config, const Diagnostics& found) {
 void tryRobots(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop) {
     if (loaded.diagnostics.hasErrors() || loaded.pending) return;
     const ExperimentSpec& experiment = *loaded.experiment;
+    const TrialTime end = std::chrono::steady_clock::now() + kMostSeconds;
     Diagnostics found;
     if (!isBuildable(experiment, found) || experiment.settings.gravity.norm() < 1e-6) return;
 
@@ -213,7 +215,7 @@ void tryRobots(const LoadedProject& loaded, Diagnostics& diagnostics, const std:
         if (std::ranges::none_of(robot.config->devices, moves) || !seen.insert(robot.config.get()).second) continue;
         if (hasWarning(*robot.config, diagnostics)) continue;
         Diagnostics ofRobot;
-        Trial(experiment, robot, ofRobot, stop).run();
+        Trial(experiment, robot, ofRobot, stop).run(end);
         for (const Diagnostic& d : ofRobot.all())
             if (reported.insert(d.range).second) found.append({d});
         if (seen.size() >= kMostTrials) break;

@@ -22,8 +22,8 @@ constexpr double kSlowest = 2e-3;                       // m/s; slower ones are 
 constexpr double kFastestTurn = 2;                      // rad/s
 constexpr double kStraight = 20 * kDegree;              // by which one that drives straight may turn
 constexpr double kSideways = 30 * kDegree;
-constexpr double kSlips = 0.3;    // of the speed
-constexpr double kStill = 0.02;   // of the speed
+constexpr double kSlips = 0.3;                  // of the speed
+constexpr double kStill = 0.02;                 // of the speed
 constexpr double kTurns = 0.1, kDragged = 0.05; // of the speed, of the weight
 constexpr double kLeastGrip = 0.03;             // of the weight: what slips with less drags nothing
 

@@ -12,10 +12,9 @@ namespace trundle {
 
 namespace {
 
-constexpr double kBaseShare = 0.2;           // of the mass
-constexpr double kClearance = 1e-4;          // m, above the floor
+constexpr double kBaseShare = 0.2;  // of the mass
+constexpr double kClearance = 1e-4; // m, above the floor
 constexpr std::size_t kMostBodies = 150;
-constexpr std::chrono::seconds kMostSeconds(2); // of one robot; only a few take longer, which are not tried to the end
 constexpr std::array<std::string_view, 10> kTried{"RotaryMotor", "Servo",     "LinearMotor",  "DifferentialDrive",
                                                   "SkidDrive",   "OmniDrive", "MecanumDrive", "AckermannDrive",
                                                   "Track",       "TrackDrive"};
@@ -65,7 +64,7 @@ std::size_t baseOf(const RobotConfigSpec& config) {
 
 const BodySpec& TrialWorld::base() const { return m_world->experiment().robots[0].config->bodies[m_base]; }
 
-std::unique_ptr<TrialWorld> TrialWorld::build(const ExperimentSpec& experiment, const RobotSpec& robot) {
+std::unique_ptr<TrialWorld> TrialWorld::build(const ExperimentSpec& experiment, const RobotSpec& robot, TrialTime end) {
     const auto isUnknown = [](const ComponentSpec& device) { return !findBuiltInDevice(device.kind); };
     if (robot.config->bodies.size() > kMostBodies || std::ranges::any_of(robot.config->devices, isUnknown)) return nullptr;
     const Vec3 gravity = experiment.settings.gravity;
@@ -91,14 +90,13 @@ std::unique_ptr<TrialWorld> TrialWorld::build(const ExperimentSpec& experiment, 
     Diagnostics unused;
     const auto code = [](const std::string& kind) { return findBuiltInDevice(kind); };
     auto world = World::build(std::move(alone), code, unused);
-    return world ? std::unique_ptr<TrialWorld>(new TrialWorld(std::move(world), baseOf(*robot.config))) : nullptr;
+    return world ? std::unique_ptr<TrialWorld>(new TrialWorld(std::move(world), baseOf(*robot.config), end)) : nullptr;
 }
 
 bool TrialWorld::run(double seconds, const std::stop_token& stop) {
     const auto ticks = static_cast<std::uint64_t>(std::ceil(seconds / m_world->experiment().settings.tick - 1e-9));
     for (std::uint64_t i = 0; i < ticks; ++i)
-        if (stop.stop_requested() || std::chrono::steady_clock::now() - m_begin > kMostSeconds || !m_world->tick() || fault())
-            return false;
+        if (stop.stop_requested() || std::chrono::steady_clock::now() > m_end || !m_world->tick() || fault()) return false;
     return true;
 }
 

@@ -31,7 +31,7 @@ class FixesTest : public QObject {
 private Q_SLOTS:
     void fixes_data() {
         QTest::addColumn<std::string>("text");
-        QTest::addColumn<QString>("said"); ///< of the first message; empty: there is none
+        QTest::addColumn<QString>("said"); ///< of the first message; empty: nothing is reported
         QTest::addColumn<bool>("fix");
         const auto row = [](const char* name, const std::string& text, const char* said, bool fix) {
             QTest::newRow(name) << kThings + text << QString(said) << fix;

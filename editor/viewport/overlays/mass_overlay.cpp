@@ -118,7 +118,7 @@ struct Tipping {
     bool isNearest = false;
 };
 
-/// Forward, backward, left and right, and to the nearest edge if that is none of these.
+/// Forward, backward, left and right, and to the nearest edge if it is another one.
 std::vector<Tipping> tippingsOf(const Resting& robot) {
     std::vector<Tipping> all;
     const Balance& balance = robot.balance;
