@@ -86,13 +86,13 @@ private Q_SLOTS:
         EVENTUALLY(m_window->session.results().snapshot && fromTheRun());
         // Eight of them, none of which was rendered; on a slow machine others are, as an image of the run may be overdue.
         int before = m_window->cameras.drawnCount(), renderedAgain = 0;
-        QSet<const CameraImage*> seen;
+        QSet<std::uint64_t> seen; // their ticks: an image may lie where an earlier one lay
         const auto watched = QObject::connect(&m_window->cameras, &CamerasPanel::pictureShown, &m_window->document, [&] {
             const bool isRendered = std::exchange(before, m_window->cameras.drawnCount()) != m_window->cameras.drawnCount();
             const CameraPicture& shown = m_window->tile("robot0/eye")->picture;
             if (!shown.shot.made) return;
             renderedAgain += isRendered;
-            if (seen.size() < 8) seen.insert(shown.frame.get());
+            if (seen.size() < 8) seen.insert(shown.frame->tick);
         });
         EVENTUALLY(seen.size() >= 8);
         QObject::disconnect(watched);
