@@ -117,6 +117,20 @@ private Q_SLOTS:
         QVERIFY(isAt(snapOnFace(*face, side.point, options(0, 0.01)), 0.1 * out));
         QVERIFY(isAt(snapOnFace(*face, 0.1 * out + Vec3(0, 0, -0.145), options(0, 0.01)), 0.1 * out - Vec3(0, 0, 0.15)));
     }
+    /// A roof of 0.4 m x 0.2 m whose origin is at a corner of its base: on its base and gables, not on its slopes.
+    void meshes() {
+        auto roof = std::make_shared<TriangleMesh>();
+        roof->points = {{0, 0, 0}, {0.4, 0, 0}, {0.4, 0.2, 0}, {0, 0.2, 0}, {0, 0.1, 0.1}, {0.4, 0.1, 0.1}};
+        roof->triangles = {{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {1, 2, 5}, {0, 1, 5}, {0, 5, 4}, {2, 3, 4}, {2, 4, 5}};
+        GeomSpec geom;
+        geom.shape = GeomShape::Mesh;
+        geom.mesh = roof;
+        geom.pose.position = {1, 0, 0};
+        const RayHit base = hitAt({1.196, 0.097, 0}, -Vec3::UnitZ()), gable = hitAt({1.4, 0.096, 0.055}, Vec3::UnitX());
+        QVERIFY(isAt(snapOnFace(*FlatFace::of(geom, {}, base), base.point, options(0, 0.01)), {1.2, 0.1, 0}));
+        QVERIFY(isAt(snapOnFace(*FlatFace::of(geom, {}, gable), gable.point, options(0, 0.01)), {1.4, 0.1, 0.05}));
+        QVERIFY(!FlatFace::of(geom, {}, hitAt({1.2, 0.05, 0.05}, Vec3(0, -1, 1).normalized())));
+    }
     void roundFacesHaveNone() {
         GeomSpec ball;
         ball.shape = GeomShape::Sphere;

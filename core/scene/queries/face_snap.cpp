@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/shapes/extents.h"
+
 namespace trundle {
 namespace {
 
@@ -38,14 +40,17 @@ std::optional<FlatFace> FlatFace::of(const GeomSpec& geom, const Pose& owner, co
         face.middle = X_WG * middle;
         face.rotation = Quat(axesAlong(axes.col(x), normal));
     };
-    if (geom.shape == GeomShape::Box) {
+    const bool isMesh = geom.shape == GeomShape::Mesh || geom.shape == GeomShape::Convex;
+    if (geom.shape == GeomShape::Box || isMesh) {
         int k = 0;
         n.cwiseAbs().maxCoeff(&k);
-        if (std::abs(n[k]) < kAligned) return std::nullopt;
-        Vec3 middle = Vec3::Zero();
-        middle[k] = std::copysign(geom.size[k] / 2, n[k]);
-        frame(middle, (k + 1) % 3, hit.normal);
-        face.half = {geom.size[(k + 1) % 3] / 2, geom.size[(k + 2) % 3] / 2};
+        const Bounds bounds = boundsOf(geom, geom.pose.inverse());
+        if (std::abs(n[k]) < kAligned || bounds.empty()) return std::nullopt;
+        Vec3 middle = bounds.centre();
+        middle[k] = isMesh ? p[k] : std::copysign(geom.size[k] / 2, n[k]);
+        frame(middle, (k + 1) % 3, std::copysign(1, n[k]) * axes.col(k));
+        const Vec3 half = bounds.size() / 2;
+        face.half = {half[(k + 1) % 3], half[(k + 2) % 3]};
         return face;
     }
     if (geom.shape != GeomShape::Cylinder) return std::nullopt;

@@ -10,7 +10,8 @@
 
 namespace trundle {
 
-/// A side of a box, an end of a cylinder (as the square around it), or the line along the side of a cylinder. World coordinates.
+/// A side of a box, an end of a cylinder (as the square around it), the line along the side of a cylinder, or a face of a mesh across one
+/// of its axes (as wide as the mesh). World coordinates.
 struct FlatFace {
     Vec3 middle = Vec3::Zero();
     Quat rotation = Quat::Identity(); ///< x and y along the face, z along its outward normal

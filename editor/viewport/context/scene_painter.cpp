@@ -8,7 +8,7 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastDepth = 1e-3; // m
-const QColor kLineShade(10, 12, 16, 90);
+const QColor kLineShade(10, 12, 16, 90), kGuide(90, 220, 130);
 
 } // namespace
 
@@ -55,6 +55,10 @@ void ScenePainter::path(std::span<const Vec3> points, const std::vector<bool>& e
         last = at;
     }
     m_painter.drawLines(shown);
+}
+
+void ScenePainter::guides(std::span<const std::array<Vec3, 2>> lines) const {
+    for (const auto& [from, to] : lines) line(from, to, kGuide, 1.5, Qt::DashLine);
 }
 
 void ScenePainter::dots(std::span<const Vec3> points, const QColor& colour, double pixels) const {

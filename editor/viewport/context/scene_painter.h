@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,8 @@ public:
     void dots(std::span<const Vec3> points, const QColor& colour, double pixels) const;
     /// Drawn over a slightly wider dark line.
     void line(Vec3 a, Vec3 b, const QColor& colour, double width, Qt::PenStyle style = Qt::SolidLine) const;
+    /// Lines that show what something has snapped to.
+    void guides(std::span<const std::array<Vec3, 2>> lines) const;
 
 private:
     [[nodiscard]] double depthOf(const Vec3& point) const { return -m_axes.col(2).dot(point - m_view.eye); }

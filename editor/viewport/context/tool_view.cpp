@@ -1,6 +1,7 @@
 #include "editor/viewport/context/tool_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QWidget>
 
@@ -20,5 +21,12 @@ const BodyPoses& ToolView::shownPoses() const {
 }
 
 CameraView ToolView::shownCamera() const { return rendered().image.isNull() ? camera().view() : rendered().camera; }
+
+double ToolView::metresPerPixel(const Vec3& at, const Vec3& along) const {
+    constexpr double kSmall = 1e-3; // m
+    const auto from = camera().pixelOf(at), to = camera().pixelOf(at + kSmall * along);
+    const double pixels = from && to ? std::hypot(to->x() - from->x(), to->y() - from->y()) : 0;
+    return pixels > 0 ? kSmall / pixels : HUGE_VAL;
+}
 
 } // namespace trundle

@@ -16,6 +16,9 @@ class QWidget;
 
 namespace trundle {
 
+/// What is as near as this in the picture is snapped to.
+inline constexpr double kSnapPixels = 14;
+
 class ToolView {
 public:
     virtual ~ToolView() = default;
@@ -33,6 +36,8 @@ public:
     [[nodiscard]] std::optional<QPointF> shownPixelOf(const Vec3& point) const;
     [[nodiscard]] const BodyPoses& shownPoses() const;
     [[nodiscard]] CameraView shownCamera() const;
+    /// At a point in W, along a direction; infinite where it is not seen.
+    [[nodiscard]] double metresPerPixel(const Vec3& at, const Vec3& along) const;
 
     /// Marks the image as outdated. Calls are combined into one request; a hidden view requests none.
     virtual void redraw() = 0;

@@ -66,13 +66,16 @@ void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, do
     }
     const Vec3 by = m_place.axes.transpose() * (pointOf(ray) - m_start);
     for (int k = 0; k < 3; ++k) {
-        const bool along =
-            m_handle.kind == GizmoHandle::Kind::Screen || (m_handle.kind == GizmoHandle::Kind::Plane) != (k == m_handle.axis);
         const double size = m_handle.kind == GizmoHandle::Kind::Size ? m_place.sizes[k].ofHalf : 1;
         const double outward = m_handle.kind == GizmoHandle::Kind::Size ? m_handle.side : 1;
         const double share = isOneSided() ? 0.5 : 1; // the side follows the mouse, the centre moves half as far
-        m_amount[k] = along ? snapped(size * outward * share * by[k], moveStep) / size : 0;
+        m_unsnapped[k] = isAlong(k) ? outward * share * by[k] : 0;
+        m_amount[k] = snapped(size * m_unsnapped[k], moveStep) / size;
     }
+}
+
+bool GizmoDrag::isAlong(int axis) const {
+    return m_handle.kind == GizmoHandle::Kind::Screen || (m_handle.kind == GizmoHandle::Kind::Plane) != (axis == m_handle.axis);
 }
 
 bool GizmoDrag::type(int key, const QString& text) {
@@ -161,9 +164,7 @@ QString GizmoDrag::readOut() const {
     } else {
         const Vec3 by = amount();
         for (int k = 0; k < 3; ++k) {
-            const bool along =
-                m_handle.kind == GizmoHandle::Kind::Screen || (m_handle.kind == GizmoHandle::Kind::Plane) != (k == m_handle.axis);
-            if (!along) continue;
+            if (!isAlong(k)) continue;
             if (!text.isEmpty()) text += QStringLiteral("   ");
             text += QStringLiteral("%1  %2 m").arg(QLatin1String(kNames[k]), number(by[k], 1e-4));
         }

@@ -18,7 +18,13 @@ public:
     bool type(int key, const QString& text);
     [[nodiscard]] const std::string& typed() const { return m_typed; }
 
+    /// Replaces the steps of the last to() along the axes that are dragged.
+    void snapTo(const Vec3& amount) { m_amount = amount; }
+    [[nodiscard]] const Vec3& unsnapped() const { return m_unsnapped; } ///< amount() without steps
+
     [[nodiscard]] const GizmoHandle& handle() const { return m_handle; }
+    /// Whether it moves along that axis of the gizmo.
+    [[nodiscard]] bool isAlong(int axis) const;
     /// m along the axes of the gizmo (Axis, Plane, Screen), or the change of half the extent (Size).
     [[nodiscard]] Vec3 amount() const;
     [[nodiscard]] double degrees() const; ///< rotation angle of a Ring
@@ -36,7 +42,7 @@ private:
 
     GizmoHandle m_handle;
     GizmoPose m_place;
-    Vec3 m_start, m_amount = Vec3::Zero();
+    Vec3 m_start, m_amount = Vec3::Zero(), m_unsnapped = Vec3::Zero();
     QPointF m_startPixel;
     double m_lastAngle = 0, m_turned = 0, m_degrees = 0; // rad, rad, degrees
     bool m_edgeOn = false, m_aboutCentre = false;

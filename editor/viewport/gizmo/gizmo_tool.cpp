@@ -14,6 +14,7 @@ namespace trundle {
 namespace {
 
 constexpr int kLeastPaceMs = 16;
+constexpr double kFlushFineness = 1e-5; // m, of what has snapped to a face
 
 /// The power of ten at or below a length (m); number resolution for one pixel.
 double decimalBelow(double length) { return std::pow(10.0, std::floor(std::log10(std::clamp(length, 1e-6, 0.1)) + 1e-9)); }
@@ -126,6 +127,8 @@ bool GizmoTool::press(const Pointer& pointer) {
     m_startPlace = *place(handle.layout);
     m_dragged = std::make_unique<TransformSelection>(m_view.context(), purpose());
     m_drag = std::make_unique<GizmoDrag>(handle, m_startPlace, m_view.camera().rayAt(pointer.at), pointer.at);
+    if (handle.kind != GizmoHandle::Kind::Ring && handle.kind != GizmoHandle::Kind::Size)
+        m_snap = std::make_unique<MoveSnap>(m_view, *m_dragged, m_startPlace.axes);
     const QString title = m_dragged->title();
     m_name = handle.kind == GizmoHandle::Kind::Ring   ? tr("Turn %1").arg(title)
              : handle.kind == GizmoHandle::Kind::Size ? tr("Resize %1").arg(title)
@@ -141,17 +144,24 @@ void GizmoTool::drag(const Pointer& pointer) {
     if (!m_drag) return;
     m_pointer = pointer;
     const ViewSettings& settings = m_view.context().settings;
-    const bool toggled = pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
-    const bool snaps = settings.snaps() != toggled;
+    const bool snaps = this->snaps(pointer);
     m_drag->to(m_view.camera().rayAt(pointer.at), pointer.at, snaps ? settings.moveStep() : 0,
                snaps ? settings.rotationStep() : 0, pointer.modifiers.testFlag(Qt::AltModifier));
+    if (m_snap) m_snap->clear();
+    if (m_snap && snaps && m_drag->typed().empty()) m_snap->apply(*m_drag, m_startPlace.origin);
     m_pending = true;
     if (!m_pace.isActive()) apply();
     showStatus();
 }
 
-DragFineness GizmoTool::fineness(bool snapped) const {
-    if (snapped) return {};
+bool GizmoTool::snaps(const Pointer& pointer) const {
+    const bool toggled = pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
+    return m_view.context().settings.snaps() != toggled;
+}
+
+DragFineness GizmoTool::fineness() const {
+    if (m_snap && m_snap->hasSnapped()) return {kFlushFineness};
+    if (!m_drag->typed().empty() || snaps(m_pointer)) return {};
     return {decimalBelow(m_startPlace.metresPerPixel), 0.1};
 }
 
@@ -160,8 +170,7 @@ void GizmoTool::apply() {
     if (!m_drag || !m_dragged) return;
     QElapsedTimer cost;
     cost.start();
-    const bool toggled = m_pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
-    const DragFineness fine = fineness(!m_drag->typed().empty() || m_view.context().settings.snaps() != toggled);
+    const DragFineness fine = fineness();
     const int side = m_drag->isOneSided() ? m_drag->handle().side : 0;
     const Status done = m_drag->handle().kind != GizmoHandle::Kind::Size
                             ? m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine)
@@ -189,6 +198,7 @@ void GizmoTool::release(const Pointer& pointer) {
     m_pace.stop();
     m_view.context().document.edits().endMerge();
     m_drag.reset();
+    m_snap.reset();
     m_dragged.reset();
     m_held.reset();
     m_view.hints().setHint({});
@@ -227,6 +237,7 @@ bool GizmoTool::key(QKeyEvent& event) {
         return true;
     }
     if (!m_drag->type(event.key(), event.text())) return false;
+    if (m_snap) m_snap->clear(); // the number is exact
     apply();
     showStatus();
     return true;
@@ -259,6 +270,7 @@ bool GizmoTool::nudge(const QKeyEvent& event) {
 void GizmoTool::paint(QPainter& painter) {
     for (const bool layout : {false, true})
         if (const auto gizmo = this->gizmo(true, layout)) gizmo->paint(painter, m_hot, m_drag != nullptr);
+    if (m_snap) m_snap->paint(painter);
 }
 
 } // namespace trundle

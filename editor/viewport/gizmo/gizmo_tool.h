@@ -6,6 +6,7 @@
 
 #include "editor/viewport/context/view_tool.h"
 #include "editor/viewport/gizmo/gizmo_drag.h"
+#include "editor/viewport/gizmo/move_snap.h"
 #include "editor/viewport/gizmo/transform_selection.h"
 
 namespace trundle {
@@ -41,12 +42,14 @@ private:
     void apply();
     void showStatus();
     bool nudge(const QKeyEvent& event);
-    [[nodiscard]] DragFineness fineness(bool snapped) const;
+    [[nodiscard]] bool snaps(const Pointer& pointer) const;
+    [[nodiscard]] DragFineness fineness() const;
 
     ToolView& m_view;
     std::unique_ptr<TransformSelection> m_held; // null: to be rebuilt from the selection
     std::unique_ptr<TransformSelection> m_dragged;
     std::unique_ptr<GizmoDrag> m_drag;
+    std::unique_ptr<MoveSnap> m_snap; // null: the handle only turns or resizes
     GizmoPose m_startPlace;
     GizmoHandle m_hot;
     Pointer m_pointer;

@@ -16,7 +16,7 @@
 namespace trundle {
 namespace {
 
-constexpr double kSnapPixels = 11; // to a point of a body
+constexpr double kPointPixels = 11; // to a point of a body
 constexpr double kFineLength = 1e-4, kFineDegrees = 0.1;
 constexpr double kFarthestDrag = 1000;                                      // m
 constexpr double kLeastSwing = std::numbers::pi / 180, kLeastTravel = 1e-3; // rad, m; 0 would be no stop
@@ -129,7 +129,7 @@ Vec3 JointTool::draggedAnchor(const Pointer& pointer, double& fine) const {
     const bool isSnapping = snaps(pointer);
     if (isSnapping)
         for (const Vec3& point : m_start->points())
-            if (const auto at = m_view.camera().pixelOf(X_WC * point); at && QLineF(*at, pointer.at).length() < kSnapPixels)
+            if (const auto at = m_view.camera().pixelOf(X_WC * point); at && QLineF(*at, pointer.at).length() < kPointPixels)
                 return point;
     const Vec3 sight = X_WC.rotation.conjugate() * m_view.camera().rayAt(pointer.at).direction;
     const auto at = onPlane(m_view.camera().rayAt(pointer.at), X_WC * start, X_WC.rotation * Vec3(Vec3::Unit(mainAxisOf(sight))));

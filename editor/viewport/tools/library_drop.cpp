@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include <QColor>
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -26,7 +25,6 @@ namespace trundle {
 namespace {
 
 const QString kMime = QStringLiteral("application/x-trundle-library");
-const QColor kGuide(90, 220, 130);
 const char* const kThing = "droppedThing"; // temporary name while it is dragged
 constexpr double kDefaultStep = 0.01;      // m, when snapping is off
 constexpr double kFlush = 1e-6;            // m; a part as near as this to the floor rests on it
@@ -34,9 +32,9 @@ constexpr double kClearance = 0.005;       // m, between a wheel and the face th
 constexpr double kPartGrain = 1e-4;        // m, of the position of a part
 constexpr double kMirrorPixels = 24,
                  kMirrorShare = 0.5; // to the mirror image of another body; of its distance from the middle at most
-constexpr double kNearPixels = 14, kNearShare = 0.3; // to what a face has to snap to; of half of its extent at most
-constexpr double kSteep = 0.5;             // z of the normal of a side face is smaller
-constexpr double kSideways = 0.9;          // y of the normal of a left or right face is larger
+constexpr double kNearShare = 0.3;   // of half of the extent of a face, to what it has to snap to at most
+constexpr double kSteep = 0.5;       // z of the normal of a side face is smaller
+constexpr double kSideways = 0.9;    // y of the normal of a left or right face is larger
 
 QString trDrop(const char* text) { return QCoreApplication::translate("LibraryDrop", text); }
 
@@ -206,13 +204,6 @@ bool LibraryDrop::isDevice() const {
     return kind && kind->role == Role::Device && kind->find("Body") && kind->find("Pos") && kind->find("HPR");
 }
 
-/// At a point in W, along a direction; 0 where it is not seen.
-double LibraryDrop::pixelsPerMetre(const Vec3& at, const Vec3& along) const {
-    constexpr double kSmall = 1e-3; // m
-    const auto from = m_view.camera().pixelOf(at), to = m_view.camera().pixelOf(at + kSmall * along);
-    return from && to ? std::hypot(to->x() - from->x(), to->y() - from->y()) / kSmall : 0;
-}
-
 void LibraryDrop::snap(Ground& ground) const {
     const ViewSettings& settings = m_view.context().settings;
     const ObjectIndex& objects = *m_view.context().world.objects();
@@ -231,9 +222,8 @@ void LibraryDrop::snap(Ground& ground) const {
         options.thing.add(boundsOf(part.geom, Pose{Vec3::Zero(), face->rotation.conjugate()} * part.body));
     const Mat3 axes = face->rotation.toRotationMatrix();
     for (const int k : {0, 1}) {
-        const double pixels = pixelsPerMetre(hit.point, axes.col(k));
         const double most = kNearShare * face->half[std::size_t(k)];
-        options.near[std::size_t(k)] = pixels > 0 ? std::min(most, kNearPixels / pixels) : most;
+        options.near[std::size_t(k)] = std::min(most, kSnapPixels * m_view.metresPerPixel(hit.point, axes.col(k)));
     }
     ground.snap = snapOnFace(*face, hit.point, options);
     hit.point = ground.snap->point;
@@ -251,10 +241,7 @@ Vec3 LibraryDrop::placeOn(const Ground& ground) const {
                                           : placement.placeFor(turned, ground.hits, ground.point, step);
 }
 
-void LibraryDrop::paintGuides(QPainter& painter) const {
-    const ScenePainter scene(painter, m_view);
-    for (const auto& [from, to] : m_guides) scene.line(from, to, kGuide, 1.5, Qt::DashLine);
-}
+void LibraryDrop::paintGuides(QPainter& painter) const { ScenePainter(painter, m_view).guides(m_guides); }
 
 void LibraryDrop::hover(const QPointF& at) {
     m_guides.clear();
@@ -309,8 +296,7 @@ Vec3 LibraryDrop::placePart(const Ground& ground, const std::vector<PlacementGeo
 std::optional<Vec3> LibraryDrop::oppositeOf(const Ground& ground, const Vec3& p_R) const {
     const ViewportScene& world = m_view.context().world;
     const RobotSpec& robot = *world.objects()->robotOf(ground.hit()->geom);
-    const double pixels = pixelsPerMetre(ground.frame * p_R, cameraAxes(m_view.shownCamera()).col(0));
-    const double seen = pixels > 0 ? kMirrorPixels / pixels : HUGE_VAL;
+    const double seen = kMirrorPixels * m_view.metresPerPixel(ground.frame * p_R, cameraAxes(m_view.shownCamera()).col(0));
     std::optional<Vec3> nearest;
     double least = HUGE_VAL;
     for (const BodySpec& body : robot.config->bodies) {

@@ -64,7 +64,6 @@ private:
     [[nodiscard]] Ground groundAt(const QPointF& at) const;
     /// Sets the owner and frame for a dragged shape or body; false if there is none.
     [[nodiscard]] bool findOwner(Ground& ground) const;
-    [[nodiscard]] double pixelsPerMetre(const Vec3& at, const Vec3& along) const;
     void snap(Ground& ground) const; ///< to what the face of a robot has to snap to
     [[nodiscard]] std::vector<PlacementGeom> turnedGeoms(const Ground& ground) const;
     [[nodiscard]] bool isDevice() const;                    ///< with a place on a body
