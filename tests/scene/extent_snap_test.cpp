@@ -85,7 +85,8 @@ private Q_SLOTS:
         // Of the lid: x 0.25 to 0.35, y 0.27 to 0.33, z 0.29 to 0.31. Of the hull: -0.187 to 0.213, -0.1 to 0.1, 0.05 to 0.13.
         QTest::newRow("on the top") << 2 << -0.154 << -0.16 << true;
         QTest::newRow("flush with the top") << 2 << -0.176 << -0.18 << true;
-        QTest::newRow("its middle at the top") << 2 << -0.1695 << -0.17 << true;
+        QTest::newRow("its middle at the front") << 0 << -0.0865 << -0.087 << true;
+        QTest::newRow("rather an end at an end") << 2 << -0.1695 << -0.16 << true;
         QTest::newRow("below the bottom") << 2 << -0.263 << -0.26 << true;
         QTest::newRow("beside the right face") << 1 << -0.434 << -0.43 << true;
         QTest::newRow("flush with the right face") << 1 << -0.372 << -0.37 << true;

@@ -77,18 +77,23 @@ struct Caught {
     double by = 0, at = 0, distance = HUGE_VAL;
 };
 
-/// The nearest place along one axis.
-Caught nearestOf(const SnapExtents& extents, int axis, double by) {
+/// The nearest place along one axis. A middle at an end counts only where no two ends and no two middles are near.
+Caught nearestOf(const SnapExtents& extents, int axis, double by, double near) {
     const auto places = [&](const Bounds& b) { return std::array{b.centre()[axis], b.low[axis], b.high[axis]}; };
-    Caught nearest;
-    for (const SnapExtents::Target& target : extents.targets)
-        for (const double at : places(target.bounds))
-            for (const double own : places(extents.thing)) {
-                if (target.source && (at != target.bounds.centre()[axis] || own != extents.thing.centre()[axis])) continue;
-                const double distance = std::abs(at - own - by);
-                if (distance < nearest.distance - 1e-9) nearest = {&target, at - own, at, distance};
+    const std::array<double, 3> own = places(extents.thing);
+    Caught alike, mixed;
+    for (const SnapExtents::Target& target : extents.targets) {
+        const std::array<double, 3> at = places(target.bounds);
+        const bool isPoint = at[1] == at[2];
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (target.source && (i > 0 || k > 0)) continue;
+                const double distance = std::abs(at[i] - own[k] - by);
+                Caught& nearest = isPoint || (i > 0) == (k > 0) ? alike : mixed;
+                if (distance < nearest.distance - 1e-9) nearest = {&target, at[i] - own[k], at[i], distance};
             }
-    return nearest;
+    }
+    return alike.distance < near ? alike : mixed;
 }
 
 } // namespace
@@ -129,7 +134,7 @@ ExtentSnap snapExtents(const SnapExtents& extents, const ExtentSnapOptions& opti
     if (extents.thing.empty()) return snap;
     std::array<Caught, 3> caught;
     for (int k = 0; k < 3; ++k) {
-        Caught nearest = nearestOf(extents, k, options.by[k]);
+        const Caught nearest = nearestOf(extents, k, options.by[k], options.near[k]);
         const double toStep = std::abs(options.stepped[k] - options.by[k]);
         if (nearest.distance >= options.near[k] || nearest.distance - options.favour[k] > toStep) continue;
         snap.by[k] = nearest.by;

@@ -39,8 +39,8 @@ struct ExtentSnap {
     std::vector<std::array<Vec3, 2>> guides; ///< in W: around the thing and what it was snapped to, in the plane that they share
 };
 
-/// Along each axis the nearest of: the places where the low end, the middle or the high end of the thing is at one of a target, its
-/// middle at that of a mirror image, and the step.
+/// Along each axis the nearest of: the places where the low end, the middle or the high end of the thing is at one of a target (two ends
+/// or two middles first), its middle at that of a mirror image, and the step.
 [[nodiscard]] ExtentSnap snapExtents(const SnapExtents& extents, const ExtentSnapOptions& options);
 
 } // namespace trundle

@@ -53,6 +53,8 @@ private Q_SLOTS:
             << "kit.rightWheel" << kMoveX << right << Vec3(0.17, 0, 0) << QByteArray("rightWheel { Pos=0.0623,-0.2,0.05 ");
         QTest::newRow("opposite of it") << "kit.rightWheel" << kMoveY << right << Vec3(0, 0.0755, 0)
                                         << QByteArray("rightWheel { Pos=-0.11,-0.122,0.05 ");
+        QTest::newRow("opposite and beside") << "kit.rightWheel" << kPlaneZ << right << Vec3(0.171, 0.077, 0)
+                                             << QByteArray("rightWheel { Pos=0.0623,-0.122,0.05 ");
         QTest::newRow("along two axes") << "kit.lid" << kPlaneZ << lid << Vec3(-0.0645, 0.0175, 0)
                                         << QByteArray("lid { Pos=0.013,0.07,0.24 ");
         QTest::newRow("in steps, far from all")
