@@ -8,6 +8,7 @@
 #include "check/model_check.h"
 #include "cli/diagnostic_json.h"
 #include "cli/messages.h"
+#include "cli/models_of_file.h"
 #include "cli/open_arguments.h"
 #include "cli/run_guard.h"
 #include "cli/subcommands.h"
@@ -18,8 +19,6 @@
 
 namespace trundle {
 namespace {
-
-constexpr const char* kModels = ".models_of_check.sim"; ///< a text that is nowhere on the disk
 
 struct CheckArguments {
     OpenOptions open;
@@ -84,66 +83,6 @@ ExitCode checkRobots(Application& application, CheckArguments arguments) {
     return writeOut(jsonText(entries)) ? kExitDone : kExitText;
 }
 
-/// The text of a file with blanks in place of its experiment: robots, scenery, joints between them, logs.
-std::string withoutExperiment(const LoadedProject& loaded) {
-    std::string text(loaded.trees[0]->source().bytes());
-    for (const Item& item : loaded.trees[0]->items()) {
-        const auto* block = item.as<BlockItem>();
-        const Kind* kind = block ? loaded.registry->find(block->type.text) : nullptr;
-        const NameSpace* space = kind ? loaded.outline->spaceOf(*kind) : nullptr;
-        if (!block || (space && space != &loaded.outline->world)) continue;
-        for (std::uint32_t i = item.range.begin; i < item.range.end; ++i)
-            if (text[i] != '\n' && text[i] != '\r') text[i] = ' ';
-    }
-    return text;
-}
-
-/// The robot models of a file, one beside the other on a plain floor; the file itself if it has none.
-Result<std::shared_ptr<const LoadedProject>> openModels(Application& application, const std::string& file, OpenOptions options) {
-    namespace fs = std::filesystem;
-    const auto opened = application.open(file, options);
-    if (!opened || opened.value()->diagnostics.hasErrors()) return opened;
-    std::error_code ec;
-    const fs::path path = fs::weakly_canonical(file, ec);
-    std::string text =
-        "#import " + path.filename().string() + "\n#import arenas/open_floor.sim\n" + "Static plain_floor { Config=OpenFloor }\n";
-    int count = 0;
-    for (const Part* config : opened.value()->outline->configs.all())
-        if (config->kind->name == "RobotConfig" && config->file == 0)
-            text += "Robot " + config->name + " { Config=" + config->name + " Pos=" + std::to_string(10 * count) +
-                    ",0,0 }\n",
-                ++count;
-    if (count == 0) return opened;
-    const std::string beside = (path.parent_path() / kModels).string();
-    options.texts.emplace(beside, std::make_shared<const std::string>(text));
-    options.texts.emplace(path.string(), std::make_shared<const std::string>(withoutExperiment(*opened.value())));
-    return application.open(beside, options);
-}
-
-/// What is found in the text that openModels() writes has its place at the model.
-Diagnostics atTheirModels(const LoadedProject& loaded, const Diagnostics& diagnostics) {
-    const auto atModel = [&](SourceRange& range) {
-        for (const RobotSpec& robot : loaded.experiment->robots)
-            if (const Part* config = loaded.outline->configs.find(robot.name); config && range.file == 0 && isWithin(range, robot.range))
-                range = config->nameRange();
-    };
-    Diagnostics all;
-    for (Diagnostic d : diagnostics.all()) {
-        std::erase_if(d.fixes, [](const Fix& fix) { return std::ranges::any_of(fix.edits, [](const TextEdit& e) { return e.range.file == 0; }); });
-        atModel(d.range);
-        for (auto& [text, range] : d.notes) atModel(range);
-        std::erase_if(d.notes, [](const auto& note) { return note.second.file == 0; });
-        all.append({std::move(d)});
-    }
-    return all;
-}
-
-SourceTable withoutModels(const SourceTable& sources) {
-    SourceTable all;
-    for (FileId i = 0; i < sources.size(); ++i) (void)all.add(sources[i].text, sources[i].importedFrom.file == 0 ? SourceRange() : sources[i].importedFrom);
-    return all;
-}
-
 ExitCode check(Application& application, const CheckArguments& arguments) {
     ExitCode code = kExitDone;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -159,9 +98,9 @@ ExitCode check(Application& application, const CheckArguments& arguments) {
         const LoadedProject& loaded = *opened.value();
         Diagnostics diagnostics = loaded.diagnostics;
         checkForRun(application, loaded, diagnostics);
-        const bool isOfModels = loaded.paths[0].ends_with(kModels);
-        const SourceTable sources = isOfModels ? withoutModels(loaded.sources) : loaded.sources;
-        if (isOfModels) diagnostics = atTheirModels(loaded, diagnostics);
+        const bool ofModels = isOfModels(loaded);
+        const SourceTable sources = ofModels ? withoutModels(loaded.sources) : loaded.sources;
+        if (ofModels) diagnostics = atTheirModels(loaded, diagnostics);
         if (diagnostics.hasErrors() && code == kExitDone) code = kExitText;
         if (arguments.json) {
             for (auto& entry : diagnosticsJson(diagnostics.all(), sources)) all.push_back(std::move(entry));

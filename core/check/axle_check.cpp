@@ -10,6 +10,7 @@ namespace trundle {
 namespace {
 
 constexpr double kAlong = 0.02;                 // sine of the angle between an axle and the axis of a wheel, as for WheelRadius
+constexpr double kAcross = 0.3;                 // the same, of a wheel without a drive
 constexpr double kFlat = 0.9, kLevelAxle = 0.1; // z of unit vectors
 
 /// The largest cylinder of the body; nullptr if another shape may be what it rolls on.
@@ -49,7 +50,36 @@ void reportExchanged(DriveReport& report, const JointSpec& joint, const BodySpec
     if (edits.ok() && edits.value().size() == 1) d.fixes.push_back({"exchange them", edits.value().begin()->second});
 }
 
+/// Whether a drive has a motor for the joint, of which checkAxle() is.
+bool isOfDrive(const RobotConfigSpec& config, const JointSpec& joint) {
+    const auto turnsIt = [&](const DriveMotor& motor) {
+        const auto device = std::ranges::find(config.devices, motor.name, &ComponentSpec::name);
+        return device != config.devices.end() && device->text("Joint") == joint.name;
+    };
+    return std::ranges::any_of(config.devices,
+                               [&](const ComponentSpec& drive) { return std::ranges::any_of(motorsOf(drive), turnsIt); });
+}
+
 } // namespace
+
+std::vector<DriveWheel> wheelsAcross(const RobotConfigSpec& config) {
+    std::vector<DriveWheel> wheels;
+    for (const JointSpec& joint : config.joints) {
+        if (joint.type != JointType::Hinge || joint.child == 0 || joint.parent == kWorldBody || isGeared(config, joint)) continue;
+        const auto child = static_cast<std::size_t>(joint.child);
+        const BodySpec& body = config.bodies[child];
+        const GeomSpec* geom = largestCylinder(body);
+        if (!geom || geom->length > geom->radius || isOfDrive(config, joint)) continue;
+        const Pose pose = body.pose * geom->pose;
+        const Vec3 along = pose.rotation * Vec3::UnitZ();
+        const auto spinsIt = [&](const ComponentSpec& d) { return d.kind == "RotaryMotor" && d.text("Joint") == joint.name; };
+        const bool isToRoll = std::abs(joint.axis.z()) < kLevelAxle || std::ranges::any_of(config.devices, spinsIt); // no swivel
+        if (std::abs(along.z()) < kLevelAxle && isToRoll && along.cross(joint.axis).norm() > kAcross &&
+            (pose.position - joint.anchor).norm() < geom->radius / 2)
+            wheels.push_back({geom, nullptr, child, pose.position, joint.axis});
+    }
+    return wheels;
+}
 
 void checkAxle(DriveReport& report, const DriveMotor& motor) {
     const RobotConfigSpec& config = report.config;

@@ -2,11 +2,14 @@
 // world is one more of them; a joint between two that are connected already closes a loop.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
 #include "check/checks.h"
+#include "check/drive_wheels.h"
 #include "check/extent.h"
 #include "project/edits/plans.h"
 
@@ -16,6 +19,7 @@ namespace {
 
 constexpr double kOutside = 0.1;      // of the extent: the centre of mass may be that far outside of the shapes
 constexpr double kFarAnchor = 2;      // of the size of both bodies
+constexpr double kSamePlace = 1e-6, kSameAngle = 1e-6; // m, rad
 constexpr double kLeastSpread = 1e-3; // of the moment of inertia of a solid box around the shapes
 
 /// The connected bodies; the last one is the world.
@@ -39,6 +43,10 @@ private:
     std::vector<std::size_t> m_parent;
 };
 
+bool isSamePose(const Pose& a, const Pose& b) {
+    return (a.position - b.position).norm() < kSamePlace && a.rotation.angularDistance(b.rotation) < kSameAngle;
+}
+
 class BodyCheck {
 public:
     BodyCheck(const LoadedProject& loaded, const RobotConfigSpec& config, Diagnostics& diagnostics)
@@ -54,6 +62,7 @@ public:
         for (const SpringSpec& spring : m_config.springs) groups.join(spring.parent, spring.child);
         if (!m_config.joints.empty()) reportLoose(groups);
         for (const BodySpec& body : m_config.bodies) checkMass(body);
+        checkPlaces();
     }
 
 private:
@@ -86,6 +95,8 @@ private:
 
     void reportLoose(BodyGroups& groups) {
         std::set<std::size_t> reported{groups.of(0), groups.of(kWorldBody)};
+        for (const DriveWheel& wheel : drivenWheelsOf(m_config))
+            if (const auto ball = ballUnder(m_config, wheel)) reported.insert(groups.of(static_cast<int>(*ball)));
         for (std::size_t b = 0; b < m_config.bodies.size(); ++b) {
             if (!reported.insert(groups.of(static_cast<int>(b))).second) continue;
             const BodySpec& body = m_config.bodies[heldBy(groups, b)];
@@ -99,6 +110,24 @@ private:
             addFix(d, "fix it to " + m_config.bodies[0].name,
                    planInsert(m_loaded, "RobotConfig." + m_config.name,
                               "Fixed " + body.name + "Hold { Parent=" + m_config.bodies[0].name + " Child=" + body.name + " }"));
+        }
+    }
+
+    /// Reports the first body that is in the place of another one with the same shapes.
+    void checkPlaces() {
+        std::map<std::array<long, 3>, std::vector<const BodySpec*>> near; // by place of the origin
+        for (const BodySpec& body : m_config.bodies) {
+            std::array<long, 3> cell{};
+            for (int k = 0; k < 3; ++k) cell[static_cast<std::size_t>(k)] = std::lround(body.pose.position[k] / kSamePlace);
+            std::vector<const BodySpec*>& others = near[cell];
+            for (const BodySpec* other : others) {
+                if (!isTwin(body, *other)) continue;
+                m_diagnostics.warning(Code::StartOverlap, body.nameRange,
+                                      body.name + " of " + m_config.name + " is in the place of " + other->name +
+                                          ", which has the same shapes; check its Pos and HPR, or those of its Part");
+                return;
+            }
+            others.push_back(&body);
         }
     }
 
@@ -161,6 +190,14 @@ private:
 };
 
 } // namespace
+
+bool isTwin(const BodySpec& a, const BodySpec& b) {
+    const auto isAlike = [&](const GeomSpec& x, const GeomSpec& y) {
+        return x.collide && y.collide && x.shape == y.shape && x.size.isApprox(y.size) && x.radius == y.radius &&
+               x.length == y.length && x.mesh == y.mesh && isSamePose(a.pose * x.pose, b.pose * y.pose);
+    };
+    return !a.geoms.empty() && std::ranges::equal(a.geoms, b.geoms, isAlike);
+}
 
 void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics) {
     std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output

@@ -32,9 +32,16 @@ void checkStart(const LoadedProject& loaded, const StartScene& scene, Diagnostic
 /// Reports robots that start unsupported in the air.
 void checkSupport(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics, const std::stop_token& stop);
 
-/// Reports motors too weak for the ramps, driven wheels off the ground, and scenery thinner than the way of one tick.
-void checkSpeeds(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics);
+/// Reports gravity that points out of the floor.
+[[nodiscard]] bool reportedGravity(const LoadedProject& loaded, Diagnostics& diagnostics);
+/// Reports wheels that stay in the air.
+void checkGround(const StartScene& scene, Diagnostics& diagnostics);
+/// Reports motors too weak for the ramps or oddly fast, and scenery thinner than the way of one tick. `up`: as StartScene::up().
+void checkSpeeds(const LoadedProject& loaded, const Vec3& up, Diagnostics& diagnostics);
 void checkUnused(const LoadedProject& loaded, Diagnostics& diagnostics);
+
+/// Whether all shapes of both bodies are alike, collide, and are in one place.
+[[nodiscard]] bool isTwin(const BodySpec& a, const BodySpec& b);
 
 /// A length (m) with three significant digits and a suitable unit: "3.5 m", "12 mm".
 [[nodiscard]] std::string lengthText(double metres);

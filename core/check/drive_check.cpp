@@ -37,7 +37,7 @@ public:
             if (!wheel) return checkAxle(report, motor);
             wheels.push_back(*wheel);
         }
-        if (wheels.empty()) return;
+        if (wheels.empty() || hasTwins(wheels)) return;
         const auto radius = [](const DriveWheel& w) { return w.geom->radius; };
         if (const auto all = sameOf(wheels, radius))
             compare(drive, "WheelRadius", *all, namesOf(wheels) + " have a radius of ", "distances");
@@ -47,6 +47,15 @@ public:
     }
 
 private:
+    /// Of which one has a warning of its own.
+    [[nodiscard]] bool hasTwins(const std::vector<DriveWheel>& wheels) const {
+        for (auto second = wheels.begin(); second != wheels.end(); ++second)
+            for (auto first = wheels.begin(); first != second; ++first)
+                if (first->body != second->body && isTwin(m_config.bodies[first->body], m_config.bodies[second->body]))
+                    return true;
+        return false;
+    }
+
     /// The middle of a track's geom, in the config's frame; nothing if it has several, as flippers farther out.
     [[nodiscard]] std::optional<Vec3> middleOfTrack(const std::string& name) const {
         const auto track = std::ranges::find(m_config.devices, name, &ComponentSpec::name);
@@ -79,12 +88,13 @@ private:
             return std::abs(sums[0] / counts[0] - sums[1] / counts[1]); // not a number if all are on one side
         };
         if (drive.kind == "OmniDrive") {
+            if (ballUnder(m_config, wheels.front())) return; // its turns depend on the ball
             const auto distance = [](const DriveWheel& w) { return std::abs(w.centre.dot(w.axis)); };
             if (const auto all = sameOf(wheels, distance))
                 compare(drive, "WheelDistance", *all, names + " are away from the middle by ", "turns");
             return;
         }
-        if (!reportedOdd(drive, motors, wheels))
+        if (!reportedOdd(drive, motors, wheels) && !reportedLopsided(drive, motors, wheels))
             compare(drive, "WheelSeparation", apart(across, &DriveMotor::isRight), "the middles of " + names + " are apart by ",
                     "turns");
         if (drive.kind == "MecanumDrive")
@@ -117,6 +127,28 @@ private:
                                    " than the other wheels of its side, from which the WheelSeparation of " + drive.name + " is");
             break;
         }
+        return true;
+    }
+
+    /// WheelSeparation is right for one side and its mirror image, but the other side is elsewhere.
+    bool reportedLopsided(const ComponentSpec& drive, const std::vector<DriveMotor>& motors,
+                          const std::vector<DriveWheel>& wheels) {
+        const Vec3 left = wheels.front().axis;
+        const double given = drive.number("WheelSeparation");
+        const auto outOf = [&](std::size_t i) { return wheels[i].centre.dot(left) * (motors[i].isRight ? -1 : 1); };
+        const auto isMeant = [&](std::size_t i) { return std::abs(outOf(i) - given / 2) <= kTolerance * given; };
+        std::optional<std::size_t> meant, other;
+        for (std::size_t i = 0; i < wheels.size(); ++i) {
+            std::optional<std::size_t>& side = isMeant(i) ? meant : other;
+            if (side && motors[*side].isRight != motors[i].isRight) return false;
+            if (!side) side = i;
+        }
+        if (!meant || !other || outOf(*other) <= 0) return false;
+        const BodySpec &body = m_config.bodies[wheels[*other].body], &image = m_config.bodies[wheels[*meant].body];
+        m_diagnostics.warning(Code::WheelGeometry, body.nameRange,
+                              body.name + " is " + lengthText(std::abs(outOf(*other))) + " from the middle of " + m_config.name +
+                                  ", " + image.name + " " + lengthText(outOf(*meant)) + ", as the WheelSeparation of " +
+                                  drive.name + " has both: check the Pos of " + body.name + ", or the Mirror of its Part");
         return true;
     }
 

@@ -17,5 +17,7 @@ void checkMecanum(DriveReport& report, const std::vector<DriveMotor>& motors, co
 
 /// Reports a motor whose axle is along the axis of none of the cylinders that it turns: they cannot roll.
 void checkAxle(DriveReport& report, const DriveMotor& motor);
+/// Discs on joints across their own axis, which is level, and that no drive turns; on the floor they do not roll. `axis`: of the joint.
+[[nodiscard]] std::vector<DriveWheel> wheelsAcross(const RobotConfigSpec& config);
 
 } // namespace trundle

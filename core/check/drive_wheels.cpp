@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kSameAxis = 0.02; // sine of the angle between a wheel's axis and its axle
 constexpr double kBeyond = 0.05;   // of the radius
+constexpr double kTouching = 0.1;  // of the radius, between a wheel and the ball that it rolls on
+constexpr double kRollsOn = 0.1;   // cosine, between its axle and the way to the ball
 constexpr double kLevel = 0.1;     // z of the unit axle of a free wheel
 
 /// m, how far a geom reaches from an axle, in eight directions.
@@ -107,6 +109,17 @@ std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config) {
         for (const DriveMotor& motor : motorsOf(device))
             if (const auto wheel = wheelOf(config, motor.name)) wheels.push_back(*wheel);
     return wheels;
+}
+
+std::optional<std::size_t> ballUnder(const RobotConfigSpec& config, const DriveWheel& wheel) {
+    for (std::size_t b = 0; b < config.bodies.size(); ++b)
+        for (const GeomSpec& geom : config.bodies[b].geoms) {
+            if (b == wheel.body || !geom.collide || geom.shape != GeomShape::Sphere) continue;
+            const Vec3 way = (config.bodies[b].pose * geom.pose).position - wheel.centre;
+            const double gap = way.norm() - geom.radius - wheel.geom->radius;
+            if (std::abs(gap) < kTouching * wheel.geom->radius && std::abs(way.normalized().dot(wheel.axis)) < kRollsOn) return b;
+        }
+    return std::nullopt;
 }
 
 std::vector<DriveWheel> freeWheelsOf(const RobotConfigSpec& config) {

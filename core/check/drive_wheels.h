@@ -42,6 +42,8 @@ struct DriveWheel {
 [[nodiscard]] std::vector<DriveWheel> drivenWheelsOf(const RobotConfigSpec& config);
 /// What turns about a joint and may roll on the floor, geared or not, with a motor or without; nothing for other joints.
 [[nodiscard]] std::optional<DriveWheel> wheelOn(const RobotConfigSpec& config, const JointSpec& joint);
+/// The body with the sphere on which a wheel of its robot rolls, as that of a robot that balances on a ball; nothing for others.
+[[nodiscard]] std::optional<std::size_t> ballUnder(const RobotConfigSpec& config, const DriveWheel& wheel);
 /// Wheels that no drive turns: cylinders about the level axles of joints without a motor or Gear.
 [[nodiscard]] std::vector<DriveWheel> freeWheelsOf(const RobotConfigSpec& config);
 

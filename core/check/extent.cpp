@@ -44,6 +44,17 @@ Extent extentAlong(const GeomSpec& geom, const Pose& X_WG, const Vec3& direction
     return {centre - half, centre + half};
 }
 
+Extent extentAlong(const RobotConfigSpec& config, const Pose& X_WR, const Vec3& direction) {
+    Extent all{HUGE_VAL, -HUGE_VAL};
+    for (const BodySpec& body : config.bodies)
+        for (const GeomSpec& geom : body.geoms) {
+            if (!geom.collide) continue;
+            const Extent extent = extentAlong(geom, X_WR * body.pose * geom.pose, direction);
+            all = {std::min(all.low, extent.low), std::max(all.high, extent.high)};
+        }
+    return all;
+}
+
 BodyBox boxAround(const BodySpec& body) {
     BodyBox box{Vec3::Constant(HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
     for (const GeomSpec& geom : body.geoms)

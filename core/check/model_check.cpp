@@ -49,11 +49,12 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     appendFirsts(diagnostics, ofConfigs);
     checkLinks(experiment, diagnostics);
     checkNeeds(loaded, diagnostics);
-    if (experiment.robots.empty() || stop.stop_requested()) return;
+    if (experiment.robots.empty() || reportedGravity(loaded, diagnostics) || stop.stop_requested()) return;
     const std::optional<StartScene> scene = StartScene::build(experiment, stop);
     if (!scene) return; // the same
     checkStart(loaded, *scene, diagnostics);
-    checkSpeeds(loaded, *scene, diagnostics);
+    checkSpeeds(loaded, scene->up(), diagnostics);
+    checkGround(*scene, diagnostics);
     checkSupport(loaded, *scene, diagnostics, stop);
 }
 

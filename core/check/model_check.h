@@ -8,9 +8,10 @@
 
 namespace trundle {
 
-/// Reports robots that start inside something, below the floor, in the air or without any scenery, bodies that no joint holds, double
-/// joints, loops, odd mass properties, joined bodies of very different mass, drives that disagree with their wheels, robots without what
-/// their controller needs, wheels off the ground, motors too weak for a ramp, scenery too thin for the tick, springs too fast for it, and
+/// Reports robots that start inside something, below the floor, in the air or without any scenery, gravity out of the floor, bodies that
+/// no joint holds or that are in the place of another one, double joints, loops, odd mass properties, joined bodies of very different
+/// mass, drives that disagree with their wheels, jaws that do not close, robots without what their controller needs, wheels and tracks off
+/// the ground, motors too weak for a ramp or oddly fast, scenery too thin for the tick, springs too fast for it or without damping, and
 /// unused definitions, with a fix where one is obvious. Reports nothing if the project has errors or waits for a mesh. Runs no module code.
 /// Thread-safe. Returns soon after a stop request, with the findings so far.
 void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop = {});

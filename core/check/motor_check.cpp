@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kLeastPower = 0.3, kMostPower = 2; // times that taken
 constexpr double kUnlike = 1.5;                     // between torques or speeds of both sides
+constexpr double kAlongJaws = 0.5;                  // cosine, between a slider and the way to the other jaw
 constexpr double kOneValue = 1.2;                   // between values that make them so
 
 bool turnsJoint(const ComponentSpec& device) {
@@ -47,6 +48,28 @@ void checkEncoders(const RobotConfigSpec& config, Diagnostics& diagnostics) {
         diagnostics.warning(Code::DeviceSetup, hasPitch && pitch->range.known() ? pitch->range : encoder.nameRange,
                             encoder.name + (hasPitch ? " has a Pitch, but " + name + " is no Slider: its angle will be wrong"
                                                      : " is on the Slider " + name + " and needs the Pitch of its lines"));
+    }
+}
+
+/// The jaws of a Gripper open at a positive position of their sliders.
+void checkJaws(const RobotConfigSpec& config, Diagnostics& diagnostics) {
+    const auto sliderOf = [&](const std::string& name) { return std::ranges::find(config.joints, name, &JointSpec::name); };
+    const auto middleOf = [&](int index) {
+        const BodySpec& body = config.bodies[static_cast<std::size_t>(index)];
+        return body.pose * body.mass.centre;
+    };
+    for (const ComponentSpec& gripper : config.devices) {
+        if (gripper.kind != "Gripper") continue;
+        const auto left = sliderOf(gripper.text("Left")), right = sliderOf(gripper.text("Right"));
+        if (left == config.joints.end() || right == config.joints.end() || left->child == right->child) continue;
+        const Vec3 apart = middleOf(left->child) - middleOf(right->child);
+        for (const auto& [slider, out] : {std::pair(left, apart), std::pair(right, Vec3(-apart))}) {
+            if (slider->axis.dot(out.normalized()) > -kAlongJaws) continue; // opens, or moves across the other one
+            diagnostics.warning(Code::DeviceSetup, slider->nameRange,
+                                slider->name + " moves its jaw towards the other one at a positive position, at which " +
+                                    gripper.name + " takes it for open; reverse its Axis");
+            return;
+        }
     }
 }
 
@@ -159,6 +182,7 @@ void checkMotors(const RobotConfigSpec& config, Diagnostics& diagnostics) {
     checkSharedJoints(config, diagnostics);
     checkEncoders(config, diagnostics);
     checkTwins(config, diagnostics);
+    checkJaws(config, diagnostics);
     checkConstants(config, diagnostics);
     checkSharedMotors(config, diagnostics);
     for (const ComponentSpec& device : config.devices) checkAlike(config, device, diagnostics);

@@ -1,5 +1,4 @@
-// Checks of what motors can do: climb the ramps of the experiment, and how far a robot gets in one tick. Needs the start scene for
-// wheels off the ground.
+// Checks of what motors can do: climb the ramps of the experiment, and how far a robot gets in one tick and in a second.
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +19,7 @@ constexpr double kLeastRamp = 2 * kDegree, kSteepestRamp = 40 * kDegree;
 constexpr double kUsualSlope = 3 * kDegree;           // without a ramp: a doorstep, a carpet
 constexpr double kMostGear = 4;                       // of the factor of a gear ratio that is proposed
 constexpr double kReserve = 1.25;                     // of a gear ratio that is proposed
-constexpr double kOffGround = 3e-3, kOffShare = 0.05; // m, and of the radius: a wheel this far up carries nothing
-constexpr double kOffShareOfMany = 0.15;              // the same where enough others carry: some are meant to be higher
-constexpr std::ptrdiff_t kPair = 2, kEnough = 3;      // supports
-constexpr double kSamePlane = 0.9999, kSameLevel = 5e-3; // cosine; m
-constexpr double kFreeShare = 0.5;                    // of the radius
-constexpr double kRay = 10;                           // m
+constexpr double kMostLengths = 80, kMostSpeed = 8;   // of the robot in a second; m/s: faster than a race car of its size
 
 struct Ramp {
     double slope = kUsualSlope;
@@ -51,28 +45,44 @@ Ramp steepestRamp(const ExperimentSpec& experiment, const Vec3& up) {
 
 class SpeedCheck {
 public:
-    SpeedCheck(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics)
-        : m_loaded(loaded), m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics), m_up(scene.up()),
+    SpeedCheck(const LoadedProject& loaded, const Vec3& up, Diagnostics& diagnostics)
+        : m_loaded(loaded), m_experiment(*loaded.experiment), m_diagnostics(diagnostics), m_up(up),
           m_ramp(steepestRamp(m_experiment, m_up)) {}
 
     void check() {
         std::set<std::string> seen;
-        for (std::uint32_t r = 0; r < m_experiment.robots.size(); ++r) {
-            const RobotConfigSpec& config = *m_experiment.robots[r].config;
+        for (const RobotSpec& robot : m_experiment.robots) {
+            const RobotConfigSpec& config = *robot.config;
             if (!seen.insert(config.name).second) continue;
-            const std::vector<DriveWheel> wheels = drivenWheelsOf(config), free = freeWheelsOf(config);
+            const std::vector<DriveWheel> wheels = drivenWheelsOf(config);
             for (const DriveWheel& wheel : wheels) {
-                const double speed = wheel.topRate() * wheel.geom->radius;
+                const double speed = speedOf(wheel);
                 if (speed > m_fastest) m_fastest = speed, m_fastestName = config.name;
             }
-            if (m_up.isZero()) continue;
-            if (!wheels.empty()) checkStrength(config, wheels);
-            checkGround(r, wheels, free);
+            if (m_up.isZero() || wheels.empty()) continue;
+            checkStrength(config, wheels);
+            checkFast(config, wheels);
         }
         if (m_fastest > 0) checkThin();
     }
 
 private:
+    [[nodiscard]] static double speedOf(const DriveWheel& wheel) { return wheel.topRate() * wheel.geom->radius; } ///< m/s
+
+    /// A missing GearRatio leaves the speed of the motor, and its torque.
+    void checkFast(const RobotConfigSpec& config, const std::vector<DriveWheel>& wheels) {
+        const Extent x = extentAlong(config, {}, Vec3::UnitX()), y = extentAlong(config, {}, Vec3::UnitY());
+        const double length = std::max(x.high - x.low, y.high - y.low);
+        const DriveWheel& wheel = *std::ranges::max_element(wheels, {}, speedOf);
+        const double speed = speedOf(wheel);
+        if (speed < std::max(kMostSpeed, kMostLengths * length)) return;
+        m_diagnostics.hint(Code::WeakMotor, wheel.motor->nameRange,
+                           wheel.motor->name + " of " + config.name + " turns its wheel at up to " + figureText(wheel.topRate()) +
+                               " rad/s: that is " + figureText(speed) + " m/s, " + figureText(speed / length) +
+                               " times the length of the robot in a second; a larger GearRatio, now " +
+                               figureText(wheel.motor->number("GearRatio")) + ", or a smaller SpeedConstant is more usual");
+    }
+
     /// At stall, on the steepest ramp.
     void checkStrength(const RobotConfigSpec& config, const std::vector<DriveWheel>& wheels) {
         double push = 0, mass = 0;
@@ -102,80 +112,6 @@ private:
                 fix.edits.push_back({gear->range, figureText(wheel.motor->number("GearRatio") * ratio)});
         }
         d.fixes.push_back(std::move(fix));
-    }
-
-    /// From the lowest point of a geom to the ground, along its normal; nothing if no scenery is beneath.
-    [[nodiscard]] std::optional<double> heightOf(std::uint32_t r, const GeomSpec& geom, const Pose& X_WG,
-                                                 const Vec3& normal) const {
-        const double low = extentAlong(geom, X_WG, normal).low, middle = X_WG.position.dot(normal);
-        const double above = std::max(0.02, middle - low); // m: it may start inside the ground
-        const auto hit = m_scene.ray(X_WG.position + (low - middle + above) * normal, -normal, kRay, r);
-        return hit && m_scene.owner(hit->geom).isStatic ? std::optional(hit->distance - above)
-                                                        : std::nullopt; // no other robot is ground
-    }
-
-    /// The normal of the ground beneath all wheels; nothing where it is not one plane, as between rails.
-    [[nodiscard]] std::optional<Vec3> groundNormal(std::uint32_t r, const std::vector<DriveWheel>& wheels) const {
-        const RobotSpec& robot = m_experiment.robots[r];
-        std::optional<Vec3> normal;
-        double level = 0;
-        for (const DriveWheel& wheel : wheels) {
-            const Vec3 from =
-                (robot.pose * robot.config->bodies[wheel.body].pose * wheel.geom->pose).position + wheel.geom->radius * m_up;
-            const auto hit = m_scene.ray(from, -m_up, kRay, r);
-            if (!hit) return std::nullopt;
-            const Vec3 at = from - hit->distance * m_up;
-            if (!normal) normal = hit->normal, level = at.dot(*normal);
-            if (hit->normal.dot(*normal) < kSamePlane || std::abs(at.dot(*normal) - level) > kSameLevel) return std::nullopt;
-        }
-        return normal;
-    }
-
-    /// Wheels that stay in the air when the lowest shape of their robot touches the ground. A free one that is higher than half of its
-    /// radius is for something else, and one of a robot with three other supports too.
-    void checkGround(std::uint32_t r, std::vector<DriveWheel> wheels, const std::vector<DriveWheel>& free) {
-        if (wheels.empty() && free.empty()) return;
-        wheels.insert(wheels.end(), free.begin(), free.end());
-        const RobotSpec& robot = m_experiment.robots[r];
-        const std::optional<Vec3> normal = groundNormal(r, wheels);
-        if (!normal) return;
-        struct Low {
-            const GeomSpec* geom;
-            const BodySpec* body;
-            double height;
-        };
-        std::vector<Low> lows;
-        for (const BodySpec& body : robot.config->bodies)
-            for (const GeomSpec& geom : body.geoms)
-                if (const auto height =
-                        geom.collide ? heightOf(r, geom, robot.pose * body.pose * geom.pose, *normal) : std::nullopt)
-                    lows.push_back({&geom, &body, *height});
-        if (lows.empty()) return;
-        const Low lowest = *std::ranges::min_element(lows, {}, &Low::height);
-        const auto supports = std::ranges::count_if(lows, [&](const Low& l) { return l.height - lowest.height <= kOffGround; });
-        for (const DriveWheel& wheel : wheels) {
-            const auto own = std::ranges::find(lows, wheel.geom, &Low::geom);
-            if (own == lows.end()) continue;
-            const double gap = own->height - lowest.height;
-            const double share = wheel.motor && supports >= kPair ? kOffShareOfMany : kOffShare;
-            if (gap <= std::max(kOffGround, share * wheel.geom->radius)) continue;
-            if (!wheel.motor && (supports >= kEnough || gap > kFreeShare * wheel.geom->radius)) continue;
-            reportOffGround(*robot.config, wheel, *lowest.geom, *lowest.body, gap);
-            return; // the others are the same fault
-        }
-    }
-
-    void reportOffGround(const RobotConfigSpec& config, const DriveWheel& wheel, const GeomSpec& lowest, const BodySpec& holder,
-                         double gap) {
-        const BodySpec& body = config.bodies[wheel.body];
-        const bool isShared = lowest.nameRange == wheel.geom->nameRange; // the tyre of another wheel, made by the same text
-        const std::string touching = isShared || holder.name.find('.') != std::string::npos ? holder.name : lowest.name;
-        Diagnostic& d = m_diagnostics.warning(
-            Code::WheelOffGround, body.nameRange,
-            body.name + " of " + config.name + " is " + lengthText(gap) + " above the ground when " + touching +
-                " touches it: " + (wheel.motor ? "its motor turns it in the air" : "it carries nothing") +
-                "; lower the wheel, or raise " + touching);
-        d.notes.push_back({"this touches the ground first", lowest.nameRange});
     }
 
     /// Scenery that the fastest robot could be through in one tick.
@@ -213,7 +149,6 @@ private:
     }
 
     const LoadedProject& m_loaded;
-    const StartScene& m_scene;
     const ExperimentSpec& m_experiment;
     Diagnostics& m_diagnostics;
     Vec3 m_up;
@@ -224,8 +159,8 @@ private:
 
 } // namespace
 
-void checkSpeeds(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics) {
-    SpeedCheck(loaded, scene, diagnostics).check();
+void checkSpeeds(const LoadedProject& loaded, const Vec3& up, Diagnostics& diagnostics) {
+    SpeedCheck(loaded, up, diagnostics).check();
 }
 
 } // namespace trundle

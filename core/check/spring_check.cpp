@@ -14,6 +14,7 @@ namespace trundle {
 
 namespace {
 
+constexpr double kLeastDamping = 0.02, kUsualDamping = 0.3; // of the critical one of a suspension
 constexpr double kPoints = 3; // that carry a robot
 // The ground's own spring: at least this stiff, and giving at most this far under a robot.
 constexpr double kGroundStiffness = 2e5, kGroundSag = 1e-4, kGravity = 9.81; // N/m, m, m/s^2
@@ -32,8 +33,10 @@ public:
         for (const JointSpec& joint : config.joints) {
             if (!(joint.stiffness > 0)) continue;
             const double inertia = inertiaOf(joint, config);
-            report(joint.nameRange, "the spring of " + joint.name + " in " + config.name, joint.stiffness, joint.damping,
-                   inertia);
+            if (!report(joint.nameRange, "the spring of " + joint.name + " in " + config.name, joint.stiffness, joint.damping,
+                        inertia) &&
+                joint.type == JointType::Suspension)
+                checkDamping(config, joint, inertia);
         }
         for (const SpringSpec& spring : config.springs)
             if (spring.stiffness > 0)
@@ -98,6 +101,17 @@ private:
         return 1 / (mobility(spring.child, spring.anchor2) + mobility(spring.parent, spring.anchor));
     }
 
+    /// Reports the first suspension of a config that keeps swinging.
+    void checkDamping(const RobotConfigSpec& config, const JointSpec& joint, double inertia) {
+        const double critical = 2 * std::sqrt(joint.stiffness * inertia); // N s/m
+        if (joint.damping >= kLeastDamping * critical || !m_undamped.insert(&config).second) return;
+        m_diagnostics.hint(Code::SpringTooFast, joint.nameRange,
+                           joint.name + " of " + config.name +
+                               " hardly damps its spring: after a bump the robot keeps swinging at " +
+                               figureText(std::sqrt(joint.stiffness / inertia) / (2 * std::numbers::pi)) + " Hz; a Damping of " +
+                               figureText(kUsualDamping * critical) + " N s/m, now " + figureText(joint.damping) + ", calms it");
+    }
+
     bool report(const SourceRange& range, const std::string& what, double stiffness, double damping, double inertia) {
         const double turn = springTurn(stiffness, damping, inertia, m_tick);
         if (!(turn > kMaxSpringTurn)) return false;
@@ -114,6 +128,7 @@ private:
     const ExperimentSpec& m_experiment;
     Diagnostics& m_diagnostics;
     std::set<std::uint32_t> m_grounds, m_reported; ///< surfaces
+    std::set<const RobotConfigSpec*> m_undamped;   ///< reported; membership test only
 };
 
 } // namespace

@@ -210,15 +210,8 @@ private:
         const auto top = m_scene.ray(at + kFar * m_up, -m_up, 2 * kFar, f.piece.robot);
         if (!top) return;
         const double level = (at + (kFar - top->distance) * m_up).dot(m_up);
-        if (auto fix = moveFix(m_loaded, robot, (level - lowestOf(robot) + kLeave) * m_up)) d.fixes.push_back(std::move(*fix));
-    }
-
-    [[nodiscard]] double lowestOf(const RobotSpec& robot) const {
-        double low = HUGE_VAL;
-        for (const BodySpec& body : robot.config->bodies)
-            for (const GeomSpec& g : body.geoms)
-                if (g.collide) low = std::min(low, extentAlong(g, robot.pose * body.pose * g.pose, m_up).low);
-        return low;
+        if (auto fix = moveFix(m_loaded, robot, (level - extentAlong(*robot.config, robot.pose, m_up).low + kLeave) * m_up))
+            d.fixes.push_back(std::move(*fix));
     }
 
     const LoadedProject& m_loaded;

@@ -26,15 +26,6 @@ Quat uprightOf(const Quat& rotation, const Vec3& up) {
     return Quat::FromTwoVectors(std::copysign(1.0, up_R[most]) * Vec3::Unit(most), Vec3::UnitZ());
 }
 
-double lowestOf(const RobotConfigSpec& config, const Quat& rotation) {
-    double low = HUGE_VAL;
-    for (const BodySpec& body : config.bodies)
-        for (const GeomSpec& geom : body.geoms)
-            if (geom.collide)
-                low = std::min(low, extentAlong(geom, Pose{{0, 0, 0}, rotation} * body.pose * geom.pose, Vec3::UnitZ()).low);
-    return low;
-}
-
 /// The body above the first wheel of a drive that has a fair share of the mass; without a drive, the heaviest.
 std::size_t baseOf(const RobotConfigSpec& config) {
     double whole = 0;
@@ -69,7 +60,7 @@ std::unique_ptr<TrialWorld> TrialWorld::build(const ExperimentSpec& experiment, 
     if (robot.config->bodies.size() > kMostBodies || std::ranges::any_of(robot.config->devices, isUnknown)) return nullptr;
     const Vec3 gravity = experiment.settings.gravity;
     const Quat rotation = uprightOf(robot.pose.rotation, -gravity.normalized());
-    const double low = lowestOf(*robot.config, rotation);
+    const double low = extentAlong(*robot.config, {{0, 0, 0}, rotation}, Vec3::UnitZ()).low;
     if (!std::isfinite(low)) return nullptr;
 
     auto config = std::make_shared<RobotConfigSpec>(*robot.config);

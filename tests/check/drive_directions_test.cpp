@@ -86,7 +86,9 @@ private Q_SLOTS:
               "Suspension leftAxle { Parent=chassis Child=leftWheel Axis2=1,0,0 Stiffness=2000 Damping=50 Travel=0.02"}},
             "its axis is that of Axis2=0,1,0", "leftAxle", true);
         add("both wheels in one place", rover, {{"Pos=0.1,-0.15,0.05", "Pos=0.1,0.15,0.05"}},
-            "rightWheel is in the place of leftWheel; check its Pos and HPR, or those of its Part", "rightWheel", false);
+            "rightWheel of Rover is in the place of leftWheel, which has the same shapes; check its Pos and HPR, or those of its "
+            "Part",
+            "rightWheel", false);
         add("a strut whose axes are exchanged", rover,
             {{"Hinge leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0",
               "Suspension leftAxle { Parent=chassis Child=leftWheel Axis=0,1,0 Axis2=0,0,1 Stiffness=2000 Damping=50 "

@@ -409,21 +409,6 @@ private Q_SLOTS:
         QVERIFY(refuses(mecanum.replace("Mirror=y", "Mirror=z"), "MecanumDrive"));
     }
 
-    /// `check --model` looks at the models alone, with places in their file.
-    void modelsAreCheckedWithoutTheirExperiment() {
-        QTemporaryDir folder;
-        const QByteArray text = "#import common/materials.sim\n#import common/surfaces.sim\n#import arenas/open_floor.sim\n"
-                                "RobotConfig Cube { Body b { Box hull { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=1 Material=red Surface=plastic } } }\n"
-                                "Static floor { Config=OpenFloor }\nRobot one { Config=Cube }\nRobot two { Config=Cube Pos=0.5,0,0 }\n"
-                                "Ball rope { Parent=one.b Child=two.b Anchor=0.25,0,0.1 }\nPoseLog p { Robot=one }\n";
-        QVERIFY(writeFile(folder.filePath("cubes.sim"), text));
-        const Outcome check = cli({"check", "--model", folder.filePath("cubes.sim")});
-        QVERIFY2(check.code == 0 && check.err.isEmpty(), shown(check));
-        QVERIFY(writeFile(folder.filePath("cubes.sim"), QByteArray(text).replace("Pos=0,0,0.1", "Pos=0,0,-0.5")));
-        const Outcome below = cli({"check", "--model", folder.filePath("cubes.sim")});
-        QVERIFY2(below.err.contains("cubes.sim:4:13: warning E326: Cube starts below plain_floor/floor"), shown(below));
-    }
-
     /// A wrong value that a joint uses is the one error: the body is not called loose besides.
     void aWrongValueIsTheOnlyError() {
         QTemporaryDir folder;

@@ -81,6 +81,8 @@ const PartFrame& frameOf(const PartFrame& frame, const std::string& name, const 
     return *outermost;
 }
 
+constexpr double kMisspelt = 2; // as of "h1" and "h10"
+
 /// First what is inside: `chassis.bumper` for `chassis`.
 std::vector<std::string> insideFirst(const std::string& name, const std::vector<std::string>& candidates) {
     std::vector<std::string> near;
@@ -89,6 +91,12 @@ std::vector<std::string> insideFirst(const std::string& name, const std::vector<
     for (const std::string& word : nearestWords(name, candidates))
         if (!std::count(near.begin(), near.end(), word)) near.push_back(word);
     return near;
+}
+
+/// For what exists, but is of another kind: `left` is not a misspelt `right`, and what is inside of it or around it may be meant.
+bool mayBeMeant(const std::string& name, const std::string& candidate) {
+    const bool isNested = candidate.starts_with(name + ".") || name.starts_with(candidate + ".");
+    return isNested || spellingDistance(name, candidate) <= kMisspelt;
 }
 
 /// Names that a reference cannot mean: what the other end of the joint names, and what is in the Part that gives it.
@@ -221,6 +229,7 @@ void ReferenceCheck::wrongKind(const SaidName& said, const PartFrame& frame, con
     if (manyAlready(m_context.diagnostics)) return;
     const std::vector<std::string> candidates = fitting(said, frame);
     std::vector<std::string> near = insideFirst(said.name, candidates);
+    std::erase_if(near, [&](const std::string& name) { return !mayBeMeant(said.name, name); });
     if (near.empty() && !candidates.empty()) d.message += ": " + listText(candidates);
     if (near.size() > 3) near.resize(3);
     suggestWords(d, std::move(near), said.writable());

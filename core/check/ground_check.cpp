@@ -1,0 +1,187 @@
+// Wheels that stay in the air, or whose axle is across them. Method: rays from each shape down to the ground beneath; when the lowest one
+// touches it, the gaps below the others are what is between them.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "check/checks.h"
+#include "check/drive_directions.h"
+#include "check/extent.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kOffGround = 3e-3, kOffShare = 0.05;    // m, and of the radius: a wheel this far up carries nothing
+constexpr double kOffShareOfMany = 0.15;                 // the same where enough others carry: some are meant to be higher
+constexpr std::ptrdiff_t kPair = 2, kEnough = 3;         // supports
+constexpr double kSamePlane = 0.9999, kSameLevel = 5e-3; // cosine; m
+constexpr double kFreeShare = 0.5;                       // of the radius
+constexpr double kRay = 10;                              // m
+constexpr double kAlong = 0.02;                          // sine between axles that are parallel
+
+/// Whether the wheel is one of several about a carrier that turns about a parallel axle, until they touch: a bogie, a star of wheels.
+bool isOfStar(const RobotConfigSpec& config, const DriveWheel& wheel, const std::vector<DriveWheel>& wheels) {
+    const auto holderOf = [&](std::size_t body) {
+        return std::ranges::find(config.joints, static_cast<int>(body), &JointSpec::child);
+    };
+    const auto axle = holderOf(wheel.body);
+    if (axle == config.joints.end() || axle->parent <= 0) return false;
+    const auto pivot = holderOf(static_cast<std::size_t>(axle->parent));
+    if (pivot == config.joints.end() || pivot->type != JointType::Hinge || pivot->axis.cross(wheel.axis).norm() > kAlong)
+        return false;
+    return std::ranges::any_of(wheels, [&](const DriveWheel& other) {
+        const auto its = holderOf(other.body);
+        return other.body != wheel.body && its != config.joints.end() && its->parent == axle->parent;
+    });
+}
+
+struct Low {
+    const GeomSpec* geom;
+    const BodySpec* body;
+    double height; ///< m, above the ground
+};
+
+class GroundCheck {
+public:
+    GroundCheck(const StartScene& scene, Diagnostics& diagnostics)
+        : m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics), m_up(scene.up()) {}
+
+    void check() {
+        std::set<std::string> seen;
+        for (std::uint32_t r = 0; r < m_experiment.robots.size(); ++r) {
+            const RobotConfigSpec& config = *m_experiment.robots[r].config;
+            if (!seen.insert(config.name).second) continue;
+            checkGround(r, drivenWheelsOf(config), freeWheelsOf(config));
+            checkTracks(r);
+        }
+    }
+
+private:
+    /// From the lowest point of a geom to the ground, along its normal; nothing if no scenery is beneath.
+    [[nodiscard]] std::optional<double> heightOf(std::uint32_t r, const GeomSpec& geom, const Pose& X_WG,
+                                                 const Vec3& normal) const {
+        const double low = extentAlong(geom, X_WG, normal).low, middle = X_WG.position.dot(normal);
+        const double above = std::max(0.02, middle - low); // m: it may start inside the ground
+        const auto hit = m_scene.ray(X_WG.position + (low - middle + above) * normal, -normal, kRay, r);
+        return hit && m_scene.owner(hit->geom).isStatic ? std::optional(hit->distance - above)
+                                                        : std::nullopt; // no other robot is ground
+    }
+
+    /// The normal of the ground beneath all wheels; nothing where it is not one plane, as between rails.
+    [[nodiscard]] std::optional<Vec3> groundNormal(std::uint32_t r, const std::vector<DriveWheel>& wheels) const {
+        const RobotSpec& robot = m_experiment.robots[r];
+        std::optional<Vec3> normal;
+        double level = 0;
+        for (const DriveWheel& wheel : wheels) {
+            const Vec3 from =
+                (robot.pose * robot.config->bodies[wheel.body].pose * wheel.geom->pose).position + wheel.geom->radius * m_up;
+            const auto hit = m_scene.ray(from, -m_up, kRay, r);
+            if (!hit) return std::nullopt;
+            const Vec3 at = from - hit->distance * m_up;
+            if (!normal) normal = hit->normal, level = at.dot(*normal);
+            if (hit->normal.dot(*normal) < kSamePlane || std::abs(at.dot(*normal) - level) > kSameLevel) return std::nullopt;
+        }
+        return normal;
+    }
+
+    /// Of all shapes that may touch the ground.
+    [[nodiscard]] std::vector<Low> lowsOf(std::uint32_t r, const Vec3& normal) const {
+        const RobotSpec& robot = m_experiment.robots[r];
+        std::vector<Low> lows;
+        for (const BodySpec& body : robot.config->bodies)
+            for (const GeomSpec& geom : body.geoms)
+                if (const auto height =
+                        geom.collide ? heightOf(r, geom, robot.pose * body.pose * geom.pose, normal) : std::nullopt)
+                    lows.push_back({&geom, &body, *height});
+        return lows;
+    }
+
+    /// Wheels that stay in the air when the lowest shape of their robot touches the ground. A free one that is higher than half of its
+    /// radius is for something else, and one of a robot with three other supports too.
+    void checkGround(std::uint32_t r, std::vector<DriveWheel> wheels, const std::vector<DriveWheel>& free) {
+        if (wheels.empty() && free.empty()) return;
+        wheels.insert(wheels.end(), free.begin(), free.end());
+        const RobotSpec& robot = m_experiment.robots[r];
+        const std::optional<Vec3> normal = groundNormal(r, wheels);
+        if (!normal) return;
+        const std::vector<Low> lows = lowsOf(r, *normal);
+        if (lows.empty()) return;
+        const Low lowest = *std::ranges::min_element(lows, {}, &Low::height);
+        const auto supports = std::ranges::count_if(lows, [&](const Low& l) { return l.height - lowest.height <= kOffGround; });
+        for (const DriveWheel& wheel : wheels) {
+            const auto own = std::ranges::find(lows, wheel.geom, &Low::geom);
+            if (own == lows.end()) continue;
+            const double gap = own->height - lowest.height;
+            const double share = wheel.motor && supports >= kPair ? kOffShareOfMany : kOffShare;
+            if (gap <= std::max(kOffGround, share * wheel.geom->radius)) continue;
+            if (ballUnder(*robot.config, wheel) || isOfStar(*robot.config, wheel, wheels)) continue;
+            if (!wheel.motor && (supports >= kEnough || gap > kFreeShare * wheel.geom->radius)) continue;
+            reportOffGround(*robot.config, wheel, *lowest.geom, *lowest.body, gap);
+            return; // the others are the same fault
+        }
+        for (const DriveWheel& wheel : wheelsAcross(*robot.config)) {
+            const auto own = std::ranges::find(lows, wheel.geom, &Low::geom);
+            if (own != lows.end() && own->height - lowest.height <= std::max(kOffGround, kOffShare * wheel.geom->radius))
+                return reportAcross(*robot.config, wheel);
+        }
+    }
+
+    /// Tracks of which no geom touches the ground.
+    void checkTracks(std::uint32_t r) {
+        const RobotConfigSpec& config = *m_experiment.robots[r].config;
+        std::vector<Low> lows;
+        for (const ComponentSpec& track : config.devices) {
+            if (track.kind != "Track") continue;
+            if (lows.empty()) lows = lowsOf(r, m_up);
+            if (lows.empty()) return;
+            const Low lowest = *std::ranges::min_element(lows, {}, &Low::height);
+            const std::vector<std::string> names = track.texts("Geom");
+            double gap = HUGE_VAL; // m
+            for (const Low& low : lows)
+                if (std::ranges::find(names, low.body->name + "." + low.geom->name) != names.end())
+                    gap = std::min(gap, low.height - lowest.height);
+            if (gap <= kOffGround || !std::isfinite(gap)) continue;
+            Diagnostic& d = m_diagnostics.warning(
+                Code::WheelOffGround, track.nameRange,
+                track.name + " of " + config.name + " is " + lengthText(gap) + " above the ground when " + lowest.geom->name +
+                    " touches it: it moves in the air; lower its geoms, or raise " + lowest.geom->name);
+            d.notes.push_back({"this touches the ground first", lowest.geom->nameRange});
+            return;
+        }
+    }
+
+    void reportAcross(const RobotConfigSpec& config, const DriveWheel& wheel) {
+        const auto joint = std::ranges::find(config.joints, static_cast<int>(wheel.body), &JointSpec::child);
+        m_diagnostics.warning(Code::WheelGeometry, joint->nameRange,
+                              joint->name + " of " + config.name + " is not along the axis of " + config.bodies[wheel.body].name +
+                                  "'s " + wheel.geom->name + ": the wheel does not roll; check its Axis, or the HPR of " +
+                                  wheel.geom->name);
+    }
+
+    void reportOffGround(const RobotConfigSpec& config, const DriveWheel& wheel, const GeomSpec& lowest, const BodySpec& holder,
+                         double gap) {
+        const BodySpec& body = config.bodies[wheel.body];
+        const bool isShared = lowest.nameRange == wheel.geom->nameRange; // the tyre of another wheel, made by the same text
+        const std::string touching = isShared || holder.name.find('.') != std::string::npos ? holder.name : lowest.name;
+        Diagnostic& d = m_diagnostics.warning(
+            Code::WheelOffGround, body.nameRange,
+            body.name + " of " + config.name + " is " + lengthText(gap) + " above the ground when " + touching +
+                " touches it: " + (wheel.motor ? "its motor turns it in the air" : "it carries nothing") +
+                "; lower the wheel, or raise " + touching);
+        d.notes.push_back({"this touches the ground first", lowest.nameRange});
+    }
+
+    const StartScene& m_scene;
+    const ExperimentSpec& m_experiment;
+    Diagnostics& m_diagnostics;
+    Vec3 m_up;
+};
+
+} // namespace
+
+void checkGround(const StartScene& scene, Diagnostics& diagnostics) {
+    if (!scene.up().isZero()) GroundCheck(scene, diagnostics).check();
+}
+
+} // namespace trundle

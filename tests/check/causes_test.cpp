@@ -1,0 +1,190 @@
+// Faults of bodies, joints and settings, each reported once with its cause, beside robots that are right although they look unusual.
+#include "check/check_fixture.h"
+
+using namespace fixture;
+
+namespace {
+
+const std::string kWheels = R"(
+  Body left { Pos=0.05,0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.2 HPR=0,0,90 } }
+  Body right { Pos=0.05,-0.15,0.05 Cylinder tyre { Radius=0.05 Length=0.03 Mass=0.2 HPR=0,0,90 } }
+  Hinge leftAxle { Parent=chassis Child=left Axis=0,1,0 }
+  Hinge rightAxle { Parent=chassis Child=right Axis=0,1,0 }
+  RotaryMotor leftMotor { Joint=leftAxle MaxVoltage=12 Resistance=2 TorqueConstant=0.02 SpeedConstant=50 GearRatio=30 }
+  RotaryMotor rightMotor { Joint=rightAxle MaxVoltage=12 Resistance=2 TorqueConstant=0.02 SpeedConstant=50 GearRatio=30 }
+  DifferentialDrive base { LeftMotor=leftMotor RightMotor=rightMotor WheelRadius=0.05 WheelSeparation=0.3 }
+)";
+const std::string kBase = "RobotConfig B {\n"
+                          "  Body chassis { Box hull { Pos=0,0,0.08 Size=0.3,0.2,0.06 Mass=2 } Sphere ball { Pos=-0.1,0,0.02 "
+                          "Radius=0.02 Mass=0.05 } }" +
+                          kWheels;
+const std::string kRobot = "}\nRobot r { Config=B }\n";
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    return at == std::string::npos ? std::string() : text.replace(at, from.size(), to);
+}
+
+/// A chassis on a wheel of a roller's friction, on a ball that no joint holds.
+std::string ballRobot() {
+    std::string text = "Surface roll { Friction=0.8 Friction2=0 }\nRobotConfig B {\n"
+                       "  Body chassis { Cylinder hull { Radius=0.1 Length=0.5 Pos=0,0,0.5 Mass=3 } }\n"
+                       "  Body ball { Pos=0,0,0.1 Sphere s { Radius=0.1 Mass=2 } }\n  Imu imu { Body=chassis }\n";
+    const char* const places[] = {"0.04596,0.07961", "-0.09192,0", "0.04596,-0.07961"};
+    const char* const axes[] = {"-0.35355,-0.61237,0.70711", "0.70711,0,0.70711", "-0.35355,0.61237,0.70711"};
+    for (int i = 0; i < 3; ++i) {
+        const std::string n = std::to_string(i);
+        text += "  Body w" + n + " { Pos=" + places[i] + ",0.19192 HPR=" + std::to_string(60 + 120 * i) +
+                ",135,0 Cylinder c { Radius=0.03 Length=0.02 Mass=0.1 Surface=roll } }\n  Hinge a" + n +
+                " { Parent=chassis Child=w" + n + " Axis=" + axes[i] + " }\n  RotaryMotor m" + n + " { Joint=a" + n +
+                " MaxVoltage=12 Resistance=2 TorqueConstant=0.02 SpeedConstant=50 GearRatio=30 }\n";
+    }
+    return text + "  OmniDrive base { Motors=m0,m1,m2 WheelRadius=0.03 WheelDistance=0.0919 WheelAngles=60,180,300 }\n";
+}
+
+/// Stars of three wheels in place of four wheels: two of each are on the floor.
+std::string starRobot() {
+    std::string text = "PartConfig Star {\n  Body hub { Cylinder c { Radius=0.03 Length=0.02 HPR=0,0,90 Mass=0.2 } }\n"
+                       "  Hinge axle { Parent=$on Child=hub Axis=0,1,0 }\n";
+    const char* const places[] = {"0,0,0.1", "-0.0866,0,-0.05", "0.0866,0,-0.05"};
+    for (int i = 0; i < 3; ++i) {
+        const std::string n = std::to_string(i);
+        text += "  Body w" + n + " { Pos=" + places[i] +
+                " Cylinder t { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.15 } }\n  Hinge h" + n + " { Parent=hub Child=w" + n +
+                " Axis=0,1,0 }\n  RotaryMotor m" + n + " { Joint=h" + n +
+                " MaxVoltage=12 Resistance=2 TorqueConstant=0.02 SpeedConstant=50 GearRatio=30 }\n";
+    }
+    return text + R"(}
+RobotConfig B {
+  Body chassis { Box hull { Pos=0,0,0.2 Size=0.6,0.2,0.1 Mass=8 } }
+  Part fl { Config=Star Pos=0.2,0.16,0.1 on=chassis }
+  Part bl { Config=Star Pos=-0.2,0.16,0.1 on=chassis }
+  Part fr { Config=Star Pos=0.2,-0.16,0.1 on=chassis }
+  Part br { Config=Star Pos=-0.2,-0.16,0.1 on=chassis }
+  SkidDrive base { LeftMotors=fl.m0,fl.m1,fl.m2,bl.m0,bl.m1,bl.m2 RightMotors=fr.m0,fr.m1,fr.m2,br.m0,br.m1,br.m2
+    WheelRadius=0.05 WheelSeparation=0.32 SkidFactor=2 }
+)";
+}
+
+} // namespace
+
+class CausesTest : public QObject {
+    Q_OBJECT
+    CheckFixture m_fixture;
+
+private Q_SLOTS:
+    void faults_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<Code>("code");
+        QTest::addColumn<std::string>("said");
+        QTest::addColumn<std::string>("place");
+        QTest::addColumn<bool>("fix");
+        const auto row = [](const char* name, std::string text, Code code, const char* said, const char* place,
+                            bool fix = false) {
+            QTest::newRow(name) << std::move(text) << code << std::string(said) << std::string(place) << fix;
+        };
+        row("gravity upwards", "Gravity = 0,0,9.81\n" + kBase + kRobot, Code::Unsupported,
+            "Gravity=0,0,9.81 points out of floor: robots fall away from it; Gravity=0,0,-9.81 points into it", "0,0,9.81", true);
+        std::string direct = kBase;
+        for (int i = 0; i < 2; ++i) direct = changed(direct, " GearRatio=30", "");
+        row("motors without their gears", direct + kRobot, Code::WeakMotor,
+            "leftMotor of B turns its wheel at up to 600 rad/s: that is 30 m/s, 90.9 times the length of the robot in a second; "
+            "a "
+            "larger GearRatio, now 1, or a smaller SpeedConstant is more usual",
+            "leftMotor");
+        const std::string leg = "Cylinder foot { Radius=0.01 Length=0.1 Mass=0.1 } }\n";
+        row("two legs in one place",
+            "RobotConfig B { Body chassis { Box hull { Pos=0,0,0.12 Size=0.3,0.2,0.04 Mass=1 } }\n  Body one { Pos=0.1,0,0.05 " +
+                leg + "  Body two { Pos=0.1,0,0.05 " + leg + "  Body three { Pos=-0.1,0.05,0.05 " + leg +
+                "  Body four { Pos=-0.1,-0.05,0.05 " + leg +
+                "  Fixed a { Parent=chassis Child=one } Fixed b { Parent=chassis Child=two }\n"
+                "  Fixed c { Parent=chassis Child=three } Fixed d { Parent=chassis Child=four }\n" +
+                kRobot,
+            Code::StartOverlap, "two of B is in the place of one, which has the same shapes; check its Pos and HPR", "two");
+        row("two wheels in one place",
+            changed(kBase, "Body right { Pos=0.05,-0.15,0.05", "Body right { Pos=0.05,0.15,0.05") + kRobot, Code::StartOverlap,
+            "right of B is in the place of left", "right");
+        std::string sprung = kBase;
+        for (const char* side : {"left", "right"})
+            sprung = changed(sprung, std::string("Hinge ") + side + "Axle { Parent=chassis Child=" + side + " Axis=0,1,0",
+                             std::string("Suspension ") + side + "Axle { Parent=chassis Child=" + side +
+                                 " Axis=0,0,1 Axis2=0,1,0 Stiffness=1500 Damping=0 Travel=0.04");
+        row("springs without damping", sprung + kRobot, Code::SpringTooFast,
+            "leftAxle of B hardly damps its spring: after a bump the robot keeps swinging at 6.09 Hz; a Damping of 23.5 N s/m, "
+            "now 0, calms it",
+            "leftAxle");
+        row("a wheel farther out than its mirror image",
+            changed(kBase, "Body right { Pos=0.05,-0.15,0.05", "Body right { Pos=0.05,-0.12,0.05") + kRobot, Code::WheelGeometry,
+            "right is 120 mm from the middle of B, left 150 mm, as the WheelSeparation of base has both: check the Pos of right",
+            "right");
+        row("a caster across its axle",
+            changed(kBase, "Sphere ball { Pos=-0.1,0,0.02 Radius=0.02 Mass=0.05 }", "") +
+                "  Body caster { Pos=-0.1,0,0.02 Cylinder disc { Radius=0.02 Length=0.01 HPR=0,0,90 Mass=0.05 } }\n"
+                "  Hinge roll { Parent=chassis Child=caster Axis=1,0,0 }\n" +
+                kRobot,
+            Code::WheelGeometry, "roll of B is not along the axis of caster's disc: the wheel does not roll", "roll");
+        row("jaws that move the same way",
+            kBase +
+                "  Body jawLeft { Pos=0.2,0.03,0.08 Box pad { Size=0.08,0.01,0.03 Mass=0.05 } }\n"
+                "  Body jawRight { Pos=0.2,-0.03,0.08 Box pad { Size=0.08,0.01,0.03 Mass=0.05 } }\n"
+                "  Slider openLeft { Parent=chassis Child=jawLeft Axis=0,1,0 LowStop=-0.02 HighStop=0.02 }\n"
+                "  Slider openRight { Parent=chassis Child=jawRight Axis=0,1,0 LowStop=-0.02 HighStop=0.02 }\n"
+                "  Gripper hand { Left=openLeft Right=openRight Force=10 }\n" +
+                kRobot,
+            Code::DeviceSetup,
+            "openRight moves its jaw towards the other one at a positive position, at which hand takes it for open; reverse its "
+            "Axis",
+            "openRight");
+        row("tracks in the air",
+            "RobotConfig B { Body hull { Box deck { Pos=0,0,0.06 Size=0.4,0.2,0.12 Mass=6 }\n"
+            "  Box onLeft { Pos=0,0.14,0.06 Size=0.4,0.06,0.08 Mass=1 } Box onRight { Pos=0,-0.14,0.06 Size=0.4,0.06,0.08 Mass=1 "
+            "} }\n"
+            "  Track left { Geom=hull.onLeft MaxSpeed=0.5 } Track right { Geom=hull.onRight MaxSpeed=0.5 }\n"
+            "  TrackDrive base { LeftTrack=left RightTrack=right TrackSeparation=0.28 SkidFactor=3 }\n" +
+                kRobot,
+            Code::WheelOffGround, "left of B is 20 mm above the ground when deck touches it: it moves in the air", "left");
+    }
+    void faults() {
+        QFETCH(std::string, text);
+        QFETCH(Code, code);
+        QFETCH(std::string, said);
+        QFETCH(std::string, place);
+        QFETCH(bool, fix);
+        QVERIFY(!text.empty());
+        const auto loaded = m_fixture.open(kThings + text);
+        QVERIFY(loaded);
+        const Diagnostics found = CheckFixture::check(*loaded);
+        const std::string story = CheckFixture::shown(*loaded, found);
+        QVERIFY2(!loaded->diagnostics.hasErrors() && found.all().size() == 1, story.c_str());
+        const Diagnostic& d = found.all()[0];
+        QVERIFY2(d.message.find(said) != std::string::npos, story.c_str());
+        QCOMPARE(d.code, code);
+        QCOMPARE(loaded->sources.slice(d.range), std::string_view(place));
+        QVERIFY2(fix == !d.fixes.empty(), story.c_str());
+        if (!fix) return;
+        const auto again = m_fixture.open(CheckFixture::applied(*loaded, d.fixes[0]));
+        const Diagnostics after = CheckFixture::check(*again);
+        QVERIFY2(after.all().empty(), CheckFixture::shown(*again, after).c_str());
+    }
+
+    void unusualRobots_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::newRow("on a ball") << ballRobot() + kRobot;
+        QTest::newRow("on stars of wheels") << starRobot() + kRobot;
+        QTest::newRow("no floor, and gravity upwards")
+            << std::string("Gravity = 0,0,9.81\nStaticConfig Roof { Box b { Size=9,9,0.1 Pos=0,0,0.3 } }\n"
+                           "Static roof { Config=Roof }\n");
+    }
+    void unusualRobots() {
+        QFETCH(std::string, text);
+        const bool isWithoutFloor = text.find("Roof") != std::string::npos;
+        const auto loaded = m_fixture.open((isWithoutFloor ? std::string() : kThings) + text);
+        QVERIFY(loaded);
+        Diagnostics found = CheckFixture::check(*loaded);
+        tryRobots(*loaded, found);
+        QVERIFY2(found.all().empty() && !loaded->diagnostics.hasErrors(), CheckFixture::shown(*loaded, found).c_str());
+    }
+};
+
+QTEST_APPLESS_MAIN(CausesTest)
+#include "causes_test.moc"
