@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kAlong = 0.02;                 // sine of the angle between an axle and the axis of a wheel, as for WheelRadius
 constexpr double kAcross = 0.3;                 // the same, of a wheel without a drive
+constexpr double kNoTrail = 0.05;               // of a radius: what turns about its own centre only is no caster
 constexpr double kFlat = 0.9, kLevelAxle = 0.1; // z of unit vectors
 
 /// The largest cylinder of the body; nullptr if another shape may be what it rolls on.
@@ -72,10 +73,12 @@ std::vector<DriveWheel> wheelsAcross(const RobotConfigSpec& config) {
         if (!geom || geom->length > geom->radius || isOfDrive(config, joint)) continue;
         const Pose pose = body.pose * geom->pose;
         const Vec3 along = pose.rotation * Vec3::UnitZ();
-        const auto spinsIt = [&](const ComponentSpec& d) { return d.kind == "RotaryMotor" && d.text("Joint") == joint.name; };
-        const bool isToRoll = std::abs(joint.axis.z()) < kLevelAxle || std::ranges::any_of(config.devices, spinsIt); // no swivel
-        if (std::abs(along.z()) < kLevelAxle && isToRoll && along.cross(joint.axis).norm() > kAcross &&
-            (pose.position - joint.anchor).norm() < geom->radius / 2)
+        const auto actsOnIt = [&](const ComponentSpec& d) { return d.text("Joint") == joint.name; };
+        const auto spinsIt = [&](const ComponentSpec& d) { return d.kind == "RotaryMotor" && actsOnIt(d); };
+        const double trail = (pose.position - joint.anchor).norm();
+        const bool isSwivel = std::abs(joint.axis.z()) >= kLevelAxle && std::ranges::none_of(config.devices, spinsIt) &&
+                              (trail > kNoTrail * geom->radius || std::ranges::any_of(config.devices, actsOnIt));
+        if (std::abs(along.z()) < kLevelAxle && !isSwivel && along.cross(joint.axis).norm() > kAcross && trail < geom->radius / 2)
             wheels.push_back({geom, nullptr, child, pose.position, joint.axis});
     }
     return wheels;

@@ -25,6 +25,8 @@ void checkSprings(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 void checkNeeds(const LoadedProject& loaded, Diagnostics& diagnostics);
 /// Reports motors that share a joint or differ between the sides, and encoders on the wrong joint.
 void checkMotors(const RobotConfigSpec& config, Diagnostics& diagnostics);
+/// Reports servos and linear motors too weak for the weight of what they carry.
+void checkHolds(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 /// Reports drives whose values disagree with their wheels, or whose wheels turn the wrong way.
 void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics);
 /// Reports robots that start inside something else or below a floor.

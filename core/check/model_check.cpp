@@ -46,6 +46,7 @@ void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std
     checkMasses(experiment, ofConfigs);
     checkDrives(loaded, ofConfigs);
     checkSprings(experiment, ofConfigs);
+    checkHolds(experiment, ofConfigs);
     appendFirsts(diagnostics, ofConfigs);
     checkLinks(experiment, diagnostics);
     checkNeeds(loaded, diagnostics);

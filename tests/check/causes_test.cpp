@@ -135,6 +135,20 @@ private Q_SLOTS:
             "openRight moves its jaw towards the other one at a positive position, at which hand takes it for open; reverse its "
             "Axis",
             "openRight");
+        const std::string mast = "  Body mast { Pos=0,0,0.2 Box b { Size=0.04,0.04,0.1 Mass=0.5 } }\n";
+        row("a lift that does not lift",
+            kBase + mast +
+                "  Slider rail { Parent=chassis Child=mast Axis=0,0,1 LowStop=0 HighStop=0.1 }\n"
+                "  LinearMotor lift { Joint=rail MaxForce=3 MaxSpeed=0.1 }\n" +
+                kRobot,
+            Code::WeakMotor, "lift of B cannot lift what is on rail: that weighs 4.91 N along its axis, MaxForce is 3 N", "lift");
+        row("a servo that holds its arm upright only",
+            kBase + mast +
+                "  Hinge tip { Parent=chassis Child=mast Axis=0,1,0 Anchor=0,0,0.15 LowStop=-90 HighStop=30 }\n"
+                "  Servo arm { Joint=tip MaxTorque=0.2 MaxSpeed=3 }\n" +
+                kRobot,
+            Code::WeakMotor,
+            "arm of B cannot hold tip everywhere: at -90 degrees what hangs on it takes 0.245 N m, MaxTorque is 0.2 N m", "arm");
         row("tracks in the air",
             "RobotConfig B { Body hull { Box deck { Pos=0,0,0.06 Size=0.4,0.2,0.12 Mass=6 }\n"
             "  Box onLeft { Pos=0,0.14,0.06 Size=0.4,0.06,0.08 Mass=1 } Box onRight { Pos=0,-0.14,0.06 Size=0.4,0.06,0.08 Mass=1 "
