@@ -65,7 +65,7 @@ private Q_SLOTS:
             const QString text = QString::fromStdString(m_fixture.text(m_loaded, plan));
             for (const char* line :
                  {"PartConfig Left {\n  Param colour = black { Choices=black,red }\n  Param grip = floor\n  Body ",
-                  "  Part left { Config=Left colour=$colour grip=$grip frame=$frame }\n"})
+                  "  Part left { Config=Left Pos=0,0.1,0 colour=$colour grip=$grip frame=$frame }\n"})
                 QVERIFY2(text.contains(QLatin1String(line)), qPrintable(text));
         }
     }
@@ -115,6 +115,7 @@ private Q_SLOTS:
         const std::string text = m_fixture.text(m_loaded, plan);
         std::string wanted = blocks;
         if (isPart) {
+            wanted.replace(wanted.find(" Pos=0.06,0.125,0.05"), 20, "");
             wanted.replace(wanted.find("Parent=chassis"), 14, "Parent=$chassis");
             for (const auto& [name, inPart] : {std::pair("leftWheel", "wheel"), {"leftAxle", "axle"}, {"leftMotor", "motor"}})
                 for (std::size_t at; (at = wanted.find(name)) != std::string::npos;)
@@ -125,7 +126,7 @@ private Q_SLOTS:
             wanted += "\n";
         }
         QVERIFY2(text.find(kind.toStdString() + wanted) != std::string::npos, text.c_str());
-        const std::string rest = isPart ? "  Part left { Config=Left chassis=chassis }\n" : "  }\n";
+        const std::string rest = isPart ? "  Part left { Config=Left Pos=0.06,0.125,0.05 chassis=chassis }\n" : "  }\n";
         const std::string after = rest + "  // also stays\n\n  Imu imu { Body=chassis } // and this\n}\n";
         QVERIFY2(text.find(after) != std::string::npos, text.c_str());
         QVERIFY2(text.find("Kit { // of a kit\n  Body chassis") != std::string::npos, text.c_str());

@@ -1,6 +1,6 @@
 // Needs: blocks of a config. Gives: edits that put them into a part or a Repeat, and that write mirror images of parts.
-// Method: the text of the blocks is moved; only names that lead in or out of it change. A Part is written without a pose, so that what
-// is in it has the same numbers as before, and its mirror image is that of the config, or of the body that it counts from.
+// Method: the text of the blocks is moved; only names that lead in or out of it change. A Part gets the place of its first body, where the
+// text shows it; its mirror image is that of the config, or of the body that it counts from.
 #include "project/edits/plan_wrap.h"
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "project/edits/mirrored_text.h"
 #include "project/edits/wrapped_blocks.h"
 #include "project/edits/wrapped_frame.h"
+#include "project/edits/wrapped_place.h"
 #include "project/objects/object_names.h"
 #include "project/objects/part_values.h"
 
@@ -51,6 +52,7 @@ public:
     Result<EditPlan> plan(std::optional<char> axis) {
         const Result<std::string> in = takeIn(m_loaded, m_blocks, m_references);
         if (!in.ok()) return in.error();
+        const std::string place = takePlace(m_loaded, m_blocks, m_references);
         m_blocks.shortenNames(m_references);
         for (const NameReference& reference : m_references)
             if (m_blocks.contains(reference.name) && !m_blocks.isRemoved(reference.name)) bringIn(reference);
@@ -66,6 +68,7 @@ public:
         addBefore(m_loaded, &config, config.file, blockOfLines("PartConfig " + type, lines + m_blocks.text(), step), m_sheet);
         std::string use = "Part " + name + " { Config=" + type;
         if (!in.value().empty()) use += " In=" + in.value();
+        if (!place.empty()) use += " Pos=" + place;
         for (const std::string& given : m_given) use += " " + given;
         use += " }";
         std::vector<std::string> selects{pathInside(m_blocks.parentPath(), name)};

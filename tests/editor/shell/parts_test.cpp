@@ -57,7 +57,7 @@ private Q_SLOTS:
         trigger("parts.make");
         const std::string made = text();
         QVERIFY2(made.starts_with(kHead + "PartConfig Left {\n"), made.c_str());
-        QVERIFY2(made.find("\n  Part left { Config=Left chassis=chassis }\n") != std::string::npos, made.c_str());
+        QVERIFY2(made.find("\n  Part left { Config=Left Pos=0,0.12,0 chassis=chassis }\n") != std::string::npos, made.c_str());
         QVERIFY(!document().loaded()->diagnostics.hasErrors());
         QCOMPARE(m_window->selection().current(), std::string("robot0.left"));
         checkUndo(QStringLiteral("Make Part of 2 objects"));
@@ -67,11 +67,11 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("action");
         QTest::addColumn<std::string>("part");
         QTest::newRow("left to right") << QByteArray("parts.mirrorY")
-                                       << std::string("Part right { Config=Left chassis=chassis Mirror=y }");
+                                       << std::string("Part right { Config=Left Pos=0,-0.12,0 chassis=chassis Mirror=y }");
         QTest::newRow("front to back") << QByteArray("parts.mirrorX")
-                                       << std::string("Part right { Config=Left chassis=chassis Mirror=x }");
+                                       << std::string("Part right { Config=Left Pos=0,0.12,0 chassis=chassis Mirror=x }");
         QTest::newRow("up and down") << QByteArray("parts.mirrorZ")
-                                     << std::string("Part right { Config=Left chassis=chassis Mirror=z }");
+                                     << std::string("Part right { Config=Left Pos=0,0.12,0 chassis=chassis Mirror=z }");
     }
     void mirrors() {
         QFETCH(QByteArray, action);
