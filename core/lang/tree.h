@@ -117,7 +117,7 @@ private:
 
 /// Never fails: unreadable text is skipped with a diagnostic, everything else is in the tree.
 /// Blocks nest at most kMaxBlockDepth deep, expressions kMaxExpressionDepth. Stops early in a large text full of errors, and
-/// after about `mostTokens`.
+/// after about `mostTokens`, of which a long word counts as several.
 [[nodiscard]] std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file,
                                                 std::size_t mostTokens = static_cast<std::size_t>(-1));
 

@@ -58,6 +58,7 @@ KINDS = {
     "repeated_params": repeated("Param p = 1\n"),
     "robots_of_one_config": numbered("Robot r{} { Config=Missing Pos=1,2,0 leftMotor.Resistance=3 }\n"),
     "missing_pictures": numbered("Material m{} { ColorRGB=1,0,0 Texture=no{} }\n"),
+    "missing_pictures_long_names": numbered("Material m{} { ColorRGB=1,0,0 Texture=" + "n" * 1200 + "{} }\n"),
     "open_strings": repeated('Param p = "x\n'),
     "unnamed_robots": repeated("Robot {}\n"),
     "blank_lines": repeated("\n"),

@@ -103,6 +103,29 @@ private Q_SLOTS:
         QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
         QVERIFY2(loaded->trees[0]->tokens().size() < 550'000, QByteArray::number(qulonglong(loaded->trees[0]->tokens().size())));
     }
+    /// A long word counts as several, and a name that no file can have is neither looked for nor watched.
+    void longNames() {
+        ProjectFixture fixture;
+        const std::string letters(1200, 'n');
+        std::string text, deep;
+        for (int i = 0; text.size() < (16u << 20); ++i)
+            text += "Material m" + std::to_string(i) + " { Texture=" + letters + std::to_string(i) + " }\n";
+        const auto loaded = fixture.open(text);
+        QCOMPARE(loaded->trees[0]->extent(), Tree::Extent::Limited);
+        QVERIFY2(loaded->trees[0]->readTo() < 11u << 20, QByteArray::number(loaded->trees[0]->readTo()));
+        QVERIFY(loaded->named.empty());
+        for (int i = 0; i < 10; ++i) deep += "folder_with_quite_a_long_name_" + std::to_string(i) + "/";
+        fixture.write(deep + "picture.png", "");
+        for (const char* sign : {"/", "\\\\"}) {
+            const std::string written = QString::fromStdString(deep + "picture").replace('/', QLatin1String(sign)).toStdString();
+            const auto found =
+                fixture.open("Material m { Texture=\"" + written + "\" }\nMaterial n { Texture=" + letters + " }\n");
+            QVERIFY2(found->named.size() == 1, sample::messages(*found).c_str());
+            QVERIFY2(!found->named.begin()->second.path.empty(), written.c_str());
+            QVERIFY2(sample::messages(*found).find("no file has so long a name") != std::string::npos,
+                     sample::messages(*found).substr(0, 300).c_str());
+        }
+    }
     /// Without mistakes, too: all texts together have a limit, and what is beyond it is the only error, at its place.
     void aTextWithoutMistakesHasALimit() {
         ProjectFixture fixture;

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kPiece = 4096;          // tokens read at a time
 constexpr std::size_t kAlwaysRead = 100'000;  // tokens: a text of up to this size is always read to its end
 constexpr std::size_t kLongestItem = 100'000; // tokens of one assignment, or of one run of unreadable text
+constexpr std::size_t kLongWord = 64;         // letters; a longer word counts as several, as it takes the memory of several
 constexpr std::size_t kNearCut = 8;           // tokens; an error this close to the end of parsing may be caused by it
 
 /// True for NUL, invalid UTF-8 and invisible characters: they are reported by separate checks and skipped by the grammar.
@@ -94,7 +95,7 @@ void TokenCursor::readTokens() {
         for (std::size_t i = before; i < m_tokens.size(); ++i) takeToken(static_cast<std::uint32_t>(i));
         if (m_lexer.atEnd()) endTokens(Tree::Extent::Whole);
         else if (isUnrecoverable()) endTokens(Tree::Extent::Unrecoverable);
-        else if (m_tokens.size() >= m_most) endTokens(Tree::Extent::Limited);
+        else if (m_tokens.size() + m_ofLongWords >= m_most) endTokens(Tree::Extent::Limited);
     }
 }
 
@@ -102,6 +103,7 @@ void TokenCursor::takeToken(std::uint32_t index) {
     const Token& token = m_tokens[index];
     if (token.kind == TokenKind::LineEnd || token.kind == TokenKind::Bom) m_newLine = true;
     if (isTrivia(token.kind)) return;
+    m_ofLongWords += token.range.size() / kLongWord;
     if (isTooLong(token)) return m_long.push_back(index);
     if (token.kind == TokenKind::Unknown && checkedAsBytes(m_source.bytes(), token.range)) return m_invisible.push_back(index);
     m_significant.push_back({index, m_newLine});

@@ -76,6 +76,7 @@ private:
     std::size_t m_at = 0;
     std::vector<Significant> m_significant;
     std::vector<std::uint32_t> m_invisible, m_long;
+    std::size_t m_ofLongWords = 0; ///< what they count beside themselves
     Tree::Extent m_extent = Tree::Extent::Whole;
     std::uint32_t m_readTo = 0;
 };

@@ -110,19 +110,18 @@ AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch
     const auto folder = [&folders](FileId file) { return file < folders.size() ? folders[file] : std::string("."); };
     const auto find = [=, &search, &loaded](const std::string& written, FileId file, std::span<const std::string> endings = {}) {
         Result<std::string> path = search.find(written, folder(file), endings);
+        if (!canBeFile(written)) return path; // it will not appear either
         const auto [named, isNew] = loaded.named.try_emplace({file, written});
         if (isNew && path) named->second = {path.value(), stampOf(path.value())};
         return path;
     };
     const auto missing = [&search, count = std::make_shared<int>(0)](const Error& error, const std::string& written,
                                                                      const std::string& from) {
-        Error e = error;
-        if (e.code == Code::ImportNotFound) {
-            e.code = Code::MeshUnreadable;
-            if (++*count > kMostSuggestions) return e;
-            const std::vector<std::string> near = search.nearest(written, from);
-            if (!near.empty()) e.message += "; did you mean " + near.front() + "?";
-        }
+        if (error.code != Code::ImportNotFound) return error;
+        Error e{Code::MeshUnreadable, error.message};
+        if (++*count > kMostSuggestions) return e;
+        const std::vector<std::string> near = search.nearest(written, from);
+        if (!near.empty()) e.message += "; did you mean " + near.front() + "?";
         return e;
     };
     lookup.mesh = [=, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {

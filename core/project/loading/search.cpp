@@ -22,6 +22,8 @@ bool liesUnder(const fs::path& file, const fs::path& folder) {
 
 bool isLoop(const std::error_code& ec) { return ec == std::errc::too_many_symbolic_link_levels; }
 
+constexpr std::size_t kLongestName = 255; // bytes of one part of a path, as of ext4, XFS, APFS and NTFS
+
 void normalise(std::string& written) { std::replace(written.begin(), written.end(), '\\', '/'); }
 
 } // namespace
@@ -93,9 +95,19 @@ const FileSearch::Roots& FileSearch::roots(const std::string& folder) const {
     return roots;
 }
 
+bool canBeFile(std::string_view path) {
+    for (std::size_t begin = 0; begin < path.size();) {
+        const std::size_t end = std::min(path.find_first_of("/\\", begin), path.size());
+        if (end - begin > kLongestName) return false;
+        begin = end + 1;
+    }
+    return true;
+}
+
 Result<std::string> FileSearch::find(std::string written, const std::string& folder, std::span<const std::string> endings) const {
     normalise(written);
     if (written.empty() || written.find('\0') != std::string::npos) return Error{Code::ImportNotFound, "a file name is missing"};
+    if (!canBeFile(written)) return Error{Code::ImportNotFound, written + " is not found: no file has so long a name"};
     const auto& [folders, shown] = roots(folder);
     std::vector<std::string> names{written};
     for (const std::string& ending : endings) names.push_back(written + "." + ending);

@@ -26,6 +26,9 @@ namespace trundle {
 /// are absolute.
 [[nodiscard]] bool isInside(const std::string& file, const std::vector<std::string>& folders);
 
+/// Whether there can be a file of that name: no part of a path is longer than any file system allows.
+[[nodiscard]] bool canBeFile(std::string_view path);
+
 /// Used by one thread, for one load: what links lead to is looked up once for each folder.
 class FileSearch {
 public:
