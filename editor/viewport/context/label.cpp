@@ -7,8 +7,16 @@
 namespace trundle {
 namespace {
 
+constexpr QSizeF kMargins(14, 6);                            // of both sides together
+constexpr int kInLines = Qt::AlignCenter | Qt::TextWordWrap; // where an area is narrower than the text
+
+QSizeF sizeOf(const QString& text, const QFontMetricsF& metrics, double mostWidth) {
+    const QSizeF size(metrics.horizontalAdvance(text), metrics.height());
+    return size.width() <= mostWidth ? size : metrics.boundingRect({0, 0, mostWidth, 0}, kInLines, text).size();
+}
+
 QRectF rectOf(const QPointF& middle, const QString& text, const QFontMetricsF& metrics, const QRectF& area) {
-    const QSizeF size(metrics.horizontalAdvance(text) + 14, metrics.height() + 6);
+    const QSizeF size = sizeOf(text, metrics, area.width() - kMargins.width()) + kMargins;
     QRectF at(middle.x() - 0.5 * size.width(), middle.y() - 0.5 * size.height(), size.width(), size.height());
     if (area.contains(middle)) {
         at.moveLeft(std::max(area.left(), std::min(at.left(), area.right() - at.width())));
@@ -25,7 +33,8 @@ void paintLabel(QPainter& painter, const QPointF& middle, const QString& text) {
     painter.setBrush(QColor(24, 27, 31, 205));
     painter.drawRoundedRect(at, 4, 4);
     painter.setPen(QColor(245, 246, 248));
-    painter.drawText(at, Qt::AlignCenter, text);
+    const bool isOneLine = QFontMetricsF(painter.font()).horizontalAdvance(text) + kMargins.width() <= at.width();
+    painter.drawText(at, isOneLine ? int(Qt::AlignCenter) : kInLines, text);
 }
 
 std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests, const QFontMetricsF& metrics, const QRectF& area) {

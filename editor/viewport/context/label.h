@@ -12,7 +12,7 @@ class QPainter;
 namespace trundle {
 
 /// A text label on a dark rounded rectangle around a point; legible over any image and in both themes. Beside the point where it would
-/// leave the painted area.
+/// leave the painted area, in several lines where that is narrower.
 void paintLabel(QPainter& painter, const QPointF& middle, const QString& text);
 
 struct LabelRequest {

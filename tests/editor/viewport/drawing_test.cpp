@@ -345,6 +345,16 @@ private Q_SLOTS:
         QVERIFY(!m_window->view().grab().isNull());
     }
 
+    void aLabelThatIsWiderThanTheViewHasLines() {
+        const QFontMetricsF metrics(m_window->view().font());
+        const QRectF area(0, 0, 0.7 * metrics.horizontalAdvance(QStringLiteral("Stable: 100 mm to the edge")), 300);
+        const LabelRequest wide{QStringLiteral("Stable: 100 mm to the edge"), {{10, 150}}, true};
+        const LabelRequest narrow{QStringLiteral("31°"), {{10, 150}, {10, 250}}, true};
+        const std::vector<PlacedLabel> labels = placeLabels(std::vector{wide, narrow}, metrics, area);
+        QVERIFY(area.contains(labels[0].rect) && labels[0].rect.height() > 2 * metrics.height());
+        QVERIFY(labels[1].rect.height() < 2 * metrics.height() && !labels[1].rect.intersects(labels[0].rect));
+    }
+
     void oneMeasuresFromOneViewToAnother() {
         m_window->trigger("tool.measure");
         m_window->panel->views().setViewCount(2);
