@@ -108,7 +108,7 @@ std::string runJson(const RunReport& report) {
     json["wall_s"] = report.wallS;
     json["real_time_factor"] = report.wallS > 0 ? simulated / report.wallS : 0;
     json["peak_memory_kb"] = peakMemoryKb();
-    json["engine"] = world ? Json(world->experiment().settings.engine == EngineChoice::Wheeled ? "wheeled" : "general") : Json(nullptr);
+    json["engine"] = world ? Json(nameOf(world->experiment().settings.engine)) : Json(nullptr);
     json["threads"] = world ? Json(threadsFor(world->experiment())) : Json(nullptr);
     json["state_hash"] = world ? Json(hashText(world->stateHash())) : Json(nullptr);
     json["quick_ticks"] = world ? world->quickTicks() : 0;

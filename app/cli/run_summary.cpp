@@ -123,10 +123,10 @@ std::string stoppedRows(const Runner& runner, const ExperimentSpec& experiment) 
 
 std::string solverRows(const World& world) {
     std::string text;
-    const bool wheeled = world.experiment().settings.engine == EngineChoice::Wheeled;
+    const EngineChoice engine = world.experiment().settings.engine;
     const unsigned count = threadsFor(world.experiment());
     const std::string threads = count > 1 ? std::to_string(count) + " threads" : "";
-    if (wheeled) text += row("engine", "wheeled" + (threads.empty() ? "" : ", " + threads));
+    if (engine != EngineChoice::General) text += row("engine", nameOf(engine) + (threads.empty() ? "" : ", " + threads));
     else if (!threads.empty()) text += row("engine", threads);
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)

@@ -91,7 +91,18 @@ struct StaticSpec {
 };
 
 enum class SolverChoice { Auto, Exact, Quick };
-enum class EngineChoice { General, Wheeled, Auto };
+/// Planar is the wheeled engine with vehicles that move over x and y and turn, no more.
+enum class EngineChoice { General, Wheeled, Planar, Auto };
+
+/// As in a text.
+[[nodiscard]] inline const char* nameOf(EngineChoice engine) {
+    switch (engine) {
+    case EngineChoice::Wheeled: return "wheeled";
+    case EngineChoice::Planar: return "planar";
+    case EngineChoice::Auto: return "auto";
+    default: return "general";
+    }
+}
 
 struct SettingsSpec {
     double tick = 0.01;  ///< s

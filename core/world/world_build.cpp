@@ -42,7 +42,8 @@ std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experi
     const SettingsSpec& s = experiment->settings;
     const EngineSettings settings{
         s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get(), threadsFor(*experiment)};
-    auto engine = s.engine == EngineChoice::Wheeled ? makeWheeledEngine(settings) : makeOdeEngine(settings);
+    auto engine = s.engine == EngineChoice::General ? makeOdeEngine(settings)
+                                                    : makeWheeledEngine(settings, s.engine == EngineChoice::Planar);
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return nullptr;

@@ -30,7 +30,7 @@ struct RunResults {
     [[nodiscard]] double time() const { return snapshot ? snapshot->time : 0; } ///< s, simulated
     /// Over the last second; 0 while it does not run.
     [[nodiscard]] double realTimeFactor() const { return snapshot ? snapshot->realTimeFactor : 0; }
-    [[nodiscard]] bool isWheeled() const { return snapshot && snapshot->engine == EngineChoice::Wheeled; }
+    [[nodiscard]] EngineChoice engine() const { return snapshot ? snapshot->engine : EngineChoice::General; }
     /// The run has reached its Duration: run(), step() and runFor() continue it and its logs.
     [[nodiscard]] bool canResume() const { return end && end->canContinue; }
     /// "finished by robot_0/brain at t = 83.5 s: reached"; empty if no controller ended the run.

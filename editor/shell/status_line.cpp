@@ -136,9 +136,10 @@ void StatusLine::showEngine(bool shown) {
     const auto& run = m_session.results().snapshot;
     QString text;
     if (engine && shown)
-        text = *engine == EngineChoice::Wheeled ? tr("wheeled engine")
-               : *engine == EngineChoice::Auto  ? tr("engine: auto")
-                                                : tr("general engine");
+        text = *engine == EngineChoice::Wheeled  ? tr("wheeled engine")
+               : *engine == EngineChoice::Planar ? tr("planar engine")
+               : *engine == EngineChoice::Auto   ? tr("engine: auto")
+                                                 : tr("general engine");
     if (!text.isEmpty() && run && run->threads > 1) text = tr("%1, %2 threads").arg(text, QString::number(run->threads));
     m_engine->setText(text.isEmpty() ? text : painted(text, Ink::Faint));
     m_engine->setToolTip(tr("Engine, of the experiment: what computes the motion"));

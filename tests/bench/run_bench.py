@@ -25,6 +25,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 RESULTS = os.path.join(HERE, "results")
 PAGE = os.path.join(HERE, "RESULTS.md")
 MOST_OF_MUJOCO = 100  # robots; its memory grows with the square of the contacts
+ENGINES = ["general", "wheeled", "planar"]
 AXLE_X = 0.06  # of the shipped robot's axle in its config frame, m
 
 
@@ -113,7 +114,7 @@ def beside_peer(programs, options):
 
 
 def engines(programs, options):
-    """Both engines and the bare loops on the same crowd, by processor time; 60 s at 100 robots, so that many of them crowd at walls."""
+    """All engines and the bare loops on the same crowd, by processor time; 60 s at 100 robots, so that many of them crowd at walls."""
     rows = []
     for count in [1, 10, 100] if options.quick else [1, 10, 100, 1000]:
         progress(f"engines, {count} robots")
@@ -121,9 +122,8 @@ def engines(programs, options):
         seconds = crowded_seconds(count, options.quick)
         ticks = round(100 * seconds)
         text = experiments.crowd(count, seconds).replace("Solver = exact", "Solver = auto")
-        paths = {name: programs.write(f"{name}{count}", f"Engine = {name}\n" + text) for name in ["general", "wheeled"]}
-        sides = {"general": lambda: programs.tick_cost(paths["general"], ticks, count)[0],
-                 "wheeled": lambda: programs.tick_cost(paths["wheeled"], ticks, count)[0],
+        paths = {name: programs.write(f"{name}{count}", f"Engine = {name}\n" + text) for name in ENGINES}
+        sides = {**{name: lambda name=name: programs.tick_cost(paths[name], ticks, count)[0] for name in ENGINES},
                  "ode": lambda: programs.bare_cost(count, columns, lines, ticks)[0]}
         if count <= MOST_OF_MUJOCO and os.path.exists(programs.bare["mujoco"]):
             sides["mujoco"] = lambda: programs.bare_cost(count, columns, lines, ticks, "mujoco")[0]
@@ -131,11 +131,13 @@ def engines(programs, options):
         cost = {name: median(value) for name, value in values.items()}
         factor = {name: 1e6 * 0.01 / count / value for name, value in cost.items()}
         ratio = pairs_ratio(values["general"], values["wheeled"])
-        names = ["general", "wheeled", "ode", "mujoco"]
+        names = [*ENGINES, "ode", "mujoco"]
         rows.append([count, seconds] + [round(cost[name], 2) if name in cost else "-" for name in names] +
-                    [f"{factor[name]:.3g}" if name in cost else "-" for name in names] + [round(ratio, 1)])
-    header = ["robots", "simulated [s]", "general [us per robot and tick]", "wheeled [us]", "bare ODE [us]", "bare MuJoCo [us]", "general [x real time]",
-              "wheeled [x real time]", "bare ODE [x real time]", "bare MuJoCo [x real time]", "wheeled / general, speed"]
+                    [f"{factor[name]:.3g}" if name in cost else "-" for name in names] +
+                    [round(ratio, 1), round(pairs_ratio(values["wheeled"], values["planar"]), 2)])
+    header = ["robots", "simulated [s]", "general [us per robot and tick]", "wheeled [us]", "planar [us]", "bare ODE [us]", "bare MuJoCo [us]",
+              "general [x real time]", "wheeled [x real time]", "planar [x real time]", "bare ODE [x real time]", "bare MuJoCo [x real time]",
+              "wheeled / general, speed", "planar / wheeled, speed"]
     report.write_csv(os.path.join(RESULTS, "engines.csv"), header, rows)
     report.put_table(PAGE, "engines", header, rows)
     return []

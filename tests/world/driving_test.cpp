@@ -70,17 +70,19 @@ private Q_SLOTS:
         QTest::addColumn<double>("mostMm");
         QTest::addColumn<double>("mostDeg");
         const double circle = 0.3 * 2 * kPi;
-        QTest::newRow("wheeled: straight 5 m, 1 ms") << "wheeled" << false << 0.001 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
-        QTest::newRow("wheeled: straight 5 m, 10 ms") << "wheeled" << false << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
-        QTest::newRow("wheeled: straight 5 m, 30 ms") << "wheeled" << false << 0.03 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
-        QTest::newRow("wheeled: arc 360 deg, 10 ms") << "wheeled" << false << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
-        QTest::newRow("wheeled: arc 360 deg, 30 ms") << "wheeled" << false << 0.03 << circle << 360.0 << 2 * kPi + 0.5 << 0.54 << 0.1;
-        QTest::newRow("wheeled: ten turns, 10 ms")
-            << "wheeled" << false << 0.01 << 10 * circle << 3600.0 << 20 * kPi + 0.5 << 0.62 << 0.12;
-        QTest::newRow("wheeled: spin W=4, 5 turns, 10 ms")
-            << "wheeled" << false << 0.01 << 0.0 << 1800.0 << 10 * kPi / 4 + 0.5 << 0.05 << 0.92;
-        QTest::newRow("wheeled: arc on a box, round wheels")
-            << "wheeled box" << true << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
+        for (const char* engine : {"wheeled", "planar"}) {
+            const auto row = [engine](const char* name, bool round = false, const char* ground = "") -> QTestData& {
+                return QTest::addRow("%s: %s", engine, name) << engine + QString(ground) << round;
+            };
+            row("straight 5 m, 1 ms") << 0.001 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+            row("straight 5 m, 10 ms") << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+            row("straight 5 m, 30 ms") << 0.03 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+            row("arc 360 deg, 10 ms") << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
+            row("arc 360 deg, 30 ms") << 0.03 << circle << 360.0 << 2 * kPi + 0.5 << 0.54 << 0.1;
+            row("ten turns, 10 ms") << 0.01 << 10 * circle << 3600.0 << 20 * kPi + 0.5 << 0.62 << 0.12;
+            row("spin W=4, 5 turns, 10 ms") << 0.01 << 0.0 << 1800.0 << 10 * kPi / 4 + 0.5 << 0.05 << 0.92;
+            row("arc on a box, round wheels", true, " box") << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
+        }
         QTest::newRow("straight 5 m, 1 ms") << "plane" << false << 0.001 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
         QTest::newRow("straight 5 m, 10 ms") << "plane" << false << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
         QTest::newRow("straight 5 m, 30 ms") << "plane" << false << 0.03 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
@@ -109,8 +111,9 @@ private Q_SLOTS:
         QFETCH(double, mostDeg);
         Scene scene = r0Scene(tick);
         if (ground.startsWith("wheeled")) scene.spec->settings.engine = EngineChoice::Wheeled;
-        if (ground == "plane" || ground == "wheeled") scene.scenery({plane("floor", {}, 1)});
-        if (ground == "box" || ground == "wheeled box") scene.scenery({box("floor", {30, 30, 0.2}, at(0, 0, -0.1), 1)});
+        if (ground.startsWith("planar")) scene.spec->settings.engine = EngineChoice::Planar;
+        if (ground == "plane" || ground == "wheeled" || ground == "planar") scene.scenery({plane("floor", {}, 1)});
+        if (ground.endsWith("box")) scene.scenery({box("floor", {30, 30, 0.2}, at(0, 0, -0.1), 1)});
         if (ground == "mesh") scene.scenery({meshFloor()});
         if (ground == "heights") scene.scenery({heightFloor()});
         R0Options options;
@@ -151,17 +154,17 @@ private Q_SLOTS:
 
     void voltageLag_data() {
         QTest::addColumn<double>("tick");
-        QTest::addColumn<bool>("wheeled");
-        for (const bool wheeled : {false, true})
+        QTest::addColumn<int>("engine");
+        for (const EngineChoice engine : {EngineChoice::General, EngineChoice::Wheeled, EngineChoice::Planar})
             for (const double tick : {0.001, 0.01, 0.03})
-                QTest::addRow("%g ms%s", 1e3 * tick, wheeled ? ", wheeled" : "") << tick << wheeled;
+                QTest::addRow("%g ms, %s", 1e3 * tick, nameOf(engine)) << tick << static_cast<int>(engine);
     }
     /// Open loop with a ramp to 0.5 m/s: the lag is v tau, tau = (M r^2/2 + I)/b, at every tick length.
     void voltageLag() {
         QFETCH(double, tick);
-        QFETCH(bool, wheeled);
+        QFETCH(int, engine);
         Scene scene = r0Scene(tick);
-        if (wheeled) scene.spec->settings.engine = EngineChoice::Wheeled;
+        scene.spec->settings.engine = static_cast<EngineChoice>(engine);
         scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
         auto world = scene.build();
         QVERIFY(world && run(*world, 0.6));
@@ -249,11 +252,12 @@ private Q_SLOTS:
     void alongAWall_data() {
         QTest::addColumn<double>("tick");
         QTest::addColumn<double>("angle");
-        QTest::addColumn<bool>("wheeled");
-        for (const bool wheeled : {false, true})
+        QTest::addColumn<int>("engine");
+        for (const EngineChoice engine : {EngineChoice::General, EngineChoice::Wheeled, EngineChoice::Planar})
             for (const double tick : {0.005, 0.01, 0.03})
                 for (const double angle : {5, 10, 13, 30})
-                    QTest::addRow("%g degrees, %g ms%s", angle, 1e3 * tick, wheeled ? ", wheeled" : "") << tick << angle << wheeled;
+                    QTest::addRow("%g degrees, %g ms, %s", angle, 1e3 * tick, nameOf(engine))
+                        << tick << angle << static_cast<int>(engine);
     }
     /// A robot whose tyres stand flush with its hull drives against a wall. Its front corner, `ahead` of the axle and `aside`, meets the
     /// wall first: below an angle whose tangent is (ahead - mu aside) / (aside + mu ahead) that turns it along the wall, and it goes on at
@@ -262,7 +266,7 @@ private Q_SLOTS:
     void alongAWall() {
         QFETCH(double, tick);
         QFETCH(double, angle);
-        QFETCH(bool, wheeled);
+        QFETCH(int, engine);
         constexpr double ahead = 0.11, aside = 0.14, mu = 0.3, speed = 0.4, radius = 0.05, width = 0.03;
         const bool slides = angle < std::atan((ahead - mu * aside) / (aside + mu * ahead)) * 180 / kPi;
         auto config = std::make_shared<RobotConfigSpec>(*r0());
@@ -279,7 +283,7 @@ private Q_SLOTS:
             body.geoms[0].length = width;
         }
         Scene scene = r0Scene(tick);
-        if (wheeled) scene.spec->settings.engine = EngineChoice::Wheeled;
+        scene.spec->settings.engine = static_cast<EngineChoice>(engine);
         scene.scenery({plane("floor", {}, 1), box("wall", {20, 0.1, 1}, at(8, 0.55, 0.5), 3)});
         scene.robot("r", at(0, 0.25, 0, degrees(angle, 0, 0)), config);
         auto world = scene.build();

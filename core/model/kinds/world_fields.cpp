@@ -38,9 +38,11 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
     d.field("Seed", &SettingsFields::seed, whole(0, kLargestWhole), "Start of all random numbers.");
     d.field("Gravity", &SettingsFields::gravity, metresPerSecondSquared().within(-1000, 1000), "Acceleration of free fall.");
     d.field(
-        "Engine", &SettingsFields::engine, oneOf("auto|general|wheeled"),
+        "Engine", &SettingsFields::engine, oneOf("auto|general|wheeled|planar"),
         "General holds everything. Wheeled is many times faster and holds robots on wheels, boxes, cylinders and balls on level "
-        "ground. Auto is wheeled where all of the experiment fits it.");
+        "ground. Planar holds the same and is faster still: robots move over the ground and do not lean. Auto is wheeled where "
+        "all of "
+        "the experiment fits it.");
     d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"),
             "Exact, quick, or chosen by the size of the largest cluster of contacts.");
     d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");

@@ -45,7 +45,8 @@ SettingsSpec resolveSettings(ResolveContext& context) {
     s.gravity = vec3(f.gravity);
     s.solver = f.solver == "exact" ? SolverChoice::Exact : f.solver == "quick" ? SolverChoice::Quick : SolverChoice::Auto;
     s.solverRange = record.rangeOf("Solver", {});
-    s.engine = f.engine == "wheeled" ? EngineChoice::Wheeled : f.engine == "auto" ? EngineChoice::Auto : EngineChoice::General;
+    for (const EngineChoice engine : {EngineChoice::General, EngineChoice::Wheeled, EngineChoice::Planar, EngineChoice::Auto})
+        if (f.engine == nameOf(engine)) s.engine = engine;
     s.engineRange = record.rangeOf("Engine", {});
     s.iterations = f.iterations;
     s.threads = f.threads;

@@ -119,7 +119,7 @@ void UnitContacts::addPoints(UnitContact& contact, const Side& a, const Side& b,
             contact.list[contact.count++] = {{p.x(), p.y(), height}, a.pose.turnBack(p - a.pose.at), touch.gaps[i] + lean};
         }
     };
-    if (a.footprint->upright && b.footprint->upright && high - low > kTall) {
+    if (a.footprint->upright && b.footprint->upright && high - low > kTall && !m_objects.planar) {
         addAt(low);
         addAt(high);
     } else if (a.footprint->upright == b.footprint->upright) addAt((low + high) / 2);

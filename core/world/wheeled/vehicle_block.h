@@ -21,7 +21,9 @@ struct VehicleModel {
         double way[2] = {}, lever = 0, friction = 0; ///< as Support says; friction with the ground
         int wheel = 0;
         bool round = true;
+        double load = 0; ///< N, of a planar vehicle
     };
+    bool planar = false;                     ///< no motion but vx, vy and wz: inverseInertia has zz alone, loads do not change
     int supportCount = 0, wheelCount = 0;    ///< wheel i is at support i
     double mass = 1, inverseInertia[6] = {}; ///< xx, xy, xz, yy, yz, zz
     double stiffness = 0, damping = 0;

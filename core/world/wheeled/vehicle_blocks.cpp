@@ -6,17 +6,46 @@ namespace trundle {
 
 static_assert(kVehicleRows == kMostSupports);
 
+namespace {
+
+/// Shares of the weight on supports that give way alike, as those of the general engine do: load = a + b x + c y. One that would pull
+/// carries nothing.
+std::vector<double> loadsAtRest(std::span<const Support> supports) {
+    std::vector<double> loads(supports.size(), 0);
+    std::vector<bool> carries(supports.size(), true);
+    const auto at = [&](std::size_t i) { return Vec3(1, supports[i].centre.x(), supports[i].centre.y()); };
+    for (bool again = true; again;) {
+        again = false;
+        Mat3 sums = Mat3::Zero();
+        for (std::size_t i = 0; i < supports.size(); ++i)
+            if (carries[i]) sums += at(i) * at(i).transpose();
+        const Vec3 slope = sums.completeOrthogonalDecomposition().solve(Vec3::UnitX()); // all may be on one line
+        for (std::size_t i = 0; i < supports.size(); ++i) {
+            loads[i] = carries[i] ? at(i).dot(slope) : 0;
+            if (loads[i] >= 0) continue;
+            loads[i] = 0;
+            carries[i] = false;
+            again = true;
+        }
+    }
+    return loads;
+}
+
+} // namespace
+
 VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects) {
     VehicleModel model;
     model.supportCount = static_cast<int>(shape.supports.size());
     model.wheelCount = static_cast<int>(shape.wheels.size());
     model.mass = shape.mass;
-    const Mat3 inverse = shape.inertia.inverse();
+    model.planar = objects.planar;
+    const Mat3 inverse = objects.planar ? Mat3(Vec3(0, 0, 1 / shape.inertia(2, 2)).asDiagonal()) : Mat3(shape.inertia.inverse());
     const double parts[6] = {inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1), inverse(1, 2), inverse(2, 2)};
     std::ranges::copy(parts, model.inverseInertia);
     model.stiffness = shape.stiffness;
     model.damping = shape.damping;
     for (std::size_t i = 0; i < shape.wheels.size(); ++i) model.wheelDamping[i] = shape.wheels[i].damping;
+    const std::vector<double> loads = loadsAtRest(shape.supports);
     for (std::size_t i = 0; i < shape.supports.size(); ++i) {
         const Support& s = shape.supports[i];
         model.supports[i] = {{s.centre.x(), s.centre.y(), s.centre.z()},
@@ -25,7 +54,8 @@ VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects
                              s.lever,
                              objects.friction(s.surface, objects.ground->surface()),
                              static_cast<int>(s.wheel),
-                             s.round};
+                             s.round,
+                             loads[i] * shape.mass * objects.weight};
     }
     return model;
 }

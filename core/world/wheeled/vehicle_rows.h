@@ -78,7 +78,7 @@ inline void startSpeeds(const VehicleBlock& b, int o, const VehicleModel& m, con
     const Lanes3 turn = times(inverse, {c * mx + s * my, c * my - s * mx, load(b.moment[2] + o)});
     v[VX] = c * x + s * y;
     v[VY] = c * y - s * x;
-    v[VZ] = with(2);
+    v[VZ] = m.planar ? all(0) : with(2);
     v[WX] = c * wx + s * wy + h * turn.x;
     v[WY] = c * wy - s * wx + h * turn.y;
     v[WZ] = load(b.angular[2] + o) + h * turn.z;
@@ -131,7 +131,8 @@ inline void prepareLanes(VehicleBlock& b, int o, const VehicleModel& m, const Ve
         VehicleSupportRow& row = b.supports[i];
         const Lanes3 centre = times(axes, {all(s.centre[0]), all(s.centre[1]), all(s.centre[2])});
         const Lanes3 arm{centre.x, centre.y, centre.z - s.radius};
-        prepareNormal(row, o, m, inverse, arm, s.radius - (height + centre.z), h, v);
+        if (m.planar) store(row.normal + o, all(h * s.load));
+        else prepareNormal(row, o, m, inverse, arm, s.radius - (height + centre.z), h, v);
         if (s.friction > 0) prepareFriction(row, o, s, inverse, axes, arm, inverseMass, v);
     }
     for (int i = 0; i < m.wheelCount; ++i) {

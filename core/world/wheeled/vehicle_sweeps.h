@@ -82,7 +82,7 @@ inline void sweepLanes(VehicleBlock& b, int o, const VehicleModel& m, bool backw
     for (int k = 0; k < 6; ++k) v[k] = load(b.v[k] + o);
     const double inverseMass = 1 / m.mass, soft = b.soft;
     const int count = m.supportCount;
-    for (int q = 0; q < count; ++q)
+    for (int q = 0; q < count && !m.planar; ++q)
         change = most(change, solveNormal(b.supports[backwards ? count - 1 - q : q], o, soft, inverseMass, v));
     for (int q = 0; q < count; ++q) {
         const int i = backwards ? count - 1 - q : q;

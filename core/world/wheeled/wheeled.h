@@ -1,5 +1,6 @@
 #pragma once
-// The wheeled engine from outside: whether it can hold an experiment, and the engine.
+// The wheeled engine from outside: whether it can hold an experiment, and the engine. Engine = planar is the same engine with vehicles
+// that keep their height, do not lean and put the weight on their wheels that they do at rest.
 
 #include <memory>
 
@@ -12,6 +13,6 @@ namespace trundle {
 [[nodiscard]] bool fitsWheeled(const ExperimentSpec& experiment, Diagnostics* out);
 
 /// An actor that it cannot hold is an error, NotInEngine.
-[[nodiscard]] Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings);
+[[nodiscard]] Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings, bool planar);
 
 } // namespace trundle

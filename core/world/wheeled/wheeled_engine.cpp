@@ -19,11 +19,12 @@ constexpr double kLeastUpright = 0.94; // cosine of 20 degrees: a robot that is 
 
 } // namespace
 
-Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings) {
-    return std::unique_ptr<Engine>(std::make_unique<WheeledEngine>(settings));
+Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings, bool planar) {
+    return std::unique_ptr<Engine>(std::make_unique<WheeledEngine>(settings, planar));
 }
 
-WheeledEngine::WheeledEngine(EngineSettings settings) : m_settings(std::move(settings)), m_team(m_settings.threads) {
+WheeledEngine::WheeledEngine(EngineSettings settings, bool planar) : m_settings(std::move(settings)), m_team(m_settings.threads) {
+    m_objects.planar = planar;
     m_objects.surfaces = m_settings.surfaces;
     m_objects.weight = -m_settings.gravity.z();
 }
@@ -141,7 +142,7 @@ void WheeledEngine::addForce(BodyHandle body, const Vec3& force, const Vec3& poi
 
 void WheeledEngine::setSurfaceVelocity(GeomHandle, const Vec3& velocity) {
     if (!velocity.isZero(0))
-        m_fault = EngineFault{{}, "a surface moves by itself, which Engine = wheeled does not have; use general"};
+        m_fault = EngineFault{{}, "a surface moves by itself, which " + m_objects.engineName() + " does not have; use general"};
 }
 
 void WheeledEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
@@ -217,9 +218,9 @@ std::string WheeledEngine::faultOf(const WheeledUnit& unit) const {
     if (!within(unit.linear, kFastest)) return "it moves faster than 200 m/s";
     if (!within(unit.angular, kFastestTurn)) return "it turns faster than 10000 rad/s";
     if (!m_objects.ground->isEndless() && !m_objects.ground->isBelow(unit.position.head<2>()))
-        return "it leaves the ground, which Engine = wheeled cannot follow; use Engine = general";
+        return "it leaves the ground, which " + m_objects.engineName() + " cannot follow; use Engine = general";
     if (unit.shape->kind != ActorKind::Ball && up < kLeastUpright)
-        return "it leans by more than 20 degrees, which Engine = wheeled cannot follow; use Engine = general";
+        return "it leans by more than 20 degrees, which " + m_objects.engineName() + " cannot follow; use Engine = general";
     return {};
 }
 

@@ -17,7 +17,7 @@ namespace trundle {
 
 class WheeledEngine final : public Engine {
 public:
-    explicit WheeledEngine(EngineSettings settings);
+    WheeledEngine(EngineSettings settings, bool planar);
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;

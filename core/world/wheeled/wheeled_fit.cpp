@@ -30,7 +30,9 @@ private:
     void refuse(const std::string& reason, SourceRange range) {
         m_fits = false;
         if (m_out && m_reported.insert({range, reason}).second)
-            m_out->error(Code::NotInEngine, range, "Engine = wheeled is not possible: " + reason + "; use Engine = general");
+            m_out->error(Code::NotInEngine, range,
+                         "Engine = " + std::string(nameOf(m_experiment.settings.engine)) + " is not possible: " + reason +
+                             "; use Engine = general");
     }
 
     template <class Use> void eachStatic(Use use) const {

@@ -68,6 +68,7 @@ struct WheeledObjects {
     std::vector<SurfaceSpec> surfaces;
     std::optional<LevelGround> ground;
     double weight = 0; ///< of 1 kg on the ground, N
+    bool planar = false; ///< vehicles keep their height and do not lean
     std::vector<WheeledUnit> units;
     std::vector<VehicleModel> models; ///< one for each shape
     std::vector<WheeledScenery> scenery;
@@ -80,6 +81,7 @@ struct WheeledObjects {
     std::vector<std::uint32_t> wheelOf; ///< by joint: index of its state, kNoGeom for one that is rigid
     std::vector<BodyState> states;      ///< of bodies, as published last
 
+    [[nodiscard]] std::string engineName() const { return planar ? "Engine = planar" : "Engine = wheeled"; }
     [[nodiscard]] double friction(std::uint32_t a, std::uint32_t b) const {
         return std::min(surfaces[a].friction, surfaces[b].friction);
     }

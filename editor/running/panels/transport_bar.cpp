@@ -178,7 +178,9 @@ void TransportBar::showFigures() {
     const bool runs = m_session.state() == RunState::Running;
     m_factor->setText(runs ? factorText(m_session.results().realTimeFactor()) : QString());
     const QString meaning = tr("Real-time factor: simulated seconds per second");
-    m_factor->setToolTip(m_session.results().isWheeled() ? tr("%1. The engine is wheeled.").arg(meaning) : meaning);
+    const EngineChoice engine = m_session.results().engine();
+    m_factor->setToolTip(
+        engine == EngineChoice::General ? meaning : tr("%1. The engine is %2.").arg(meaning, QLatin1String(nameOf(engine))));
     fixWidth(m_time, {timeText(0), timeText(8888.88), m_time->text()});
     fixWidth(m_factor, {factorText(888), factorText(0.88), m_factor->text()});
 }

@@ -30,6 +30,12 @@ VehicleModel fourSupports() {
     model.supports[1] = {{0.05, -0.12, -0.02}, 0.05, {0.8, 0.6}, 0.04, 0.7, 1, false};
     model.supports[2] = {{-0.12, 0, -0.05}, 0.02, {1, 0}, 0, 0.05, 0, true};
     model.supports[3] = {{0.12, 0, -0.05}, 0.02, {1, 0}, 0, 0, 0, true};
+    QFETCH_GLOBAL(bool, planar);
+    if (!planar) return model;
+    model.planar = true;
+    std::ranges::copy(std::array<double, 6>{0, 0, 0, 0, 0, 30}, model.inverseInertia);
+    const double loads[4] = {11.5, 8.25, 2.5, 1.25};
+    for (int i = 0; i < 4; ++i) model.supports[i].load = loads[i];
     return model;
 }
 
@@ -139,6 +145,11 @@ std::vector<std::vector<double>> solved(const VehicleKernel& kernel, const Vehic
 class LanesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void initTestCase_data() {
+        QTest::addColumn<bool>("planar");
+        QTest::newRow("wheeled") << false;
+        QTest::newRow("planar") << true;
+    }
     void sameBitsOnEveryInstructionSet() {
         QCOMPARE(baselineVehicleKernel().lanes, 2);
         const VehicleKernel* wide = avx2VehicleKernel();

@@ -1,4 +1,5 @@
-// The wheeled engine against closed forms: pushing, trains, jams, what is loose, contacts, rays; and against the general engine.
+// The wheeled engine, and the same with planar vehicles, against closed forms: pushing, trains, jams, what is loose, contacts, rays; and
+// against the general engine.
 #include <QtTest>
 
 #include "world/fixtures.h"
@@ -9,9 +10,15 @@ namespace {
 
 constexpr double kStall = 2, kSoftness = 25; // N m, rad/s per N m
 
+/// Of the test that runs.
+EngineChoice testedEngine() {
+    QFETCH_GLOBAL(QString, engine);
+    return engine == "planar" ? EngineChoice::Planar : EngineChoice::Wheeled;
+}
+
 Scene wheeledScene(double tick = 0.01) {
     Scene scene = r0Scene(tick);
-    scene.spec->settings.engine = EngineChoice::Wheeled;
+    scene.spec->settings.engine = testedEngine();
     scene.scenery({plane("floor", {}, 1)});
     return scene;
 }
@@ -74,6 +81,10 @@ class WheeledTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase_data() {
+        QTest::addColumn<QString>("engine");
+        for (const char* engine : {"wheeled", "planar"}) QTest::newRow(engine) << engine;
+    }
     void pushes_data() {
         QTest::addColumn<QString>("shape");
         QTest::addColumn<double>("tick");
@@ -271,7 +282,7 @@ private Q_SLOTS:
 
     void leaving() {
         Scene scene = r0Scene();
-        scene.spec->settings.engine = EngineChoice::Wheeled;
+        scene.spec->settings.engine = testedEngine();
         scene.scenery({box("table", {1, 1, 0.1}, at(0, 0, -0.05), 1)});
         scene.robot("r", {}, small()).robot("other", at(-0.3, 0.3, 0), small());
         auto world = scene.build();

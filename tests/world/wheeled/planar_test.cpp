@@ -1,0 +1,131 @@
+// Engine = planar, where it is unlike the wheeled engine: vehicles keep their height, do not lean, and put on each wheel what it carries
+// at rest. What both have in common is in wheeled_test.cpp.
+#include <QtTest>
+
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+constexpr double kStrong = 50; // N m: more than any friction here
+constexpr double kMass = 4.4, kAhead = 0.03 * 4 / 4.4,
+                 kSlider = 0.13; // of R0: kg; the axle before the centre of mass and the slider, m
+
+Scene planarScene(double friction = 1, double tick = 0.01) {
+    Scene scene = r0Scene(tick, friction);
+    scene.spec->settings.engine = EngineChoice::Planar;
+    scene.scenery({plane("floor", {}, 1)});
+    return scene;
+}
+
+void drive(World& world, double left, double right, double limit = kStrong) {
+    command(world, "r/leftMotor", left / kR0Radius, 0, limit);
+    command(world, "r/rightMotor", right / kR0Radius, 0, limit);
+}
+
+bool isLevel(World& world, double height) {
+    const Pose pose = world.robotPose(0);
+    return pose.position.z() == height && pose.rotation.x() == 0 && pose.rotation.y() == 0;
+}
+
+} // namespace
+
+class PlanarTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// By the lever, whatever the robot does.
+    void loads() {
+        Scene scene = planarScene();
+        scene.robot("r", {}, r0());
+        auto world = scene.build();
+        QVERIFY(world);
+        for (const double speed : {0., 2., -2.}) {
+            drive(*world, speed, speed);
+            QVERIFY(world->tick().ok());
+            double slider = 0, wheels = 0;
+            for (const WorldContact& c : world->contacts()) (c.first == "r/chassis/slider" ? slider : wheels) += c.force;
+            QVERIFY2(std::abs(slider - kMass * g * kAhead / kSlider) < 1e-9, qPrintable(QString::number(slider)));
+            QVERIFY(std::abs(wheels + slider - kMass * g) < 1e-9);
+        }
+    }
+
+    void gripsWithThatLoad_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.001, 0.01, 0.03}) QTest::newRow(qPrintable(QString::number(tick))) << tick;
+    }
+    /// Wheels that spin give mu times their load at rest; the general engine's loads shift by m a z / base more.
+    void gripsWithThatLoad() {
+        QFETCH(double, tick);
+        Scene scene = planarScene(0.4, tick);
+        scene.robot("r", {}, r0());
+        auto world = scene.build();
+        QVERIFY(world && run(*world, 30 * tick));
+        const double grip = 0.4 * g * (1 - kAhead / kSlider);
+        for (const double way : {1., -1.}) {
+            drive(*world, way * 100, way * 100);
+            QVERIFY(run(*world, 0.06)); // until the wheels spin that way
+            const double before = velocity(*world, "r/chassis").x(), since = world->time();
+            QVERIFY(run(*world, 0.3));
+            const double gained = velocity(*world, "r/chassis").x() - before, seconds = world->time() - since;
+            qInfo("%.6f m/s^2, closed form %.6f", way * gained / seconds, grip);
+            QVERIFY(std::abs(way * gained / seconds / grip - 1) < 1e-6);
+        }
+    }
+
+    void staysLevel() {
+        Scene scene = planarScene();
+        scene.scenery({box("wall", {0.1, 4, 0.3}, at(1, 0, 0.15), 3)}, {}, "room");
+        scene.robot("r", {}, r0())
+            .loose("crate", at(0.5, 0.02, 0.02), massOfBox(1, {0.1, 0.1, 0.04}), {box("b", {0.1, 0.1, 0.04}, {}, 3)});
+        auto world = scene.build();
+        QVERIFY(world);
+        const double height = world->robotPose(0).position.z();
+        for (int i = 0; i < 300; ++i) {
+            drive(*world, i < 250 ? 1 : -1, i < 250 ? 1 : -1);
+            if (i % 10 == 0) QVERIFY(world->push("r/chassis", {5, i % 20 == 0 ? 20 : -20, 30}, {0.1, 0, 0.5}).ok());
+            QVERIFY(world->tick().ok());
+            QVERIFY(isLevel(*world, height));
+        }
+        QVERIFY(world->robotFaults().ends.empty());
+        QVERIFY(position(*world, "crate/body").x() > 0.8); // it was pushed to the wall
+    }
+
+    /// All supports in one line, and one that would have to pull.
+    void carriesOnAnySupports() {
+        for (const double third : {-0.0001, -0.3}) {
+            Scene scene = planarScene();
+            auto config = std::make_shared<RobotConfigSpec>(*r0());
+            config->bodies[0].mass.centre.x() = 0;
+            config->bodies[0].geoms[1].pose.position.x() = third;
+            config->bodies[0].geoms.push_back(sphere("bow", 0.015, at(0.1, 0, 0.015), 2));
+            scene.robot("r", {}, config);
+            auto world = scene.build();
+            QVERIFY(world && run(*world, 0.05));
+            double total = 0;
+            for (const WorldContact& c : world->contacts()) {
+                QVERIFY(c.force >= 0);
+                total += c.force;
+            }
+            QVERIFY(std::abs(total - kMass * g) < 1e-9);
+        }
+    }
+
+    /// A slope is given by the direction of gravity: a robot that holds its wheels holds up to mu times its load.
+    void holdsOnASlope() {
+        for (const double angle : {14., 18.}) { // the limit for mu = 0.4 on wheels that carry 79 % is 17.5 degrees
+            Scene scene = planarScene(0.4);
+            scene.spec->settings.gravity = g * Vec3(-std::sin(angle * kPi / 180), 0, -std::cos(angle * kPi / 180));
+            scene.robot("r", {}, r0());
+            auto world = scene.build();
+            QVERIFY(world);
+            drive(*world, 0, 0);
+            QVERIFY(run(*world, 1));
+            QCOMPARE(velocity(*world, "r/chassis").norm() < 1e-6, angle < 17);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(PlanarTest)
+#include "planar_test.moc"
