@@ -50,11 +50,11 @@ void buildOnce(Application& application, const LoadedProject& loaded, Diagnostic
 }
 
 /// Reports what would make `run` fail or give wrong results although the text itself is valid.
-void checkForRun(Application& application, const LoadedProject& loaded, Diagnostics& diagnostics) {
+void checkForRun(Application& application, const LoadedProject& loaded, FileId definitions, Diagnostics& diagnostics) {
     const bool hasErrors = diagnostics.hasErrors(), allKindsKnown = hasAllModules(diagnostics);
     if (!hasErrors && !isBuildable(*loaded.experiment, diagnostics)) return;
     checkLogs(*loaded.experiment, *loaded.registry, allKindsKnown && !hasErrors, diagnostics);
-    checkModel(loaded, diagnostics);
+    checkModel(loaded, diagnostics, {}, definitions);
     tryRobots(loaded, diagnostics);
     if (allKindsKnown && !diagnostics.hasErrors() && !loaded.experiment->robots.empty())
         buildOnce(application, loaded, diagnostics);
@@ -83,21 +83,27 @@ ExitCode checkRobots(Application& application, CheckArguments arguments) {
     return writeOut(jsonText(entries)) ? kExitDone : kExitText;
 }
 
+Result<OpenedModels> openFor(Application& application, const std::string& file, const CheckArguments& arguments) {
+    if (arguments.isModel) return openModels(application, file, arguments.open);
+    const auto opened = application.open(file, arguments.open);
+    if (!opened) return opened.error();
+    return OpenedModels{opened.value()};
+}
+
 ExitCode check(Application& application, const CheckArguments& arguments) {
     ExitCode code = kExitDone;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const std::string& file : arguments.files) {
-        const auto opened =
-            arguments.isModel ? openModels(application, file, arguments.open) : application.open(file, arguments.open);
+        const Result<OpenedModels> opened = openFor(application, file, arguments);
         if (!opened) {
             code = kExitUsage;
             if (!arguments.json) printProblem(opened.error().message);
             for (auto& entry : unreadableJson(file, opened.error())) all.push_back(std::move(entry));
             continue;
         }
-        const LoadedProject& loaded = *opened.value();
+        const LoadedProject& loaded = *opened.value().loaded;
         Diagnostics diagnostics = loaded.diagnostics;
-        checkForRun(application, loaded, diagnostics);
+        checkForRun(application, loaded, opened.value().definitions, diagnostics);
         const bool ofModels = isOfModels(loaded);
         const SourceTable sources = ofModels ? withoutModels(loaded.sources) : loaded.sources;
         if (ofModels) diagnostics = atTheirModels(loaded, diagnostics);

@@ -41,10 +41,11 @@ std::string placeOf(const ExperimentSpec& experiment, const std::string& config,
 
 } // namespace
 
-Result<std::shared_ptr<const LoadedProject>> openModels(Application& application, const std::string& file, OpenOptions options) {
+Result<OpenedModels> openModels(Application& application, const std::string& file, OpenOptions options) {
     namespace fs = std::filesystem;
     const auto opened = application.open(file, options);
-    if (!opened || opened.value()->diagnostics.hasErrors()) return opened;
+    if (!opened) return opened.error();
+    if (opened.value()->diagnostics.hasErrors()) return OpenedModels{opened.value()};
     const ExperimentSpec& experiment = *opened.value()->experiment;
     const Vec3& gravity = experiment.settings.gravity;
     const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(Vec3::UnitZ());
@@ -58,11 +59,17 @@ Result<std::shared_ptr<const LoadedProject>> openModels(Application& application
         if (config->kind->name == "RobotConfig" && config->file == 0)
             text += "Robot " + config->name + " { Config=" + config->name + " " +
                     placeOf(experiment, config->name, kApart * count++ * (floor * Vec3::UnitX()), up) + " }\n";
-    if (count == 0) return opened;
+    if (count == 0) return OpenedModels{opened.value()};
     const std::string beside = (path.parent_path() / kModels).string();
     options.texts.emplace(beside, std::make_shared<const std::string>(text));
-    options.texts.emplace(path.string(), std::make_shared<const std::string>(withoutExperiment(*opened.value())));
-    return application.open(beside, options);
+    std::string models = withoutExperiment(*opened.value());
+    const bool isWhole = models == opened.value()->trees[0]->source().bytes();
+    options.texts.emplace(path.string(), std::make_shared<const std::string>(std::move(models)));
+    const auto loaded = application.open(beside, options);
+    if (!loaded) return loaded.error();
+    const auto& paths = loaded.value()->paths;
+    const auto own = std::ranges::find(paths, path.string());
+    return OpenedModels{loaded.value(), static_cast<FileId>(isWhole ? own - paths.begin() : paths.end() - paths.begin())};
 }
 
 bool isOfModels(const LoadedProject& loaded) { return loaded.paths[0].ends_with(kModels); }

@@ -25,13 +25,15 @@ const GeomSpec* largestCylinder(const BodySpec& body) {
     return largest;
 }
 
-/// A wheel that lies on its side, on a level axle.
-void reportFlat(DriveReport& report, const JointSpec& joint, const BodySpec& body, const GeomSpec& geom, const Vec3& axis) {
+/// A tyre across its axle, where the axle is what is meant.
+void reportTyre(DriveReport& report, const JointSpec& joint, const BodySpec& body, const GeomSpec& geom, const Vec3& axis) {
     const Vec3 along = body.pose.rotation.conjugate() * axis; // of the body's frame
+    const bool isFlat = std::abs((body.pose.rotation * (geom.pose.rotation * Vec3::UnitZ())).z()) > kFlat;
     const char* turn = std::abs(along.y()) > 1 - kAlong ? "0,0,90" : std::abs(along.x()) > 1 - kAlong ? "0,90,0" : nullptr;
-    Diagnostic& d = report.warn(geom.nameRange, geom.name + " of " + body.name + " lies flat, across its axle " + joint.name +
-                                                    ": the wheel does not roll; a Cylinder is along z, and HPR turns it" +
-                                                    (turn ? std::string(": HPR=") + turn : std::string()));
+    Diagnostic& d = report.warn(
+        geom.nameRange, geom.name + " of " + body.name + (isFlat ? " lies flat, across its axle " : " lies across its axle ") +
+                            joint.name + ": the wheel does not roll; a Cylinder is along z, and HPR turns it" +
+                            (turn ? std::string(": HPR=") + turn : std::string()));
     if (!turn || body.name.find('.') != std::string::npos) return;
     const auto edits = editsForValues(
         report.loaded,
@@ -59,6 +61,20 @@ bool isOfDrive(const RobotConfigSpec& config, const JointSpec& joint) {
     };
     return std::ranges::any_of(config.devices,
                                [&](const ComponentSpec& drive) { return std::ranges::any_of(motorsOf(drive), turnsIt); });
+}
+
+/// Whether the axle points to that of another wheel of the drive, as those of both sides do.
+bool isTowardsOther(const DriveReport& report, const DriveMotor& motor, const JointSpec& joint, const Vec3& axis) {
+    const std::vector<DriveMotor> motors = motorsOf(report.drive);
+    return std::ranges::any_of(motors, [&](const DriveMotor& other) {
+        const auto device = std::ranges::find(report.config.devices, other.name, &ComponentSpec::name);
+        if (other.name == motor.name || device == report.config.devices.end()) return false;
+        const auto its = std::ranges::find(report.config.joints, device->text("Joint"), &JointSpec::name);
+        if (its == report.config.joints.end()) return false;
+        const Vec3 way = its->anchor - joint.anchor;
+        return way.norm() > 0 && way.cross(axis).norm() < kAcross * way.norm() * axis.norm() &&
+               std::abs(way.z()) < kAcross * way.norm();
+    });
 }
 
 } // namespace
@@ -97,7 +113,8 @@ void checkAxle(DriveReport& report, const DriveMotor& motor) {
     const bool isSprung = joint->type == JointType::Suspension;
     const Vec3 axis = isSprung ? joint->axis2 : joint->axis, along = body.pose.rotation * (geom->pose.rotation * Vec3::UnitZ());
     if (along.cross(axis).norm() <= kAlong) return;
-    if (std::abs(along.z()) > kFlat && std::abs(axis.z()) < kLevelAxle) return reportFlat(report, *joint, body, *geom, axis);
+    if (std::abs(along.z()) > kFlat && std::abs(axis.z()) < kLevelAxle) return reportTyre(report, *joint, body, *geom, axis);
+    if (isTowardsOther(report, motor, *joint, axis)) return reportTyre(report, *joint, body, *geom, axis);
     const Vec3 rolling = along.y() < -0.5 || (std::abs(along.y()) <= 0.5 && along.sum() < 0) ? Vec3(-along) : along;
     if (isSprung && rolling.cross(joint->axis).norm() <= kAlong) return reportExchanged(report, *joint, body);
     const std::string text = std::string(isSprung ? "Axis2=" : "Axis=") + axisText(rolling);

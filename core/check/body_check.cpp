@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "check/body_groups.h"
 #include "check/checks.h"
 #include "check/drive_wheels.h"
 #include "check/extent.h"
@@ -19,29 +19,9 @@ namespace {
 
 constexpr double kOutside = 0.1;      // of the extent: the centre of mass may be that far outside of the shapes
 constexpr double kFarAnchor = 2;      // of the size of both bodies
+constexpr double kLevelWheel = 0.1;   // z of the unit axis of a cylinder
 constexpr double kSamePlace = 1e-6, kSameAngle = 1e-6; // m, rad
 constexpr double kLeastSpread = 1e-3; // of the moment of inertia of a solid box around the shapes
-
-/// The connected bodies; the last one is the world.
-class BodyGroups {
-public:
-    explicit BodyGroups(std::size_t bodies) : m_parent(bodies + 1) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
-
-    [[nodiscard]] std::size_t of(int body) {
-        std::size_t b = body == kWorldBody ? m_parent.size() - 1 : static_cast<std::size_t>(body);
-        while (m_parent[b] != b) b = m_parent[b] = m_parent[m_parent[b]];
-        return b;
-    }
-    /// False if they are connected already.
-    bool join(int a, int b) {
-        const std::size_t x = of(a), y = of(b);
-        m_parent[x] = y;
-        return x != y;
-    }
-
-private:
-    std::vector<std::size_t> m_parent;
-};
 
 bool isSamePose(const Pose& a, const Pose& b) {
     return (a.position - b.position).norm() < kSamePlace && a.rotation.angularDistance(b.rotation) < kSameAngle;
@@ -60,7 +40,7 @@ public:
                 reportLoop(joint);
         for (const JointSpec& joint : m_config.joints) checkAnchor(joint);
         for (const SpringSpec& spring : m_config.springs) groups.join(spring.parent, spring.child);
-        if (!m_config.joints.empty()) reportLoose(groups);
+        if (!m_config.joints.empty() || isMeantAsOne()) reportLoose(groups);
         for (const BodySpec& body : m_config.bodies) checkMass(body);
         checkPlaces();
     }
@@ -81,6 +61,18 @@ private:
                                " to " + nameOf(joint.child) +
                                ", which other joints connect already: the loop is held by forces alone and drifts a little; a "
                                "Spring or a Gear needs no loop");
+    }
+
+    /// Bodies without any joint are one robot, and no heap of things, if it has devices, or something with wheels beside it.
+    [[nodiscard]] bool isMeantAsOne() const {
+        const auto isWheel = [](const BodySpec& body) {
+            return std::ranges::any_of(body.geoms, [&](const GeomSpec& geom) {
+                const Vec3 axis = body.pose.rotation * (geom.pose.rotation * Vec3::UnitZ());
+                return geom.shape == GeomShape::Cylinder && geom.length < 2 * geom.radius && std::abs(axis.z()) < kLevelWheel;
+            });
+        };
+        const auto wheels = static_cast<std::size_t>(std::ranges::count_if(m_config.bodies, isWheel));
+        return !m_config.devices.empty() || (wheels > 0 && wheels < m_config.bodies.size());
     }
 
     /// Of the bodies that are connected to one, the first that is no joint's child: it has to be held.

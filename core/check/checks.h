@@ -14,7 +14,7 @@ inline constexpr double kDegree = std::numbers::pi / 180;
 
 /// Reports bodies that no joint holds, two joints for the same bodies, closed loops, and mass properties that do not fit the shapes.
 void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics);
-/// Reports joints at the top level whose point is far from a body that they join.
+/// Reports joints at the top level whose point is far from a body that they join, or that close a loop.
 void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 /// Reports Gears whose ratios contradict each other.
 void checkGears(const ExperimentSpec& experiment, Diagnostics& diagnostics);
@@ -40,7 +40,8 @@ void checkSupport(const LoadedProject& loaded, const StartScene& scene, Diagnost
 void checkGround(const StartScene& scene, Diagnostics& diagnostics);
 /// Reports motors too weak for the ramps or oddly fast, and scenery thinner than the way of one tick. `up`: as StartScene::up().
 void checkSpeeds(const LoadedProject& loaded, const Vec3& up, Diagnostics& diagnostics);
-void checkUnused(const LoadedProject& loaded, Diagnostics& diagnostics);
+/// Reports definitions of a file that nothing uses.
+void checkUnused(const LoadedProject& loaded, FileId file, Diagnostics& diagnostics);
 
 /// Whether all shapes of both bodies are alike, collide, and are in one place.
 [[nodiscard]] bool isTwin(const BodySpec& a, const BodySpec& b);

@@ -41,6 +41,7 @@ public:
         const auto radius = [](const DriveWheel& w) { return w.geom->radius; };
         if (const auto all = sameOf(wheels, radius))
             compare(drive, "WheelRadius", *all, namesOf(wheels) + " have a radius of ", "distances");
+        else reportRadius(report, wheels);
         const std::size_t before = m_diagnostics.all().size();
         checkDirections(report, motors, wheels);
         if (m_diagnostics.all().size() == before) checkDistances(drive, motors, wheels); // which follow from the sides
@@ -54,6 +55,19 @@ private:
                 if (first->body != second->body && isTwin(m_config.bodies[first->body], m_config.bodies[second->body]))
                     return true;
         return false;
+    }
+
+    /// Wheels of a drive that have several radii: the first that has not that of WheelRadius.
+    void reportRadius(DriveReport& report, const std::vector<DriveWheel>& wheels) const {
+        const double given = report.drive.number("WheelRadius");
+        const auto odd = std::ranges::find_if(
+            wheels, [&](const DriveWheel& wheel) { return !(std::abs(wheel.geom->radius - given) <= kTolerance * given); });
+        if (odd == wheels.end()) return;
+        report.warn(m_config.bodies[odd->body].nameRange,
+                    report.bodyOf(*odd) + " has a radius of " + lengthText(odd->geom->radius) + ", and the WheelRadius of " +
+                        report.drive.name + " is " + lengthText(given) +
+                        " for all its wheels: at the same rate they roll at different speeds, so that the robot curves when it "
+                        "drives straight ahead");
     }
 
     /// The middle of a track's geom, in the config's frame; nothing if it has several, as flippers farther out.

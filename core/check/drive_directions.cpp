@@ -150,10 +150,12 @@ bool reportedBeside(DriveReport& report, const DriveWheel& wheel) {
     if (!joint) return false;
     const double beside = (wheel.centre - joint->anchor).cross(wheel.axis).norm();
     if (beside <= std::max(kBeside, kBesideShare * wheel.geom->radius)) return false;
+    const bool isTurnedAround = static_cast<std::size_t>(joint->child) != wheel.body;
+    const std::string& child = report.config.bodies[static_cast<std::size_t>(joint->child)].name;
     report.warn(joint->nameRange, joint->name + ", the axle of " + report.bodyOf(wheel) + ", is " + lengthText(beside) +
                                       " beside the middle of its " + wheel.geom->name +
-                                      ": it turns out of round; without an Anchor it is at the origin of " +
-                                      report.bodyOf(wheel));
+                                      ": it turns out of round; without an Anchor it is at the origin of its Child, " + child +
+                                      (isTurnedAround ? ": swap its Parent and Child" : ""));
     return true;
 }
 

@@ -34,8 +34,11 @@ public:
             for (const double way : {away.high[k] - own.low[k] + kMargin, away.low[k] - own.high[k] - kMargin})
                 moves.push_back(way * Vec3::Unit(k));
         std::ranges::sort(moves, {}, [](const Vec3& move) { return move.norm(); });
+        if (own.low.z() > (away.low.z() + away.high.z()) / 2)
+            moves.insert(moves.begin(), (away.high.z() - own.low.z() + kMargin) * Vec3::UnitZ()); // it is on it
         for (const Vec3& move : moves)
-            if (isFree({own.low + move, own.high + move}, robot)) return move.x() * m_axes[0] + move.y() * m_axes[1];
+            if (isFree({own.low + move, own.high + move}, robot))
+                return move.x() * m_axes[0] + move.y() * m_axes[1] + move.z() * m_axes[2];
         return std::nullopt;
     }
 

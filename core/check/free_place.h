@@ -8,7 +8,7 @@
 namespace trundle {
 
 /// The shortest level move (m, world frame) that brings a robot beside another one without meeting anything else, by the boxes around
-/// all; nothing if each place along the axes of the world is taken.
+/// all; of one that is on the other, the move up, if there is room. Nothing if each place along the axes of the world is taken.
 [[nodiscard]] std::optional<Vec3> moveBeside(const StartScene& scene, std::size_t robot, std::size_t other);
 
 } // namespace trundle

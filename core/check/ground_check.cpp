@@ -16,6 +16,9 @@ constexpr double kOffGround = 3e-3, kOffShare = 0.05;    // m, and of the radius
 constexpr double kOffShareOfMany = 0.15;                 // the same where enough others carry: some are meant to be higher
 constexpr std::ptrdiff_t kPair = 2, kEnough = 3;         // supports
 constexpr double kSamePlane = 0.9999, kSameLevel = 5e-3; // cosine; m
+constexpr double kAbreast = 0.05;                        // sine between an axle and the way to the wheel on the other side
+constexpr double kInside = 5e-3;                         // m
+constexpr double kTurned = 0.7;                          // cosine
 constexpr double kFreeShare = 0.5;                       // of the radius
 constexpr double kRay = 10;                              // m
 constexpr double kAlong = 0.02;                          // sine between axles that are parallel
@@ -97,12 +100,70 @@ private:
         return lows;
     }
 
+    /// Whether the wheel on the other side, abreast of it, touches the ground.
+    [[nodiscard]] static bool hasLowerTwin(const DriveWheel& wheel, const std::vector<Low>& lows, double lowest,
+                                           const std::vector<DriveWheel>& wheels) {
+        return std::ranges::any_of(wheels, [&](const DriveWheel& other) {
+            const Vec3 way = other.centre - wheel.centre;
+            const double aside = std::abs(way.dot(wheel.axis));
+            const auto its = std::ranges::find(lows, other.geom, &Low::geom);
+            return aside > wheel.geom->radius && way.cross(wheel.axis).norm() < kAbreast * aside && its != lows.end() &&
+                   its->height - lowest <= kOffGround;
+        });
+    }
+
+    /// A robot on its side, or upside down: the axles of its wheels are upright, or turned over its wheels would be lowest.
+    [[nodiscard]] bool reportedTurned(std::uint32_t r, const std::vector<DriveWheel>& wheels) {
+        const RobotSpec& robot = m_experiment.robots[r];
+        double lowestOfWheels = HUGE_VAL, highestOfWheels = -HUGE_VAL; // m, along the ground's normal
+        const auto isUpright = [&](const DriveWheel& wheel) {
+            if (ballUnder(*robot.config, wheel)) return false;
+            return std::abs((robot.pose.rotation * wheel.axis).dot(m_up)) > kTurned;
+        };
+        for (const DriveWheel& wheel : wheels) {
+            const Extent e =
+                extentAlong(*wheel.geom, robot.pose * robot.config->bodies[wheel.body].pose * wheel.geom->pose, m_up);
+            lowestOfWheels = std::min(lowestOfWheels, e.low), highestOfWheels = std::max(highestOfWheels, e.high);
+        }
+        const Extent all = extentAlong(*robot.config, robot.pose, m_up);
+        const bool isOver = highestOfWheels >= all.high - kOffGround && lowestOfWheels > all.low + kOffGround &&
+                            (robot.pose.rotation * Vec3::UnitZ()).dot(m_up) < -kTurned;
+        if (!isOver && !std::ranges::all_of(wheels, isUpright)) return false;
+        m_diagnostics.warning(
+            Code::WheelOffGround, robot.nameRange,
+            robot.name +
+                (isOver ? " is upside down: its wheels are above" : " lies on its side: the axles of its wheels are upright") +
+                "; check its HPR");
+        return true;
+    }
+
+    /// Whether it starts inside something that is not the ground beneath its wheels: that says nothing of their heights.
+    [[nodiscard]] bool startsInside(std::uint32_t r, const std::vector<DriveWheel>& wheels) const {
+        const RobotSpec& robot = m_experiment.robots[r];
+        const auto isGround = [&](std::uint32_t other) {
+            return std::ranges::any_of(wheels, [&](const DriveWheel& wheel) {
+                const Pose pose = robot.pose * robot.config->bodies[wheel.body].pose * wheel.geom->pose;
+                const auto hit = m_scene.ray(pose.position + wheel.geom->radius * m_up, -m_up, kRay, r);
+                return hit && hit->geom == other;
+            });
+        };
+        for (std::size_t i = 0; i < m_scene.contactCount(); ++i) {
+            const EngineContact c = m_scene.contact(i);
+            for (const auto& [own, other] : {std::pair(c.first, c.second), {c.second, c.first}})
+                if (c.depth > kInside && !m_scene.owner(own).isStatic && m_scene.owner(own).object == r &&
+                    m_scene.owner(other).isStatic && !isGround(other))
+                    return true;
+        }
+        return false;
+    }
+
     /// Wheels that stay in the air when the lowest shape of their robot touches the ground. A free one that is higher than half of its
     /// radius is for something else, and one of a robot with three other supports too.
     void checkGround(std::uint32_t r, std::vector<DriveWheel> wheels, const std::vector<DriveWheel>& free) {
         if (wheels.empty() && free.empty()) return;
         wheels.insert(wheels.end(), free.begin(), free.end());
         const RobotSpec& robot = m_experiment.robots[r];
+        if (reportedTurned(r, wheels) || startsInside(r, wheels)) return;
         const std::optional<Vec3> normal = groundNormal(r, wheels);
         if (!normal) return;
         const std::vector<Low> lows = lowsOf(r, *normal);
@@ -113,7 +174,8 @@ private:
             const auto own = std::ranges::find(lows, wheel.geom, &Low::geom);
             if (own == lows.end()) continue;
             const double gap = own->height - lowest.height;
-            const double share = wheel.motor && supports >= kPair ? kOffShareOfMany : kOffShare;
+            const bool isOneOfMany = wheel.motor && supports >= kPair && !hasLowerTwin(wheel, lows, lowest.height, wheels);
+            const double share = isOneOfMany ? kOffShareOfMany : kOffShare;
             if (gap <= std::max(kOffGround, share * wheel.geom->radius)) continue;
             if (ballUnder(*robot.config, wheel) || isOfStar(*robot.config, wheel, wheels)) continue;
             if (!wheel.motor && (supports >= kEnough || gap > kFreeShare * wheel.geom->radius)) continue;
@@ -162,8 +224,10 @@ private:
     void reportOffGround(const RobotConfigSpec& config, const DriveWheel& wheel, const GeomSpec& lowest, const BodySpec& holder,
                          double gap) {
         const BodySpec& body = config.bodies[wheel.body];
-        const bool isShared = lowest.nameRange == wheel.geom->nameRange; // the tyre of another wheel, made by the same text
-        const std::string touching = isShared || holder.name.find('.') != std::string::npos ? holder.name : lowest.name;
+        int same = 0; // geoms of that name, as the tyre of another wheel
+        for (const BodySpec& each : config.bodies)
+            same += static_cast<int>(std::ranges::count(each.geoms, lowest.name, &GeomSpec::name));
+        const std::string touching = same > 1 || holder.name.find('.') != std::string::npos ? holder.name : lowest.name;
         Diagnostic& d = m_diagnostics.warning(
             Code::WheelOffGround, body.nameRange,
             body.name + " of " + config.name + " is " + lengthText(gap) + " above the ground when " + touching +

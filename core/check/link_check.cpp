@@ -1,9 +1,10 @@
-// Checks of joints at the top level: their point is in the world, and stays there when a robot is moved.
+// Checks of joints at the top level: their point is in the world, and stays there when a robot is moved; and of the loops that they close.
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "check/body_groups.h"
 #include "check/checks.h"
 #include "check/extent.h"
 
@@ -22,9 +23,38 @@ double distanceTo(const BodySpec& body, const Vec3& point, double& size) {
     return (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
 }
 
+/// Reports the first joint at the top level between bodies that others connect already. Two joints for the same bodies are no loop.
+void checkLoops(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
+    std::vector<int> first; // body of each robot
+    int count = 0;
+    for (const RobotSpec& robot : experiment.robots) {
+        first.push_back(count);
+        count += static_cast<int>(robot.config->bodies.size());
+    }
+    BodyGroups groups(static_cast<std::size_t>(count));
+    for (std::size_t r = 0; r < experiment.robots.size(); ++r) {
+        const auto at = [&](int body) { return body == kWorldBody ? kWorldBody : first[r] + body; };
+        for (const JointSpec& joint : experiment.robots[r].config->joints) groups.join(at(joint.parent), at(joint.child));
+    }
+    std::set<std::pair<int, int>> joined;
+    for (const Link<JointSpec>& link : experiment.joints) {
+        const auto at = [&](int robot, int body) {
+            return robot == kWorldBody ? kWorldBody : first[static_cast<std::size_t>(robot)] + body;
+        };
+        const int parent = at(link.parentRobot, link.spec.parent), child = at(link.childRobot, link.spec.child);
+        if (!joined.insert(std::minmax(parent, child)).second || groups.join(parent, child)) continue;
+        diagnostics.hint(Code::ClosedLoop, link.spec.nameRange,
+                         link.spec.name +
+                             " closes a loop of joints: other joints connect what it joins already; the loop is held by forces "
+                             "alone and drifts a little, and a Spring needs no loop");
+        return;
+    }
+}
+
 } // namespace
 
 void checkLinks(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
+    checkLoops(experiment, diagnostics);
     std::set<SourceRange> reported; // of a Repeat one member
     for (const Link<JointSpec>& link : experiment.joints) {
         const bool isReported = reported.contains(link.spec.nameRange);

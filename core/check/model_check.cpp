@@ -34,12 +34,12 @@ void appendFirsts(Diagnostics& diagnostics, const Diagnostics& found) {
 
 } // namespace
 
-void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop) {
+void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop, FileId definitions) {
     if (loaded.diagnostics.hasErrors() || loaded.pending) return;
     const ExperimentSpec& experiment = *loaded.experiment;
     Diagnostics silent;
     if (!isBuildable(experiment, silent)) return; // a run reports the reason
-    checkUnused(loaded, diagnostics);
+    checkUnused(loaded, definitions, diagnostics);
     Diagnostics ofConfigs;
     checkBodies(loaded, ofConfigs);
     checkGears(experiment, ofConfigs);

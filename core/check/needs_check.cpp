@@ -1,10 +1,12 @@
 // Checks what controllers say that they need: text fields of a controller's kind that name devices of its robot.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
 #include "check/checks.h"
+#include "check/extent.h"
 #include "model/port_kinds.h"
 #include "project/edits/value_edits.h"
 #include "project/objects/part_values.h"
@@ -13,6 +15,9 @@
 namespace trundle {
 
 namespace {
+
+constexpr double kOverFloor = 0.005, kOverTop = 0.02, kGrainOfPlace = 1e-3; // m
+constexpr double kAsideOfMiddle = 0.25;                                     // of the width
 
 bool isNeed(const Property& field) { return field.type == PropertyType::Text && !field.choices.empty(); }
 
@@ -75,10 +80,20 @@ private:
         d.notes.push_back({"of this robot", robot.nameRange});
         std::vector<std::string> fitting;
         for (const ComponentSpec& device : devices)
-            if (meetsNeed(*finding.field, device)) fitting.push_back(device.name);
+            if (meetsNeed(*finding.field, device) && !isNamed(controller, device.name)) fitting.push_back(device.name);
         if (fitting.empty() && other == devices.end()) addDevice(finding, d);
         if (fitting.size() == 1) nameDevice(finding, fitting.front(), d);
         d.suggestions = std::move(fitting);
+    }
+
+    /// Whether the controller has it already, for another of its needs.
+    [[nodiscard]] bool isNamed(const ControllerSpec& controller, const std::string& device) const {
+        const Kind* kind = m_loaded.registry->find(controller.kind);
+        return kind && std::ranges::any_of(kind->properties, [&](const Property& field) {
+                   const std::vector<std::string> names =
+                       isNeed(field) ? controller.texts(field.name) : std::vector<std::string>();
+                   return std::ranges::find(names, device) != names.end();
+               });
     }
 
     /// Offers the only device that fits. A list of names is left to the user, since another of its elements may have it.
@@ -102,10 +117,31 @@ private:
         const std::size_t end = text.find(' ', from);
         if (text.compare(from - opening.size(), opening.size(), opening) != 0 || end == std::string::npos) return;
         text.replace(from, end - from, finding.device);
+        placeDevice(*kind, finding.device, finding.robot->config->bodies.front(), text);
         const Result<EditPlan> plan = planInsert(m_loaded, finding.robot->name, text);
         if (plan.ok() && plan.value().edits.size() == 1)
             d.fixes.push_back({"add the " + kind->name + " " + finding.device + " to " + finding.robot->config->name,
                                plan.value().edits.begin()->second});
+    }
+
+    /// Where it can sense something: what looks at the floor low at the front, a lidar on top, others at the front; on the side of its name.
+    static void placeDevice(const Kind& kind, const std::string& name, const BodySpec& body, std::string& text) {
+        const auto has = [&](const char* key) {
+            return std::ranges::find(kind.properties, key, &Property::name) != kind.properties.end();
+        };
+        const std::size_t close = text.rfind('}');
+        if (!has("Body") || !has("Pos") || text.find(" Pos=") != std::string::npos || close == std::string::npos ||
+            body.geoms.empty())
+            return;
+        const auto [low, high] = boxAround(body);
+        const Vec3 middle = (low + high) / 2;
+        Vec3 at(high.x(), middle.y(), middle.z());
+        if (name.starts_with("left")) at.y() += kAsideOfMiddle * (high.y() - low.y());
+        if (name.starts_with("right")) at.y() -= kAsideOfMiddle * (high.y() - low.y());
+        if (kind.name == "GroundSensor") at.z() = low.z() + kOverFloor;
+        if (kind.name == "Lidar") at = Vec3(middle.x(), middle.y(), high.z() + kOverTop);
+        for (int k = 0; k < 3; ++k) at[k] = std::round(at[k] / kGrainOfPlace) * kGrainOfPlace + 0.;
+        text.insert(close, "Pos=" + positionText(at) + " ");
     }
 
     const LoadedProject& m_loaded;

@@ -19,6 +19,8 @@ constexpr double kLeastRamp = 2 * kDegree, kSteepestRamp = 40 * kDegree;
 constexpr double kUsualSlope = 3 * kDegree;           // without a ramp: a doorstep, a carpet
 constexpr double kMostGear = 4;                       // of the factor of a gear ratio that is proposed
 constexpr double kReserve = 1.25;                     // of a gear ratio that is proposed
+constexpr double kNickel = 1.2, kLithium = 3.7;       // V of a cell
+constexpr double kHeldBack = 1.5;                     // of the torque that is left
 constexpr double kMostLengths = 80, kMostSpeed = 8;   // of the robot in a second; m/s: faster than a race car of its size
 
 struct Ramp {
@@ -26,16 +28,17 @@ struct Ramp {
     std::string name; ///< empty: nothing is that thin
 };
 
-/// The steepest upper face of a box that a robot could drive on.
+/// The steepest plane, or upper face of a box, that a robot could drive on.
 Ramp steepestRamp(const ExperimentSpec& experiment, const Vec3& up) {
     Ramp ramp;
     for (const StaticSpec& object : experiment.statics)
         for (const GeomSpec& geom : object.geoms ? *object.geoms : std::vector<GeomSpec>()) {
-            if (!geom.collide || geom.shape != GeomShape::Box) continue;
+            const bool isPlane = geom.shape == GeomShape::Plane;
+            if (!geom.collide || (geom.shape != GeomShape::Box && !isPlane)) continue;
             const Mat3 axes = (object.pose * geom.pose).rotation.toRotationMatrix();
-            for (int k = 0; k < 3; ++k) {
+            for (int k = isPlane ? 2 : 0; k < 3; ++k) {
                 const double slope = std::acos(std::min(1.0, std::abs(axes.col(k).dot(up))));
-                const bool isBroad = geom.size[k] <= 0.5 * std::min(geom.size[(k + 1) % 3], geom.size[(k + 2) % 3]);
+                const bool isBroad = isPlane || geom.size[k] <= 0.5 * std::min(geom.size[(k + 1) % 3], geom.size[(k + 2) % 3]);
                 if (isBroad && slope > std::max(kLeastRamp, ramp.slope) && slope < kSteepestRamp)
                     ramp = {slope, object.name + "/" + geom.name};
             }
@@ -83,23 +86,64 @@ private:
                                figureText(wheel.motor->number("GearRatio")) + ", or a smaller SpeedConstant is more usual");
     }
 
+    /// Of its motors at stall, V: what its battery gives while all draw from it; without one there is no limit but MaxVoltage.
+    [[nodiscard]] static double voltsAt(const RobotConfigSpec& config, const std::vector<DriveWheel>& wheels) {
+        const auto battery = std::ranges::find(config.devices, "Battery", &ComponentSpec::kind);
+        if (battery == config.devices.end()) return HUGE_VAL;
+        double volts = battery->number("Voltage");
+        if (!(volts > 0)) volts = battery->number("Cells") * (battery->text("Chemistry") == "LiIon" ? kLithium : kNickel);
+        double conductance = 0; // 1/ohm
+        for (const DriveWheel& wheel : wheels) conductance += 1 / std::max(1e-9, wheel.motor->number("Resistance"));
+        return volts > 0 ? volts / (1 + battery->number("InternalResistance") * conductance) : HUGE_VAL;
+    }
+    /// N m at the wheel, at stall.
+    [[nodiscard]] static double torqueOf(const DriveWheel& wheel, double volts) {
+        const ComponentSpec& motor = *wheel.motor;
+        double share = std::min(1.0, volts / std::max(1e-9, motor.number("MaxVoltage")));
+        const double amperes = motor.number("MaxVoltage") / std::max(1e-9, motor.number("Resistance")),
+                     limit = motor.number("CurrentLimit");
+        if (limit > 0) share = std::min(share, limit / std::max(1e-9, amperes));
+        return std::max(0.0, share * wheel.stallTorque() - motor.number("GearRatio") * motor.number("FrictionTorque"));
+    }
+    /// Whether without limits of current, battery and friction the motors gave half as much again.
+    [[nodiscard]] static bool isHeldBack(const RobotConfigSpec&, const std::vector<DriveWheel>& wheels, double volts) {
+        const DriveWheel& wheel = wheels.front();
+        return wheel.stallTorque() > kHeldBack * torqueOf(wheel, volts);
+    }
+    [[nodiscard]] static std::string remedyFor(const RobotConfigSpec& config, const std::vector<DriveWheel>& wheels,
+                                               double volts) {
+        const ComponentSpec& motor = *wheels.front().motor;
+        std::string causes;
+        const auto add = [&](const std::string& cause) { causes += (causes.empty() ? "" : ", ") + cause; };
+        if (isHeldBack(config, wheels, volts)) {
+            const double resistance = motor.number("Resistance"), limit = motor.number("CurrentLimit"),
+                         most = motor.number("MaxVoltage");
+            if (limit > 0 && limit * resistance < most) add("their CurrentLimit of " + figureText(limit) + " A");
+            if (volts < most) add("the battery, which gives " + figureText(volts) + " V at stall");
+            if (motor.number("FrictionTorque") > 0)
+                add("their FrictionTorque of " + figureText(motor.number("FrictionTorque")) + " N m");
+        }
+        return causes.empty() ? "a larger GearRatio, TorqueConstant or MaxVoltage, or less mass, helps"
+                              : "what holds them back is " + causes;
+    }
+
     /// At stall, on the steepest ramp.
     void checkStrength(const RobotConfigSpec& config, const std::vector<DriveWheel>& wheels) {
         double push = 0, mass = 0;
-        for (const DriveWheel& wheel : wheels) push += wheel.stallTorque() / wheel.geom->radius;
+        const double volts = voltsAt(config, wheels);
+        for (const DriveWheel& wheel : wheels) push += torqueOf(wheel, volts) / wheel.geom->radius;
         for (const BodySpec& body : config.bodies) mass += body.mass.mass;
         const double needed = mass * m_experiment.settings.gravity.norm() * std::sin(m_ramp.slope);
-        if (!(push > 0) || push >= needed) return;
+        if (!(wheels.front().stallTorque() > 0) || push >= needed) return;
         const ComponentSpec& motor = *wheels.front().motor;
         const std::string slope = figureText(m_ramp.slope / kDegree) + " degrees" +
                                   (m_ramp.name.empty() ? std::string() : ", that of " + m_ramp.name + ",");
-        Diagnostic& d = m_diagnostics.warning(
-            Code::WeakMotor, motor.nameRange,
-            "the motors of " + config.name + " push with at most " + figureText(push) + " N together, and a slope of " + slope +
-                " needs " + figureText(needed) +
-                " N: it does not climb that; a larger GearRatio, TorqueConstant or MaxVoltage, or less mass, helps");
-        const double ratio = needed / push * kReserve;
-        if (ratio > kMostGear) return; // another value is odd
+        Diagnostic& d = m_diagnostics.warning(Code::WeakMotor, motor.nameRange,
+                                              "the motors of " + config.name + " push with at most " + figureText(push) +
+                                                  " N together, and a slope of " + slope + " needs " + figureText(needed) +
+                                                  " N: it does not climb that; " + remedyFor(config, wheels, volts));
+        const double ratio = needed / std::max(push, 1e-9) * kReserve;
+        if (ratio > kMostGear || isHeldBack(config, wheels, volts)) return; // another value is odd
         Fix fix{"GearRatio=" + figureText(motor.number("GearRatio") * ratio), {}};
         std::set<std::uint32_t> written;
         for (const DriveWheel& wheel : wheels) {

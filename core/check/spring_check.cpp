@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "check/checks.h"
+#include "check/drive_wheels.h"
 #include "world/spring_row.h"
 
 namespace trundle {
@@ -15,6 +16,7 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastDamping = 0.02, kUsualDamping = 0.3; // of the critical one of a suspension
+constexpr double kLevelStrut = 0.3;                         // z of its unit axis
 constexpr double kPoints = 3; // that carry a robot
 // The ground's own spring: at least this stiff, and giving at most this far under a robot.
 constexpr double kGroundStiffness = 2e5, kGroundSag = 1e-4, kGravity = 9.81; // N/m, m, m/s^2
@@ -31,7 +33,7 @@ public:
 
     void check(const RobotConfigSpec& config) {
         for (const JointSpec& joint : config.joints) {
-            if (!(joint.stiffness > 0)) continue;
+            if (!(joint.stiffness > 0) || reportedLevel(config, joint)) continue;
             const double inertia = inertiaOf(joint, config);
             if (!report(joint.nameRange, "the spring of " + joint.name + " in " + config.name, joint.stiffness, joint.damping,
                         inertia) &&
@@ -101,6 +103,23 @@ private:
         return 1 / (mobility(spring.child, spring.anchor2) + mobility(spring.parent, spring.anchor));
     }
 
+    /// A strut that carries a wheel, but gives way along the ground: once for a config.
+    bool reportedLevel(const RobotConfigSpec& config, const JointSpec& joint) {
+        if (joint.type != JointType::Slider || std::abs(joint.axis.z()) > kLevelStrut) return false;
+        const auto isItsWheel = [&](const JointSpec& axle) {
+            const auto wheel = axle.parent == joint.child ? wheelOn(config, axle) : std::nullopt;
+            return wheel && wheel->geom->shape == GeomShape::Cylinder;
+        };
+        if (std::ranges::none_of(config.joints, isItsWheel)) return false;
+        if (m_level.insert(&config).second)
+            m_diagnostics.warning(
+                Code::BadJoint, joint.nameRange,
+                joint.name + " of " + config.name +
+                    " has a spring and carries a wheel, but slides along the ground: it gives way when the robot "
+                    "drives, and does not spring; check its Axis, which is upwards if it is not given");
+        return true;
+    }
+
     /// Reports the first suspension of a config that keeps swinging.
     void checkDamping(const RobotConfigSpec& config, const JointSpec& joint, double inertia) {
         const double critical = 2 * std::sqrt(joint.stiffness * inertia); // N s/m
@@ -128,7 +147,7 @@ private:
     const ExperimentSpec& m_experiment;
     Diagnostics& m_diagnostics;
     std::set<std::uint32_t> m_grounds, m_reported; ///< surfaces
-    std::set<const RobotConfigSpec*> m_undamped;   ///< reported; membership test only
+    std::set<const RobotConfigSpec*> m_undamped, m_level; ///< reported; membership test only
 };
 
 } // namespace

@@ -114,11 +114,16 @@ private:
     }
 
     void reportFallen(const std::string& when) {
+        const bool isHeld =
+            std::ranges::any_of(m_config.joints, [](const JointSpec& joint) { return joint.parent == kWorldBody; });
         m_diagnostics.warning(
             Code::FailsToStand, base().nameRange,
-            "tried on a plain floor, " + m_config.name + " falls over" + when + ": it is tilted by " +
-                figureText(tilt() / kDegree) +
-                " degrees; check what supports it, as a caster, its centre of mass, and the joints that let it tip");
+            "tried on a plain floor, " + m_config.name + (isHeld ? " gives way" : " falls over") + when + ": it is tilted by " +
+                figureText(tilt() / kDegree) + " degrees; check " +
+                (isHeld
+                     ? "the servos and joints between it and the world, and the masses that they carry"
+                     : "what supports it, as a caster, its centre of mass and the masses of its bodies, and the joints that let "
+                       "it tip"));
     }
 
     /// Of a Suspension, or of a Slider with a spring, that was not at its stop at the start.

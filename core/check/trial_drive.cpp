@@ -25,6 +25,8 @@ constexpr double kSideways = 30 * kDegree;
 constexpr double kSlips = 0.3;                  // of the speed
 constexpr double kStill = 0.02;                 // of the speed
 constexpr double kTurns = 0.1, kDragged = 0.05; // of the speed, of the weight
+constexpr double kSlickTyre = 0.1;              // coefficient of friction
+constexpr double kAtStop = 2 * kDegree;
 constexpr double kLeastGrip = 0.03;             // of the weight: what slips with less drags nothing
 
 struct Moved {
@@ -175,6 +177,7 @@ private:
         const double share = is / wanted;
         if (share < -0.1) return report("turns the robot to the right when commanded to turn it to the left");
         if ((least == 0 || share >= least) && share <= kMost) return true;
+        if (share <= kMost && isAtStop()) return true; // what it draws cannot follow on the spot
         const double round = std::round(is / kDegree * 10) / 10 + 0.;
         return report("turns the robot by " + figureText(round) + " degrees in a second when commanded to turn it by " +
                       figureText(wanted / kDegree));
@@ -213,8 +216,15 @@ private:
             const std::string joint = turning ? turning->text("Joint") : std::string();
             const double rim = std::abs(m_world.value(joint + "/rate")) * m_drive.number("WheelRadius");
             if (rim < kTurns * m_speed)
-                return ": " + motor.name + " does not turn " + joint + "; check its stops, its Friction and what it is joined to";
+                return ": " + motor.name + " does not turn " + joint + "; check " +
+                       (turning && turning->number("CurrentLimit") > 0 ? "the CurrentLimit of the motor, " : "") +
+                       "its stops, its Friction and what it is joined to";
         }
+        for (const JointSpec& joint : m_config.joints)
+            if (joint.type == JointType::Fixed && joint.parent == kWorldBody)
+                return ": " + joint.name + " fixes " + m_config.bodies[static_cast<std::size_t>(joint.child)].name +
+                       " to the world";
+        if (const std::string grip = whyNoGrip(); !grip.empty()) return ": " + grip;
         for (const BodySpec& body : m_config.bodies) {
             const auto rolls = [&](const JointSpec& joint) {
                 const auto wheel = wheelOn(m_config, joint);
@@ -227,6 +237,33 @@ private:
             if (m_world.loadOf(body) > kDragged * m_weight) return ": " + body.name + " is dragged over the floor";
         }
         return {};
+    }
+    /// Of a driven wheel that cannot push the robot; empty: none is like that.
+    [[nodiscard]] std::string whyNoGrip() const {
+        for (const DriveMotor& motor : motorsOf(m_drive)) {
+            const ComponentSpec* turning = device(motor.name);
+            const auto joint =
+                std::ranges::find(m_config.joints, turning ? turning->text("Joint") : std::string(), &JointSpec::name);
+            if (joint == m_config.joints.end() || joint->child == 0 || isGeared(m_config, *joint)) continue;
+            const BodySpec& body = m_config.bodies[static_cast<std::size_t>(joint->child)];
+            const auto touches = [](const GeomSpec& geom) { return geom.collide; };
+            const auto grips = [&](const GeomSpec& geom) { return geom.collide && m_world.surface(geom).friction > kSlickTyre; };
+            const auto isParent = [&](const JointSpec& other) { return other.parent == joint->child; }; // its rollers touch
+            if (std::ranges::any_of(m_config.joints, isParent)) continue;
+            if (std::ranges::none_of(body.geoms, touches)) return "nothing of " + body.name + " collides, so that it cannot push";
+            if (std::ranges::none_of(body.geoms, grips))
+                return "the Surface of " + body.name + " has hardly any Friction, so that it cannot push";
+        }
+        return {};
+    }
+    /// Whether a joint that no motor turns has come to its stop, as the coupling of a trailer.
+    [[nodiscard]] bool isAtStop() const {
+        return std::ranges::any_of(m_config.joints, [&](const JointSpec& joint) {
+            const auto turnsIt = [&](const ComponentSpec& d) { return d.kind != "Encoder" && d.text("Joint") == joint.name; };
+            if (joint.type != JointType::Hinge || std::ranges::any_of(m_config.devices, turnsIt)) return false;
+            const double at = m_world.value(joint.name + "/position");
+            return (joint.lowStop && at < *joint.lowStop + kAtStop) || (joint.highStop && at > *joint.highStop - kAtStop);
+        });
     }
     static std::string sideOf(double turn) { return turn < 0 ? "to the right" : "to the left"; }
 

@@ -73,7 +73,7 @@ private Q_SLOTS:
         row("motors of a thousandth of the voltage", changed(kit, "MaxVoltage=12", "MaxVoltage=0.012"), "it does not climb that",
             false);
         row("one wheel twice as large", changed(kit, "Part bl { Config=W", "Part bl { Config=W r=0.1"),
-            "r/bl.wheel/tyre is 50 mm deep in it, and would be thrown out; it reaches 50 mm lower than the wheels", false);
+            "bl.wheel has a radius of 100 mm, and the WheelRadius of base is 50 mm", false);
         const std::string ramp =
             "StaticConfig Ramp { Box board { Size=4,4,0.02 } }\nStatic ramp { Config=Ramp Pos=3,0,1 HPR=0,-20,0 }\n";
         row("a robot on a ramp", kKit + ramp + "Robot r { Config=Kit Pos=2.9966,0,1.0095 HPR=0,-20,0 }\n", "", false);

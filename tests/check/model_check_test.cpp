@@ -243,8 +243,8 @@ private Q_SLOTS:
                         "  Hinge tailAxle { Parent=chassis Child=tail Axis=0,1,0 }\n  Hinge rightAxle"))
                 .replace("Radius=0.03 Mass=0.1", "Radius=0.03 Mass=0.1 Collide=false") // no caster
                 .toStdString(),
-            Code::WheelOffGround, "tail of Rover is 10 mm above the ground when tyre touches it: it carries nothing;", "tail",
-            false);
+            Code::WheelOffGround, "tail of Rover is 10 mm above the ground when leftWheel touches it: it carries nothing;",
+            "tail", false);
         row("a wheel too small", changed("Cylinder tyre { Radius=0.05", "Cylinder tyre { Radius=0.03"), Code::WheelOffGround,
             "above the ground", "leftWheel", false);
         row("motors too weak for a doorstep", changed("Resistance=2 ", "Resistance=900 "), Code::WeakMotor,
