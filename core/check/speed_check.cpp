@@ -106,16 +106,15 @@ private:
         return std::max(0.0, share * wheel.stallTorque() - motor.number("GearRatio") * motor.number("FrictionTorque"));
     }
     /// Whether without limits of current, battery and friction the motors gave half as much again.
-    [[nodiscard]] static bool isHeldBack(const RobotConfigSpec&, const std::vector<DriveWheel>& wheels, double volts) {
+    [[nodiscard]] static bool isHeldBack(const std::vector<DriveWheel>& wheels, double volts) {
         const DriveWheel& wheel = wheels.front();
         return wheel.stallTorque() > kHeldBack * torqueOf(wheel, volts);
     }
-    [[nodiscard]] static std::string remedyFor(const RobotConfigSpec& config, const std::vector<DriveWheel>& wheels,
-                                               double volts) {
+    [[nodiscard]] static std::string remedyFor(const std::vector<DriveWheel>& wheels, double volts) {
         const ComponentSpec& motor = *wheels.front().motor;
         std::string causes;
         const auto add = [&](const std::string& cause) { causes += (causes.empty() ? "" : ", ") + cause; };
-        if (isHeldBack(config, wheels, volts)) {
+        if (isHeldBack(wheels, volts)) {
             const double resistance = motor.number("Resistance"), limit = motor.number("CurrentLimit"),
                          most = motor.number("MaxVoltage");
             if (limit > 0 && limit * resistance < most) add("their CurrentLimit of " + figureText(limit) + " A");
@@ -141,9 +140,9 @@ private:
         Diagnostic& d = m_diagnostics.warning(Code::WeakMotor, motor.nameRange,
                                               "the motors of " + config.name + " push with at most " + figureText(push) +
                                                   " N together, and a slope of " + slope + " needs " + figureText(needed) +
-                                                  " N: it does not climb that; " + remedyFor(config, wheels, volts));
+                                                  " N: it does not climb that; " + remedyFor(wheels, volts));
         const double ratio = needed / std::max(push, 1e-9) * kReserve;
-        if (ratio > kMostGear || isHeldBack(config, wheels, volts)) return; // another value is odd
+        if (ratio > kMostGear || isHeldBack(wheels, volts)) return; // another value is odd
         Fix fix{"GearRatio=" + figureText(motor.number("GearRatio") * ratio), {}};
         std::set<std::uint32_t> written;
         for (const DriveWheel& wheel : wheels) {
