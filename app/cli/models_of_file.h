@@ -10,8 +10,8 @@ namespace trundle {
 
 struct OpenedModels {
     std::shared_ptr<const LoadedProject> loaded;
-    FileId definitions =
-        0; ///< the file with the models; past the last one if it has an experiment too, which may use its definitions
+    /// The file with the models; past the last one if it has an experiment too, which may use its definitions.
+    FileId definitions = 0;
 };
 
 /// The robot models of a file, one beside the other on a plain floor; the file itself if it has none. Each has the height and the HPR of

@@ -41,8 +41,7 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
         "Engine", &SettingsFields::engine, oneOf("auto|general|wheeled|planar"),
         "General holds everything. Wheeled is many times faster and holds robots on wheels, boxes, cylinders and balls on level "
         "ground. Planar holds the same and is faster still: robots move over the ground and do not lean. Auto is wheeled where "
-        "all of "
-        "the experiment fits it.");
+        "all of the experiment fits it.");
     d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"),
             "Exact, quick, or chosen by the size of the largest cluster of contacts.");
     d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");
