@@ -8,10 +8,10 @@ namespace trundle {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kMargin = 4e-4; // rad: twice the error of roughBearing
+constexpr double kError = 2e-4; // rad: of roughBearing
 constexpr BearingSector kFullTurn{-kPi, kPi + 1e-9};
 
-/// atan2 within 2e-4 rad, by a polynomial of degree 7 on an eighth of a turn.
+/// atan2 within kError, by a polynomial of degree 7 on an eighth of a turn.
 double roughBearing(double y, double x) {
     const double ax = std::abs(x), ay = std::abs(y), a = std::min(ax, ay) / std::max({ax, ay, 1e-30}), s = a * a;
     double r = ((-0.0464964749 * s + 0.15931422) * s - 0.327622764) * s * a + a;
@@ -35,8 +35,6 @@ FanView::FanView(const RayFan& fan, const BeamTable& table)
 
 bool FanView::aim(const GeomBall& ball, Aim& aim) const {
     const Vec3 p(ball.x - m_fan.origin.x(), ball.y - m_fan.origin.y(), ball.z - m_fan.origin.z());
-    const double far = m_fan.range + ball.r;
-    if (!(p.squaredNorm() <= far * far)) return false;
     const double x = p.dot(m_fan.axes.col(0)), y = p.dot(m_fan.axes.col(1));
     aim.height = p.dot(m_fan.axes.col(2));
     double r2 = ball.r * ball.r;
@@ -47,7 +45,7 @@ bool FanView::aim(const GeomBall& ball, Aim& aim) const {
     if (aim.holds) {
         aim.sector = kFullTurn;
     } else {
-        const double half = arcSineBound(std::sqrt(r2 / rho2)) + kMargin, middle = roughBearing(y, x);
+        const double half = arcSineBound(std::sqrt(r2 / rho2)) + 2 * kError, middle = roughBearing(y, x);
         aim.sector = {middle - half, middle + half};
     }
     return true;
@@ -57,20 +55,23 @@ bool FanView::aim(const GeomBall& ball, Aim& aim) const {
 BearingSector FanView::sectorOf(const Vec3& centre, const Mat3& axes, const Vec3& half) const {
     const Vec3 from = axes.transpose() * (m_fan.origin - centre);
     const Vec3 nearest = centre + axes * from.cwiseMax(-half).cwiseMin(half) - m_fan.origin;
-    const double u = nearest.dot(m_fan.axes.col(0)), v = nearest.dot(m_fan.axes.col(1));
+    const Vec3 forwards = m_fan.axes.col(0), left = m_fan.axes.col(1);
+    const double u = nearest.dot(forwards), v = nearest.dot(left);
     if (u * u + v * v < 1e-12) return kFullTurn;
+    // Along the direction to the nearest point and to its left, both by its distance: of the box's middle, and how far its corners are from it.
+    const Vec3 to = u * forwards + v * left, aside = u * left - v * forwards, middle = centre - m_fan.origin;
+    const Vec3 halfTo = half.cwiseProduct(axes.transpose() * to), halfAside = half.cwiseProduct(axes.transpose() * aside);
+    const double middleTo = middle.dot(to), middleAside = middle.dot(aside);
+    if (middleTo - halfTo.cwiseAbs().sum() <= 1e-9) return kFullTurn;
     double least = 1e300, most = -1e300;
     for (int k = 0; k < 8; ++k) {
-        const Vec3 corner(k & 1 ? half.x() : -half.x(), k & 2 ? half.y() : -half.y(), k & 4 ? half.z() : -half.z());
-        const Vec3 c = centre + axes * corner - m_fan.origin;
-        const double cu = c.dot(m_fan.axes.col(0)), cv = c.dot(m_fan.axes.col(1)), along = cu * u + cv * v;
-        if (along <= 1e-9) return kFullTurn;
-        const double slope = (u * cv - v * cu) / along;
+        const Vec3 sign(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+        const double slope = (middleAside + sign.dot(halfAside)) / (middleTo + sign.dot(halfTo));
         least = std::min(least, slope);
         most = std::max(most, slope);
     }
-    const double middle = std::atan2(v, u);
-    return {middle + std::atan(least) - kMargin, middle + std::atan(most) + kMargin};
+    const double bearing = roughBearing(v, u);
+    return {bearing + roughBearing(least, 1) - 3 * kError, bearing + roughBearing(most, 1) + 3 * kError};
 }
 
 void FanView::bounds(Vec3& lo, Vec3& hi) const {

@@ -24,7 +24,13 @@ public:
         BearingSector sector;
         bool holds; ///< the fan is in it or above it: the sector is a full turn
     };
-    /// False: no beam can meet it.
+    /// False: the ball is out of range.
+    [[nodiscard]] bool reaches(const GeomBall& ball) const {
+        const double x = ball.x - m_fan.origin.x(), y = ball.y - m_fan.origin.y(), z = ball.z - m_fan.origin.z(),
+                     far = m_fan.range + ball.r;
+        return x * x + y * y + z * z <= far * far;
+    }
+    /// Of a ball in range. False: no beam can meet it.
     [[nodiscard]] bool aim(const GeomBall& ball, Aim& aim) const;
     /// Whether beams of this layer can meet the ball.
     [[nodiscard]] bool crosses(std::size_t layer, const Aim& aim, double radius) const {

@@ -27,18 +27,20 @@ void RayScene::add(RayGeom geom) {
 void RayScene::update() {
     if (m_filed != m_geoms.size()) {
         m_filed = m_geoms.size();
-        for (auto* list : {&m_planes, &m_meshes, &m_movingSmall, &m_large}) list->clear();
+        for (auto* list : {&m_planes, &m_meshes, &m_movingSmall}) list->clear();
+        m_large.clear();
         std::vector<GeomBall> still;
         for (std::uint32_t i = 0; i < m_geoms.size(); ++i) {
             const RayGeom& g = m_geoms[i];
             if (g.shape.kind == RayShape::Plane) m_planes.push_back(i);
             else if (g.tree || g.heights) m_meshes.push_back(i);
-            else if (g.bound >= kLarge) m_large.push_back(i);
+            else if (g.bound >= kLarge) m_large.push_back(ballOf(i));
             else if (g.actor == kNoGeom) still.push_back(ballOf(i));
             else m_movingSmall.push_back(i);
         }
         m_still.build(still);
     }
+    for (GeomBall& large : m_large) large = ballOf(large.geom);
     m_balls.clear();
     for (const std::uint32_t i : m_movingSmall) m_balls.push_back(ballOf(i));
     m_moving.build(m_balls);
@@ -86,7 +88,7 @@ void RayScene::castRay(const SingleRay& ray, std::uint32_t without, const RayHit
         if ((p - along * ray.direction).squaredNorm() <= ball.r * ball.r) test(ball.geom);
     };
     for (const std::uint32_t plane : m_planes) test(plane);
-    for (const std::uint32_t geom : m_large) visit(ballOf(geom));
+    for (const GeomBall& large : m_large) visit(large);
     const Vec3 way = ray.range * ray.direction;
     m_still.along(ray.origin, way, visit);
     m_moving.along(ray.origin, way, visit);

@@ -64,8 +64,8 @@ private:
     std::vector<RayGeom> m_geoms;
     std::size_t m_filed = 0; ///< geoms that are in the lists
     std::vector<std::uint32_t> m_planes, m_meshes, m_movingSmall;
-    std::vector<std::uint32_t> m_large; ///< that are tested by every cast
-    std::vector<GeomBall> m_balls;
+    std::vector<GeomBall> m_balls, m_large;    ///< of m_movingSmall; that are tested by every cast
+    std::vector<const GeomBall*> m_candidates; ///< of a fan
     CentreGrid m_still, m_moving;
     BeamTables m_tables;
     std::vector<double> m_distances, m_nearest, m_parts; ///< of the beams of a cast, layer by layer; m_nearest: geoms

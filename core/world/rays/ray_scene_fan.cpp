@@ -50,7 +50,7 @@ struct RayScene::FanCast {
                 0,
                 static_cast<int>(t.count) - 1};
     }
-    [[nodiscard]] bool isOwn(std::uint32_t actor) const { return actor == without && without != kNoGeom; }
+    [[nodiscard]] bool isOwn(std::uint32_t actor) const { return (actor == without) & (without != kNoGeom); }
 
     void plane(std::uint32_t index) {
         const Local local = localOf(scene.m_geoms[index]);
@@ -64,7 +64,7 @@ struct RayScene::FanCast {
 
     void ball(const GeomBall& ball) {
         FanView::Aim aim;
-        if (isOwn(ball.actor) || !view.aim(ball, aim)) return;
+        if (!view.aim(ball, aim)) return;
         const RayGeom& g = scene.m_geoms[ball.geom];
         if (aim.holds) aim.sector = view.sectorOf(g.centre, g.axes, g.half);
         const Local local = localOf(g);
@@ -90,6 +90,22 @@ struct RayScene::FanCast {
         for (std::size_t layer = 0; layer < view.table().layers.size(); ++layer)
             scene.cast(index, row(layer), local.of(view.table().layers[layer]), roots);
     }
+
+    void write(const RayHits& hits) const {
+        const BeamTable& t = view.table();
+        for (std::size_t layer = 0; layer < t.layers.size(); ++layer) {
+            const std::size_t from = layer * t.stride(), at = layer * t.count;
+            std::copy_n(&scene.m_distances[from], t.count, hits.distances + at);
+            if (hits.geoms)
+                for (std::uint32_t k = 0; k < t.count; ++k)
+                    hits.geoms[at + k] = static_cast<std::uint32_t>(scene.m_nearest[from + k]);
+            if (!hits.normals) continue;
+            for (std::uint32_t k = 0; k < t.count; ++k)
+                scene.writeNormal(scene.m_nearest[from + k], scene.m_parts[from + k], view.fan().origin,
+                                  scene.m_distances[from + k] * (view.fan().axes * t.direction(layer, k)),
+                                  hits.normals + 3 * (at + k));
+        }
+    }
 };
 
 void RayScene::castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) {
@@ -102,20 +118,18 @@ void RayScene::castFan(const RayFan& fan, std::uint32_t without, const RayHits& 
     for (const std::uint32_t plane : m_planes) cast.plane(plane);
     Vec3 lo, hi;
     cast.view.bounds(lo, hi);
-    const auto visit = [&](const GeomBall& ball) { cast.ball(ball); };
-    m_still.near(lo.x(), hi.x(), lo.y(), hi.y(), visit);
-    m_moving.near(lo.x(), hi.x(), lo.y(), hi.y(), visit);
-    for (const std::uint32_t large : m_large) visit(ballOf(large));
+    m_candidates.resize(m_geoms.size() + 1);
+    std::size_t count = 0; // without branches: which balls are in range cannot be foreseen
+    const auto take = [&](const GeomBall& ball) {
+        m_candidates[count] = &ball;
+        count += static_cast<std::size_t>(cast.view.reaches(ball) & !cast.isOwn(ball.actor));
+    };
+    m_still.near(lo.x(), hi.x(), lo.y(), hi.y(), take);
+    m_moving.near(lo.x(), hi.x(), lo.y(), hi.y(), take);
+    for (const GeomBall& large : m_large) take(large);
+    for (std::size_t i = 0; i < count; ++i) cast.ball(*m_candidates[i]);
     for (const std::uint32_t mesh : m_meshes) cast.mesh(mesh);
-    for (std::size_t layer = 0; layer < table.layers.size(); ++layer)
-        for (std::uint32_t k = 0; k < table.count; ++k) {
-            const std::size_t from = layer * table.stride() + k, at = layer * table.count + k;
-            hits.distances[at] = m_distances[from];
-            if (hits.geoms) hits.geoms[at] = static_cast<std::uint32_t>(m_nearest[from]);
-            if (hits.normals)
-                writeNormal(m_nearest[from], m_parts[from], fan.origin,
-                            m_distances[from] * (fan.axes * table.direction(layer, k)), hits.normals + 3 * at);
-        }
+    cast.write(hits);
 }
 
 } // namespace trundle
