@@ -29,9 +29,9 @@ ExitCode makeNew(const Application& application, const NewArguments& arguments) 
         return kExitUsage;
     }
     const bool isController = arguments.what == "controller";
-    const ModuleTemplate from = !isController      ? ModuleTemplate::Component
-                                : arguments.python ? ModuleTemplate::PythonController
-                                                   : ModuleTemplate::Controller;
+    const ModuleTemplate from = isController ? arguments.python ? ModuleTemplate::PythonController : ModuleTemplate::Controller
+                                : arguments.python ? ModuleTemplate::PythonComponent
+                                                   : ModuleTemplate::Component;
     const Result<NewModule> made = makeModule(from, arguments.kind, arguments.parent, application.locations());
     if (!made) {
         printProblem(made.error().message);
@@ -52,6 +52,7 @@ constexpr const char* kNewExamples = R"(Examples:
   trundle-cli new controller WallFollow
   trundle-cli new controller WallFollow --python
   trundle-cli new component Thermometer --in my_project/modules
+  trundle-cli new component Thermometer --python
   trundle-cli new robot Rover --base mecanum --mass 5 --top-speed 0.8
   trundle-cli new arena Office --plan office.png --plan-width 24
   trundle-cli new arena Yard --obstacles 25 --room-length 8 --field-seed 3
@@ -78,13 +79,13 @@ void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand&
     command->add_option("--in", arguments->parent, "Make its folder in DIR instead of in this one")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
-    command->add_flag("--python", arguments->python, "A controller in Python, not in C++");
+    command->add_flag("--python", arguments->python, "A controller or component in Python, not in C++");
     addRobotOptions(*command, arguments->robot);
     addArenaOptions(*command, arguments->arena);
     command->footer(kNewExamples);
     command->callback([arguments, &application, &chosen] {
-        if (arguments->python && arguments->what != "controller")
-            throw CLI::ValidationError("--python", "only controllers can be in Python");
+        if (arguments->python && arguments->what != "controller" && arguments->what != "component")
+            throw CLI::ValidationError("--python", "only controllers and components can be in Python");
         if (arguments->what == "robot") {
             chosen = [arguments] { return makeNewRobot(arguments->robot, arguments->kind, arguments->parent); };
             return;

@@ -100,6 +100,9 @@ void HostWorker::handle(HostRequest request, WireReader& in) {
     case HostRequest::Unload: return unload();
     case HostRequest::SaveState: return saveState(in.number<std::uint32_t>());
     case HostRequest::LoadState: return loadState(in);
+    case HostRequest::StartDevice:
+    case HostRequest::Act:
+    case HostRequest::Sense: return done(Error{Code::Internal, "devices of a library run in the program itself"});
     }
 }
 

@@ -13,6 +13,7 @@
 #include "control/directory_catalog.h"
 #include "control/host/host_pool.h"
 #include "control/host/python_describer.h"
+#include "control/host/python_devices.h"
 #include "control/in_process_backend.h"
 #include "control/kinds_json.h"
 #include "control/module_kinds.h"
@@ -81,10 +82,11 @@ std::shared_ptr<const Registry> builtInKinds() {
 struct RunCode {
     RunCode(const LoadedProject& loaded, const HostPrograms& programs, const RunOptions& options, Isolation isolation)
         : experiment(loaded.experiment), store(options.calls), hosts(programs, loaded.experiment, options.calls, isolation,
-                                      [&loaded](const std::string& kind) {
-                                          const Kind* found = loaded.registry->find(kind);
-                                          return found ? found->module : std::string();
-                                      }) {}
+                                                                     [&loaded](const std::string& kind) {
+                                                                         const Kind* found = loaded.registry->find(kind);
+                                                                         return found ? found->module : std::string();
+                                                                     }),
+          devices(programs, loaded.experiment->settings.seed, options.calls) {}
 
     void setConsole(const RunOptions& options) {
         if (options.console)
@@ -100,7 +102,14 @@ struct RunCode {
     }
     /// Code of a module runs in this process only if a device or a controller needs it here.
     Result<std::vector<Kind>> load(const std::string& library, const Registry& registry) {
-        return hosts.hasOnly(library) && !hasDeviceOf(library, registry) ? hosts.load(library) : store.loadKinds(library);
+        const bool needed = hasDeviceOf(library, registry);
+        if (isPythonModule(library) && needed) return devices.load(library);
+        return hosts.hasOnly(library) && !needed ? hosts.load(library) : store.loadKinds(library);
+    }
+    [[nodiscard]] DeviceKind deviceKind(const std::string& kind) {
+        if (const TrundleKind* builtIn = findBuiltInDevice(kind)) return builtIn;
+        if (const TrundleKind* python = devices.find(kind)) return {python, [this, kind] { return devices.create(kind); }};
+        return store.find(kind, TRUNDLE_DEVICE);
     }
     [[nodiscard]] bool hasDeviceOf(const std::string& library, const Registry& registry) const {
         const auto isOfLibrary = [&](const ComponentSpec& device) {
@@ -114,6 +123,7 @@ struct RunCode {
     std::shared_ptr<const ExperimentSpec> experiment;
     ModuleStore store;
     HostPool hosts;
+    PythonDevices devices;
 };
 
 class TrundleApplication final : public Application {
@@ -201,14 +211,10 @@ std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& load
     const auto code = std::make_shared<RunCode>(loaded, programs, options, m_isolation); // per run: the next one loads rebuilt libraries
     code->setConsole(options);
     options.keeps = code;
-    ModuleStore& store = code->store;
     loadModules(*loaded.experiment, *loaded.registry,
                 [&](const std::string& library) { return code->load(library, *loaded.registry); }, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
-    const DeviceCode devices = [&store](const std::string& kind) {
-        const TrundleKind* builtIn = findBuiltInDevice(kind);
-        return builtIn ? builtIn : store.find(kind, TRUNDLE_DEVICE);
-    };
+    const DeviceCode devices = [&code = *code](const std::string& kind) { return code.deviceKind(kind); };
     const BackendFactory backends = [&code = *code](const ControllerRequest& request) { return code.makeBackend(request); };
     const auto world = std::make_shared<const World*>(nullptr); // set once the world exists
     if (!options.pictures) {

@@ -25,6 +25,7 @@ Template templateOf(ModuleTemplate what) {
     switch (what) {
     case ModuleTemplate::Controller: return {"controller", "MyController", "my_controller"};
     case ModuleTemplate::PythonController: return {"python", "MyController", "my_controller"};
+    case ModuleTemplate::PythonComponent: return {"python_component", "MySensor", "my_sensor"};
     case ModuleTemplate::Component: break;
     }
     return {"component", "MySensor", "my_sensor"};
@@ -107,7 +108,7 @@ Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const
         }
         made.files.push_back(name);
     }
-    if (what == ModuleTemplate::PythonController) {
+    if (isPython(what)) {
         made.load = "#loadModule " + module + '/' + module + ".py";
         made.source = made.library = (folder / (module + ".py")).string();
         return made;

@@ -9,7 +9,10 @@
 
 namespace trundle {
 
-enum class ModuleTemplate { Controller, PythonController, Component };
+enum class ModuleTemplate { Controller, PythonController, Component, PythonComponent };
+[[nodiscard]] constexpr bool isPython(ModuleTemplate what) {
+    return what == ModuleTemplate::PythonController || what == ModuleTemplate::PythonComponent;
+}
 
 /// A module whose files are written, and how it is built and used.
 struct NewModule {

@@ -22,8 +22,16 @@ namespace trundle {
 
 class Medium;
 
-/// Returns the function table of a device kind, built-in or from a module; nullptr if unknown.
-using DeviceCode = std::function<const TrundleKind*(const std::string& kind)>;
+/// The code of a device kind.
+struct DeviceKind {
+    const TrundleKind* table = nullptr; ///< its functions; null: the kind is unknown
+    std::function<void*()> create = {}; ///< makes an instance where the table alone cannot
+
+    DeviceKind(const TrundleKind* functions) : table(functions) {} // NOLINT(google-explicit-constructor): most are a table
+    DeviceKind(const TrundleKind* functions, std::function<void*()> maker) : table(functions), create(std::move(maker)) {}
+};
+/// Returns the code of a device kind, built-in or from a module.
+using DeviceCode = std::function<DeviceKind(const std::string& kind)>;
 /// Receives texts printed by devices: device path, severity (TRUNDLE_INFO ...), text.
 using DeviceText = std::function<void(const std::string&, int, const std::string&)>;
 

@@ -1,6 +1,7 @@
 #pragma once
 // A device of a robot in a world, and what it can reach of that world.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -47,6 +48,7 @@ struct WorldDevice {
     CallMonitor* calls = nullptr;     ///< outlives it
     const DeviceHost* host = nullptr; ///< from its setup on
     const TrundleKind* kind = nullptr;
+    std::function<void*()> create; ///< of the instance; none: that of the kind
     const ComponentSpec* spec = nullptr;
     void* instance = nullptr;
     std::uint32_t index = 0, robot = 0;

@@ -48,8 +48,10 @@ std::unique_ptr<WorldDevice> WorldDevices::made(const BuiltRobot& robot, const C
     device->path = robot.spec->name + "/" + spec.name;
     device->pathHash = fnv1a64(device->path);
     device->target = m_calls.add({"the device " + spec.kind + " " + device->path, robot.spec->name, spec.kind, {}});
-    device->kind = code ? code(spec.kind) : nullptr;
-    if (!device->kind || device->kind->role != TRUNDLE_DEVICE || !device->kind->create) {
+    const DeviceKind kind = code ? code(spec.kind) : DeviceKind(nullptr);
+    device->kind = kind.table;
+    device->create = kind.create;
+    if (!device->kind || device->kind->role != TRUNDLE_DEVICE || !(device->kind->create || device->create)) {
         diagnostics.error(Code::KindNotLoaded, spec.nameRange,
                           "no code is loaded for the kind " + spec.kind + " of " + device->path);
         return nullptr;
@@ -60,7 +62,7 @@ std::unique_ptr<WorldDevice> WorldDevices::made(const BuiltRobot& robot, const C
 /// All one after another, so that their memory is, too: a tick goes through it from front to back.
 void WorldDevices::instantiate(WorldDevice& device, Diagnostics& diagnostics) {
     const MonitoredCall call(m_calls, device.target, "constructor");
-    device.instance = device.kind->create();
+    device.instance = device.create ? device.create() : device.kind->create();
     if (!device.instance) diagnostics.error(Code::DeviceSetup, device.spec->nameRange, device.path + ": " + device.lastError());
 }
 

@@ -87,6 +87,28 @@ RobotConfig SmallRobot {{
 """
 
 
+def with_lidars(text, pitch=0):
+    """The same with a lidar of 360 beams at 10 Hz on each robot of small_crowd()."""
+    lidar = f"  Lidar eye {{ Body=chassis Pos=0,0,0.09 HPR=0,{pitch},0 Beams=360 MaxRange=5 UpdatePeriod=0.1 }}\n"
+    return text.replace("  DifferentialDrive base", lidar + "  DifferentialDrive base")
+
+
+def above_hills(text, side, folder):
+    """The same above rolling ground of 20,000 triangles in place of the plane. Robots float, so that their contacts cost nothing."""
+    cells, step = 100, side / 100
+    with open(os.path.join(folder, "hills.obj"), "w", encoding="utf-8") as file:
+        for k in range(cells + 1):
+            for i in range(cells + 1):
+                x, y = (i - cells / 2) * step, (k - cells / 2) * step
+                file.write(f"v {x:.6f} {y:.6f} {0.06 * math.sin(1.9 * x) * math.cos(1.3 * y) + 0.05 * math.sin(0.7 * x - 1.1 * y):.6f}\n")
+        for k in range(cells):
+            for i in range(cells):
+                a = k * (cells + 1) + i + 1
+                file.write(f"f {a} {a + 1} {a + cells + 1}\nf {a + 1} {a + cells + 2} {a + cells + 1}\n")
+    text = text.replace("Plane floor {", "Mesh floor { File=hills.obj").replace("Grid crowd {", "Grid crowd { Pos=0,0,0.12")
+    return "Gravity = 0,0,0\n" + text
+
+
 def singles(count, config="SimpleRobot", further=""):
     """`count` robots, each a block of its own as a person edits them, one per square metre of a walled room; one is named middle."""
     columns, rows = pattern(count)

@@ -140,13 +140,27 @@ private Q_SLOTS:
         QVERIFY2(std::abs(driven.toDouble() - 0.6) < 0.1, shown(run));
     }
 
+    void startsPythonComponent() {
+        const QString folder = at("snakes");
+        QVERIFY(QDir().mkpath(folder));
+        const Outcome made = installedCli({"new", "component", "Whisker", "--python", "--in", folder});
+        QVERIFY2(made.code == 0 && made.out.contains("#loadModule whisker/whisker.py\n"), shown(made));
+        QVERIFY(writeFile(folder + "/whisker.sim",
+                          "Duration = 0.1\n#loadModule whisker/whisker.py\nRobotConfig R { Body b { Box hull { "
+                          "Size=0.1,0.1,0.1 Mass=1 } }\n  Whisker eye { Body=b MaxRange=3 } }\nRobot r { Config=R }\n"));
+        const Outcome run = installedCli({"run", folder + "/whisker.sim", "--trust", "--json"});
+        QVERIFY2(run.code == 0 && QJsonDocument::fromJson(run.out)["robots"]["r"]["signals"]["eye/distance"].toDouble() == 3,
+                 shown(run));
+    }
+
     void refusesNewModules_data() {
         QTest::addColumn<QStringList>("words");
         QTest::addColumn<QByteArray>("why");
         const QString folder = at("my 'own' installed");
         QTest::newRow("folder exists") << QStringList{"controller", "WallRun", "--in", folder} << QByteArray("it exists");
         QTest::newRow("small letter") << QStringList{"controller", "wallRun"} << QByteArray("a capital letter");
-        QTest::newRow("a component in Python") << QStringList{"component", "Wall", "--python"} << QByteArray("only controllers");
+        QTest::newRow("a robot in Python") << QStringList{"robot", "Wall", "--python"}
+                                           << QByteArray("only controllers and components");
         QTest::newRow("a path") << QStringList{"component", "../Wall"} << QByteArray("a capital letter");
         QTest::newRow("built-in kind") << QStringList{"component", "Lidar"} << QByteArray("has a kind Lidar");
         QTest::newRow("kind of a shipped module")

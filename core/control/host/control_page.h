@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kHostMagic = 0x54534854; // "THST"
 enum class Turn : std::uint32_t { Run = 0, Host = 1 };
 
 /// What a host process does in the code of a module.
-enum class HostPhase : std::uint32_t { None, Load, Setup, Update, Set, Destructor, Unload, SaveState, LoadState };
+enum class HostPhase : std::uint32_t { None, Load, Setup, Update, Set, Destructor, Unload, SaveState, LoadState, Act, Sense };
 
 /// Why a host process ended, written by its handlers of signals and of exit().
 struct CrashRecord {
@@ -56,7 +56,20 @@ struct ControlPage {
 };
 
 /// Messages to a host. Each is answered by records, the last of which is Done.
-enum class HostRequest : std::uint32_t { Load, Map, Start, Update, Set, Stop, Unload, SaveState, LoadState };
+enum class HostRequest : std::uint32_t {
+    Load,
+    Map,
+    Start,
+    Update,
+    Set,
+    Stop,
+    Unload,
+    SaveState,
+    LoadState,
+    StartDevice,
+    Act,
+    Sense // of a module in Python: python_devices.h
+};
 
 /// Records to a run: a kind, a controller, and bytes. After a request of the second group the host waits for a reply.
 enum class HostRecord : std::uint32_t {
@@ -66,6 +79,7 @@ enum class HostRecord : std::uint32_t {
     WriteLog,
     Finish,
     GaveUp,
+    DeviceCommand, ///< a call of a device: device_calls.h
     OpenLog = 100,
     Capture,
     SavePicture,
@@ -73,7 +87,8 @@ enum class HostRecord : std::uint32_t {
     FindRadio,
     SendPacket,
     ReceivePacket,
-    Claim
+    Claim,
+    DeviceQuery ///< a call of a device that has a result
 };
 
 struct RecordHeader {

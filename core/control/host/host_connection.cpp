@@ -118,7 +118,7 @@ bool HostConnection::handle(std::string& stream, const Records& records, bool& d
 
 HostCall HostConnection::current() const {
     const std::uint32_t phase = m_page.phase.load();
-    return {phase <= static_cast<std::uint32_t>(HostPhase::LoadState) ? static_cast<HostPhase>(phase) : HostPhase::None,
+    return {phase <= static_cast<std::uint32_t>(HostPhase::Sense) ? static_cast<HostPhase>(phase) : HostPhase::None,
             m_page.controller.load()};
 }
 

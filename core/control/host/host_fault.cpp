@@ -55,6 +55,8 @@ const char* phaseName(HostPhase phase) {
     case HostPhase::Unload: return "unload";
     case HostPhase::SaveState: return "saveState";
     case HostPhase::LoadState: return "loadState";
+    case HostPhase::Act: return "act";
+    case HostPhase::Sense: return "sense";
     case HostPhase::None: break;
     }
     return "the middle of the run";

@@ -83,7 +83,9 @@ std::string answerHost(HostRecord record, const std::string& robot, const Contro
     case HostRecord::Updated:
     case HostRecord::Finish:
     case HostRecord::GaveUp:
-    case HostRecord::Claim: break;
+    case HostRecord::Claim:
+    case HostRecord::DeviceCommand:
+    case HostRecord::DeviceQuery: break;
     }
     return {};
 }

@@ -98,7 +98,7 @@ void ModuleCommands::create(const NewModuleDialog& dialog, const std::vector<std
     m_targets.text.reveal(module.source, {}, true);
     const NewUse wanted{module.folder, module.library, dialog.kind(), robots};
     if (!dialog.isUsed()) return m_targets.status.refuse(tr("Wrote %1").arg(toQString(m_targets.document.texts().shown(module.source))));
-    if (what == ModuleTemplate::PythonController) return use(wanted);
+    if (isPython(what)) return use(wanted);
     m_uses.push_back(wanted);
     start({module.folder});
 }

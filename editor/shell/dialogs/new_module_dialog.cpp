@@ -52,10 +52,8 @@ void NewModuleDialog::makeLayout() {
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(12);
     form->addRow(tr("&Name"), m_name);
-    if (m_options.isController) {
-        form->addRow(tr("Language"), m_cpp);
-        form->addRow(QString(), m_python);
-    }
+    form->addRow(tr("Language"), m_cpp);
+    form->addRow(QString(), m_python);
     auto* folder = new QLabel(tr("&Folder"));
     folder->setBuddy(m_folder);
     form->addRow(folder, where);
@@ -76,7 +74,7 @@ void NewModuleDialog::makeLayout() {
 }
 
 ModuleTemplate NewModuleDialog::what() const {
-    if (!m_options.isController) return ModuleTemplate::Component;
+    if (!m_options.isController) return m_python->isChecked() ? ModuleTemplate::PythonComponent : ModuleTemplate::Component;
     return m_python->isChecked() ? ModuleTemplate::PythonController : ModuleTemplate::Controller;
 }
 

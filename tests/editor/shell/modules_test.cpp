@@ -123,13 +123,41 @@ private Q_SLOTS:
     void aComponent() {
         m_window->actions().at("controllers.newComponent").trigger();
         auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
-        QVERIFY(dialog && !dialog->findChild<QRadioButton*>(QStringLiteral("modulePython")));
+        QVERIFY(dialog);
         dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"))->setText(QStringLiteral("Feeler"));
         dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
         awaitBuild();
         QVERIFY2(m_result->succeeded, qPrintable(m_result->failure));
         QVERIFY2(text().find("#loadModule feeler/build/feeler\n") != std::string::npos, text().c_str());
         QVERIFY(m_window->document().loaded()->registry->find("Feeler"));
+    }
+
+    /// Its reading follows the file at the next start.
+    void aComponentInPython() {
+        m_window->actions().at("controllers.newComponent").trigger();
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
+        QVERIFY(dialog);
+        dialog->findChild<QRadioButton*>(QStringLiteral("modulePython"))->click();
+        dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"))->setText(QStringLiteral("Whisker"));
+        dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
+        QCOMPARE(page()->edit().styling().language(), CodeLanguage::Python);
+        QVERIFY2(text().find("#loadModule whisker/whisker\n") != std::string::npos, text().c_str());
+        const Kind* kind = m_window->document().loaded()->registry->find("Whisker");
+        QVERIFY(kind && kind->role == Role::Device && kind->find("MaxRange"));
+        QVERIFY(m_window->text().openFile(path("main.sim").toStdString()));
+        replace(
+            "Robot rover {",
+            "RobotConfig Scout { Body chassis { Box hull { Size=0.2,0.2,0.1 Pos=0,0,0.05 Mass=1 } }\n"
+            "  Whisker eye { Body=chassis Pos=0.1,0,0.05 MaxRange=3 } }\nRobot scout { Config=Scout Pos=0,2,0 }\nRobot rover {");
+        m_window->session().run();
+        EVENTUALLY(value("scout/eye/distance") == 3);
+        m_window->session().reset();
+        QVERIFY(m_window->text().openFile(path("whisker/whisker.py").toStdString()));
+        replace("self.distance = reading", "self.distance = reading + 1");
+        m_window->actions().at("controllers.build").trigger(); // saves
+        m_window->session().run();
+        EVENTUALLY(value("scout/eye/distance") == 4);
+        m_window->session().reset();
     }
 
     void namesThatCannotBe() {

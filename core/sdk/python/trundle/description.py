@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The description of a controller: fields, published signals, alternatives. Checks, property rows, completion and the manual are made
-from it, without running the controller."""
+"""The description of a controller or device: fields, signals, alternatives. Checks, property rows, completion and the manual are made from
+it, without running the code."""
 
 import json
 import math
 
+from .device import Device
 from .quantity import Quantity
 
 FORMAT = 1
@@ -108,10 +109,12 @@ class field:
 
 
 class output:
-    """A signal that the controller publishes: explored = output("explored", "m^2", "Floor seen so far.")
+    """A signal that the controller or device publishes: explored = output("explored", "m^2", "Floor seen so far.")
 
     Assign to it in setup and update: self.explored = 3.5. It is 0 until then, and keeps its value. With a `count` above 1 it is a
     sequence: self.goal = (1, 2), self.goal[0] = 1."""
+
+    direction = "output"
 
     def __init__(self, name, unit, help, type=float, count=1):
         if type not in _SIGNAL_TYPES:
@@ -141,7 +144,19 @@ class output:
 
     def to_json(self):
         return {"name": self.name, "unit": self.unit, "help": self.help, "type": _SIGNAL_TYPES[self.type], "count": self.count,
-                "direction": "output"}
+                "direction": self.direction}
+
+
+class command(output):
+    """A signal of a device that a controller or another device sets; the device reads it: self.target."""
+
+    direction = "command"
+
+
+class truth(output):
+    """A signal of a device that it publishes and a real robot cannot measure: controllers read it through groundTruth alone."""
+
+    direction = "truth"
 
 
 class exactly_one_of:
@@ -164,14 +179,18 @@ def members(kind, of_type):
 
 
 def kind_to_json(kind):
-    described = {"name": kind.__name__, "role": "controller", "help": _first_paragraph(kind),
+    is_device = issubclass(kind, Device)
+    described = {"name": kind.__name__, "role": "device" if is_device else "controller", "help": _first_paragraph(kind),
                  "fields": [f.to_json() for f in members(kind, field)]}
     alternatives = [a.to_json() for a in members(kind, exactly_one_of)]
     if alternatives:
         described["exactly_one_of"] = alternatives
     described["signals"] = [s.to_json() for s in members(kind, output)]
+    strange = next((s for s in described["signals"] if s["direction"] != "output"), None)
+    if strange and not is_device:
+        raise TypeError(f"the {strange['direction']} {strange['name']} is in the controller {kind.__name__}: only devices have some")
     numbers = sum(s["count"] for s in described["signals"])
-    if numbers > MOST_PUBLISHED:
+    if numbers > MOST_PUBLISHED and not is_device:
         raise ValueError(f"{kind.__name__} publishes {numbers} numbers; at most {MOST_PUBLISHED} are possible")
     return described
 

@@ -22,6 +22,17 @@ class Pose(NamedTuple):
     position: tuple
     rotation: tuple
 
+    def direction(self, v):
+        """A direction of its axes in those of the world."""
+        w, x, y, z = self.rotation
+        a, b, c = 2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])
+        return v[0] + w * a + y * c - z * b, v[1] + w * b + z * a - x * c, v[2] + w * c + x * b - y * a
+
+    def point(self, p):
+        """A point of its axes in those of the world, m."""
+        turned = self.direction(p)
+        return tuple(a + b for a, b in zip(self.position, turned))
+
 
 class Port:
     """Any device: its outputs are read, its commands read and written, by name."""

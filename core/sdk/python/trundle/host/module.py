@@ -9,6 +9,8 @@ import traceback
 
 from ..controller import Controller
 from ..description import kinds_to_json
+from ..device import Device
+from ..sensor import Sensor
 
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _LIBRARY = os.path.dirname(os.__file__) + os.sep
@@ -36,12 +38,26 @@ class Fault:
         self.text = (f"{what}: {words}" if words else what) + place
 
 
+def _methods(kind):
+    """Those that are called, with their arguments."""
+    if not issubclass(kind, Device):
+        if kind.update is Controller.update:
+            raise TypeError(f"{kind.__name__} has no update(self, since_last)")
+        return (kind.setup, ("robot",)), (kind.update, ("since_last",)), (kind.load_state, ("state",)), (kind.save_state, ())
+    if kind.act is Device.act and kind.sense is Device.sense:
+        raise TypeError(f"{kind.__name__} has neither act(self, world) nor sense(self, world)")
+    calls = (kind.setup, ("mount",)), (kind.act, ("world",)), (kind.sense, ("world",))
+    if issubclass(kind, Sensor):
+        for method, text in ((Sensor.measure, "measure(self, world)"), (Sensor.publish, "publish(self, reading, time)")):
+            if getattr(kind, method.__name__) is method:
+                raise TypeError(f"{kind.__name__} has no {text}")
+        calls += (kind.begin, ("mount",)), (kind.measure, ("world",)), (kind.publish, ("reading", "time"))
+    return calls
+
+
 def _check_calls(kind):
     """Raises TypeError where a method cannot be called as it will be."""
-    if kind.update is Controller.update:
-        raise TypeError(f"{kind.__name__} has no update(self, since_last)")
-    for method, arguments in ((kind.setup, ("robot",)), (kind.update, ("since_last",)), (kind.load_state, ("state",)),
-                              (kind.save_state, ())):
+    for method, arguments in _methods(kind):
         name = method.__name__
         try:
             inspect.signature(method).bind(None, *arguments)
@@ -51,7 +67,7 @@ def _check_calls(kind):
 
 
 class Module:
-    """A loaded file: its controllers, by kind."""
+    """A loaded file: its controllers and devices, by kind."""
 
     def __init__(self, path):
         self.path = path
@@ -64,11 +80,11 @@ class Module:
         sys.modules[name] = module
         spec.loader.exec_module(module)
         self.kinds = {kind.__name__: kind for kind in vars(module).values()
-                      if isinstance(kind, type) and issubclass(kind, Controller) and kind.__module__ == name
+                      if isinstance(kind, type) and issubclass(kind, (Controller, Device)) and kind.__module__ == name
                       and not kind.__name__.startswith("_")}
 
         if not self.kinds:
-            raise TypeError("it has no class that is derived from trundle.Controller")
+            raise TypeError("it has no class that is derived from trundle.Controller or trundle.Device")
         for kind in self.kinds.values():
             _check_calls(kind)
 

@@ -17,6 +17,13 @@ class Writer:
         self._parts += [struct.pack("=Q", len(data)), data]
         return self
 
+    def doubles(self, count, values):
+        values = tuple(values)
+        if len(values) != count:
+            raise ValueError(f"{count} numbers are wanted, not {len(values)}")
+        self._parts.append(struct.pack(f"={count}d", *values))
+        return self
+
     def status(self, fault=None):
         """`fault`: None, or (code, message)."""
         self.number("B", fault is None)
@@ -36,6 +43,11 @@ class Reader:
         (value,) = struct.unpack_from("=" + format, self._data, self._at)
         self._at += struct.calcsize("=" + format)
         return value
+
+    def doubles(self, count):
+        values = struct.unpack_from(f"={count}d", self._data, self._at)
+        self._at += 8 * count
+        return values
 
     def bytes(self):
         count = self.number("Q")

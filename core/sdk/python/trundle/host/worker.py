@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Handles the requests of a run: loads a module and calls its controllers, as app/host/host_worker.cpp does for C++."""
+"""Handles the requests of a run: loads a module and calls its controllers and devices, as app/host/host_worker.cpp does for C++."""
 
 import atexit
 import gc
@@ -13,12 +13,13 @@ from .. import description
 from ..controller import INFO, WARNING
 from ..ports import RobotPorts
 from ..signals import Entry, Image, UnknownPort
+from .devices import RunningDevice
 from .module import Fault, Module
 from .outside import DONE, SETUP_TICK, UPDATED, ClaimedCommand, Outside
 from .wire import Reader, Writer
 
-LOAD, MAP, START, UPDATE, SET, STOP, UNLOAD, SAVE_STATE, LOAD_STATE = range(9)  # requests
-_PHASES = {LOAD: 1, START: 2, UPDATE: 3, SET: 4, STOP: 5, UNLOAD: 6, SAVE_STATE: 7, LOAD_STATE: 8}
+LOAD, MAP, START, UPDATE, SET, STOP, UNLOAD, SAVE_STATE, LOAD_STATE, START_DEVICE, ACT, SENSE = range(12)  # requests
+_PHASES = {LOAD: 1, START: 2, UPDATE: 3, SET: 4, STOP: 5, UNLOAD: 6, SAVE_STATE: 7, LOAD_STATE: 8, START_DEVICE: 2, ACT: 9, SENSE: 10}
 CONTROLLER_FAILED, UNKNOWN_PORT, PYTHON_MODULE, INTERNAL = 410, 411, 414, 599
 _NO_CONTROLLER = 0xffffffff
 # What code may raise to leave: also SystemExit and KeyboardInterrupt.
@@ -108,7 +109,9 @@ class Worker:
 
     def run(self):
         handlers = {LOAD: self._load, MAP: self._map, START: self._start, UPDATE: self._update, SET: self._set, STOP: self._stop,
-                    UNLOAD: self._unload, SAVE_STATE: self._save_state, LOAD_STATE: self._load_state}
+                    UNLOAD: self._unload, SAVE_STATE: self._save_state, LOAD_STATE: self._load_state,
+                    START_DEVICE: self._start_device, ACT: lambda reader: self._call_device(ACT, "act", reader),
+                    SENSE: lambda reader: self._call_device(SENSE, "sense", reader)}
         while True:
             reader = Reader(self._link.receive())
             handlers[reader.number("I")](reader)
@@ -180,6 +183,43 @@ class Worker:
             self._enter(UPDATE, number)
             self._link.record(UPDATED, number, self._updated(running, tick, now, since_last))
         self._done()
+
+    def _start_device(self, reader):
+        number = reader.number("I")
+        self._enter(START_DEVICE, number)
+        running = self._controllers[number] = RunningDevice(reader, self._link, number)
+        kind = self._module.kinds.get(running.kind) if self._module else None
+        if kind is None:
+            return self._done((413, f"the device {running.kind} is not in the module"))
+        phases = []
+
+        def start():
+            phases.extend(running.start(kind))
+            return running.changes()
+
+        self._device_done(running, "failed in setup", start, lambda: bytes(phases))
+
+    def _call_device(self, request, phase, reader):
+        number = reader.number("I")
+        running = self._controllers.get(number)
+        if running is None or running.instance is None:
+            return self._done((INTERNAL, "no such device"))
+        self._enter(request, number)
+        self._device_done(running, f"failed in {phase}", lambda: running.call(phase, reader))
+
+    def _device_done(self, running, failed, call, more=lambda: b""):
+        self.called = running.outside
+        fault, data = None, b""
+        try:
+            own, peers = call()
+            data = Writer().bytes(own).bytes(peers).bytes(more()).data()
+        except _ANY as error:
+            found = Fault(error)
+            for file, line, name in found.frames:
+                running.outside.print(3, f"  {name} at {file}:{line}")
+            fault = (CONTROLLER_FAILED, found.text)
+        self.called = None
+        self._done(fault, data)
 
     def _updated(self, running, tick, now, since_last):
         """One call of update(), as a record."""

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Devices of one module: their calls, and what they ask the run, as core/control/host/device_calls.cpp answers it."""
+
+import array
+import itertools
+import struct
+
+from .. import description
+from ..controller import fnv1a64, random_bits
+from ..device import BodyState, Contact, Device, Echoes, Geom, JointState, Mount, Peer, Supply, World, Wrench
+from ..ports import Pose
+from ..signals import Slot
+from .wire import Reader, Writer
+
+COMMAND, QUERY = 7, 108  # records
+_QUERIES = ("joint", "measured_joint", "body", "geom", "frame", "peer", "peer_number", "peer_text", "add_axial_inertia", "joint_state",
+          "joint_anchor", "joint_wrench", "body_state", "pose", "contacts", "cast", "geom_info", "reflectance")
+_COMMANDS = ("print", "motor_row", "servo_row", "joint_torque", "body_force", "surface_velocity", "draw")
+_NUMBERS = {name: number for number, name in enumerate(_QUERIES + _COMMANDS)}
+_NO_GEOM = 0xffffffff
+_CONTACT = struct.Struct("=8dI")
+
+
+class NotFound(LookupError):
+    """The robot has no such joint, body, geom or device: the run says which there are."""
+
+
+def _handle(value, what):
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 1 << 32:
+        raise TypeError(f"{value!r} is no {what}")
+    return value
+
+
+def _threes(values):
+    return list(zip(*[iter(values)] * 3))
+
+
+class Calls:
+    """What the Mount and the World of a device do."""
+
+    def __init__(self, link, number, seed, path):
+        self._link, self._number, self._seed, self._hash = link, number, seed, fnv1a64(path.encode())
+        self.tick_number, self._supply = 0, Supply(False, 0.0, 0.0)
+        self.peers = array.array("d")
+
+    def begin(self, tick_number, supply):
+        self.tick_number, self._supply = tick_number, supply
+
+    def _command(self, name, writer):
+        return self._link.record(COMMAND, self._number, struct.pack("=I", _NUMBERS[name]) + writer.data())
+
+    def _query(self, name, writer):
+        reply = self._link.ask(QUERY, self._number, struct.pack("=I", _NUMBERS[name]) + writer.data())
+        if reply is None:
+            raise RuntimeError("the simulation is reached in setup, act and sense alone, not in threads")
+        reader = Reader(reply)
+        fault = reader.status()
+        if fault:
+            raise NotFound(fault[1])
+        return reader
+
+    # of Mount
+
+    def find(self, what, name):
+        return self._query(what, Writer().bytes(name)).number("I")
+
+    def frame(self, body, pos, hpr):
+        return self._query("frame", Writer().bytes(body).doubles(3, pos).doubles(3, hpr)).number("I")
+
+    def peer(self, kind, device, signal):
+        self.peers.append(self._query("peer", Writer().bytes(kind).bytes(device).bytes(signal)).number("d"))
+        return Peer(self.peers, len(self.peers) - 1)
+
+    def peer_number(self, device, field):
+        return self._query("peer_number", Writer().bytes(device).bytes(field)).number("d")
+
+    def peer_text(self, device, field):
+        return self._query("peer_text", Writer().bytes(device).bytes(field)).text()
+
+    def add_axial_inertia(self, joint, inertia):
+        self._query("add_axial_inertia", Writer().number("I", _handle(joint, "joint")).number("d", inertia))
+
+    # of World
+
+    def _of(self, what, kind, value):
+        return self._query(what, Writer().number("I", _handle(value, kind)))
+
+    def joint_state(self, joint):
+        return JointState(*self._of("joint_state", "joint", joint).doubles(3))
+
+    def joint_anchor(self, joint):
+        reader = self._of("joint_anchor", "joint", joint)
+        return reader.doubles(3), reader.doubles(3)
+
+    def joint_wrench(self, joint):
+        reader = self._of("joint_wrench", "joint", joint)
+        return Wrench(reader.doubles(3), reader.doubles(3)) if reader.number("B") else None
+
+    def body_state(self, body):
+        reader = self._of("body_state", "body", body)
+        return BodyState(Pose(reader.doubles(3), reader.doubles(4)), reader.doubles(3), reader.doubles(3))
+
+    def pose(self, frame):
+        reader = self._of("pose", "frame", frame)
+        return Pose(reader.doubles(3), reader.doubles(4))
+
+    def contacts(self, geom):
+        found = _CONTACT.iter_unpack(self._of("contacts", "geom", geom).bytes())
+        return [Contact(c[0:3], c[3:6], c[6], c[7], c[8]) for c in found]
+
+    def cast(self, frame, range, bearings, elevations, own):
+        first, step, count = bearings
+        writer = Writer().number("I", _handle(frame, "frame")).number("d", range).number("d", first).number("d", step)
+        writer.number("I", count).bytes(array.array("d", elevations).tobytes()).number("B", bool(own))
+        reader = self._query("cast", writer)
+        distances, geoms, normals = reader.numbers("d"), reader.numbers("I"), reader.numbers("d")
+        return Echoes(distances, [None if geom == _NO_GEOM else geom for geom in geoms], _threes(normals))
+
+    def geom_info(self, geom):
+        reader = self._of("geom_info", "geom", geom)
+        if not reader.number("B"):
+            return None
+        return Geom(reader.text(), reader.text(), reader.doubles(3), *reader.doubles(3), reader.number("I"))
+
+    def reflectance(self, geom, point, normal):
+        writer = Writer().number("I", _handle(geom, "geom")).doubles(3, point).doubles(3, normal)
+        return self._query("reflectance", writer).number("d")
+
+    def supply(self):
+        return self._supply
+
+    def random_bits(self, index):
+        return random_bits(self._seed, self._hash, self.tick_number, index)
+
+    def print(self, severity, text):
+        return self._command("print", Writer().number("i", severity).bytes(text))
+
+    def motor_row(self, joint, rate, softness, limit):
+        self._command("motor_row", Writer().number("I", _handle(joint, "joint")).doubles(3, (rate, softness, limit)))
+
+    def servo_row(self, joint, rate, limit, damping):
+        self._command("servo_row", Writer().number("I", _handle(joint, "joint")).doubles(3, (rate, limit, damping)))
+
+    def joint_torque(self, joint, torque):
+        self._command("joint_torque", Writer().number("I", _handle(joint, "joint")).number("d", torque))
+
+    def body_force(self, body, force, point):
+        self._command("body_force", Writer().number("I", _handle(body, "body")).doubles(3, force).doubles(3, point))
+
+    def surface_velocity(self, geom, velocity):
+        self._command("surface_velocity", Writer().number("I", _handle(geom, "geom")).doubles(3, velocity))
+
+    def draw(self, watts, conductance):
+        self._command("draw", Writer().doubles(2, (watts, conductance)))
+
+
+class RunningDevice:
+    """A device of one robot. `outside` is what print() of Python reaches."""
+
+    def __init__(self, reader, link, number):
+        self.kind, self.path, self._tick, seed = reader.text(), reader.text(), reader.number("d"), reader.number("Q")
+        self._values = {}
+        for _ in range(reader.number("Q")):
+            key = reader.text()
+            self._values[key] = reader.value()
+        self.outside = Calls(link, number, seed, self.path)
+        self._own = array.array("d")
+        self._world, self.instance = World(self.outside, self._tick), None
+
+    def failed(self, how, why):
+        return f"{self.path} {how}: {why}"
+
+    def set(self, field, value):
+        setattr(self.instance, field.attribute, field.to_python(*value))
+
+    def start(self, kind):
+        """Whether it acts, and whether it senses."""
+        self.instance = kind.__new__(kind)
+        self.instance._outside = self.outside
+        self.instance.__init__()
+        for field in description.members(kind, description.field):
+            if field.name in self._values:
+                self.set(field, self._values[field.name])
+        signals = description.members(kind, description.output)
+        self._own = array.array("d", bytes(8 * sum(s.count for s in signals)))
+        view = memoryview(self._own)
+        firsts = itertools.accumulate((s.count for s in signals), initial=0)
+        for signal, first in zip(signals, firsts):
+            self.instance._outputs[signal.name] = Slot(view, first, signal.count, True)
+        self.instance.setup(Mount(self.outside, self.path, self._tick))
+        return [getattr(kind, name) is not getattr(Device, name) for name in ("act", "sense")]
+
+    def call(self, phase, reader):
+        """The numbers that it has changed: its own, and those of other devices."""
+        tick_number, self._world.time = reader.number("Q"), reader.number("d")
+        self.outside.begin(tick_number, Supply(bool(reader.number("B")), *reader.doubles(2)))
+        own, peers = reader.bytes(), reader.bytes()
+        memoryview(self._own).cast("B")[:] = own
+        self.outside.peers[:] = array.array("d", peers)
+        getattr(self.instance, phase)(self._world)
+        return self.changes(own, peers)
+
+    def changes(self, own=b"", peers=b""):
+        now = (self._own.tobytes(), self.outside.peers.tobytes())
+        return [b"" if new == old else new for new, old in zip(now, (own, peers))]
