@@ -267,8 +267,8 @@ def radios(programs, options):
 
 
 def controllers(programs, options):
-    """What the calls of controllers cost in a tick: inside the program by processor time, in processes of their own by wall time, as the
-    run waits for them. Robots stand still."""
+    """What the calls of controllers cost in a tick: inside the program by processor time, with the engine that leaves most of it to them; in
+    processes of their own by wall time, as the run waits for them. Robots stand still."""
     rows, failed = [], []
     for count, isolations in [(10, ["none", "module", "robot"]), (100, ["none", "module"])]:
         progress(f"controllers, {count} robots")
@@ -276,9 +276,10 @@ def controllers(programs, options):
         ticks = round(100 * seconds)
         without = programs.write(f"parked{count}", experiments.parked(count, seconds, False))
         path = programs.write(f"controlled{count}", experiments.parked(count, seconds))
-        sides = {"processor": lambda: programs.tick_cost(without, ticks, 1)[0], "wall": lambda: 1e6 * programs.run(without)["wall_s"] / ticks}
+        quick = {key: programs.write(f"planar_{key}{count}", "Engine = planar\n" + experiments.parked(count, seconds, key)) for key in [False, True]}
+        sides = {"processor": lambda: programs.tick_cost(quick[False], ticks, 1)[0], "wall": lambda: 1e6 * programs.run(without)["wall_s"] / ticks}
         sides |= {name: lambda name=name: 1e6 * programs.run(path, "--set", f"Isolation={name}")["wall_s"] / ticks for name in isolations}
-        sides["none"] = lambda: programs.tick_cost(path, ticks, 1)[0]
+        sides["none"] = lambda: programs.tick_cost(quick[True], ticks, 1)[0]
         values = interleaved(options.repetitions, sides)
         for name in isolations:
             base = values["processor" if name == "none" else "wall"]
