@@ -152,7 +152,7 @@ static constexpr ActionRow kTable[] = {
     {"sim.openLogs",   "Simulation",  "Open Lo&g Folder",          "open",        "",               "Show the folder with the logs of this run or the last one."},
 
     {"controllers.new", "Controllers",  "&New Controller…",       "new",         "",               "Start a controller of your own, in C++ or Python, and edit its source here."},
-    {"controllers.newComponent", "Controllers", "New &Component…", "",          "",               "Start a sensor or actuator of your own in C++, and edit its source here."},
+    {"controllers.newComponent", "Controllers", "New &Component…", "",          "",               "Start a sensor or actuator of your own, in C++ or Python, and edit its source here."},
     {"controllers.build", "Controllers", "&Build",                "fix",         "Ctrl+B",         "Save, and build the module of the source that is shown, or all that the experiment loads."},
     {"controllers.cancelBuild", "Controllers", "Cancel B&uild",   "",            "",               "Stop the build in progress."},
     {"controllers.load", "|Controllers", "&Load Module…",         "module",      "",               "Use a library of controllers or components in this experiment."},
