@@ -9,6 +9,8 @@
 namespace trundle {
 namespace {
 
+constexpr double kSlack = 1e-6; // ticks, as in SensorClock
+
 /// What the functions of a table do.
 struct TableCalls {
     static PythonDevice& device(void* instance) { return *static_cast<PythonDevice*>(instance); }
@@ -29,7 +31,8 @@ struct TableCalls {
     }
     static std::int32_t sense(void* instance, const TrundleServices* services) {
         PythonDevice& d = device(instance);
-        return !d.senses || d.host->call(d, HostRequest::Sense, *services) ? 0 : 1;
+        const bool idle = services->time + kSlack * services->tick < d.idleUntil;
+        return !d.senses || idle || d.host->call(d, HostRequest::Sense, *services) ? 0 : 1;
     }
 };
 
@@ -161,8 +164,7 @@ bool PythonDeviceHost::setup(PythonDevice& device, const TrundleMount& mount) {
     device.calls.begin(nullptr, nullptr);
     if (!device.started) return false;
     WireReader in(more);
-    device.setNumbers(in.numbers<double>());
-    device.calls.setPeers(in.numbers<double>());
+    take(device, in);
     const std::string_view phases = in.bytes();
     device.acts = phases.size() > 0 && phases[0] != 0;
     device.senses = phases.size() > 1 && phases[1] != 0;
@@ -186,9 +188,15 @@ bool PythonDeviceHost::call(PythonDevice& device, HostRequest request, const Tru
     device.calls.begin(nullptr, nullptr);
     if (!done) return false;
     WireReader in(more);
+    take(device, in);
+    return true;
+}
+
+/// What a call has changed.
+void PythonDeviceHost::take(PythonDevice& device, WireReader& in) {
     device.setNumbers(in.numbers<double>());
     device.calls.setPeers(in.numbers<double>());
-    return true;
+    device.idleUntil = in.number<double>();
 }
 
 void PythonDeviceHost::destroy(PythonDevice& device) {

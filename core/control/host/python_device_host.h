@@ -28,6 +28,7 @@ struct PythonDevice {
     std::vector<std::pair<double*, std::uint32_t>> signals;    ///< slots and counts, in the order of the kind
     DeviceCalls calls;
     bool started = false, acts = false, senses = false;
+    double idleUntil = 0; ///< s: no sense is needed before
 
     /// All numbers of its signals.
     [[nodiscard]] std::vector<double> numbers() const;
@@ -55,6 +56,7 @@ public:
 private:
     void addTable(const Kind& kind);
     [[nodiscard]] bool request(PythonDevice& device, HostRequest request, std::string_view bytes, std::string& more);
+    static void take(PythonDevice& device, WireReader& in);
     [[nodiscard]] std::string faultOfEnd(const PythonDevice& device);
 
     std::string m_file;

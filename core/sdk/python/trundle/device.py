@@ -221,7 +221,7 @@ class Device:
 
     def __new__(cls, *arguments, **more):
         made = super().__new__(cls)
-        made._outside, made._outputs = None, {}
+        made._outside, made._outputs, made._idle_until = None, {}, 0.0
         return made
 
     def __init__(self):

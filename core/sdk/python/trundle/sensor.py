@@ -26,6 +26,10 @@ class SensorClock:
         self._count = max(self._count + 1, math.floor((now + slack) / period) + 1)
         return True
 
+    def next(self, period):
+        """The time that is awaited, s."""
+        return self._count * period if period > 0 else 0.0
+
 
 class Sensor(Device):
     """A sensor fixed to a body: it measures when UpdatePeriod says, and what it measured is published Latency later. Override measure and
@@ -68,6 +72,9 @@ class Sensor(Device):
         while self._waiting and self._waiting[0][0] + self.latency <= now:
             time, reading = self._waiting.popleft()
             self.publish(reading, time)
+        # Until then a call would do nothing, so the run makes none; what a battery does is followed at each tick.
+        times = [self._clock.next(self.update_period)] + [time + self.latency for time, _ in list(self._waiting)[:1]]
+        self._idle_until = 0.0 if world.supply().present else min(times)
 
 
 def _polynomial(coefficients, x):

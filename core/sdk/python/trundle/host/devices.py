@@ -203,3 +203,8 @@ class RunningDevice:
     def changes(self, own=b"", peers=b""):
         now = (self._own.tobytes(), self.outside.peers.tobytes())
         return [b"" if new == old else new for new, old in zip(now, (own, peers))]
+
+    @property
+    def idle_until(self):
+        """No sense is needed before this time, s."""
+        return self.instance._idle_until

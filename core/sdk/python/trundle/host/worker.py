@@ -212,7 +212,7 @@ class Worker:
         fault, data = None, b""
         try:
             own, peers = call()
-            data = Writer().bytes(own).bytes(peers).bytes(more()).data()
+            data = Writer().bytes(own).bytes(peers).number("d", running.idle_until).bytes(more()).data()
         except _ANY as error:
             found = Fault(error)
             for file, line, name in found.frames:
