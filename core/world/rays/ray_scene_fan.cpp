@@ -50,7 +50,7 @@ struct RayScene::FanCast {
                 0,
                 static_cast<int>(t.count) - 1};
     }
-    [[nodiscard]] bool isOwn(std::uint32_t actor) const { return (actor == without) & (without != kNoGeom); }
+    [[nodiscard]] bool isOwn(std::uint32_t actor) const { return actor == without && without != kNoGeom; }
 
     void plane(std::uint32_t index) {
         const Local local = localOf(scene.m_geoms[index]);
@@ -122,7 +122,7 @@ void RayScene::castFan(const RayFan& fan, std::uint32_t without, const RayHits& 
     std::size_t count = 0; // without branches: which balls are in range cannot be foreseen
     const auto take = [&](const GeomBall& ball) {
         m_candidates[count] = &ball;
-        count += static_cast<std::size_t>(cast.view.reaches(ball) & !cast.isOwn(ball.actor));
+        count += std::size_t{cast.view.reaches(ball)} * std::size_t{!cast.isOwn(ball.actor)};
     };
     m_still.near(lo.x(), hi.x(), lo.y(), hi.y(), take);
     m_moving.near(lo.x(), hi.x(), lo.y(), hi.y(), take);
