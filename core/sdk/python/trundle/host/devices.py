@@ -10,6 +10,7 @@ from ..controller import fnv1a64, random_bits
 from ..device import BodyState, Contact, Device, Echoes, Geom, JointState, Mount, Peer, Supply, World, Wrench
 from ..ports import Pose
 from ..signals import Slot
+from .instance import Instance
 from .wire import Reader, Writer
 
 COMMAND, QUERY = 7, 108  # records
@@ -154,40 +155,27 @@ class Calls:
         self._command("draw", Writer().doubles(2, (watts, conductance)))
 
 
-class RunningDevice:
-    """A device of one robot. `outside` is what print() of Python reaches."""
+class RunningDevice(Instance):
+    """A device of one robot."""
 
     def __init__(self, reader, link, number):
-        self.kind, self.path, self._tick, seed = reader.text(), reader.text(), reader.number("d"), reader.number("Q")
-        self._values = {}
-        for _ in range(reader.number("Q")):
-            key = reader.text()
-            self._values[key] = reader.value()
-        self.outside = Calls(link, number, seed, self.path)
+        super().__init__()
+        self.kind, self.title, self._tick, seed = reader.text(), reader.text(), reader.number("d"), reader.number("Q")
+        self.read_values(reader)
+        self.outside = Calls(link, number, seed, self.title)
         self._own = array.array("d")
-        self._world, self.instance = World(self.outside, self._tick), None
-
-    def failed(self, how, why):
-        return f"{self.path} {how}: {why}"
-
-    def set(self, field, value):
-        setattr(self.instance, field.attribute, field.to_python(*value))
+        self._world = World(self.outside, self._tick)
 
     def start(self, kind):
         """Whether it acts, and whether it senses."""
-        self.instance = kind.__new__(kind)
-        self.instance._outside = self.outside
-        self.instance.__init__()
-        for field in description.members(kind, description.field):
-            if field.name in self._values:
-                self.set(field, self._values[field.name])
+        self.make(kind)
         signals = description.members(kind, description.output)
         self._own = array.array("d", bytes(8 * sum(s.count for s in signals)))
         view = memoryview(self._own)
         firsts = itertools.accumulate((s.count for s in signals), initial=0)
         for signal, first in zip(signals, firsts):
             self.instance._outputs[signal.name] = Slot(view, first, signal.count, True)
-        self.instance.setup(Mount(self.outside, self.path, self._tick))
+        self.instance.setup(Mount(self.outside, self.title, self._tick))
         return [getattr(kind, name) is not getattr(Device, name) for name in ("act", "sense")]
 
     def call(self, phase, reader):

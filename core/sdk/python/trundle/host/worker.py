@@ -14,6 +14,7 @@ from ..controller import INFO, WARNING
 from ..ports import RobotPorts
 from ..signals import Entry, Image, UnknownPort
 from .devices import RunningDevice
+from .instance import Instance
 from .module import Fault, Module
 from .outside import DONE, SETUP_TICK, UPDATED, ClaimedCommand, Outside
 from .wire import Reader, Writer
@@ -49,19 +50,17 @@ class _Console(io.TextIOBase):
             self._otherwise.flush()
 
 
-class _Running:
+class _RunningController(Instance):
     """A controller of one robot."""
 
     def __init__(self, reader, link, number, sensors, commands):
+        super().__init__()
         offset, seed, self.tick = reader.number("Q"), reader.number("Q"), reader.number("d")
         robot = reader.text()
         controllers = [reader.text() for _ in range(reader.number("Q"))]
         index = reader.number("Q")
         name, self.kind = controllers[index], reader.text()
-        self.values = {}
-        for _ in range(reader.number("Q")):
-            key = reader.text()
-            self.values[key] = reader.value()
+        self.read_values(reader)
         published = {}
         for _ in range(reader.number("Q")):
             signal, _, published[signal] = reader.text(), reader.number("I"), reader.number("I")
@@ -75,21 +74,9 @@ class _Running:
         self.title = f"the controller {self.kind}{f' {name}' if len(controllers) > 1 else ''} of {robot}"
         self.outside = Outside(link, number, self.title, seed, f"{robot}/{name}" if index else robot)
         self.image = Image(robot, name, self.kind, devices, entries, sensors, commands, self.outside.claim, published)
-        self.instance = None
-
-    def failed(self, how, why):
-        return f"{self.title} {how}: {why}"
-
-    def set(self, field, value):
-        setattr(self.instance, field.attribute, field.to_python(*value))
 
     def start(self, kind):
-        self.instance = kind.__new__(kind)
-        self.instance._outside = self.outside
-        self.instance.__init__()
-        for field in description.members(kind, description.field):
-            if field.name in self.values:
-                self.set(field, self.values[field.name])
+        self.make(kind)
         for signal in description.members(kind, description.output):
             self.instance._outputs[signal.name] = self.image.published(signal.name)
         self.instance.setup(RobotPorts(self.image, self.tick, self.outside))
@@ -149,7 +136,7 @@ class Worker:
     def _start(self, reader):
         number = reader.number("I")
         self._enter(START, number)
-        running = _Running(reader, self._link, number, self._sensors, self._commands)
+        running = _RunningController(reader, self._link, number, self._sensors, self._commands)
         self._controllers[number] = running
         kind = self._module.kinds.get(running.kind) if self._module else None
         if kind is None:
