@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
     QApplication::setWindowIcon(themedIcon(QStringLiteral("kind-robot")));
 
     const std::unique_ptr<Application> trundleApplication = makeApplication(findLocations(), Isolation::Module);
-    const std::unique_ptr<RenderService> render = RenderService::startInBackground();
+    const std::unique_ptr<RenderService> render = RenderService::startInBackground(true);
     MainWindow window(*trundleApplication, render.get(), findLocations(), options.given);
     if (options.screenshot.isEmpty()) window.rememberViews();
     else window.disableSettings(); // a screenshot must not depend on the user's settings

@@ -222,7 +222,7 @@ std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& load
             if (console) console(*world ? (*world)->time() : 0, {}, TRUNDLE_WARNING, line);
         };
         options.pictures = [folder = m_locations.modules, warn](const ExperimentSpec& experiment, const SignalLayout& layout) {
-            return openImageSource(folder, experiment, layout, {LookChoice::Automatic, warn});
+            return openImageSource(folder, experiment, layout, {LookChoice::Automatic, warn, true});
         };
     }
     std::unique_ptr<Runner> runner = Runner::create(loaded.experiment, devices, backends, std::move(options), diagnostics);

@@ -8,8 +8,7 @@ namespace trundle {
 
 CameraImageRenderer::CameraImageRenderer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout,
                                          ImageSourceRequest imageRequest)
-    : m_experiment(std::move(experiment)), m_reader(*m_experiment, layout),
-      m_imageRequest(std::move(imageRequest)) {
+    : m_experiment(std::move(experiment)), m_reader(*m_experiment, layout), m_imageRequest(std::move(imageRequest)) {
     for (CameraModel& model : camerasOf(*m_experiment)) {
         std::optional<LensMap> lens = lensMapOf(model);
         std::string path = model.path;
@@ -28,7 +27,7 @@ CameraImageRenderer::~CameraImageRenderer() {
 
 void CameraImageRenderer::start() {
     if (!m_service) {
-        m_own = RenderService::startInBackground();
+        m_own = RenderService::startInBackground(m_imageRequest.belowWindow);
         m_own->setLook(m_imageRequest.look);
         m_service = m_own.get();
     }
@@ -73,7 +72,7 @@ Result<CameraImage> CameraImageRenderer::capture(const std::string& path, const 
 
     PictureRequest request;
     request.scene = m_scene;
-    request.view = viewOf(model, model.body < moment.poses->size() ? (*moment.poses)[model.body] : Pose{});
+    request.view = settled(viewOf(model, model.body < moment.poses->size() ? (*moment.poses)[model.body] : Pose{}));
     request.width = lens ? lens->width : model.width;
     request.height = lens ? lens->height : model.height;
     if (lens) request.view->fieldOfView = lens->fieldOfView;

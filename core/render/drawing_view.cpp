@@ -3,6 +3,11 @@
 #include <osg/GLExtensions>
 
 namespace trundle {
+namespace {
+
+constexpr GLbitfield kAllBuffers = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+
+} // namespace
 
 DrawingView::DrawingView(GraphicsContext& context, std::uint32_t width, std::uint32_t height, float detail)
     : m_context(context), m_view(new osgUtil::SceneView) {
@@ -14,7 +19,6 @@ DrawingView::DrawingView(GraphicsContext& context, std::uint32_t width, std::uin
     camera->setGraphicsContext(&context);
     camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
     camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     camera->setClearColor(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
     camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     m_view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR); // not taken over from its camera
@@ -34,6 +38,7 @@ void DrawingView::draw(const Pass& pass) {
     m_view->setSecondaryStateSet(pass.state);
     m_view->setCullMask(pass.mask);
     camera().setClearColor(pass.background);
+    camera().setClearMask(pass.clears ? kAllBuffers : 0);
     m_context.setDefaultFboId(pass.frame);
     m_context.getState()->get<osg::GLExtensions>()->glBindFramebuffer(GL_FRAMEBUFFER_EXT, pass.frame);
     m_view->cull();

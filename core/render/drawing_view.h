@@ -24,6 +24,7 @@ public:
         osg::Vec4 background;
         osg::StateSet* state = nullptr; ///< applied over the root's own state; may be null
         unsigned number = 0;
+        bool clears = true; ///< the framebuffer first
     };
     void draw(const Pass& pass);
     [[nodiscard]] osg::Camera& camera() { return *m_view->getCamera(); }

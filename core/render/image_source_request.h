@@ -10,6 +10,7 @@ namespace trundle {
 struct ImageSourceRequest {
     LookChoice look = LookChoice::Automatic; ///< of views; does not apply to camera images
     std::function<void(const std::string&)> warn;
+    bool belowWindow = false; ///< drawing leaves the processors to a window that is open beside the run
 };
 
 } // namespace trundle

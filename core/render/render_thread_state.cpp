@@ -180,6 +180,9 @@ Result<Image> RenderThreadState::drawOnce(const PictureRequest& request, bool ri
     drawRequest.sun = sun.value();
     drawRequest.lines = request.wireframe;
     drawRequest.number = static_cast<unsigned>(++m_uses);
+    drawRequest.scene = request.scene;
+    drawRequest.floorLines = request.floorLines;
+    drawRequest.hidden = request.hidden;
     Result<Image> image = set.value().target->draw(scene, drawRequest);
     if (const Status whole = programs(); !whole) {
         m_isRichBroken = m_isRichBroken || rich;

@@ -146,10 +146,10 @@ struct RenderService::Thread {
 
 RenderService::RenderService(std::unique_ptr<Thread> thread) : m_thread(std::move(thread)) {}
 
-std::unique_ptr<RenderService> RenderService::startInBackground() {
+std::unique_ptr<RenderService> RenderService::startInBackground(bool belowWindow) {
     auto thread = std::make_unique<Thread>();
-    thread->thread = std::thread([t = thread.get()] {
-        lowerThreadPriority(); // software rendering uses all processors; the user interface has priority
+    thread->thread = std::thread([t = thread.get(), belowWindow] {
+        if (belowWindow) lowerThreadPriority();
         t->run();
     });
     return std::unique_ptr<RenderService>(new RenderService(std::move(thread)));

@@ -25,8 +25,9 @@ public:
 
     /// Starts the thread and its context. Fails with E510 without OpenGL.
     [[nodiscard]] static Result<std::unique_ptr<RenderService>> start();
-    /// The same without waiting for the context; if there is none, each request fails with E510.
-    [[nodiscard]] static std::unique_ptr<RenderService> startInBackground();
+    /// The same without waiting for the context; if there is none, each request fails with E510. `belowWindow`: software
+    /// rendering uses all processors, and the thread of a window has priority over it.
+    [[nodiscard]] static std::unique_ptr<RenderService> startInBackground(bool belowWindow = true);
     /// Waits for the current request; queued ones end with an Error.
     ~RenderService();
 

@@ -10,6 +10,7 @@ namespace {
 constexpr double kLeastNear = 0.01, kMaxNear = 2.0, kFar = 8000; // m
 constexpr GLenum kDataFormat = 0x8814;                           // four 32-bit floats per pixel
 
+const osg::Vec4 kClearColour{0.5f, 0.5f, 0.5f, 1};
 constexpr float kDataDetail = 16;  // the flat faces of a coarse sphere would falsify its depth
 constexpr std::size_t kValues = 4; // values read per pixel
 
@@ -20,6 +21,13 @@ template <class Value> std::vector<Value> rowsFromTop(const Value* read, const T
     for (std::size_t y = 0; y < shape.height; ++y)
         std::copy_n(read + row * (shape.height - 1 - y), row, values.begin() + std::ptrdiff_t(row * y));
     return values;
+}
+
+/// True if a driver stores the colours of each draw in the eight bits of the framebuffer. Softpipe keeps more until they are read, so
+/// what is drawn over a kept background would be rounded differently.
+bool roundsEachDraw() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name && std::string_view(name).starts_with("llvmpipe");
 }
 
 osg::GLExtensions& gl(GraphicsContext& context) { return *context.getState()->get<osg::GLExtensions>(); }
@@ -35,6 +43,8 @@ Target::Target(GraphicsContext& context, TargetShape shape)
 Result<std::unique_ptr<Target>> Target::create(GraphicsContext& context, TargetShape shape) {
     std::unique_ptr<Target> target(new Target(context, shape));
     if (const Status made = target->makeBuffers(); !made) return made.error();
+    if (!shape.rich && !shape.data && shape.samples == 1 && roundsEachDraw())
+        target->m_backgrounds = std::make_unique<Backgrounds>(context, shape.width, shape.height);
     if (!shape.rich) return target;
     Result<std::unique_ptr<SkyMap>> sky = SkyMap::create(context, shape.width, shape.height);
     if (!sky) return sky.error();
@@ -116,10 +126,32 @@ std::uint32_t Target::light(Scene& scene, const DrawRequest& drawRequest) {
     return (drawRequest.mask & ~shadows) | kMaskLampShadows;
 }
 
+/// What does not move, then the rest. The bytes do not depend on whether the first was drawn or kept.
+void Target::drawInTwo(Scene& scene, const DrawRequest& drawRequest) {
+    constexpr std::uint32_t kStill = kMaskStatics | kMaskFloor | kMaskSky, kShadows = kMaskShadows | kMaskSoftShadows;
+    const std::uint32_t still = drawRequest.mask & (kStill | kShadows);
+    const Backgrounds::Key key{
+        drawRequest.scene, m_view.camera().getViewMatrix(), m_view.camera().getProjectionMatrix(), still, drawRequest.floorLines,
+        drawRequest.hidden};
+    const bool isStill = scene.isBackgroundStill();
+    if (!isStill || !m_backgrounds->restore(key, m_frame)) {
+        m_view.draw({m_frame, scene.root(), still, kClearColour, nullptr, drawRequest.number});
+        if (m_context.endedEarly()) return;
+        if (isStill) m_backgrounds->keep(key, m_frame);
+    }
+    DrawingView::Pass rest{m_frame, scene.root(), drawRequest.mask & ~kStill, kClearColour, nullptr, drawRequest.number};
+    rest.clears = false;
+    m_view.draw(rest);
+}
+
 Result<Image> Target::draw(Scene& scene, const DrawRequest& drawRequest) {
     aim(scene, drawRequest.view);
-    const std::uint32_t mask = m_sky ? light(scene, drawRequest) : drawRequest.mask;
-    m_view.draw({m_frame, scene.root(), mask, {0.5f, 0.5f, 0.5f, 1}, m_sky ? m_lit.get() : nullptr, drawRequest.number});
+    if (m_backgrounds && !drawRequest.lines && scene.hasBackground()) {
+        drawInTwo(scene, drawRequest);
+    } else {
+        const std::uint32_t mask = m_sky ? light(scene, drawRequest) : drawRequest.mask;
+        m_view.draw({m_frame, scene.root(), mask, kClearColour, m_sky ? m_lit.get() : nullptr, drawRequest.number});
+    }
     if (m_context.endedEarly()) return Error{Code::PictureFailed, {}};
     Image image = readImage();
     if (scene.marks().getBound().valid()) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "render/backgrounds.h"
 #include "render/data_image.h"
 #include "render/drawing_view.h"
 #include "render/image.h"
@@ -37,6 +38,9 @@ public:
         SunMap* sun = nullptr; ///< only for a rich target
         bool lines = false;    ///< wireframe; ambient occlusion is skipped
         unsigned number = 0;
+        SceneId scene = SceneId::None;
+        bool floorLines = true;
+        std::vector<std::string> hidden;
     };
     /// Marked objects get an outline, drawn over any occluder.
     [[nodiscard]] Result<Image> draw(Scene& scene, const DrawRequest& drawRequest);
@@ -48,6 +52,7 @@ private:
     [[nodiscard]] Status makeBuffers();
     void aim(const Scene& scene, const CameraView& view);
     [[nodiscard]] std::uint32_t light(Scene& scene, const DrawRequest& drawRequest);
+    void drawInTwo(Scene& scene, const DrawRequest& drawRequest);
     /// Pixels in framebuffer layout, which is the fastest: four values per pixel, rows from the bottom.
     template <class Value> [[nodiscard]] std::unique_ptr<Value[]> readBack(GLenum type);
     [[nodiscard]] Image readImage();
@@ -55,7 +60,8 @@ private:
     GraphicsContext& m_context;
     TargetShape m_shape;
     DrawingView m_view;
-    std::unique_ptr<SkyMap> m_sky; // only for a rich target
+    std::unique_ptr<SkyMap> m_sky;              // only for a rich target
+    std::unique_ptr<Backgrounds> m_backgrounds; // only for the fast look with one sample per pixel, in llvmpipe
     osg::ref_ptr<osg::StateSet> m_lit = new osg::StateSet;
     // Framebuffer to draw into, and, with several samples per pixel, a second one for the resolved image.
     GLuint m_frame = 0, m_colour = 0, m_depth = 0, m_resolvedFrame = 0, m_resolvedColour = 0;

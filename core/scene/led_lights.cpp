@@ -68,7 +68,7 @@ void LedLights::set(std::span<const LedColour> colours) {
     for (std::size_t i = 0; i < colours.size(); ++i) m_sources[i].shown = colours[i];
 }
 
-void LedLights::apply(const Vec3& eye, osg::StateSet& root) const {
+bool LedLights::apply(const Vec3& eye, osg::StateSet& root) const {
     std::vector<ChosenLed> chosen;
     for (const Source& source : m_sources) {
         const auto most = *std::ranges::max_element(source.shown);
@@ -83,7 +83,8 @@ void LedLights::apply(const Vec3& eye, osg::StateSet& root) const {
         led.seen = source.candela * most / (0.01 + (place - osg::Vec3d(eye.x(), eye.y(), eye.z())).length2());
     }
     root.removeDefine("LED_BEAMS");
-    if (chosen.empty()) return root.removeDefine("LEDS");
+    root.removeDefine("LEDS");
+    if (chosen.empty()) return false;
     std::ranges::stable_sort(chosen, std::greater(), &ChosenLed::seen);
     // A program is compiled for each number of them, so there are few of these.
     const std::size_t count = std::bit_ceil(std::min(chosen.size(), kMost));
@@ -99,6 +100,7 @@ void LedLights::apply(const Vec3& eye, osg::StateSet& root) const {
         lights->setElement(i, chosen[i].light);
         beams->setElement(i, chosen[i].beam);
     }
+    return true;
 }
 
 } // namespace trundle

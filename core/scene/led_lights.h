@@ -22,8 +22,8 @@ public:
     /// Ignored unless there is one colour for each Led.
     void set(std::span<const LedColour> colours);
     /// Sets the uniforms of the scene for a picture from `eye` (world frame, m): those Leds that are brightest from there, of equal ones the
-    /// first. While none shines, the scene is drawn without any of this.
-    void apply(const Vec3& eye, osg::StateSet& root) const;
+    /// first. While none shines, the scene is drawn without any of this, and it returns false.
+    bool apply(const Vec3& eye, osg::StateSet& root) const;
 
 private:
     struct Source {

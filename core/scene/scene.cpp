@@ -2,6 +2,7 @@
 
 #include <osg/PolygonMode>
 
+#include "scene/nodes/geom_nodes.h"
 #include "scene/nodes/osg_types.h"
 #include "scene/nodes/point_impostor.h"
 #include "scene/nodes/surroundings.h"
@@ -103,6 +104,7 @@ void Scene::addStatics(const ExperimentSpec& experiment) {
         if (isNew) {
             shapes = m_store->nodeOf(*fixed.geoms, experiment.materials);
             impostor = makePointImpostor(*shapes, m_store->look);
+            m_hasClearStatics = m_hasClearStatics || hasClearParts(*shapes);
         }
         osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(toOsg(fixed.pose));
         node->setName(fixed.name);

@@ -34,7 +34,11 @@ public:
     /// Also the colours of Leds. Ignored unless there is one pose per robot body; poses that are not finite are skipped.
     void setPoses(const BodyPoses& poses);
     /// Before a picture from `eye` (world frame, m) is drawn: chooses the Leds that light it.
-    void lightLeds(const Vec3& eye) { m_ledLights.apply(eye, *m_root->getOrCreateStateSet()); }
+    void lightLeds(const Vec3& eye) { m_isLedLit = m_ledLights.apply(eye, *m_root->getOrCreateStateSet()); }
+    /// True if floors, statics and sky can be drawn before all else.
+    [[nodiscard]] bool hasBackground() const { return !m_hasClearStatics; }
+    /// True if they look as they looked at the start.
+    [[nodiscard]] bool isBackgroundStill() const { return !m_isLedLit && (!m_lines || m_lines->empty()); }
     /// Hides objects in all images. Unknown paths are ignored, here and in setMarks().
     void setHidden(const std::vector<std::string>& paths) { m_objects.setHidden(paths); }
     /// Sets what marks() draws: selected objects in pure red, hovered ones in pure green.
@@ -90,7 +94,7 @@ private:
     DataNodes m_data;
     OverlayNodes m_overlay;
     mutable SunCasters m_casters;
-    bool m_wireframe = false;
+    bool m_wireframe = false, m_isLedLit = false, m_hasClearStatics = false;
     std::optional<double> m_floorHeight;
     Vec3 m_sun = Vec3::UnitZ();
     bool m_sunCasts = false;

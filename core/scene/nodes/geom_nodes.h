@@ -15,20 +15,13 @@
 #include <osg/MatrixTransform>
 
 #include "model/experiment_spec.h"
+#include "scene/nodes/geom_ranges.h"
 #include "scene/nodes/pictures.h"
 #include "scene/shaders/scene_shading.h"
+#include "scene/shapes/flat_shadow.h"
 #include "scene/shapes/spokes.h"
 
 namespace trundle {
-
-/// User data of a drawable: the geom of each vertex, so that a hit can be assigned to a geom.
-struct GeomRanges : osg::Referenced {
-    struct Range {
-        std::uint32_t firstVertex, geom;
-    };
-    std::vector<Range> ranges; ///< ascending
-    [[nodiscard]] std::uint32_t geomOf(std::uint32_t vertex) const;
-};
 
 /// User data of a geom node: the names of its geoms.
 struct GeomNames : osg::Referenced {
@@ -38,7 +31,9 @@ struct GeomNames : osg::Referenced {
 /// Its children are the visible surfaces; their shadow caster is kept separately, since a shadow needs only the outline.
 class GeomNode final : public osg::Group {
 public:
-    osg::ref_ptr<osg::Group> caster; ///< may be null
+    osg::ref_ptr<osg::Group> caster;     ///< all opaque geoms; may be null
+    std::vector<ShadowSolid> solids;     ///< the convex ones of them
+    osg::ref_ptr<osg::Group> openCaster; ///< the others; may be null
 
     void traverse(osg::NodeVisitor& visitor) override;
     void releaseGLObjects(osg::State* state) const override;
@@ -46,6 +41,11 @@ public:
 
 /// True while the visitor is below a ShadowTransform, which draws shadow casters.
 [[nodiscard]] bool castsShadows(const osg::NodeVisitor& visitor);
+/// True if any geom below the node casts a shadow and is not convex.
+[[nodiscard]] bool hasOpenCasters(osg::Node& node);
+
+/// True if some of it is drawn as transparent.
+[[nodiscard]] bool hasClearParts(const osg::Group& geomNode);
 
 /// A transform below which geom nodes draw their shadow casters.
 class ShadowTransform final : public osg::MatrixTransform {
@@ -56,10 +56,12 @@ public:
         m_everywhere = true;
         setCullingActive(false);
     }
+    /// Leaves out the convex geoms.
+    void castOpenOnes() { m_openOnes = true; }
     void traverse(osg::NodeVisitor& visitor) override;
 
 private:
-    bool m_everywhere = false;
+    bool m_everywhere = false, m_openOnes = false;
 };
 
 /// How finely geoms are drawn from near by: 0 is the finest level.

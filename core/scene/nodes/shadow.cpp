@@ -1,18 +1,18 @@
 // Planar shadows.
-// Needs: flat floors. Assumes: the sun and a few lamps cast them. Method: every caster is drawn once more per layer, flattened
-//   onto the floor along the light. For the sun, the node's matrix flattens approximately, so that culling works; the program
-//   then moves the vertices exactly onto the plane. The stencil prevents a layer from darkening a pixel twice and from leaving
-//   its floor.
+// Needs: flat floors. Assumes: the sun and a few lamps cast them. Method: the sun's shadows of convex geoms are polygons
+//   (FlatShadows). Every other caster is drawn once more per layer, flattened onto the floor along the light. For the sun, the
+//   node's matrix flattens approximately, so that culling works; the program then moves the vertices exactly onto the plane. The
+//   stencil prevents a layer from darkening a pixel twice and from leaving its floor.
 
 #include <numbers>
 #include <osg/BlendFunc>
 #include <osg/CullFace>
 #include <osg/Depth>
-
 #include <osg/MatrixTransform>
 #include <osg/PolygonOffset>
 #include <osg/Stencil>
 
+#include "scene/nodes/flat_shadows.h"
 #include "scene/nodes/geom_nodes.h"
 #include "scene/nodes/osg_types.h"
 #include "scene/nodes/surroundings.h"
@@ -51,15 +51,13 @@ osg::Matrixd flattening(const Vec3& normal, const Vec3& point, const Vec3& light
 }
 
 /// State common to all layers: drawn only where their floor is visible, once per pixel.
-osg::ref_ptr<osg::Node> layerOf(const osg::ref_ptr<osg::MatrixTransform>& node, const FloorPlane& floor, unsigned index,
-                                unsigned layer, osg::Group& casters, const osg::ref_ptr<osg::Program>& program) {
+void setLayerState(osg::Node& node, const FloorPlane& floor, unsigned index, unsigned layer,
+                   const osg::ref_ptr<osg::Program>& program) {
     const Vec3 n = floor.normal();
-    node->addChild(&casters);
-    osg::StateSet* state = node->getOrCreateStateSet();
+    osg::StateSet* state = node.getOrCreateStateSet();
     const unsigned force = osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON;
     state->setAttributeAndModes(program, force);
     state->addUniform(new osg::Uniform("shadowPlane", osg::Vec4(n.x(), n.y(), n.z(), n.dot(floor.pose.position))));
-    state->setMode(GL_CLIP_PLANE0, force);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false), force);
     state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), force);
     state->setAttributeAndModes(new osg::PolygonOffset(-0.5f, -4.f), force);
@@ -70,7 +68,6 @@ osg::ref_ptr<osg::Node> layerOf(const osg::ref_ptr<osg::MatrixTransform>& node, 
     once->setWriteMask(bit);
     state->setAttributeAndModes(once, force);
     state->setRenderBinDetails(kDrawShadows, "RenderBin", osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
-    return node;
 }
 
 /// How much one layer darkens.
@@ -80,25 +77,51 @@ struct ShadowStrength {
     float top = kNoTop;
 };
 
-osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light, ShadowStrength dark,
-                                  osg::Group& casters, const SceneShading& look, const Lighting& lighting) {
-    osg::ref_ptr<osg::MatrixTransform> node = new ShadowTransform(flattening(floor.normal(), floor.pose.position, light));
-    osg::StateSet* state = node->getOrCreateStateSet();
-    state->addUniform(new osg::Uniform("shadowHeightScale", static_cast<float>(kHeightScale)));
-    state->addUniform(new osg::Uniform("shadowDepth", dark.depth));
-    state->addUniform(new osg::Uniform("shadowTop", dark.top));
+void setDarkness(osg::StateSet& state, const FloorPlane& floor, ShadowStrength dark, const Lighting& lighting) {
     const Vec3 n = floor.normal();
     const osg::Vec3 normal(n.x(), n.y(), n.z());
-    state->addUniform(new osg::Uniform("floorLight", lighting.on(normal)));
-    state->addUniform(new osg::Uniform("floorNormal", normal));
-    state->addUniform(new osg::Uniform("sunShare", lighting.sunShare(normal)));
-    state->addUniform(new osg::Uniform("sunPower", dark.sunPower));
+    state.addUniform(new osg::Uniform("shadowDepth", dark.depth));
+    state.addUniform(new osg::Uniform("floorLight", lighting.on(normal)));
+    state.addUniform(new osg::Uniform("floorNormal", normal));
+    state.addUniform(new osg::Uniform("sunShare", lighting.sunShare(normal)));
+    state.addUniform(new osg::Uniform("sunPower", dark.sunPower));
+}
+
+/// Casters drawn flattened.
+osg::ref_ptr<ShadowTransform> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light,
+                                        ShadowStrength dark, osg::Group& casters, const SceneShading& look,
+                                        const Lighting& lighting) {
+    osg::ref_ptr<ShadowTransform> node = new ShadowTransform(flattening(floor.normal(), floor.pose.position, light));
+    osg::StateSet* state = node->getOrCreateStateSet();
+    setDarkness(*state, floor, dark, lighting);
+    state->addUniform(new osg::Uniform("shadowHeightScale", static_cast<float>(kHeightScale)));
+    state->addUniform(new osg::Uniform("shadowTop", dark.top));
+    state->setMode(GL_CLIP_PLANE0, osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
     if (dark.top < kNoTop) {
         // For contact shadows the lower sides of the casters count, otherwise the sides towards the light.
         state->setMode(GL_CLIP_PLANE1, osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
         state->setAttributeAndModes(new osg::CullFace(osg::CullFace::FRONT));
     }
-    return layerOf(node, floor, index, layer, casters, look.shadow);
+    node->addChild(&casters);
+    setLayerState(*node, floor, index, layer, look.shadow);
+    return node;
+}
+
+osg::ref_ptr<osg::Node> makeSunLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light,
+                                     ShadowStrength dark, osg::Group& casters, const SceneShading& look,
+                                     const Lighting& lighting) {
+    osg::ref_ptr<osg::Group> both = new osg::Group;
+    osg::ref_ptr<osg::MatrixTransform> flat = new osg::MatrixTransform(toOsg(floor.pose));
+    flat->addChild(new FlatShadows(floor, light, casters));
+    setDarkness(*flat->getOrCreateStateSet(), floor, dark, lighting);
+    setLayerState(*flat, floor, index, layer, look.flatShadow);
+    both->addChild(flat);
+    if (hasOpenCasters(casters)) {
+        const osg::ref_ptr<ShadowTransform> open = makeLayer(floor, index, layer, light, dark, casters, look, lighting);
+        open->castOpenOnes();
+        both->addChild(open);
+    }
+    return both;
 }
 
 /// Shadow of a lamp. The program projects the casters from their own positions, which may be far from the floor.
@@ -114,9 +137,11 @@ osg::ref_ptr<osg::Node> makeLampLayer(const FloorPlane& floor, unsigned index, u
     state->addUniform(new osg::Uniform("lampHeight", heightOf(lamp, floor)));
     state->addUniform(new osg::Uniform("floorLight", lighting.on(normal)));
     state->addUniform(new osg::Uniform("floorNormal", normal));
-    for (const unsigned plane : {GL_CLIP_PLANE1, GL_CLIP_PLANE2})
+    for (const unsigned plane : {GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2})
         state->setMode(plane, osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
-    return layerOf(node, floor, index, layer, casters, look.lampShadow);
+    node->addChild(&casters);
+    setLayerState(*node, floor, index, layer, look.lampShadow);
+    return node;
 }
 
 Vec3 towardsSun(const Lighting& lighting) { return {lighting.sun.x(), lighting.sun.y(), lighting.sun.z()}; }
@@ -147,8 +172,8 @@ osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index,
                                         const Lighting& lighting) {
     osg::ref_ptr<osg::Group> layers = new osg::Group;
     if (sunCasts(lighting, floor))
-        layers->addChild(makeLayer(floor, index, 0, towardsSun(lighting), {fullDepth(lighting, floor.normal()), 0.5f}, casters,
-                                   look, lighting));
+        layers->addChild(makeSunLayer(floor, index, 0, towardsSun(lighting), {fullDepth(lighting, floor.normal()), 0.5f}, casters,
+                                      look, lighting));
     return layers;
 }
 
@@ -165,7 +190,7 @@ osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, 
             const double turn = 2 * std::numbers::pi * i / sunLayers + 0.3, reach = kSunRadius * (i % 2 ? 1.0 : 0.55);
             const Vec3 light = (sun + reach * (std::cos(turn) * side + std::sin(turn) * other)).normalized();
             if (floor.normal().dot(light) > 0.1)
-                layers->addChild(makeLayer(floor, index, i, light, {each, power}, casters, look, lighting));
+                layers->addChild(makeSunLayer(floor, index, i, light, {each, power}, casters, look, lighting));
         }
         layers->addChild(
             makeLayer(floor, index, sunLayers, floor.normal(), {kContactDepth, 0, kContactTop}, casters, look, lighting));

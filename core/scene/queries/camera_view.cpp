@@ -19,6 +19,18 @@ bool isUsable(const CameraView& view) {
            (view.nearPlane == 0 || view.farPlane == 0 || view.nearPlane < view.farPlane);
 }
 
+CameraView settled(const CameraView& view) {
+    const auto rounded = [](const Vec3& v) -> Vec3 {
+        constexpr double kParts = 1 << 20; // of a metre
+        return (v * kParts).array().round() / kParts;
+    };
+    CameraView result = view;
+    result.eye = rounded(view.eye);
+    result.target = result.eye + rounded(view.target - view.eye);
+    result.up = rounded(view.up);
+    return result;
+}
+
 Mat3 cameraAxes(const CameraView& view) {
     const Vec3 back = (view.eye - view.target).normalized();
     Vec3 right = view.up.cross(back);

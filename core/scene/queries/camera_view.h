@@ -23,6 +23,9 @@ struct CameraView {
 /// True if all numbers are finite, eye and target differ and the field of view is in (0, pi).
 [[nodiscard]] bool isUsable(const CameraView& view);
 
+/// Rounded to a micrometre, one metre ahead as at the eye: a camera that rests on something takes all its pictures from one place.
+[[nodiscard]] CameraView settled(const CameraView& view);
+
 /// Camera axes in world coordinates; columns: right, up, backwards. An `up` parallel to the line of sight is replaced.
 [[nodiscard]] Mat3 cameraAxes(const CameraView& view);
 

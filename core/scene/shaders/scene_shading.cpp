@@ -15,6 +15,7 @@ SceneShading::SceneShading()
       tinted(new osg::StateSet), floorTint(new osg::StateSet), sunCasters(new osg::StateSet), faces(new osg::StateSet),
       opened(new osg::StateSet), smoothed(new osg::StateSet), floor(program("floor", "floor.vert.glsl", "floor.frag.glsl")),
       shadow(program("shadow", "shadow.vert.glsl", "shadow.frag.glsl")),
+      flatShadow(program("flatShadow", "flat_shadow.vert.glsl", "shadow.frag.glsl")),
       lampShadow(program("lampShadow", "lamp_shadow.vert.glsl", "lamp_shadow.frag.glsl")),
       flat(program("flat", "flat.vert.glsl", "flat.frag.glsl")), data(program("data", "data.vert.glsl", "data.frag.glsl")),
       pictured(program("pictured", "body.vert.glsl", "pictured.frag.glsl")),

@@ -70,7 +70,7 @@ public:
     osg::ref_ptr<osg::StateSet> sunCasters;       ///< rich look, shadow pass: distances from the sun
     osg::ref_ptr<osg::StateSet> faces;            ///< rich look, geometry pass: visible faces
     osg::ref_ptr<osg::StateSet> opened, smoothed; ///< rich look, ambient occlusion: raw, smoothed
-    osg::ref_ptr<osg::Program> floor, shadow, lampShadow, flat, data;
+    osg::ref_ptr<osg::Program> floor, shadow, flatShadow, lampShadow, flat, data;
     osg::ref_ptr<osg::Program> pictured, picturedFloor; ///< with a texture instead of a colour
 };
 
