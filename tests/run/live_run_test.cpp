@@ -26,12 +26,13 @@ struct Door {
         std::unique_lock guard(lock);
         ++waiting;
         opens.wait(guard, [&] { return open; });
-        --waiting;
+        if (--waiting == 0) opens.notify_all();
     }
-    void set(bool isOpen) {
-        const std::scoped_lock guard(lock);
+    void set(bool isOpen) { // returns when whoever waited for it has passed
+        std::unique_lock guard(lock);
         open = isOpen;
         opens.notify_all();
+        opens.wait(guard, [&] { return !open || waiting == 0; });
     }
 };
 
@@ -39,7 +40,6 @@ class TalkingBackend final : public ControllerBackend {
 public:
     TalkingBackend(Door& door, int linesPerTick) : m_door(door), m_lines(linesPerTick) {}
     std::uint64_t failAt = ~0ull, finishAt = ~0ull;
-
     Status start(const SignalLayout&, SignalBlock&, ControllerOutputs outputs) override {
         m_outputs = std::move(outputs);
         return {};

@@ -15,16 +15,8 @@ struct Blob {
     double share = 0; ///< fraction of the image width that it covers
 };
 
-/// Hue in rad; saturation and brightness 0..1.
-struct Hue {
-    double angle = 0, saturation = 0, brightness = 0;
-};
-
-Hue hueOf(double r, double g, double b) {
-    const double high = std::max({r, g, b}), low = std::min({r, g, b});
-    const double angle = std::atan2(std::sqrt(3.0) * (g - b), 2 * r - g - b);
-    return {angle, high > 0 ? (high - low) / high : 0, high};
-}
+/// rad.
+double hueOf(double r, double g, double b) { return std::atan2(std::sqrt(3.0) * (g - b), 2 * r - g - b); }
 
 struct BlobFollow : trundle::Controller {
     std::array<double, 3> colour{0.85, 0.1, 0.08};
@@ -74,9 +66,11 @@ struct BlobFollow : trundle::Controller {
 
 private:
     [[nodiscard]] bool isMeant(trundle::Colour c) const {
-        const Hue hue = hueOf(c.red / 255.0, c.green / 255.0, c.blue / 255.0);
-        if (hue.saturation < 0.45 || hue.brightness < 0.15) return false;
-        return std::abs(std::remainder(hue.angle - m_hue.angle, 2 * std::numbers::pi)) <= tolerance;
+        const double r = c.red / 255.0, g = c.green / 255.0, b = c.blue / 255.0;
+        const double brightness = std::max({r, g, b}), saturation = (brightness - std::min({r, g, b})) / brightness;
+        // Most of an image is grey, so the angle is calculated last.
+        if (brightness < 0.15 || saturation < 0.45) return false;
+        return std::abs(std::remainder(hueOf(r, g, b) - m_hue, 2 * std::numbers::pi)) <= tolerance;
     }
 
     [[nodiscard]] Blob find(const trundle::Picture& picture) const {
@@ -114,7 +108,7 @@ private:
     std::string m_name;
     trundle::DifferentialDrivePort m_drive;
     trundle::CameraPort m_camera;
-    Hue m_hue;
+    double m_hue = 0; // rad
     int m_pictures = 0, m_kept = 0;
     bool m_there = false, m_blind = false;
 };
