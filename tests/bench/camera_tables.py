@@ -7,7 +7,7 @@ import report
 import svg_plot
 from programs import median, progress
 
-WANTED = {(64, 48): 500, (320, 240): 300, (640, 480): 150}  # pictures a second
+WANTED = {(64, 48): 2500, (320, 240): 600, (640, 480): 250}  # pictures a second
 RATIO = 1.3
 
 

@@ -185,7 +185,7 @@ def camera_robots(count, width, height, seeing, seconds):
     """`count` robots that look for a red ball, each with a camera of its own that takes ten pictures a second, or none."""
     columns, rows = pattern(count)
     brain = "BlobFollow brain { Speed=0.2 KeepEvery=0 UpdatePeriod=0.1 }" if seeing else "RandomDrive brain { Speed=0.2 }"
-    return f"""Tick = 0.01   Duration = {seconds}   Solver = exact   Threads = 1
+    return f"""Tick = 0.01   Duration = {seconds}   Solver = auto   Threads = 1
 #import robots/camera_robot.sim
 #import arenas/colour_yard.sim
 #loadModule controllers/blob_follow
