@@ -114,6 +114,39 @@ private Q_SLOTS:
         else QCOMPARE(QString::fromStdString(diagnostics.all()[0].message), said);
     }
 
+    /// A limit that is left out is out of range; one that is not is inside.
+    void limits_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<bool>("opensLow");
+        QTest::addColumn<bool>("opensHigh");
+        QTest::addColumn<bool>("isInside");
+        for (const bool low : {false, true})
+            for (const bool high : {false, true}) {
+                QTest::addRow("low %d %d", low, high) << 1.0 << low << high << !low;
+                QTest::addRow("high %d %d", low, high) << 3.0 << low << high << !high;
+                QTest::addRow("between %d %d", low, high) << 2.0 << low << high << true;
+            }
+    }
+    void limits() {
+        QFETCH(double, value);
+        QFETCH(bool, opensLow);
+        QFETCH(bool, opensHigh);
+        QFETCH(bool, isInside);
+        Property property;
+        property.name = "Share";
+        property.minimum = 1;
+        property.maximum = 3;
+        property.minExclusive = opensLow;
+        property.maxExclusive = opensHigh;
+        for (const PropertyType type : {PropertyType::Number, PropertyType::Integer}) {
+            property.type = type;
+            Diagnostics diagnostics;
+            GivenValue given;
+            given.elements = {number(value)};
+            QCOMPARE(readValue(property, given, diagnostics).has_value(), isInside);
+        }
+    }
+
     /// A decimal comma is repaired where both parts are written as digits beside it; a value of a Param has no text to repair.
     void suggestsADecimalPoint_data() {
         QTest::addColumn<QString>("text");
@@ -121,6 +154,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("fixed");
         QTest::newRow("comma") << "0,25" << true << "0.25";
         QTest::newRow("zeros") << "3,050" << true << "3.050";
+        QTest::newRow("only zeros") << "3,00" << true << "3.00";
         QTest::newRow("from a Param") << "0,25" << false << "";
         QTest::newRow("a blank") << "0, 25" << true << "";
         QTest::newRow("a fraction") << "1.5,2" << true << "";
@@ -146,6 +180,7 @@ private Q_SLOTS:
         QVERIFY(!readValue(*kind.find("Ratio"), given, d));
         QCOMPARE(d.all()[0].fixes.empty(), fixed.isEmpty());
         if (fixed.isEmpty()) return;
+        QCOMPARE(QString::fromStdString(d.all()[0].fixes[0].title), fixed);
         const TextEdit& edit = d.all()[0].fixes[0].edits.at(0);
         QCOMPARE(text.replace(edit.range.range.begin, edit.range.range.size(), QString::fromStdString(edit.text)), fixed);
     }
