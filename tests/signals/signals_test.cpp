@@ -75,6 +75,15 @@ private Q_SLOTS:
                                           hash("a", "p", "m", real, out, 1, true)};
         QCOMPARE(all.size(), std::size_t{11});
     }
+    /// The last signal has as many numbers as the hash says, in a world without robots too.
+    void theLengthOfTheLastSignalIsHashed() {
+        const auto hash = [](std::uint32_t count) {
+            SignalLayout l;
+            l.add("goal/count", "", SignalType::Integer, SignalDirection::Output, count);
+            return l.hash();
+        };
+        QVERIFY(hash(1) != hash(2));
+    }
     /// Of two signals with one path the first is found; the second has slots of its own.
     void theFirstOfTwoEqualPaths() {
         SignalLayout l;
@@ -86,6 +95,10 @@ private Q_SLOTS:
         QCOMPARE(l.slotCount(), 5u);
         QCOMPARE(l.entries().size(), std::size_t{2});
         QCOMPARE(l.images()[0].count, 5u);
+        for (int i = 0; i < 100; ++i) { // while the index grows
+            l.add("a/" + std::to_string(i), "", SignalType::Real, SignalDirection::Output);
+            QCOMPARE(l.find("a/x")->offset, 0u);
+        }
     }
     void aBlockStartsAtZeroAndCopies() {
         const SignalLayout l = twoRobots();
