@@ -117,6 +117,25 @@ private Q_SLOTS:
         QCOMPARE(q(applied(*tree, editSetValue(*tree, tree->items()[0].as<AssignmentItem>()->value, "7"))),
                  QByteArray("A = 7\nB=\nC = 1\n"));
     }
+    /// One space before the value, whether there is one already or not; none where the text has none.
+    void settingAMissingValueBesideBlanks_data() {
+        QTest::addColumn<QByteArray>("before");
+        QTest::addColumn<QByteArray>("after");
+        const auto row = [](const char* before, const char* after) {
+            QTest::newRow(before) << QByteArray(before) << QByteArray(after);
+        };
+        row("A = \nC = 1\n", "A = 7 \nC = 1\n"); // what follows stays
+        row("A = // none\nC = 1\n", "A = 7 // none\nC = 1\n");
+        row("A =// none\nC = 1\n", "A = 7 // none\nC = 1\n");
+        row("A=\nC=1\n", "A=7\nC=1\n");
+        row("A = ", "A = 7 ");
+    }
+    void settingAMissingValueBesideBlanks() {
+        QFETCH(QByteArray, before);
+        QFETCH(QByteArray, after);
+        const auto tree = parsed(before.constData());
+        QCOMPARE(q(applied(*tree, editSetValue(*tree, tree->items()[0].as<AssignmentItem>()->value, "7"))), after);
+    }
 
     void renaming() {
         const auto tree = parsed("Robot robot0 { leftMotor.Resistance=3 }");
