@@ -281,8 +281,52 @@ private Q_SLOTS:
         }
     }
 
+    void commonBody_data() {
+        QTest::addColumn<bool>("firstIsTurned");
+        QTest::addColumn<bool>("secondIsTurned");
+        for (const bool first : {false, true})
+            for (const bool second : {false, true})
+                QTest::addRow("%s, %s", first ? "child" : "parent", second ? "child" : "parent") << first << second;
+    }
+    /// The body in common may be the parent or the child of each joint; the rates are those of the joints, with their signs.
+    void commonBody() {
+        QFETCH(bool, firstIsTurned);
+        QFETCH(bool, secondIsTurned);
+        for (const double ratio : {-0.5, 3.0}) {
+            const double j1 = 0.02, j2 = 0.05, expected = 0.1 / (j2 + ratio * ratio * j1);
+            Scene scene(0.01);
+            scene.spec->settings.gravity = Vec3::Zero();
+            auto config = std::make_shared<RobotConfigSpec>();
+            config->bodies.push_back(block("base", {0, 0, 1}, 1000, 400));
+            config->bodies.push_back(block("one", {0, 0, 1}, 1, j1));
+            config->bodies.push_back(block("two", {0.3, 0, 1}, 1, j2));
+            const auto hinge = [](const char* name, bool isTurned, int wheel, const Vec3& place) {
+                return joint(name, JointType::Hinge, isTurned ? wheel : 0, isTurned ? 0 : wheel, place, Vec3::UnitZ());
+            };
+            config->joints.push_back(hinge("first", firstIsTurned, 1, {0, 0, 1}));
+            config->joints.push_back(hinge("second", secondIsTurned, 2, {0.3, 0, 1}));
+            config->gears.push_back(gear(0, 1, ratio));
+            config->devices.push_back(row("motor", "second"));
+            scene.robot("r", {}, config);
+            auto world = scene.build();
+            QVERIFY(world);
+            command(*world, "r/motor", 1e6, 1e6 / 0.1, 0.1); // 0.1 N m whatever the rate
+            QVERIFY(run(*world, 1));
+            const double w1 = value(*world, "r/first/rate"), w2 = value(*world, "r/second/rate");
+            QVERIFY2(std::abs(w1 - ratio * w2) < 1e-4 * std::abs(w1), qPrintable(QString::number(w1 / w2, 'g', 12)));
+            QVERIFY2(std::abs(w2 / expected - 1) < 5e-3, qPrintable(QString::number(w2 / expected, 'g', 9)));
+            QVERIFY(std::abs(value(*world, "r/first/position") - ratio * value(*world, "r/second/position")) < 1e-4);
+        }
+    }
+
+    void fingerCurls_data() {
+        QTest::addColumn<bool>("isReverse");
+        QTest::newRow("far geared to near") << false;
+        QTest::newRow("near geared to far") << true; // the gear's end is in the world
+    }
     /// A finger whose second link is geared to its first: the joints have the first link in common.
     void fingerCurls() {
+        QFETCH(bool, isReverse);
         Scene scene(0.01);
         scene.spec->settings.gravity = Vec3::Zero();
         auto config = std::make_shared<RobotConfigSpec>();
@@ -290,7 +334,7 @@ private Q_SLOTS:
         config->bodies.push_back(block("far", {0.15, 0, 1}, 0.1, 1e-3));
         config->joints.push_back(joint("knuckle", JointType::Hinge, kWorldBody, 0, {0, 0, 1}, Vec3::UnitY()));
         config->joints.push_back(joint("middle", JointType::Hinge, 0, 1, {0.1, 0, 1}, Vec3::UnitY()));
-        config->gears.push_back(gear(1, 0, 0.7));
+        config->gears.push_back(isReverse ? gear(0, 1, 1 / 0.7) : gear(1, 0, 0.7));
         config->devices.push_back(row("motor", "knuckle"));
         scene.robot("r", {}, config);
         auto world = scene.build();
