@@ -76,6 +76,22 @@ private Q_SLOTS:
         QCOMPARE(messagesOf(read), QStringLiteral("E203 n is 7, it must be from 1 to 4"));
     }
 
+    /// Limits without a unit are in that of the Param's value, a plain number counts as it does in a value.
+    void limitsWithoutAUnit_data() {
+        QTest::addColumn<QString>("param");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char* param, const char* said) { QTest::newRow(param) << param << said; };
+        row("30 cm { Min=0.2 Max=0.4 }", "");
+        row("50 cm { Min=0.2 Max=0.4 }", "E203 n is 50 cm, it must be from 20 to 40 cm");
+        row("0.5 { Min=0.2 Max=40 cm }", "E203 n is 0.5, it must be from 20 to 40 cm");
+        row("0.5 { Min=200 mm Max=40 cm }", "E203 n is 0.5, it must be from 200 to 400 mm");
+        row("5 % { Max=0.04 }", "E203 n is 5 %, it must be at most 0.04");
+    }
+    void limitsWithoutAUnit() {
+        QFETCH(QString, param);
+        QTEST(messagesOf(resolved("Param n = " + param.toStdString())), "said");
+    }
+
     void lists() {
         QCOMPARE(messagesOf(resolved("Param l = 1,5,2 { Max=4 }")),
                  QStringLiteral("E203 l is 5, it must be at most 4"));
