@@ -134,6 +134,29 @@ private Q_SLOTS:
         QCOMPARE(rows({"odd"}), 0);
     }
 
+    /// Of a chosen robot all contacts are logged, whether it is the first or the second of the two.
+    void contactsOfChosenRobots() {
+        FakeWorld world(experimentOf({"robot1", "robot10", "robot2"}));
+        for (const auto& [first, second] : {std::pair("robot1/hull/box", "floor/plane"),
+                                            {"robot10/hull/box", "robot1/hull/box"},
+                                            {"robot10/hull/box", "robot2/hull/box"}}) {
+            WorldContact contact;
+            contact.first = first;
+            contact.second = second;
+            world.touching.push_back(contact);
+        }
+        const auto seconds = [&](std::vector<std::string> robots) {
+            const std::string csv = textOf(*logOf(world, "ContactLog", {{"Robot", textValue(std::move(robots))}}), world);
+            QStringList all;
+            for (int row = 1; row < rowsOf(csv); ++row) all += cells(csv, row).value(2).section('/', 0, 0);
+            return all;
+        };
+        QCOMPARE(seconds({"robot1"}), (QStringList{"floor", "robot1"}));
+        QCOMPARE(seconds({"robot2"}), (QStringList{"robot2"}));
+        QCOMPARE(seconds({"robot10"}), (QStringList{"robot1", "robot2"}));
+        QCOMPARE(rowsOf(textOf(*logOf(world, "ContactLog", {}), world)), 4);
+    }
+
     void framesOfARadio() {
         const RadioWorld world;
         Medium& medium = *world.medium();
