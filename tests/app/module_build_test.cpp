@@ -83,6 +83,9 @@ private Q_SLOTS:
         const std::string project = path("").substr(0, path("").size() - 1);
         QCOMPARE(moduleFolderOf(path("mods/wall/src/deep/a.cpp"), project), path("mods/wall"));
         QCOMPARE(moduleFolderOf(path("mods/wall/build/libwall.so"), project), path("mods/wall"));
+        write("mods/wall/build/_deps/x-subbuild/CMakeLists.txt", ""); // as a build itself makes it
+        write("mods/wall/build/_deps/x-subbuild/CMakeCache.txt", "");
+        QCOMPARE(moduleFolderOf(path("mods/wall/build/_deps/x-subbuild/a.cpp"), project), path("mods/wall"));
         QCOMPARE(moduleFolderOf(path("mods/a.cpp"), project), std::string());
         QCOMPARE(moduleFolderOf(path("mods/wall/a.cpp"), path("mods/other")), std::string()); // of another project
         QCOMPARE(moduleFolderOf(path("mods/wall/a.cpp"), path("mods/wal")), std::string());
