@@ -1,0 +1,82 @@
+// How paths are shown, what is inside a folder, and where a project begins: by whole names, not by how they start.
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "lang/parser.h"
+#include "project/loading/search.h"
+#include "project/saving/named_files.h"
+
+using namespace trundle;
+
+class SearchTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    std::string path(const char* name) const { return canonicalPath(m_folder.filePath(QLatin1String(name)).toStdString()); }
+    std::string write(const char* name) const {
+        QDir(m_folder.path()).mkpath(QFileInfo(QLatin1String(name)).path());
+        QFile file(m_folder.filePath(QLatin1String(name)));
+        if (!file.open(QFile::WriteOnly)) qFatal("cannot write");
+        return path(name);
+    }
+
+private Q_SLOTS:
+    void aProjectBeginsAtItsMark() {
+        QDir(m_folder.path()).mkpath(QStringLiteral("lab/.trundle"));
+        QCOMPARE(projectFolderOf(write("lab/deep/in/a.sim")), path("lab/deep/../../lab"));
+        QCOMPARE(projectFolderOf(write("share/configs/robots/b.sim")), path("share/configs"));
+        QCOMPARE(projectFolderOf(write("share/myconfigs/robots/b.sim")), path("share/myconfigs/robots"));
+        QCOMPARE(projectFolderOf(write("alone/c.sim")), path("alone"));
+    }
+
+    /// In its project a file is shown from there, that of another project from that one; the bare name of a file elsewhere could be
+    /// any file's.
+    void shownFromTheirProject() {
+        QDir(m_folder.path()).mkpath(QStringLiteral("lab/.trundle"));
+        QDir(m_folder.path()).mkpath(QStringLiteral("other/.trundle"));
+        const std::string lab = path("lab");
+        QCOMPARE(shownInProject(write("lab/robots/a.sim"), lab), std::string("robots/a.sim"));
+        QCOMPARE(shownInProject(write("lab/a.sim"), lab), std::string("a.sim"));
+        QCOMPARE(shownInProject(write("other/robots/b.sim"), lab), std::string("robots/b.sim"));
+        for (const char* name : {"alone/c.sim", "lab2/c.sim", "other/d.sim"}) {
+            const std::string file = write(name);
+            QCOMPARE(shownInProject(file, lab), file);
+            QCOMPARE(shownInProject(file, ""), file);
+        }
+    }
+
+    /// A folder whose name begins as that of another one is not inside it, nor is the folder itself.
+    void insideAFolder() {
+        const std::string file = write("project/a.sim"), other = write("project2/a.sim");
+        QVERIFY(isInside(file, {path("project")}));
+        QVERIFY(isInside(file, {path("project2"), path("project")}));
+        QVERIFY(!isInside(other, {path("project")}));
+        QVERIFY(!isInside(path("project"), {path("project")}));
+        QVERIFY(!isInside(file, {""}));
+        QCOMPARE(shownPath(other, path("project")), other);
+        QCOMPARE(shownPath(other, path("project2")), std::string("a.sim"));
+    }
+
+    /// Where a text names a file: in values, in Params and in blocks in blocks; whole values, not parts of them.
+    void namesOfFilesInAText() {
+        const std::string text = "Param skin = \"wood.png\" { Help=\"wood.png\" }\nParam list = a.png, wood.png\n"
+                                 "Material m { Texture=wood.png Param p = wood.png }\n"
+                                 "StaticConfig S { Box b { File=\"wood.png\" Name=\"my wood.png\" } Other=wood.png.bak }\n";
+        const auto tree = parse(std::make_shared<const SourceText>("a.sim", text), 0);
+        std::vector<std::uint32_t> found, wanted;
+        for (const TextRange& range : rangesOf(*tree, "wood.png")) {
+            const std::string_view words = tree->source().slice(range);
+            QVERIFY(words == "wood.png" || words == "\"wood.png\"");
+            found.push_back(range.begin);
+        }
+        for (const char* before : {"skin = ", "a.png, ", "Texture=", "p = ", "File="})
+            wanted.push_back(static_cast<std::uint32_t>(text.find(before) + std::string_view(before).size()));
+        QCOMPARE(found, wanted);
+    }
+};
+
+QTEST_GUILESS_MAIN(SearchTest)
+#include "search_test.moc"
