@@ -80,6 +80,29 @@ private Q_SLOTS:
         }
     }
 
+    /// Where walls meet, end or pass there is a whole post, and nothing reaches beyond it into a passage.
+    void postsOfAMazeAreWhole() {
+        for (std::uint64_t seed = 0; seed < 12; ++seed) {
+            MazeOptions o;
+            o.rows = 2 + int(seed % 5), o.columns = 2 + int(seed * 3 % 5), o.seed = seed;
+            const RoomPlan plan = mazePlan(o).value();
+            for (int row = 0; row <= o.rows; ++row)
+                for (int column = 0; column <= o.columns; ++column) {
+                    const double x = (column - o.columns / 2.) * o.cell, y = (row - o.rows / 2.) * o.cell;
+                    const auto is = [&](double right, double up) { return isWall(plan, x + right, y + up); };
+                    const double half = o.cell / 2, edge = 0.49 * o.thickness, beyond = 0.51 * o.thickness;
+                    int walls = 0;
+                    for (const auto& [right, up] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                        const bool isThere = is(right * half, up * half);
+                        walls += isThere;
+                        QCOMPARE(is(right * beyond, up * beyond), isThere);
+                    }
+                    for (const double right : {-edge, edge})
+                        for (const double up : {-edge, edge}) QCOMPARE(is(right, up), walls > 0);
+                }
+        }
+    }
+
     void seedsGiveTheSameMaze() {
         const auto text = [](std::uint64_t seed) {
             MazeOptions o;
@@ -160,6 +183,22 @@ private Q_SLOTS:
             QVERIFY(std::abs(piece.length - 2.1) < 1e-9 || std::abs(piece.length - 1.1) < 1e-9);
         QCOMPARE(closed[2].middle[0], 1.);
         QVERIFY(piecesAlong({{1, 1}, {1, 1}}, 0.1).empty());
+    }
+
+    /// The pieces of a closed path are the same from whichever of its corners it is drawn.
+    void closedPathsFromEachCorner() {
+        const std::vector<FloorPoint> corners{{0, 0}, {2, 0.3}, {2.4, 1.7}, {0.6, 1.9}, {-0.5, 1}};
+        std::vector<double> first;
+        for (std::size_t start = 0; start < corners.size(); ++start) {
+            std::vector<FloorPoint> path;
+            for (std::size_t i = 0; i <= corners.size(); ++i) path.push_back(corners[(start + i) % corners.size()]);
+            std::vector<double> lengths;
+            for (const FloorPiece& piece : piecesAlong(path, 0.1)) lengths.push_back(piece.length);
+            std::ranges::sort(lengths);
+            if (first.empty()) first = lengths;
+            QCOMPARE(lengths.size(), corners.size());
+            for (std::size_t i = 0; i < lengths.size(); ++i) QVERIFY(std::abs(lengths[i] - first[i]) < 1e-12);
+        }
     }
 
     /// A wall has no front: the same one drawn from its other end is the same text.
