@@ -3,6 +3,7 @@
 
 #include "lang/formatter.h"
 #include "plan_fixture.h"
+#include "project/edits/mirrored_text.h"
 #include "project/edits/plan_wrap.h"
 
 using namespace trundle;
@@ -53,6 +54,27 @@ Robot rover { Config=Kit }
 class PlansMirrorTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// The word of a side is exchanged where it begins a word, not inside of another one.
+    void namesOfTheOtherSide_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("mirrored");
+        const auto row = [](const char* name, const char* mirrored) { QTest::newRow(name) << name << mirrored; };
+        row("left", "right");
+        row("rightMotor", "leftMotor");
+        row("wheelLeft", "wheelRight");
+        row("front_left", "front_right");
+        row("wheel2left", "wheel2right");
+        row("rear", "front");
+        row("upperArm", "lowerArm");
+        for (const char* none : {"brightLamp", "upright", "flower", "cleft", "storefront", "wheel", ""}) row(none, none);
+    }
+    void namesOfTheOtherSide() {
+        QFETCH(QString, name);
+        QFETCH(QString, mirrored);
+        QCOMPARE(QString::fromStdString(mirroredName(name.toStdString())), mirrored);
+        QCOMPARE(QString::fromStdString(mirroredName(mirrored.toStdString())), name);
+    }
+
     /// A Param that is a word goes along as one that is a number; one that names a body outside is given by the Part alone.
     void takesWordParams() {
         open("RobotConfig Kit {\n  Param colour = black { Choices=black,red }\n  Param grip = floor\n  Param frame = chassis\n"

@@ -356,6 +356,7 @@ private Q_SLOTS:
         QTest::newRow("the second counts from the first") << QStringList{"r.arm", "r.finger"} << 0.55;
         QTest::newRow("turned") << QStringList{"r.hand"} << 0.25;
         QTest::newRow("geom") << QStringList{"r.chassis.hull"} << 0.35;
+        QTest::newRow("ball") << QStringList{"r.eye"} << 0.25; // 0.2 wide
         QTest::newRow("joint") << QStringList{"r.elbow"} << 0.1;
         QTest::newRow("Part") << QStringList{"r.left"} << 0.06;
         QTest::newRow("Repeat") << QStringList{"r.row"} << 0.45;
@@ -372,6 +373,7 @@ private Q_SLOTS:
                            "  Body finger { In=arm Pos=0,0.5,0 Box b { Size=0.01,0.01,0.1 Mass=1 } }\n"
                            "  Part left { Config=Wheel Pos=0,0.2,0 Mirror=y }\n"
                            "  Repeat row { Count=3 Pos=0,$(0.2*index),0 Body b { Box b { Size=0.1,0.02,0.1 Mass=1 } } }\n"
+                           "  Body eye { Pos=0,0,0.4 Sphere b { Radius=0.1 Mass=1 } }\n"
                            "  Hinge elbow { Parent=chassis Child=arm }\n}\nRobot r { Config=Cart }\n");
         std::vector<std::string> all;
         for (const QString& path : paths) all.push_back(path.toStdString());
