@@ -113,6 +113,14 @@ private Q_SLOTS:
             "leftAxle of B hardly damps its spring: after a bump the robot keeps swinging at 6.09 Hz; a Damping of 23.5 N s/m, "
             "now 0, calms it",
             "leftAxle");
+        std::string towing = sprung + "  Body trailer { Pos=-0.5,0,0.1 Box t { Size=0.3,0.2,0.04 Mass=1 } }\n"
+                                      "  Ball hitch { Parent=chassis Child=trailer Anchor=-0.25,0,0.08 }\n";
+        for (const char* side : {"l", "r"})
+            towing += std::string("  Body ") + side + " { Pos=-0.5," + (*side == 'l' ? "" : "-") +
+                      "0.15,0.05 Cylinder t { Radius=0.05 Length=0.03 Mass=0.2 HPR=0,0,90 } }\n  Suspension " + side +
+                      "Leg { Parent=trailer Child=" + side + " Axis=0,0,1 Axis2=0,1,0 Stiffness=1500 Damping=20 Travel=0.04 }\n";
+        row("springs without damping, before a trailer on springs", towing + kRobot, Code::SpringTooFast,
+            "leftAxle of B hardly damps its spring: after a bump the robot keeps swinging at 6.09 Hz", "leftAxle");
         row("a wheel farther out than its mirror image",
             changed(kBase, "Body right { Pos=0.05,-0.15,0.05", "Body right { Pos=0.05,-0.12,0.05") + kRobot, Code::WheelGeometry,
             "right is 120 mm from the middle of B, left 150 mm, as the WheelSeparation of base has both: check the Pos of right",
@@ -149,6 +157,17 @@ private Q_SLOTS:
                 kRobot,
             Code::WeakMotor,
             "arm of B cannot hold tip everywhere: at -90 degrees what hangs on it takes 0.245 N m, MaxTorque is 0.2 N m", "arm");
+        row("a lift of a robot that stands on its back",
+            "RobotConfig B {\n  Body base { Box b { Size=0.4,0.4,0.4 Mass=20 } }\n"
+            "  Body mast { Pos=0.25,0,0 Box b { Size=0.1,0.1,0.1 Mass=0.5 } }\n"
+            "  Slider rail { Parent=base Child=mast Axis=1,0,0 LowStop=0 HighStop=0.1 }\n"
+            "  LinearMotor lift { Joint=rail MaxForce=3 MaxSpeed=0.1 }\n}\nRobot r { Config=B Pos=0,0,0.2 HPR=0,-90,0 }\n",
+            Code::WeakMotor, "lift of B cannot lift what is on rail: that weighs 4.91 N along its axis, MaxForce is 3 N", "lift");
+        for (const char* thin : {"Box foil { Size=0.005,2,0.5", "Box foil { Size=2,2,0.005",
+                                 "Cylinder foil { Radius=0.3 Length=0.005", "Cylinder foil { Radius=0.0025 Length=0.5",
+                                 "Capsule foil { Radius=0.0025 Length=0.5", "Sphere foil { Radius=0.0025"})
+            row(thin, kBase + kRobot + "StaticConfig W { " + thin + " Pos=3,0,0.5 } }\nStatic wall { Config=W }\n",
+                Code::ThinPart, "wall/foil is 5 mm thick, and B gets 10 mm far in a tick", "foil", true);
         row("tracks in the air",
             "RobotConfig B { Body hull { Box deck { Pos=0,0,0.06 Size=0.4,0.2,0.12 Mass=6 }\n"
             "  Box onLeft { Pos=0,0.14,0.06 Size=0.4,0.06,0.08 Mass=1 } Box onRight { Pos=0,-0.14,0.06 Size=0.4,0.06,0.08 Mass=1 "
@@ -185,6 +204,10 @@ private Q_SLOTS:
         QTest::addColumn<std::string>("text");
         QTest::newRow("on a ball") << ballRobot() + kRobot;
         QTest::newRow("on stars of wheels") << starRobot() + kRobot;
+        QTest::newRow("hung from a spring") << std::string(
+            "RobotConfig Lamp { Body b { Box b { Size=0.1,0.1,0.1 Mass=1 } }\n"
+            "  Spring cord { Parent=world Child=b Anchor=0,0,1 Anchor2=0,0,0.05 Stiffness=100 Damping=5 } }\n"
+            "Robot lamp { Config=Lamp Pos=0,0,1 }\n");
         QTest::newRow("no floor, and gravity upwards")
             << std::string("Gravity = 0,0,9.81\nStaticConfig Roof { Box b { Size=9,9,0.1 Pos=0,0,0.3 } }\n"
                            "Static roof { Config=Roof }\n");
