@@ -140,6 +140,12 @@ void BetweenProjectsTest::pasteCopiesUsedParams() {
     QVERIFY(from.edits.paste({}).ok());
     QCOMPARE(from.refusals, QStringList());
     QCOMPARE(from.document.loaded()->experiment->statics.size(), std::size_t(2));
+    QVERIFY(from.document.edits()
+                .replaceText(QStringLiteral("Type"), from.document.path(), from.text().replace("0.15", "0.25").toStdString())
+                .ok());
+    QVERIFY(from.edits.paste({}).ok()); // the config was changed since it was copied
+    QCOMPARE(from.refusals, QStringList());
+    QCOMPARE(from.document.loaded()->experiment->statics.size(), std::size_t(3));
 }
 
 void BetweenProjectsTest::copiesReferencedObjects() {

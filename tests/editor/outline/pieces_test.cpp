@@ -218,6 +218,11 @@ private Q_SLOTS:
         QCOMPARE(text(counts.at({0, {first, first}})), QStringLiteral("1/0"));
         QCOMPARE(text(counts.at({0, {first + 1, first + 9}})), QStringLiteral("0/0"));
         QCOMPARE(text(counts.at({1, {0, 100}})), QStringLiteral("1/0"));
+        // What is about a module has a row of its own.
+        QVERIFY(o.open("#loadModule none\nTik = 1\n#loadModule neither\n", "modules.sim"));
+        const LoadedProject& withModules = *o.document.loaded();
+        QCOMPARE(text(ProblemCounts(withModules).outside(withModules)), QStringLiteral("1/0"));
+        QCOMPARE(text(ProblemCounts(withModules).at(withModules.experiment->modules.at(1).range)), QStringLiteral("1/0"));
         QVERIFY(o.open("Robot r { Config=None }\n", "other.sim"));
         QVERIFY(o.open("Tick = 0.01\n", "good.sim"));
         QCOMPARE(text(ProblemCounts(*o.document.loaded()).outside(*o.document.loaded())), QStringLiteral("0/0"));
