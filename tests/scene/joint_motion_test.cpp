@@ -98,6 +98,30 @@ private Q_SLOTS:
         QVERIFY(std::abs(std::acos(tilted.z()) - 0.3) < 1e-9);
     }
 
+    /// Two axes: a Universal's child turns about the second one within the first, a Suspension's rolls about it where it has slid to.
+    void jointsOfTwoAxes() {
+        RobotConfigSpec config = chain();
+        config.joints.pop_back();
+        JointSpec& two = config.joints[0];
+        two.axis2 = Vec3::UnitY();
+        const Vec3 ahead = Vec3::UnitX(), up = Vec3::UnitZ(), side = Vec3::UnitY();
+        const auto moved = [&](double first, double second) {
+            return bodyMotions(config, jointCoordinates(config), std::vector<double>{first, second})[1];
+        };
+        two.type = JointType::Universal;
+        QCOMPARE(jointCoordinates(config).size(), std::size_t(2));
+        QVERIFY((moved(kQuarter, 0).rotation * ahead).isApprox(side, 1e-12));
+        QVERIFY((moved(0, kQuarter).rotation * ahead).isApprox(-up, 1e-12));
+        QVERIFY((moved(kQuarter, kQuarter).rotation * ahead).isApprox(-up, 1e-12)); // about y first, then about z
+        QVERIFY((moved(kQuarter, kQuarter).rotation * side).isApprox(-ahead, 1e-12));
+        QVERIFY((moved(kQuarter, kQuarter) * two.anchor).isApprox(two.anchor, 1e-12));
+        two.type = JointType::Suspension;
+        QVERIFY((moved(0.2, 0) * two.anchor).isApprox(two.anchor + 0.2 * up, 1e-12));
+        QVERIFY((moved(0.2, kQuarter) * two.anchor).isApprox(two.anchor + 0.2 * up, 1e-12));
+        QVERIFY((moved(0.2, kQuarter).rotation * ahead).isApprox(-up, 1e-12));
+        QVERIFY((moved(0.2, kQuarter).rotation * side).isApprox(side, 1e-12));
+    }
+
     void aLoopIsFollowedOnce() {
         RobotConfigSpec config = chain();
         config.joints.push_back(joint("close", JointType::Hinge, 0, 2, {0, 0, 0}, Vec3::UnitZ()));
