@@ -61,6 +61,44 @@ private Q_SLOTS:
             }
     }
 
+    void brakesFirstAgainstItsMotion_data() {
+        QTest::addColumn<ChassisMotion>("moving");
+        QTest::addColumn<ChassisMotion>("amount");
+        const auto row = [](const char* name, const ChassisMotion& moving, const ChassisMotion& amount) {
+            QTest::newRow(name) << moving << amount;
+        };
+        row("ahead, to go back", {.5, 0}, {-2, 0});
+        row("turning left, to turn right", {0, 1.5}, {0, -3});
+        row("turning right, to turn left", {0, -1.5}, {0, 3});
+        row("ahead and left, to go ahead and right", {.5, 1.5}, {2, -3});
+        row("ahead and left, to go back and left", {.5, 1.5}, {-2, 3});
+        row("aside, to the other side", {0, 0, .5}, {0, 0, -2});
+    }
+    /// What turns or drives the other way brakes before it starts, so that no axis has more than its acceleration.
+    void brakesFirstAgainstItsMotion() {
+        QFETCH(ChassisMotion, moving);
+        QFETCH(ChassisMotion, amount);
+        DriveProfile profile;
+        profile.aim(moving);
+        ChassisMotion last;
+        for (int i = 0; i < 200; ++i) last = profile.next(kLimits, .01);
+        const auto like = [](double speed, double way) { return way == 0 ? 0 : std::copysign(speed, way); };
+        QVERIFY(!profile.start({like(.3, amount.linear), like(.9, amount.angular), like(.3, amount.lateral)}, amount, kLimits));
+        ChassisMotion gone;
+        for (int i = 0; profile.busy() && i < 100000; ++i) {
+            const ChassisMotion v = profile.next(kLimits, .01);
+            const double linear = std::hypot(v.linear - last.linear, v.lateral - last.lateral),
+                         angular = std::abs(v.angular - last.angular);
+            QVERIFY2(linear < .0101 * kLimits.linear && angular < .0101 * kLimits.angular,
+                     qPrintable(QString("%1: %2 %3").arg(i).arg(linear).arg(angular)));
+            gone.linear += .01 * v.linear, gone.angular += .01 * v.angular, gone.lateral += .01 * v.lateral;
+            last = v;
+        }
+        QVERIFY(!profile.busy());
+        QVERIFY(std::abs(gone.linear - amount.linear) + std::abs(gone.lateral - amount.lateral) < 1e-9);
+        QVERIFY(std::abs(gone.angular - amount.angular) < 1e-9);
+    }
+
     void amountsEndExactly_data() {
         QTest::addColumn<double>("v");
         QTest::addColumn<double>("w");
