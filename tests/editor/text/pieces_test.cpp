@@ -143,6 +143,7 @@ void PiecesTest::lineCommands_data() {
     row("comment a line", "comment", "a\n  b|c\nd", "a\n  // b|c\nd");
     row("and back", "comment", "a\n  // b|c\nd", "a\n  b|c\nd");
     row("comment lines at one column", "comment", "[  a\n    b\n|c", "[  // a\n  //   b|\nc");
+    row("an empty line has no column", "comment", "[    a\n\n  \n    b|", "[    // a\n\n  \n    // b|");
     row("empty lines stay", "comment", "[a\n\nb|", "[// a\n\n// b|");
     row("comment with CR LF", "comment", "[a\r\nb|", "[// a\r\n// b|");
     row("duplicate", "duplicate", "a|b\nc", "ab\na|b\nc");
@@ -246,6 +247,8 @@ void PiecesTest::searches_data() {
     row("behind broken bytes", "x", "", "\xFF\xFEx", "2-3");
     row("line ends", "b$", "r", "b\r\nb\rb\nb", "0-1 3-4 5-6 7-8");
     row("an expression", "[0-9]+", "r", "a12b3", "1-3 4-5");
+    row("whole words of an expression", "cat|do[gt]", "rw", "cat catalog hotdog dot dog", "0-3 19-22 23-26");
+    row("parts of an expression", "cat|do[gt]", "r", "cats dog", "0-3 5-8");
     row("empty matches are none", "x*", "r", "axb", "1-2");
     row("no expression", "(", "r", "(", "");
     row("nothing", "", "", "abc", "");
