@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <QFile>
+#include <QImage>
 #include <QTemporaryDir>
 
 #include "render/render_entry.h"
@@ -38,6 +39,26 @@ private Q_SLOTS:
         const QByteArray picture = draw(job);
         QVERIFY(picture.startsWith("\x89PNG"));
         QVERIFY(picture != draw({}));
+    }
+
+    /// Upside down is the same picture turned by half a turn, as far as shadows are the same.
+    void aViewThatIsUpsideDown() {
+        RenderJob job;
+        job.hasView = true;
+        job.look = LookChoice::Fast;
+        job.eye[0] = 2, job.eye[1] = 1, job.eye[2] = 1;
+        job.fieldOfView = 1;
+        const QImage upright = QImage::fromData(draw(job));
+        for (const double up : {-1.0, -0.2}) {
+            job.up[2] = up;
+            const QImage turned = QImage::fromData(draw(job)).mirrored(true, true);
+            QVERIFY(!upright.isNull() && turned.size() == upright.size());
+            int unlike = 0;
+            for (int y = 0; y < upright.height(); ++y)
+                for (int x = 0; x < upright.width(); ++x)
+                    unlike += std::abs(qGray(upright.pixel(x, y)) - qGray(turned.pixel(x, y))) > 40;
+            QVERIFY2(unlike < upright.width() * upright.height() / 50, qPrintable(QString::number(unlike)));
+        }
     }
 
     void usesRequestedRenderStyle() {
