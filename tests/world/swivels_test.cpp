@@ -147,17 +147,48 @@ private Q_SLOTS:
         QVERIFY(spin(*world, "r/arm").norm() < 0.02);
     }
 
+    /// A stop on one side of one axis alone; the other side and the other axis are free.
+    void universalStopsOfOneSide_data() {
+        QTest::addColumn<int>("side");
+        for (int side = 0; side < 4; ++side) QTest::addRow("axis %d, %s", 1 + side / 2, side % 2 ? "high" : "low") << side;
+    }
+    void universalStopsOfOneSide() {
+        QFETCH(int, side);
+        const double sign = side % 2 ? 1 : -1;
+        for (const double towards : {sign, -sign}) {
+            JointSpec spec = joint("j", JointType::Universal, kWorldBody, 0, {0, 0, 1}, Vec3::UnitX());
+            spec.axis2 = Vec3::UnitY();
+            std::optional<double>* stops[] = {&spec.lowStop, &spec.highStop, &spec.lowStop2, &spec.highStop2};
+            *stops[side] = 0.3 * sign;
+            auto world = onJoint(spec, 0.1).build();
+            QVERIFY(world);
+            const Vec3 axis = side < 2 ? Vec3::UnitX() : Vec3::UnitY();
+            double most = 0;
+            for (int i = 0; i < 60; ++i) {
+                turn(*world, towards * axis);
+                QVERIFY(world->tick().ok());
+                const Quat q = rotation(*world);
+                most = std::max(most, towards * 2 * std::atan2(q.vec().dot(axis), q.w()));
+            }
+            QVERIFY2(towards == sign ? std::abs(most - 0.3) < 0.01 : most > 0.5, qPrintable(QString::number(most)));
+        }
+    }
+
     void ballStops_data() {
         QTest::addColumn<Vec3>("torque");
-        QTest::newRow("about x") << Vec3(5, 0, 0);
-        QTest::newRow("about y") << Vec3(0, -5, 0);
-        QTest::newRow("aslant") << Vec3(3, 3, 0);
+        QTest::addColumn<double>("stop");
+        for (const double stop : {0.6, 1.2, 1.9, 2.8}) { // from pointed to beyond a plane
+            QTest::addRow("about x, %g", stop) << Vec3(5, 0, 0) << stop;
+            QTest::addRow("about y, %g", stop) << Vec3(0, -5, 0) << stop;
+            if (stop < 1.5) QTest::addRow("aslant, %g", stop) << Vec3(3, 3, 0) << stop;
+        }
     }
     /// The cone holds however it is tilted, and the twist about its axis stays free.
     void ballStops() {
         QFETCH(Vec3, torque);
+        QFETCH(double, stop);
         JointSpec spec = joint("j", JointType::Ball, kWorldBody, 0, {0, 0, 1}, Vec3::UnitZ());
-        spec.swingStop = 0.6;
+        spec.swingStop = stop;
         auto world = onJoint(spec, 0.1).build();
         QVERIFY(world);
         double most = 0;
@@ -166,9 +197,9 @@ private Q_SLOTS:
             QVERIFY(world->tick().ok());
             most = std::max(most, std::acos(std::min(1.0, (rotation(*world) * Vec3::UnitZ()).z())));
         }
-        QVERIFY2(most < 0.6 + 5e-3, qPrintable(QString::number(most)));
+        QVERIFY2(most < stop + 5e-3, qPrintable(QString::number(most)));
         const Vec3 up = rotation(*world) * Vec3::UnitZ();
-        QVERIFY2(std::abs(std::acos(up.z()) - 0.6) < 5e-3, qPrintable(QString::number(std::acos(up.z()))));
+        QVERIFY2(std::abs(std::acos(up.z()) - stop) < 5e-3, qPrintable(QString::number(std::acos(up.z()))));
         const Vec3 before = spin(*world, "r/arm");
         turn(*world, 2 * up);
         QVERIFY(world->tick().ok());
