@@ -178,6 +178,40 @@ private Q_SLOTS:
         QVERIFY(std::abs(w.value("r/eye/reflectance") - pixel(3, 0)) > 1e-3); // between this one and the next one now
     }
 
+    /// A side has the whole picture, upright along the box's z and not mirrored, however the box lies.
+    void aBoxThatLiesShowsTheSideThatIsUp_data() {
+        QTest::addColumn<Vec3>("hpr"); // degrees
+        QTest::addColumn<Vec3>("side");
+        QTest::newRow("+x") << Vec3(0, -90, 0) << Vec3(1, 0, 0);
+        QTest::newRow("-x") << Vec3(0, 90, 0) << Vec3(-1, 0, 0);
+        QTest::newRow("+y") << Vec3(0, 0, 90) << Vec3(0, 1, 0);
+        QTest::newRow("-y") << Vec3(0, 0, -90) << Vec3(0, -1, 0);
+        QTest::newRow("+x, turned") << Vec3(30, -90, 0) << Vec3(1, 0, 0);
+    }
+    void aBoxThatLiesShowsTheSideThatIsUp() {
+        QFETCH(Vec3, hpr);
+        QFETCH(Vec3, side);
+        const Quat turn = rotationFromHpr(hpr * (kPi / 180));
+        QVERIFY((turn * side - Vec3::UnitZ()).norm() < 1e-9);
+        const Vec3 right = turn * Vec3::UnitZ().cross(side), down = turn * Vec3(0, 0, -1);
+        std::vector<Vec3> places;
+        for (int y = 0; y < 2; ++y)
+            for (int x = 0; x < 4; ++x)
+                places.push_back(Vec3(0, 0, -0.06) + 0.2 * ((x + 0.5) / 4 - 0.5) * right + 0.2 * ((y + 0.5) / 2 - 0.5) * down);
+        char box[160];
+        std::snprintf(box, sizeof box, "Box cube { Size=0.2,0.2,0.2 Pos=0,0,-0.1 HPR=%g,%g,%g Material=m }", hpr.x(), hpr.y(),
+                      hpr.z());
+        const std::string picture = "colours.png";
+        SensorWorld w(above("Material m { Texture=" + picture + " }\nStaticConfig Things { " + box + " }", eyes(places)), {},
+                      writeColours);
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run());
+        for (int i = 0; i < 8; ++i) {
+            const double seen = w.value("r/e" + std::to_string(i) + "/reflectance"), expected = pixel(i % 4, i / 4);
+            QVERIFY2(std::abs(seen - expected) < 1e-9, qPrintable(QString("%1: %2, not %3").arg(i).arg(seen).arg(expected)));
+        }
+    }
+
     void aSpotIsAMeanOverItsArea() {
         const std::string halves =
             "Material dark { ColorRGB=0,0,0 }\nMaterial light { ColorRGB=1,1,1 }\nStaticConfig Things {\n"
@@ -269,6 +303,15 @@ private Q_SLOTS:
                                    "Box high { Pos=0,0,0.0006 Size=1,0.02,0.001 Collide=false Material=grey }"
                                 << 0.25;
         QTest::newRow("turned") << "Box mark { Pos=0,0,0.0005 HPR=45,0,0 Size=1,0.02,0.001 Collide=false Material=black }" << 0.;
+        for (const int turn : {45, 90, 135, 180, -60}) { // the sensor is above one of its ends
+            const double along = turn * kPi / 180;
+            QTest::addRow("end, turned by %d", turn)
+                << QString("Box mark { Pos=%1,%2,0.0005 HPR=%3,0,0 Size=1,0.02,0.001 Collide=false Material=black }")
+                       .arg(0.48 * std::cos(along))
+                       .arg(0.48 * std::sin(along))
+                       .arg(turn)
+                << 0.;
+        }
         QTest::newRow("beside") << "Box mark { Pos=0,0.02,0.0005 Size=1,0.02,0.001 Collide=false Material=black }" << 1.;
         QTest::newRow("beside, turned")
             << "Box mark { Pos=0.1,-0.1,0.0005 HPR=45,0,0 Size=1,0.02,0.001 Collide=false Material=black }" << 1.;
