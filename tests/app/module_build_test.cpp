@@ -57,6 +57,7 @@ private Q_SLOTS:
         const std::string project = path(""), output = "../a.cpp:2:10: error: 'colour' was not declared\n"
                                                        "../a.cpp:1:5: note: 'a' declared here\n"
                                                        "../a.cpp:2:10: error: 'colour' was not declared\n"
+                                                       "../a.cpp:1:5: note: 'a' declared here\n" // of the repeated one
                                                        "/usr/include/stdio.h:1:1: error: elsewhere\n"
                                                        "../a.cpp:900:1: warning: beyond the end\n"
                                                        "CMake Error at ../CMakeLists.txt:2 (find_package):\n"
