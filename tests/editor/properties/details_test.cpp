@@ -77,6 +77,20 @@ private Q_SLOTS:
         QVERIFY(std::abs(free.effort) < 1e-12);
     }
 
+    /// Without load kt (V - emf W) / R = dry + viscous W at the rotor.
+    void rotaryMotorTurnsSlowerWithViscousFriction() {
+        DetailsFixture fixture;
+        QVERIFY(fixture.document.structure().setValues(QStringLiteral("set"), {{"cart.motor.ViscousFriction", "0.0001"}}).ok());
+        const auto motor = motorCharacteristic(*fixture.document.loaded(), "cart.motor");
+        QVERIFY(motor);
+        const auto &stall = motor->samples.front(), &free = motor->samples.back();
+        QVERIFY(std::abs(stall.effort - 0.8 * 10 * (0.02 * 6 - 0.002)) < 1e-12); // it does not move
+        QVERIFY(std::abs(free.speed - (0.02 * 6 - 0.002) / (0.02 * 0.02 / 2 + 0.0001) / 10) < 1e-9);
+        QVERIFY(std::abs(free.current - (12 - 10 * free.speed * 0.02) / 2) < 1e-9);
+        QVERIFY(std::abs(free.effort) < 1e-12);
+        for (const auto& part : motor->parts) QVERIFY(std::abs(part.samples.back().effort) < 1e-12);
+    }
+
     /// At a quarter of the voltage a quarter of the current at stall, less the same friction.
     void rotaryMotorAtPartsOfItsVoltage() {
         const DetailsFixture fixture;
