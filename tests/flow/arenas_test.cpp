@@ -43,6 +43,33 @@ private Q_SLOTS:
         QVERIFY2(run.code == 0 && !run.err.contains("warning"), shown(run));
     }
 
+    /// As high as the highest ground below the robot: a peak beside its middle counts, one beyond it does not.
+    void onAHeightfieldTheRobotStartsAboveTheGround_data() {
+        QTest::addColumn<int>("column"); // of 81 on 4 m
+        QTest::addColumn<int>("row");
+        QTest::addColumn<QByteArray>("expected");
+        QTest::newRow("in the middle") << 40 << 40 << QByteArray("Pos=0,0,0.5 ");
+        QTest::newRow("to the right") << 44 << 40 << QByteArray("Pos=0,0,0.5 ");
+        QTest::newRow("above") << 40 << 36 << QByteArray("Pos=0,0,0.5 ");
+        QTest::newRow("aslant") << 37 << 43 << QByteArray("Pos=0,0,0.5 ");
+        QTest::newRow("far") << 50 << 40 << QByteArray("Pos=0,0,0 ");
+    }
+    void onAHeightfieldTheRobotStartsAboveTheGround() {
+        QFETCH(int, column);
+        QFETCH(int, row);
+        QFETCH(QByteArray, expected);
+        QByteArray peak = "P2\n81 81\n255\n";
+        for (int y = 0; y < 81; ++y)
+            for (int x = 0; x < 81; ++x) peak += x == column && y == row ? "255\n" : "0\n";
+        const QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("peak.pgm"), peak));
+        const Outcome made = cli({"new", "arena", "Peak", "--in", folder.path(), "--heights", folder.filePath("peak.pgm"),
+                                  "--heights-size", "4", "4", "0.5"});
+        QVERIFY2(made.code == 0, shown(made));
+        const QByteArray text = contentOf(folder.filePath("peak/peak_drive.sim"));
+        QVERIFY2(text.contains("Config=SimpleRobot " + expected), text);
+    }
+
     void impossibleOnesAreRefused_data() {
         QTest::addColumn<QStringList>("options");
         QTest::addColumn<QByteArray>("expected");
