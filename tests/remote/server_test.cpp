@@ -41,7 +41,8 @@ struct Peer {
 };
 
 const char* const kText = "Seed = 3\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
-                          "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\n";
+                          "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\n"
+                          "Robot r2 { Config=SimpleRobot Pos=0,1,0 }\n";
 
 } // namespace
 
@@ -153,6 +154,21 @@ private Q_SLOTS:
             ++answered;
         }
         QCOMPARE(answered, asked); // none is lost
+    }
+
+    /// Not those of a robot whose name begins with its own.
+    void aRobotIsDescribedByItsSignals() {
+        Peer peer = connect();
+        const SignalLayout& layout = m_run->world().layout();
+        for (const std::string robot : {"r", "r2"}) {
+            const Json described = call(peer, {{"id", 1}, {"op", "describe"}, {"robot", robot}});
+            std::vector<std::string> paths, expected;
+            for (const Json& each : described["signals"]) paths.push_back(each["path"]);
+            for (const SignalEntry& entry : layout.entries())
+                if (entry.path.substr(0, entry.path.find('/')) == robot) expected.push_back(entry.path);
+            QVERIFY(!expected.empty());
+            QCOMPARE(paths, expected);
+        }
     }
 
     void aClientMayGoAtAnyByte() {
