@@ -227,8 +227,15 @@ private Q_SLOTS:
         QVERIFY(view.grab().toImage().pixelColor(at) != bare.pixelColor(at));
     }
 
+    void aStillShowsAllThatTheViewShows_data() {
+        QTest::addColumn<QByteArray>("action");
+        for (const char* action : {"view.perspective", "view.parallel", "view.top", "view.front"})
+            QTest::newRow(action) << QByteArray(action);
+    }
     void aStillShowsAllThatTheViewShows() {
+        QFETCH(QByteArray, action);
         View& view = m_window->view();
+        m_window->trigger(action.constData());
         const PictureRequest wide = stillRequest(view, 3840, 1000), high = stillRequest(view, 500, 2000);
         QCOMPARE(wide.width, 3840u);
         const CameraView shown = view.camera().view();
