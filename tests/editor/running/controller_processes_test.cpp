@@ -10,10 +10,12 @@
 #include "editor/document/selection.h"
 #include "editor/running/panels/controller_commands.h"
 #include "editor/running/panels/controllers_panel.h"
+#include "editor/running/panels/robot_states.h"
 #include "editor/running/panels/trust.h"
 #include "editor/running/session_fixture.h"
 #include "editor/widgets/actions.h"
 #include "eventually.h"
+#include "project/edits/controllers.h"
 
 using namespace trundle;
 
@@ -179,6 +181,36 @@ private Q_SLOTS:
         QCOMPARE(sliceOf(*shown.texts, fault.notes[0].second), u"brain"_qs);
         o.session.reset();
         QVERIFY(messages.problemsInCode(o.session.results().built).problems.empty());
+        QVERIFY(o.session.endRuns());
+    }
+
+    /// One member of a Grid fails, another one is stopped by hand: that is no stop by hand alone.
+    void aFaultAmongStoppedMembersIsShown() {
+        SessionFixture o;
+        QVERIFY(QDir(o.folder.path()).mkpath(u"mine"_qs));
+        OpenOptions options = o.document.options();
+        options.trust = true;
+        o.document.setOptions(options);
+        QFile source(o.path("mine/pair.py"));
+        QVERIFY(source.open(QIODevice::WriteOnly));
+        QVERIFY(source.write("import trundle\n\n\nclass Pair(trundle.Controller):\n    def setup(self, robot):\n"
+                             "        self.sick = robot.name.endswith(\"1\")\n\n    def update(self, dt):\n"
+                             "        if self.sick:\n            raise ValueError(\"no\")\n") > 0);
+        source.close();
+        QVERIFY(o.open("#import robots/simple_robot.sim\n#import arenas/medium_arena.sim\n#loadModule mine/pair.py\n"
+                       "Static arena { Config=MediumArena }\n"
+                       "Grid pair { Config=SimpleRobot Count=2,1 Spacing=1 Pair brain { } }\n"));
+        const auto stateNow = [&] {
+            const auto all = controlledRobots(*o.document.loaded());
+            return controllerState(o.session, *std::ranges::find(all, std::string("pair"), &ControlledRobot::path));
+        };
+        o.session.run();
+        EVENTUALLY_EQUAL(stateNow().text, QStringLiteral("1 of 2 stopped by a fault, see Problems"));
+        QVERIFY(stateNow().failed && !stateNow().active);
+        const std::string other = o.session.results().experiment->robots.front().name;
+        QVERIFY(o.session.robots().stopControllers({other}));
+        EVENTUALLY_EQUAL(stateNow().text, QStringLiteral("2 of 2 stopped by a fault, see Problems"));
+        QVERIFY(stateNow().failed);
         QVERIFY(o.session.endRuns());
     }
 

@@ -156,6 +156,36 @@ private Q_SLOTS:
         QVERIFY(status.text().isEmpty());
     }
 
+    /// A key that is held during a reset counts no more: the next one alone says where to.
+    void aResetForgetsTheKeysThatAreHeld() {
+        SessionFixture o;
+        QVERIFY(o.open(kStandingRobot));
+        Actions actions(kRows);
+        Selection selection;
+        QWidget window;
+        auto* view = new QWidget(&window);
+        view->setFocusPolicy(Qt::StrongFocus);
+        KeyboardDrive drive(o.session, selection, actions, window);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window, kTimeoutMs));
+        view->setFocus();
+        actions.at("sim.drive").setChecked(true);
+        o.session.setSpeed(2);
+        o.session.run();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
+        QTest::keyPress(view, Qt::Key_Up);
+        EVENTUALLY(o.session.robots().pose("robot0")->position.x() > 0.1);
+        o.session.reset();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Start);
+        o.session.run();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
+        QTest::keyPress(view, Qt::Key_Left);
+        EVENTUALLY(o.session.robots().pose("robot0")->rotation.z() > 0.3); // it turns
+        QVERIFY2(o.session.robots().pose("robot0")->position.head<2>().norm() < 0.05, "and stays where it is");
+        QTest::keyRelease(view, Qt::Key_Left);
+        QCOMPARE(o.session.robots().driven(), std::string());
+    }
+
     void arrowKeysDriveTheSelectedRobot() {
         SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
