@@ -45,19 +45,22 @@ inline char (&creationError())[kNoteBytes] {
     return text;
 }
 
+/// The text of the exception that is being handled. Not part of guarded(), so that this is small enough to be inlined.
+inline void describeException(std::string& error) noexcept {
+    try {
+        try {
+            throw;
+        } catch (const std::exception& e) { error = e.what(); } catch (...) {
+            error = "an exception that is no std::exception";
+        }
+    } catch (...) {} // no memory for the text
+}
+
 template <class Call> std::int32_t guarded(std::string& error, Call&& call) {
     try {
         call();
         return 0;
-    } catch (const std::exception& e) {
-        try {
-            error = e.what();
-        } catch (...) {}
-    } catch (...) {
-        try {
-            error = "an exception that is no std::exception";
-        } catch (...) {}
-    }
+    } catch (...) { describeException(error); }
     return 1;
 }
 

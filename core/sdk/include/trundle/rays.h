@@ -108,14 +108,14 @@ inline bool castRays(const TrundleServices& services, std::span<const Ray> list,
 
 /// Contacts of a geom in the last step; `out` is overwritten.
 inline void contacts(const TrundleServices& services, std::uint32_t geom, std::vector<TrundleContact>& out) {
-    out.resize(out.capacity() < 8 ? 8 : out.capacity());
-    auto room = static_cast<std::uint32_t>(out.size());
-    std::uint32_t there = services.contacts(services.context, geom, out.data(), room);
-    if (there > room) {
-        out.resize(room = there);
-        there = services.contacts(services.context, geom, out.data(), room);
-    }
-    out.resize(there < room ? there : room);
+    constexpr std::uint32_t kUsual = 8;
+    TrundleContact usual[kUsual]; // not initialised: nearly always there are few or none
+    std::uint32_t there = services.contacts(services.context, geom, usual, kUsual);
+    if (there == 0) return out.clear();
+    if (there <= kUsual) return out.assign(usual, usual + there);
+    out.resize(there);
+    const std::uint32_t now = services.contacts(services.context, geom, out.data(), there);
+    if (now < there) out.resize(now);
 }
 
 inline bool geomInfo(const TrundleServices& services, GeomId geom, TrundleGeomInfo& info) {

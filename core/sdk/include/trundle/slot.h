@@ -76,15 +76,21 @@ public:
     /// 0 and is reported once.
     template <class World> [[nodiscard]] double read(const World& world) {
         const double value = get();
-        if (std::isfinite(value)) return value;
-        if (!m_reported) world.warn(std::string(m_name) + " was given a value that is no finite number; it counts as 0");
-        m_reported = true;
+        if (std::isfinite(value)) [[likely]]
+            return value;
+        if (!m_reported) report(world);
         return 0;
     }
 
 private:
+    /// Not inline, so that read() is small.
+    template <class World> [[gnu::noinline]] void report(const World& world) {
+        m_reported = true;
+        world.warn(std::string(m_name) + " was given a value that is no finite number; it counts as 0");
+    }
+
+    bool m_reported = false; // first, in what the base leaves of its last word
     const char* m_name = "";
-    bool m_reported = false;
 };
 
 /// A signal that its device or controller sets: 0 until then, and kept until it is set again.
