@@ -90,6 +90,7 @@ public:
 
 private:
     friend class MonitoredCall;
+    friend class MonitoredCalls;
     void set(const CallTarget* target, const char* doing) noexcept {
         m_sequence.store(m_sequence.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
         m_doing.store(doing, std::memory_order_relaxed);
@@ -129,10 +130,28 @@ public:
     MonitoredCall& operator=(const MonitoredCall&) = delete;
 
 private:
+    friend class MonitoredCalls;
+
     CallMonitor& m_monitor;
     const CallTarget* m_target; ///< the target before this call
     const char* m_doing;
     FloatingPointScope m_floatingPoint;
+};
+
+/// The same for many calls, one straight after another, at less than half of its cost for each.
+class MonitoredCalls {
+public:
+    MonitoredCalls(CallMonitor& monitor, const char* doing) noexcept
+        : m_monitor(monitor), m_doing(doing), m_all(monitor, nullptr, "") {}
+    /// Marks the next call; the one before it has ended.
+    void next(const CallTarget* target) noexcept { m_monitor.set(target, m_doing); }
+    /// After each call, since the next one expects it.
+    void restoreFloatingPoint() const noexcept { m_all.m_floatingPoint.restore(); }
+
+private:
+    CallMonitor& m_monitor;
+    const char* m_doing;
+    MonitoredCall m_all; ///< what was monitored before the first
 };
 
 } // namespace trundle

@@ -10,7 +10,8 @@ class FloatingPointScope {
 public:
 #if defined(__x86_64__)
     FloatingPointScope() noexcept : m_sse(__builtin_ia32_stmxcsr()) { asm volatile("fnstcw %0" : "=m"(m_x87)); }
-    ~FloatingPointScope() {
+    ~FloatingPointScope() { restore(); }
+    void restore() const noexcept {
         constexpr unsigned kSettings = 0xffc0; // all bits except the exception flags
         if (((__builtin_ia32_stmxcsr() ^ m_sse) & kSettings) != 0) __builtin_ia32_ldmxcsr(m_sse);
         std::uint16_t now = 0;
@@ -19,7 +20,8 @@ public:
     }
 #else
     FloatingPointScope() noexcept { std::fegetenv(&m_environment); }
-    ~FloatingPointScope() { std::fesetenv(&m_environment); }
+    ~FloatingPointScope() { restore(); }
+    void restore() const noexcept { std::fesetenv(&m_environment); }
 #endif
     FloatingPointScope(const FloatingPointScope&) = delete;
     FloatingPointScope& operator=(const FloatingPointScope&) = delete;

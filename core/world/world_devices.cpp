@@ -187,12 +187,14 @@ const WorldDevice* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
     m_services.time = static_cast<double>(ticks) * m_tick;
     const WorldDevice* failed = nullptr;
     const std::span<const Call> calls = acting ? m_acting : m_sensing;
+    MonitoredCalls monitored(m_calls, acting ? "act" : "sense");
     for (std::size_t i = 0; i < calls.size(); ++i) {
         const Call& call = calls[i];
         if (i + kAhead < calls.size()) prefetch(calls[i + kAhead].instance);
         m_services.context = call.context;
-        const MonitoredCall monitored(m_calls, call.target, acting ? "act" : "sense");
+        monitored.next(call.target);
         const std::int32_t answer = call.run(call.instance, &m_services);
+        monitored.restoreFloatingPoint();
         if (answer == 0 && !m_phase.noted) continue;
         WorldDevice& device = *call.context->device;
         if (answer == 0 && device.failure.empty()) continue;

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <cfenv>
 #include <csignal>
 #include <cstdlib>
 
@@ -352,6 +353,22 @@ private Q_SLOTS:
             }
             QVERIFY(monitor.target() == driver && std::string(monitor.doing()) == "update");
             QCOMPARE(monitor.sequence(), before + 2);
+        }
+        QVERIFY(!monitor.target());
+        {
+            const MonitoredCall outer(monitor, driver, "update");
+            {
+                MonitoredCalls calls(monitor, "act");
+                for (const CallTarget* target : {other, driver, other}) {
+                    const std::uint64_t before = monitor.sequence();
+                    calls.next(target);
+                    QVERIFY(monitor.target() == target && std::string(monitor.doing()) == "act" && monitor.sequence() > before);
+                    std::fesetround(FE_UPWARD);
+                    calls.restoreFloatingPoint();
+                    QCOMPARE(std::fegetround(), FE_TONEAREST);
+                }
+            }
+            QVERIFY(monitor.target() == driver && std::string(monitor.doing()) == "update");
         }
         QVERIFY(!monitor.target());
         monitor.addCode(100, 200, driver);
