@@ -50,7 +50,7 @@ double Encoder::countedOf(double passed, const Services& world) {
 
 void Encoder::sense(Sensing& world) {
     const double at = (m_pitchM ? world.jointPosition(m_joint) / m_turn * kTurn : world.jointPosition(m_joint)) + m_offset;
-    const double passed = encoderCount(at, m_perTurn), turn = encoderCount(at, 1);
+    const double passed = encoderCount(at, m_perTurn), turn = m_hasIndex ? encoderCount(at, 1) : 0;
     if (world.time() == 0) {
         m_lastPassed = passed;
         m_lastTurn = turn;
@@ -62,7 +62,7 @@ void Encoder::sense(Sensing& world) {
     count.set(code);
     angle.set(code / m_perTurn * m_turn);
     rate.set(counted / m_perTurn * m_turn / world.tick());
-    index.set(m_hasIndex && turn != m_lastTurn);
+    index.set(turn != m_lastTurn);
     missed.set(m_missed);
     m_lastPassed = passed;
     m_lastTurn = turn;

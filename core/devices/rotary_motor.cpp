@@ -141,8 +141,7 @@ void RotaryMotor::actByVoltage(Actuation& world, const Supply& supply, double wa
 }
 
 void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
-    const double turning = world.jointRate(m_joint);
-    if (m_losses.any()) setLosses(m_motor.withEfficiency(1).torquePerAmpere() * current.get(), turning);
+    if (m_losses.any()) setLosses(m_motor.withEfficiency(1).torquePerAmpere() * current.get(), world.jointRate(m_joint));
     else setLosses(0, 0);
     MotorConstants now = m_now;
     now.maxVoltage = supply.highest(m_motor.maxVoltage);
@@ -156,17 +155,22 @@ void RotaryMotor::actAsServo(Actuation& world, const Supply& supply) {
         world.warn(text);
     }
     JointDrive drive{std::clamp(wanted, -possible, possible), 0, now.stallTorque(), now.damping()};
-    const double error = drive.rate - turning, slack = kReached * m_motor.noLoadRate();
-    if (actInPlay(world, m_play.reaches(error, slack, world.jointMotorEffort(m_joint)),
-                  {drive.rate, kStiff / drive.damping, drive.limit}))
-        return;
-    if (const double most = torqueLimit(); most < drive.limit) {
-        // Either the voltage or the driver's current is the limit at this rate.
-        const double reserve = drive.limit - drive.damping * std::abs(turning);
-        drive.limit = most;
-        drive.damping = reserve < most ? (most - reserve) / std::abs(turning) : 0;
+    if (m_play.exists()) {
+        const double error = drive.rate - world.jointRate(m_joint), slack = kReached * m_motor.noLoadRate();
+        const bool reaches = m_play.reaches(error, slack, world.jointMotorEffort(m_joint));
+        if (actInPlay(world, reaches, {drive.rate, kStiff / drive.damping, drive.limit})) return;
     }
+    if (m_driver.currentLimit) limitCurrent(drive, world.jointRate(m_joint));
     apply(world, drive);
+}
+
+/// Either the voltage or the driver's current is the limit at this rate.
+void RotaryMotor::limitCurrent(JointDrive& drive, double turning) const {
+    const double most = torqueLimit();
+    if (!(most < drive.limit)) return;
+    const double reserve = drive.limit - drive.damping * std::abs(turning);
+    drive.limit = most;
+    drive.damping = reserve < most ? (most - reserve) / std::abs(turning) : 0;
 }
 
 bool RotaryMotor::actInPlay(Actuation& world, bool reaches, const GearPlay::Free& wanted) {

@@ -62,6 +62,7 @@ private:
     void actAsServo(Actuation& world, const Supply& supply);
     /// Lets the motor turn on its own, if what it does now does not reach the joint. `wanted`: its constraint with an ideal gear.
     bool actInPlay(Actuation& world, bool reaches, const GearPlay::Free& wanted);
+    void limitCurrent(JointDrive& drive, double turning) const;
     void setLosses(double torque, double rate);
     void apply(Actuation& world, const JointDrive& drive);
     [[nodiscard]] double torqueLimit() const;

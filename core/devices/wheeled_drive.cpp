@@ -97,9 +97,10 @@ void WheeledDrive::warnOfSpeeds(const Services& world, double angular, double fa
         world.warn(formatted("turning at %.3g rad/s is too fast for a tick of %.3g s: heading gets inexact above %.3g rad/s",
                              angular, world.tick().value, kMaxTurnPerTick / world.tick()));
     }
+    if (m_control == Control::Servo || m_reportedSpeed) return; // a servo reports that itself
     double possible = std::numeric_limits<double>::infinity();
     for (const Wheel& wheel : m_wheels) possible = std::min(possible, wheel.maxVoltage / wheel.voltsPerRate);
-    if (m_control != Control::Servo && !m_reportedSpeed && fastest > possible) { // a servo reports that itself
+    if (fastest > possible) {
         m_reportedSpeed = true;
         world.warn(formatted("a wheel is to turn at %.3g rad/s, its motor reaches %.3g rad/s at MaxVoltage", fastest, possible));
     }
