@@ -27,8 +27,7 @@ struct JointCalls {
         call.host->engine.setMotor({joint}, {d->rate, d->softness, d->limit, d->damping, d->dryFriction, d->viscousFriction});
     }
     static double frictionEffort(void* context, std::uint32_t joint) {
-        const DeviceHost& w = *caller(context).host;
-        return w.objects.jointHasPosition(joint) ? w.engine.jointEffort({joint}).friction : 0;
+        return caller(context).host->engine.jointReading({joint}).friction;
     }
     static std::int32_t wrench(void* context, std::uint32_t joint, double force[3], double torque[3]) {
         const DeviceHost& w = *caller(context).host;

@@ -61,31 +61,20 @@ struct ServiceCalls {
     }
 
     static double jointPosition(void* context, std::uint32_t joint) {
-        const DeviceHost& w = world(context);
-        return w.objects.jointHasPosition(joint) ? w.engine.jointMotion({joint}).position : 0;
+        return world(context).engine.jointReading({joint}).position;
     }
-    static double jointRate(void* context, std::uint32_t joint) {
-        const DeviceHost& w = world(context);
-        return w.objects.jointHasPosition(joint) ? w.engine.jointMotion({joint}).rate : 0;
-    }
+    static double jointRate(void* context, std::uint32_t joint) { return world(context).engine.jointReading({joint}).rate; }
     static double jointMotorEffort(void* context, std::uint32_t joint) {
-        const DeviceHost& w = world(context);
-        return w.objects.jointHasPosition(joint) ? w.engine.jointEffort({joint}).motor : 0;
+        return world(context).engine.jointReading({joint}).motor;
     }
     static void jointAnchor(void* context, std::uint32_t joint, double anchor[3], double axis[3]) {
         const DeviceHost& w = world(context);
         const JointLocation* place = w.objects.jointLocation(joint);
         if (!place || !anchor || !axis) return;
-        Pose parent;
-        if (place->carried) {
-            const BodyState& s = w.engine.state({place->parent});
-            parent = {s.position, s.rotation};
-        }
-        const Vec3 at = parent * place->anchor, along = parent.rotation * place->axis;
-        for (int k = 0; k < 3; ++k) {
-            anchor[k] = at[k];
-            axis[k] = along[k];
-        }
+        static const BodyState kWorld;
+        const BodyState& parent = place->carried ? w.engine.state({place->parent}) : kWorld;
+        Eigen::Map<Vec3>{anchor} = parent.position + parent.rotation * place->anchor;
+        Eigen::Map<Vec3>{axis} = parent.rotation * place->axis;
     }
     static void bodyState(void* context, std::uint32_t body, TrundleBodyState* out) {
         const DeviceHost& w = world(context);

@@ -26,7 +26,7 @@
 
 namespace trundle {
 
-/// Refers to an object of the engine by its index. Nothing is removed from an engine, so a valid handle stays valid.
+/// An object of the engine by its index. Nothing is removed, so a valid handle stays valid.
 template <class Tag> struct Handle {
     std::uint32_t index = 0xffffffffu;
     [[nodiscard]] bool valid() const { return index != 0xffffffffu; }
@@ -40,8 +40,7 @@ using CouplingHandle = Handle<struct CouplingTag>;
 
 inline constexpr std::uint32_t kNoActor = 0xffffffffu; ///< partner of a contact with a static
 
-/// Maximum contacts per cluster for the exact solver: above it Solver = auto uses the quick one, and the exact solver's time
-/// grows excessively.
+/// Maximum contacts per cluster for the exact solver, whose time grows excessively: above it Solver = auto uses the quick one.
 inline constexpr std::size_t kExactClusterMax = 60;
 
 struct EngineSettings {
@@ -122,8 +121,7 @@ struct EngineFault {
 
 /// Of the whole run.
 struct EngineSweeps {
-    std::uint64_t bodies =
-        0; ///< times ticks in which one moved farther than it is thick, so that its path was searched for scenery
+    std::uint64_t bodies = 0; ///< times ticks in which one moved farther than it is thick, so that its path was searched
     /// Geoms of two actors that passed through each other within a tick; once for two actors, the first 20.
     std::span<const std::pair<std::uint32_t, std::uint32_t>> passages;
 };
@@ -147,8 +145,7 @@ public:
     /// Adds a geom fixed to the world at `pose` (the spec's own pose is ignored).
     [[nodiscard]] virtual Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) = 0;
 
-    // Writes, applied in order at the start of the next step. A motor constraint stays until it is replaced, forces last one
-    // step.
+    // Writes, applied in order at the start of the next step. A motor constraint stays until it is replaced, a force for one step.
     virtual void setMotor(JointHandle joint, const MotorConstraint& row) = 0;
     virtual void addJointTorque(JointHandle joint, double torque) = 0;
     virtual void addForce(BodyHandle body, const Vec3& force, const Vec3& point) = 0;
@@ -172,8 +169,11 @@ public:
 
     // Reads; values of the last step.
     [[nodiscard]] virtual const BodyState& state(BodyHandle body) const = 0;
-    [[nodiscard]] virtual JointMotion jointMotion(JointHandle joint) const = 0;
-    [[nodiscard]] virtual JointEffort jointEffort(JointHandle joint) const = 0;
+    /// Zeros for a joint without a position. Not virtual: devices ask for it several times in a tick.
+    [[nodiscard]] const JointReading& jointReading(JointHandle joint) const {
+        static constexpr JointReading kAtStart{};
+        return joint.index < m_joints.size() ? m_joints[joint.index] : kAtStart;
+    }
     /// Of a joint that measureWrench was called for.
     [[nodiscard]] virtual JointWrench jointWrench(JointHandle joint) const = 0;
     [[nodiscard]] virtual CouplingState coupling(CouplingHandle coupling) const = 0;
@@ -190,6 +190,8 @@ public:
 
 protected:
     explicit Engine(EngineLinks* joints = nullptr) : links(joints) {}
+
+    std::vector<JointReading> m_joints; ///< from the first step on; zeros for those without a position
 };
 
 /// The rigid-body engine (ODE).

@@ -17,14 +17,11 @@ struct MotorConstraint {
     bool operator==(const MotorConstraint&) const = default;
 };
 
-/// How far a joint has moved and how fast it does, rad or m; unwrapped. The second two are about Axis2 of a Universal.
-struct JointMotion {
-    double position = 0, rate = 0, position2 = 0, rate2 = 0;
-};
-
-/// What acted on a joint in the last step.
-struct JointEffort {
-    double motor = 0, friction = 0; ///< of the motor and of the friction of its drive, N m or N along the joint's motion
+/// What an engine publishes of a joint after a step.
+struct JointReading {
+    double position = 0, rate = 0;   ///< how far it has moved and how fast it does, rad or m; unwrapped
+    double position2 = 0, rate2 = 0; ///< of a Universal, about Axis2
+    double motor = 0, friction = 0;  ///< of the motor and of the friction of its drive, N m or N along the joint's motion
 };
 
 /// Of a joint's parent on its child, world frame: N, and N m about the anchor.

@@ -24,12 +24,12 @@ double* put(double* to, const Vec3& position, const Quat& q) {
 
 double* putJoint(double* to, JointHandle joint, const WorldObjects& objects, const Engine& engine) {
     if (!objects.jointHasPosition(joint.index)) return to;
-    const JointMotion motion = engine.jointMotion(joint);
-    *to++ = motion.position;
-    *to++ = motion.rate;
+    const JointReading& reading = engine.jointReading(joint);
+    *to++ = reading.position;
+    *to++ = reading.rate;
     if (!objects.jointHasTwo(joint.index)) return to;
-    *to++ = motion.position2;
-    *to++ = motion.rate2;
+    *to++ = reading.position2;
+    *to++ = reading.rate2;
     return to;
 }
 

@@ -219,10 +219,6 @@ std::pair<const BuiltRobot*, std::size_t> WorldObjects::ownerOf(BodyHandle body)
     return {nullptr, 0};
 }
 
-const JointLocation* WorldObjects::jointLocation(std::uint32_t joint) const {
-    return joint < m_jointLocations.size() ? &m_jointLocations[joint] : nullptr;
-}
-
 const std::uint32_t* WorldObjects::findBody(const std::string& path) const {
     const auto found = m_bodyByPath.find(path);
     return found == m_bodyByPath.end() ? nullptr : &found->second;

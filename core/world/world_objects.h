@@ -92,7 +92,9 @@ public:
     [[nodiscard]] const std::vector<std::string>& bodyPaths() const { return m_bodyPaths; }
     [[nodiscard]] SourceRange bodyRange(std::uint32_t body) const { return m_bodyRanges[body]; }
     /// nullptr: no such joint.
-    [[nodiscard]] const JointLocation* jointLocation(std::uint32_t joint) const;
+    [[nodiscard]] const JointLocation* jointLocation(std::uint32_t joint) const {
+        return joint < m_jointLocations.size() ? &m_jointLocations[joint] : nullptr;
+    }
 
     // nullptr: unknown name.
     [[nodiscard]] const std::uint32_t* findBody(const std::string& path) const;

@@ -11,10 +11,6 @@ bool WorldSupply::provide(std::uint32_t robot, double nominal, double voltage) {
     return true;
 }
 
-const RobotSupply* WorldSupply::find(std::uint32_t robot) const {
-    return robot < m_robots.size() && m_robots[robot].present ? &m_robots[robot] : nullptr;
-}
-
 RobotSupply* WorldSupply::supply(std::uint32_t robot) { return const_cast<RobotSupply*>(find(robot)); }
 
 void WorldSupply::draw(std::uint32_t robot, double watts, double conductance) {

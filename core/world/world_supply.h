@@ -19,7 +19,10 @@ class WorldSupply {
 public:
     /// False: the robot has another one.
     [[nodiscard]] bool provide(std::uint32_t robot, double nominal, double voltage);
-    [[nodiscard]] const RobotSupply* find(std::uint32_t robot) const; ///< nullptr: the robot has none
+    /// nullptr: the robot has none.
+    [[nodiscard]] const RobotSupply* find(std::uint32_t robot) const {
+        return robot < m_robots.size() && m_robots[robot].present ? &m_robots[robot] : nullptr;
+    }
     // Ignored for a robot without one, and with values that are not finite.
     void draw(std::uint32_t robot, double watts, double conductance);
     void setVoltage(std::uint32_t robot, double voltage);

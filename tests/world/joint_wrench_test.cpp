@@ -25,6 +25,14 @@ std::shared_ptr<RobotConfigSpec> armOn(JointType type, const Vec3& at, double ma
     return config;
 }
 
+struct JointReadings {
+    double position = 1, rate = 1, effort = 1, friction = 1;
+};
+JointReadings readingsOf(const TrundleServices& s, std::uint32_t joint) {
+    return {s.jointPosition(s.context, joint), s.jointRate(s.context, joint), s.jointMotorEffort(s.context, joint),
+            s.joints->frictionEffort(s.context, joint)};
+}
+
 } // namespace
 
 class JointWrenchTest : public QObject {
@@ -95,6 +103,26 @@ private Q_SLOTS:
         QVERIFY2(std::abs(m_force.dot(out) + mass * 9 * 0.4) < 0.01 * mass * 9 * 0.4, qPrintable(QString::number(m_force.dot(out))));
         QVERIFY(std::abs(m_force.z() - mass * 9.81) < 1e-3 * mass * 9.81);
         QVERIFY((m_torque - (0.3 * out).cross(Vec3(0, 0, mass * 9.81))).norm() < 0.01 * 0.3 * mass * 9.81);
+    }
+
+    /// Devices read zeros of a joint that has no position, although the stop of its cone has an angle.
+    void aBallHasNoPosition() {
+        measure(3);
+        JointReadings ball, hinge;
+        m_bench.probes["probe"].sense = [&](const TrundleServices& s) {
+            ball = readingsOf(s, 1);
+            hinge = readingsOf(s, 0);
+            return 0;
+        };
+        Scene scene(0.005);
+        auto config = armOn(JointType::Ball, {0.3, 0, 1}, 0.5);
+        config->joints[1].swingStop = 0.4;
+        scene.robot("r", {}, config);
+        auto world = scene.build(code);
+        QVERIFY(world);
+        QVERIFY(run(*world, 0.3));
+        QVERIFY(hinge.position > 0.5 && std::abs(hinge.rate - 3) < 0.1 && hinge.effort != 0);
+        QVERIFY(ball.position == 0 && ball.rate == 0 && ball.effort == 0 && ball.friction == 0);
     }
 
     void anUnknownJointIsNamed() {

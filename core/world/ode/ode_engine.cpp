@@ -33,11 +33,6 @@ void OdeEngine::setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) {
     g.moves = velocity.squaredNorm() > 0;
 }
 
-JointMotion OdeEngine::jointMotion(JointHandle id) const {
-    const OdeJoint& joint = m_objects.joints[id.index];
-    return {joint.position, joint.rate, joint.position2, joint.rate2};
-}
-
 Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
     const OdeJoint& joint = m_objects.joints[id.index];
     return trundle::addAxialInertia(joint, m_objects.bodies[joint.child], inertia);
@@ -46,11 +41,6 @@ Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
 Status OdeEngine::measureWrench(JointHandle joint) {
     m_wrenches.add(joint.index);
     return {};
-}
-
-JointEffort OdeEngine::jointEffort(JointHandle id) const {
-    const OdeJoint& joint = m_objects.joints[id.index];
-    return {joint.effort, joint.frictionEffort};
 }
 
 EngineSolves OdeEngine::solves() const {
@@ -107,7 +97,13 @@ void OdeEngine::applyWrites() {
 
 void OdeEngine::publish(double h) {
     for (std::uint32_t i = 0; i < m_objects.bodies.size(); ++i) m_objects.publish(i);
-    for (OdeJoint& joint : m_objects.joints) m_rows.measure(joint, h);
+    m_joints.resize(m_objects.joints.size());
+    for (std::size_t i = 0; i < m_joints.size(); ++i) {
+        OdeJoint& joint = m_objects.joints[i];
+        m_rows.measure(joint, h);
+        if (joint.type != JointType::Ball) // that has an angle of its own, to the stop of its cone
+            m_joints[i] = {joint.position, joint.rate, joint.position2, joint.rate2, joint.effort, joint.frictionEffort};
+    }
     m_couplings.measure();
     m_byGeom.clear();
 }

@@ -38,8 +38,6 @@ public:
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_objects.states[body.index]; }
-    [[nodiscard]] JointMotion jointMotion(JointHandle joint) const override;
-    [[nodiscard]] JointEffort jointEffort(JointHandle joint) const override;
     [[nodiscard]] JointWrench jointWrench(JointHandle joint) const override { return m_wrenches.of(joint.index); }
     [[nodiscard]] CouplingState coupling(CouplingHandle c) const override { return m_objects.couplings[c.index].state; }
     [[nodiscard]] std::size_t contactCount() const override { return m_contacts.all.size(); }

@@ -167,7 +167,6 @@ void WheeledEngine::findContacts() {
 
 std::optional<EngineFault> WheeledEngine::step(double h) {
     if (m_fault) return m_fault;
-    m_h = h;
     applyMotions();
     m_contacts.find();
     m_solver.step(m_settings.gravity, h);
@@ -177,9 +176,12 @@ std::optional<EngineFault> WheeledEngine::step(double h) {
         if (unit.isMovable() && !unit.isVehicle()) moveOn(m_objects.units[i], h);
     }
     endFaulty();
-    m_team.share(m_objects.units.size(), kUnitsAtOnce, [this](unsigned, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
+    m_joints.resize(m_objects.wheelOf.size());
+    m_team.share(m_objects.units.size(), kUnitsAtOnce, [this, h](unsigned, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
             if (m_objects.units[i].isMovable()) publishStates(m_objects, static_cast<std::uint32_t>(i));
+            publishJoints(m_objects.units[i], h);
+        }
     });
     m_list.clear(h);
     m_rays.markMoved();
@@ -238,16 +240,13 @@ void WheeledEngine::endFaulty() {
     }
 }
 
-JointMotion WheeledEngine::jointMotion(JointHandle joint) const {
-    const std::uint32_t wheel = m_objects.wheelOf[joint.index];
-    return wheel == kNoGeom ? JointMotion{} : JointMotion{m_objects.wheels[wheel].angle, m_objects.wheels[wheel].spin};
-}
-
-JointEffort WheeledEngine::jointEffort(JointHandle joint) const {
-    const std::uint32_t index = m_objects.wheelOf[joint.index];
-    if (index == kNoGeom || m_h == 0) return {};
-    const WheelState& wheel = m_objects.wheels[index];
-    return {wheel.impulse / m_h, wheel.friction / m_h};
+/// Rigid joints stay at zero.
+void WheeledEngine::publishJoints(const WheeledUnit& unit, double h) {
+    const auto& shapes = unit.shape->wheels;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const WheelState& wheel = m_objects.wheels[unit.wheels + i];
+        m_joints[unit.joints + shapes[i].joint] = {wheel.angle, wheel.spin, 0, 0, wheel.impulse / h, wheel.friction / h};
+    }
 }
 
 } // namespace trundle

@@ -32,8 +32,6 @@ public:
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_objects.states[body.index]; }
-    [[nodiscard]] JointMotion jointMotion(JointHandle joint) const override;
-    [[nodiscard]] JointEffort jointEffort(JointHandle joint) const override;
     [[nodiscard]] JointWrench jointWrench(JointHandle) const override { return {}; }   // it measures none
     [[nodiscard]] CouplingState coupling(CouplingHandle) const override { return {}; } // it has none
     [[nodiscard]] std::size_t contactCount() const override { return m_list.all().size(); }
@@ -57,6 +55,7 @@ private:
     void applyMotions();
     void clearForces();
     void endFaulty();
+    void publishJoints(const WheeledUnit& unit, double h);
     [[nodiscard]] std::string faultOf(const WheeledUnit& unit) const;
 
     /// Actors with the same bodies and joints at the same height share a shape.
@@ -78,7 +77,6 @@ private:
     WheeledRays m_rays{m_objects};
     std::vector<EngineFault> m_ended;
     std::optional<EngineFault> m_fault;
-    double m_h = 0;
 };
 
 } // namespace trundle

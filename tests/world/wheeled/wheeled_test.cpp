@@ -272,6 +272,8 @@ private Q_SLOTS:
         QVERIFY(run(*world, 1));
         const double angle = value(*world, "r/leftAxle/position");
         QVERIFY(angle > 5);
+        QCOMPARE(value(*world, "r/leftMotor/position"), angle);
+        QVERIFY(std::abs(value(*world, "r/leftAxle/rate") * kWheel - 0.3) < 1e-5);
         const double* pose = slot(*world, "r/leftWheel/pose");
         const Quat turned(pose[3], pose[4], pose[5], pose[6]);
         QVERIFY(turned.angularDistance(world->robotPose(0).rotation * Quat(Eigen::AngleAxisd(angle, Vec3::UnitY()))) < 1e-9);
@@ -292,6 +294,8 @@ private Q_SLOTS:
         QCOMPARE(world->robotFaults().ends.size(), std::size_t(1));
         QVERIFY(world->robotFaults().ends[0].fault.reason.find("leaves the ground") != std::string::npos);
         QVERIFY(std::abs(position(*world, "r/chassis").x() - 0.5) < 0.01);
+        QVERIFY(value(*world, "r/leftAxle/position") > 5);
+        QCOMPARE(value(*world, "r/leftAxle/rate"), 0.);
     }
 
     void placed() {
