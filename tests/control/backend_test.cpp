@@ -42,13 +42,13 @@ struct Stage {
               "still/frame", "still/time", "stream/frame", "stream/time"})
             add(s, SignalDirection::Output);
     }
-    Status start(const char* library = "controllers/libgood.so") {
+    Status start(const char* library = "controllers/libgood.so", std::size_t controller = 0) {
         auto loaded = store.load(kModules + library);
         if (!loaded) return loaded.error();
         for (const Kind& kind : loaded.value()->kinds)
             if (kind.name == robot.controllers[0].kind) addPublished(kind, robot, layout);
         block = std::make_unique<SignalBlock>(layout);
-        auto made = makeInProcessBackend(robot, 0, settings, store);
+        auto made = makeInProcessBackend(robot, controller, settings, store);
         if (!made) return made.error();
         backend = std::move(made).value();
         ControllerOutputs outputs;
@@ -205,6 +205,25 @@ private Q_SLOTS:
         QVERIFY(drawn(1, "robot0", {7}) != drawn(1, "robot0", {8}));
         QVERIFY(drawn(1, "robot0", {7}) != drawn(2, "robot0", {7}));
         QVERIFY(drawn(1, "robot0", {7}) != drawn(1, "robot1", {7}));
+    }
+
+    /// Those of the first do not depend on the others.
+    void eachControllerOfARobotDrawsOtherNumbers() {
+        const auto drawn = [](const std::vector<std::string>& names, std::size_t controller) {
+            const std::map<std::string, ResolvedValue, std::less<>> loud{
+                {"Loud", ResolvedValue{{PropertyType::Boolean, {1}, {}}, {}, Origin::Config}}};
+            Stage stage("Driver", loud);
+            stage.robot.controllers.clear();
+            for (const std::string& name : names) stage.robot.controllers.push_back({{"Driver", name, loud, {}, {}}, {}});
+            if (!stage.start("controllers/libgood.so", controller).ok()) return std::string("not started");
+            return stage.backend->tick(7, 0, 0).ok() ? stage.console.back() : std::string("failed");
+        };
+        const std::string alone = drawn({"brain"}, 0), first = drawn({"brain", "arm", "head"}, 0),
+                          second = drawn({"brain", "arm", "head"}, 1), third = drawn({"brain", "arm", "head"}, 2);
+        QVERIFY2(alone.starts_with("warning: random "), alone.c_str());
+        QCOMPARE(first, alone);
+        QVERIFY(second != first && third != first && third != second);
+        QCOMPARE(drawn({"brain", "arm"}, 1), second);
     }
 
     void reportsControllerFailures_data() {

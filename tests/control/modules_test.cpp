@@ -198,6 +198,38 @@ private Q_SLOTS:
         QVERIFY(load()[0].severity == Severity::Warning && load()[0].range.range.begin == 5);
     }
 
+    /// A text of help is not what values are checked with.
+    void otherHelpIsNoOtherModule() {
+        const std::string library = kModules + "publishing/libpublishing.so";
+        ExperimentSpec experiment;
+        experiment.modules.push_back({"publishing", library, SourceRange{0, {5, 9}}});
+        const auto kinds = kindsFromJson(bytesOf(kindsJsonPath(library)), library);
+        QVERIFY(kinds.ok());
+        const auto loadedWith = [&](void (*change)(Kind&)) {
+            Registry registry;
+            for (Kind kind : kinds.value()) {
+                change(kind);
+                if (!registry.add(std::move(kind)).ok()) qFatal("a kind is refused");
+            }
+            return loaded(experiment, registry).size();
+        };
+        QVERIFY(std::ranges::any_of(kinds.value(), [](const Kind& kind) { return !kind.signals.empty(); }));
+        QCOMPARE(loadedWith([](Kind&) {}), std::size_t(0));
+        QCOMPARE(loadedWith([](Kind& kind) { kind.help += "!"; }), std::size_t(0));
+        QCOMPARE(loadedWith([](Kind& kind) {
+                     for (Property& property : kind.properties) property.help += "!";
+                 }),
+                 std::size_t(0));
+        QCOMPARE(loadedWith([](Kind& kind) {
+                     for (SignalDescription& signal : kind.signals) signal.help += "!";
+                 }),
+                 std::size_t(0));
+        QCOMPARE(loadedWith([](Kind& kind) {
+                     for (SignalDescription& signal : kind.signals) ++signal.count;
+                 }),
+                 std::size_t(1));
+    }
+
     void warnsAboutUndescribedModule() {
         ExperimentSpec experiment;
         experiment.modules.push_back({"bare", made("libbare.so", bytesOf(kGood)), {}});
