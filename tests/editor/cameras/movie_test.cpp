@@ -146,23 +146,31 @@ private Q_SLOTS:
         m_window->session.runFor(0.1);
         EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->session.results().snapshot->tick == 20);
         QCOMPARE(m_window->session.robots().all().size(), std::size_t(1));
-        QByteArray ends[2];
+        QByteArray films[2];
         for (const bool byHand : {false, true}) {
             MovieJob job = jobFor(byHand ? QStringLiteral("hand.mp4") : QStringLiteral("alone.mp4"));
             job.loaded = m_window->session.results().built;
             job.camera = "robot0/eye"; // the other robot is directly in front of it now
             job.end = 0.2;
+            job.framesPerSecond = 100; // one picture in each tick
             if (byHand) job.commands = m_window->session.robots().all();
             MovieRecorder recorder(*m_window->application, *m_render);
             QSignalSpy finished(&recorder, &MovieRecorder::finished);
             recorder.start(job);
             QVERIFY(finished.wait(60000));
-            ends[byHand] = pixelsOf(QString::fromStdString(job.path)).right(kEyeBytes);
-            QCOMPARE(ends[byHand].size(), kEyeBytes);
+            films[byHand] = pixelsOf(QString::fromStdString(job.path));
+            QCOMPARE(films[byHand].size(), 21 * kEyeBytes);
         }
-        int changed = 0;
-        for (int i = 0; i < ends[0].size(); ++i) changed += std::abs(int(uchar(ends[0][i])) - int(uchar(ends[1][i]))) > 60;
-        QVERIFY2(changed > 2000, qPrintable(QString::number(changed)));
+        const auto changedIn = [&](int picture) {
+            int changed = 0;
+            for (auto i = picture * kEyeBytes; i < (picture + 1) * kEyeBytes; ++i)
+                changed += std::abs(int(uchar(films[0][i])) - int(uchar(films[1][i]))) > 60;
+            return changed;
+        };
+        const int from = int(m_window->session.robots().all().front().tick) + 1; // the first that the command has changed
+        QVERIFY2(changedIn(20) > 2000, qPrintable(QString::number(changedIn(20))));
+        QVERIFY2(changedIn(from) > 2000, qPrintable(QString::number(changedIn(from))));
+        QVERIFY2(changedIn(from - 1) < 500, qPrintable(QString::number(changedIn(from - 1))));
     }
 
     void cancelledRecordingLeavesNoFile() {
