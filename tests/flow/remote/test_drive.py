@@ -51,6 +51,20 @@ class There(trundle.Controller):
             self.finish("is there")
 '''
 
+EVER = '''
+import trundle
+
+
+class Ever(trundle.Controller):
+    """Drives ahead as long as it is called."""
+
+    def setup(self, robot):
+        self.base = robot.differential_drive("base")
+
+    def update(self, since_last):
+        self.base.move(0.3, 0.0)
+'''
+
 
 # Robots with a lamp, a camera and a radio each. What they see and receive goes into a log.
 POSTS = """Tick = 0.02   Duration = 2   Seed = 7
@@ -227,6 +241,22 @@ class DriveTest(unittest.TestCase):
         self.write("there.py", PYTHON)
         _, driven = self.served_as_simulated(self.experiment({"module": "there.py", "controller": "There brain { }"}), "--trust")
         self.assertIn("finished: is there", driven.stdout)
+
+    def test_the_robot_stands_when_its_controller_has_ended(self):
+        self.write("ever.py", EVER)
+        ever = {"module": "ever.py", "controller": "Ever brain { }"}
+        file = self.write("alone.sim", TEXT.format(**{**ever, "controller": ""}))  # none of its own
+        with serve(file, "--trust") as server:
+            self.drive(self.experiment(ever), server.port, "--duration", "0.5", "--trust")
+            with trundle.connect(int(server.port), TOKEN) as remote:
+                self.assertEqual(remote.tick, 25)
+                self.assertGreater(remote["rover/pose"][0], 0.05)  # it drove
+                remote.step(50)
+                self.assertEqual(remote["rover/base/linearVelocity"], 0)
+                place = list(remote["rover/pose"])
+                remote.step(25)
+                for before, now in zip(place, remote["rover/pose"]):
+                    self.assertAlmostEqual(before, now, 3)
 
     def test_lamps_pictures_and_packets_cross(self):
         self.write("there.py", TALKER)
