@@ -50,8 +50,8 @@ private Q_SLOTS:
         }
     }
 
-    /// There and back again: it is once where it is.
-    void comesBack() {
+    /// It is once where it is.
+    void movesThereAndBack() {
         Neighbours neighbours;
         std::vector<Vec3> places;
         for (RadioId id = 0; id < 30; ++id) {

@@ -1,4 +1,4 @@
-// Which device a geom takes power from, and what each taker has of it.
+// Which device a geom takes power from, and what each that takes some has of it.
 #include <QtTest>
 
 #include <cmath>
