@@ -33,7 +33,7 @@ public:
     };
     /// Copies colours, depths and stencil into `frame`; false if this background is not kept.
     [[nodiscard]] bool restore(const Key& key, GLuint frame);
-    /// `frame` holds the background. It is kept if it is not the first one with this key (a moving camera never comes back) and
+    /// `frame` holds the background. It is kept if it is not the first one with this key (a moving camera repeats no view) and
     /// there is room: 48 MiB, less what was in use of late.
     void keep(const Key& key, GLuint frame);
     [[nodiscard]] std::size_t kept() const { return m_kept.size(); }

@@ -63,7 +63,7 @@ private Q_SLOTS:
         chargers.take(10, std::nan(""), 1);
         chargers.take(10, 6, 0);
         chargers.take(10, 6, -1);
-        chargers.take(99, 6, 1); // of nobody
+        chargers.take(99, 6, 1); // of no robot
         chargers.beginTick();
         QCOMPARE(chargers.taken(1).takers, 0u);
         QCOMPARE(chargers.taken(7).takers, 0u);
