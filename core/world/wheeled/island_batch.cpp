@@ -177,6 +177,13 @@ VehiclePush IslandBatch::pushOf(std::uint32_t unit, const Vec3& point, const Vec
     return push;
 }
 
+/// Over x and y, as the last tick left it: what drives or pulls a body in this tick is no blow.
+Vec2 IslandBatch::velocityAt(std::uint32_t unit, const Vec3& point) const {
+    if (unit == kNoActor || !m_objects.units[unit].isMovable()) return Vec2::Zero();
+    const WheeledUnit& u = m_objects.units[unit];
+    return (u.linear + u.angular.cross(point - u.position)).head<2>();
+}
+
 void IslandBatch::addRows(UnitContact& c) {
     const Vec2 normal = c.normal, tangent(-normal.y(), normal.x());
     for (const UnitContactPoint& point : c.points()) {
@@ -194,7 +201,7 @@ void IslandBatch::addRows(UnitContact& c) {
         }
         row.normalMass = 1 / row.normalMass;
         row.tangentMass = 1 / row.tangentMass;
-        const double depth = -point.gap, closing = -row.speed(row.normalA, row.normalB);
+        const double depth = -point.gap, closing = (velocityAt(c.a, point.at) - velocityAt(c.b, point.at)).dot(normal);
         row.bias = depth > 0 ? std::min(kPushShare * std::max(depth - kSlop, 0.) / m_tick.h, kFastestPush) : depth / m_tick.h;
         if (c.restitution > 0 && closing > kLeastBounce && closing * m_tick.h > -depth)
             row.bias = std::max(row.bias, c.restitution * closing);
@@ -219,7 +226,7 @@ double IslandBatch::solveContact(ContactRow& row) {
     return change;
 }
 
-/// Vehicles with the impulses of the last tick, then the rows of contacts; all closing speeds are known before these push.
+/// Vehicles with the impulses of the last tick, then the rows of contacts with theirs.
 void IslandBatch::prepare() {
     for (std::size_t b = 0; b < m_blockCount; ++b) {
         Block& block = m_blocks[b];

@@ -68,6 +68,7 @@ private:
     void addLoose(std::uint32_t unit);
     void addRows(UnitContact& contact);
     [[nodiscard]] VehiclePush pushOf(std::uint32_t unit, const Vec3& point, const Vec2& way) const;
+    [[nodiscard]] Vec2 velocityAt(std::uint32_t unit, const Vec3& point) const;
     [[nodiscard]] double* velocitiesOf(std::uint32_t unit);
     [[nodiscard]] static double hold(Loose& loose, Vec3& grip);
     [[nodiscard]] static double solveContact(ContactRow& row);
