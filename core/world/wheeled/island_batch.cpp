@@ -219,6 +219,7 @@ double IslandBatch::solveContact(ContactRow& row) {
     row.normal = normal;
     double change = std::abs(normal - before);
     const double limit = row.friction * normal;
+    if (limit == 0 && row.tangent == 0) return change;
     const double tangent = std::clamp(row.tangent - row.speed(row.tangentA, row.tangentB) * row.tangentMass, -limit, limit);
     if (tangent != row.tangent) row.push(row.tangentA, row.tangentB, tangent - row.tangent);
     change = std::max(change, std::abs(tangent - row.tangent));

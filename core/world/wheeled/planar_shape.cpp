@@ -192,6 +192,13 @@ PlanarTouch circles(const Vec2& a, double radiusA, const Vec2& b, double radiusB
     return out;
 }
 
+/// Whether a circle at `centre`, in the frame of the polygon, lies beyond one of its edges by more than the margin.
+bool isBeyond(const PlanarShape& polygon, const Vec2& centre, double radius, double margin) {
+    for (std::size_t i = 0; i < polygon.corners.size(); ++i)
+        if (polygon.outwards[i].dot(centre - polygon.corners[i]) > radius + margin) return true;
+    return false;
+}
+
 PlanarTouch inWorld(PlanarTouch touch, const PlanarPose& frame) {
     touch.normal = frame.turn(touch.normal);
     for (int i = 0; i < touch.count; ++i) touch.points[i] = frame.at + frame.turn(touch.points[i]);
@@ -247,6 +254,8 @@ PlanarTouch touchOf(const PlanarShape& a, const PlanarPose& atA, const PlanarSha
         return touch;
     }
     if (b.isCircle()) return inWorld(circleOnPolygon(a, atA.turnBack(centreB - atA.at), b.radius, margin), atA);
+    if (isBeyond(a, atA.turnBack(centreB - atA.at), b.bound, margin) || isBeyond(b, atB.turnBack(centreA - atB.at), a.bound, margin))
+        return {};
     Edges seen;
     seeFrom(b, atB, atA, seen);
     return inWorld(polygons(a, seen, margin), atA);

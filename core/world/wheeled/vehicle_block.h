@@ -46,7 +46,8 @@ struct VehicleSupportRow {
     VehicleField ax, ay, change[3], inverse, bias, normal; ///< of the normal: arm, change of the angular velocity; the impulse
     VehicleWay way, across;
     VehicleField coupling, alongImpulse, acrossImpulse;
-    VehicleField keptNormal, keptAlong, keptAcross;
+    VehicleField cone; ///< what makes the impulse of a tread that slips as large as friction allows, 1/kg (ontoCone())
+    VehicleField keptNormal, keptAlong, keptAcross, keptCone;
 };
 
 struct VehicleWheelRow {

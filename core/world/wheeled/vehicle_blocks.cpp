@@ -99,6 +99,7 @@ void loadVehicle(VehicleBlock& block, std::size_t lane, const WheeledObjects& ob
         row.normal[lane] = state.normal;
         row.alongImpulse[lane] = state.along;
         row.acrossImpulse[lane] = state.across;
+        row.cone[lane] = state.cone;
     }
     for (int i = 0; i < model.wheelCount; ++i)
         loadWheel(block.wheels[i], lane, objects.wheels[unit.wheels + static_cast<std::uint32_t>(i)]);
@@ -121,8 +122,8 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
     unit.angular = vectorIn(block.angular, lane);
     for (int i = 0; i < model.supportCount; ++i) {
         const VehicleSupportRow& row = block.supports[i];
-        objects.supports[unit.supports + static_cast<std::uint32_t>(i)] = {row.keptNormal[lane], row.keptAlong[lane],
-                                                                           row.keptAcross[lane]};
+        objects.supports[unit.supports + static_cast<std::uint32_t>(i)] = {row.keptNormal[lane], row.keptAlong[lane], row.keptAcross[lane],
+                                                                           row.keptCone[lane]};
     }
     for (int i = 0; i < model.wheelCount; ++i) {
         const VehicleWheelRow& row = block.wheels[i];

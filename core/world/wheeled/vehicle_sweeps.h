@@ -8,7 +8,7 @@ namespace trundle {
 namespace {
 
 constexpr double kLeast = 1e-12;
-constexpr int kConeSteps = 3, kPieceSteps = 3;
+constexpr int kPieceSteps = 3;
 
 inline Lanes solveNormal(VehicleSupportRow& row, int o, double soft, double inverseMass, Lanes* v) {
     const Lanes impulse = load(row.normal + o);
@@ -20,18 +20,15 @@ inline Lanes solveNormal(VehicleSupportRow& row, int o, double soft, double inve
     return size(change);
 }
 
-/// The impulse inside the circle of radius `limit` that opposes the slip left over: (k + a) l = b, |l| = limit. Newton on 1/|l|.
-inline void ontoCone(Lanes& along, Lanes& across, Lanes k1, Lanes k2, Lanes b1, Lanes b2, Lanes limit) {
+/// From the impulse that would end the slip to the one on the circle of radius `limit` that opposes the slip left over: (k + add) l = b,
+/// |l| = limit, for 1/k = i1, i2. One step of Newton's method on 1/|l| for each sweep: `add` is that of the last one, and what its
+/// solution misses is scaled away.
+inline void ontoCone(Lanes& along, Lanes& across, Lanes& add, Lanes i1, Lanes i2, Lanes limit) {
     const Lanes radius = most(limit, all(kLeast)), tiny = all(kLeast * kLeast);
-    Lanes add = all(0), x = b1 / k1, y = b2 / k2, square = x * x + y * y;
-    for (int i = 0; i < kConeSteps; ++i) {
-        const Lanes length = root(most(square, tiny)), slope = x * x / (k1 + add) + y * y / (k2 + add);
-        add = most(add + (length / radius - 1) * square / most(slope, tiny), all(0));
-        x = b1 / (k1 + add);
-        y = b2 / (k2 + add);
-        square = x * x + y * y;
-    }
-    const Lanes scale = least(radius / root(most(square, tiny)), all(1));
+    const Lanes w1 = 1 + add * i1, w2 = 1 + add * i2, both = 1 / (w1 * w2);
+    const Lanes x = along * (w2 * both), y = across * (w1 * both), square = most(x * x + y * y, tiny), length = root(square);
+    const Lanes slope = (x * x * i1 * w2 + y * y * i2 * w1) * both, scale = radius / length;
+    add = most(add + (length - radius) * square / (radius * most(slope, tiny)), all(0));
     along = x * scale;
     across = y * scale;
 }
@@ -58,13 +55,14 @@ inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o
     const Lanes limit = s.friction * load(row.normal + o), before = load(row.alongImpulse + o);
     Lanes inverse, along = solveAlong(row, wheel, o, s.lever, speed(row.way, o, v), inverse), across = all(0);
     if (s.round) {
-        const Lanes slip = speed(row.across, o, v), beforeAcross = load(row.acrossImpulse + o), mass = load(row.across.mass + o);
-        across = (-slip - load(row.coupling + o) * along) * load(row.across.inverse + o);
+        const Lanes slip = speed(row.across, o, v), beforeAcross = load(row.acrossImpulse + o);
+        const Lanes inverseAcross = load(row.across.inverse + o);
+        across = (-slip - load(row.coupling + o) * along) * inverseAcross;
         const Lanes x = before + along, y = beforeAcross + across;
         if (const Mask slips = x * x + y * y > limit * limit; any(slips)) {
-            Lanes to, toAcross;
-            const Lanes both = 1 / inverse;
-            ontoCone(to, toAcross, both, mass, both * x, mass * beforeAcross - slip, limit);
+            Lanes to = x, toAcross = beforeAcross - slip * inverseAcross, add = load(row.cone + o);
+            ontoCone(to, toAcross, add, inverse, inverseAcross, limit);
+            store(row.cone + o, select(slips, add, load(row.cone + o)));
             along = select(slips, to - before, along);
             across = select(slips, toAcross - beforeAcross, across);
         }
@@ -102,6 +100,7 @@ inline void keepLanes(VehicleBlock& b, int o, const VehicleModel& m, Mask chosen
         keep(row.keptNormal, row.normal);
         keep(row.keptAlong, row.alongImpulse);
         keep(row.keptAcross, row.acrossImpulse);
+        keep(row.keptCone, row.cone);
     }
     for (int i = 0; i < m.wheelCount; ++i) keep(b.wheels[i].keptMomentum, b.wheels[i].momentum);
 }

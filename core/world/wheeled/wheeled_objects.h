@@ -14,9 +14,10 @@
 
 namespace trundle {
 
-/// Impulses of the last tick, N s, with which the next one starts.
+/// Of the last tick, with which the next one starts.
 struct SupportState {
-    double normal = 0, along = 0, across = 0;
+    double normal = 0, along = 0, across = 0; ///< impulses, N s
+    double cone = 0;                          ///< of friction at its limit, 1/kg
 };
 
 struct WheelState {
