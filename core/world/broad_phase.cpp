@@ -13,16 +13,15 @@ constexpr double kSmallestCell = 1e-3;
 
 double widest(const Box3& b) { return std::max(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]); }
 
+/// Cells side by side in x have buckets side by side.
 std::size_t hashCell(std::int64_t x, std::int64_t y) {
-    return static_cast<std::size_t>(static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^
-                                    static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full);
+    return static_cast<std::size_t>(static_cast<std::uint64_t>(x) + static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15ull);
 }
 
 } // namespace
 
 void StaticGrid::build(std::vector<Box3> boxes) {
     m_boxes = std::move(boxes);
-    m_stamp.assign(m_boxes.size(), 0);
     m_large.clear();
     m_begin.clear();
     m_items.clear();
@@ -63,27 +62,22 @@ void StaticGrid::build(std::vector<Box3> boxes) {
 int StaticGrid::column(double x) const { return static_cast<int>(std::clamp((x - m_x0) / m_cell, 0.0, m_columns - 1.0)); }
 int StaticGrid::row(double y) const { return static_cast<int>(std::clamp((y - m_y0) / m_cell, 0.0, m_rows - 1.0)); }
 
-void StaticGrid::take(std::uint32_t index, const Box3& box, std::vector<std::uint32_t>& out) {
-    if (m_stamp[index] == m_query || !m_boxes[index].touches(box)) return;
-    m_stamp[index] = m_query;
-    out.push_back(index);
-}
-
-void StaticGrid::query(const Box3& box, std::vector<std::uint32_t>& out) {
+void StaticGrid::query(const Box3& box, std::vector<std::uint32_t>& out) const {
     out.clear();
     if (m_boxes.empty()) return;
-    if (++m_query == 0) { // wrapped around: clear stamps of earlier queries
-        std::fill(m_stamp.begin(), m_stamp.end(), 0);
-        m_query = 1;
-    }
-    for (const std::uint32_t i : m_large) take(i, box, out);
+    const auto take = [&](std::uint32_t i) {
+        if (m_boxes[i].touches(box)) out.push_back(i);
+    };
+    for (const std::uint32_t i : m_large) take(i);
     const int x0 = column(box.lo[0]), x1 = column(box.hi[0]), y0 = row(box.lo[1]), y1 = row(box.hi[1]);
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
             const auto cell = static_cast<std::size_t>(y * m_columns + x);
-            for (std::uint32_t k = m_begin[cell]; k < m_begin[cell + 1]; ++k) take(m_items[k], box, out);
+            for (std::uint32_t k = m_begin[cell]; k < m_begin[cell + 1]; ++k) take(m_items[k]);
         }
-    if (out.size() > 1) std::sort(out.begin(), out.end());
+    if (out.size() < 2) return;
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end()); // one box may be in several cells
 }
 
 void PairGrid::chooseCell(std::span<const Box3> boxes) {
@@ -107,7 +101,7 @@ void PairGrid::sortIntoBuckets(std::span<const Box3> boxes) {
         const Box3& b = boxes[i];
         if (widest(b) > m_cell) {
             m_large.push_back(i);
-            m_bucket[i] = 0xffffffffu;
+            m_bucket[i] = kLarge;
             continue;
         }
         m_at[i] = {static_cast<std::int64_t>(std::floor((b.lo[0] + b.hi[0]) / 2 / m_cell)),
@@ -119,7 +113,7 @@ void PairGrid::sortIntoBuckets(std::span<const Box3> boxes) {
     m_items.resize(boxes.size());
     // Fills each bucket's range from its end; afterwards the start indices are correct again.
     for (std::uint32_t i = static_cast<std::uint32_t>(boxes.size()); i-- > 0;)
-        if (m_bucket[i] != 0xffffffffu) m_items[--m_begin[m_bucket[i] + 1]] = i;
+        if (m_bucket[i] != kLarge) m_items[--m_begin[m_bucket[i] + 1]] = i;
     for (std::size_t k = 0; k < buckets; ++k) m_begin[k] = m_begin[k + 1];
     m_begin[buckets] = static_cast<std::uint32_t>(boxes.size() - m_large.size());
 }
@@ -138,16 +132,43 @@ void PairGrid::pairsOf(std::uint32_t i, std::span<const Box3> boxes, std::vector
     }
 }
 
-void PairGrid::pairs(std::span<const Box3> boxes, std::vector<IndexPair>& out) {
-    out.clear();
+void PairGrid::file(std::span<const Box3> boxes) {
     if (boxes.size() < 2) return;
     if (m_count != boxes.size()) chooseCell(boxes);
     sortIntoBuckets(boxes);
+}
+
+void PairGrid::partnersOf(std::uint32_t i, std::span<const Box3> boxes, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    if (boxes.size() < 2) return;
+    const Box3& own = boxes[i];
+    const auto take = [&](std::uint32_t j) {
+        if (j > i && own.touches(boxes[j])) out.push_back(j);
+    };
+    if (m_bucket[i] == kLarge) {
+        for (std::uint32_t j = i + 1; j < boxes.size(); ++j) take(j);
+        return;
+    }
+    const std::size_t mask = m_begin.size() - 2;
+    for (std::int64_t y = m_at[i].second - 1; y <= m_at[i].second + 1; ++y)
+        for (std::int64_t x = m_at[i].first - 1; x <= m_at[i].first + 1; ++x) {
+            const std::size_t bucket = hashCell(x, y) & mask;
+            for (std::uint32_t k = m_begin[bucket]; k < m_begin[bucket + 1]; ++k)
+                if (const std::uint32_t j = m_items[k]; m_at[j] == std::pair(x, y)) take(j);
+        }
+    for (const std::uint32_t j : m_large) take(j);
+    if (out.size() > 1) std::sort(out.begin(), out.end());
+}
+
+void PairGrid::pairs(std::span<const Box3> boxes, std::vector<IndexPair>& out) {
+    out.clear();
+    if (boxes.size() < 2) return;
+    file(boxes);
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
-        if (m_bucket[i] != 0xffffffffu) pairsOf(i, boxes, out);
+        if (m_bucket[i] != kLarge) pairsOf(i, boxes, out);
     for (const std::uint32_t i : m_large)
         for (std::uint32_t j = 0; j < boxes.size(); ++j) {
-            const bool bothLarge = m_bucket[j] == 0xffffffffu;
+            const bool bothLarge = m_bucket[j] == kLarge;
             if (i == j || (bothLarge && j < i) || !boxes[i].touches(boxes[j])) continue;
             out.emplace_back(std::min(i, j), std::max(i, j));
         }

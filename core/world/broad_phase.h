@@ -30,19 +30,17 @@ struct Box3 {
 class StaticGrid {
 public:
     void build(std::vector<Box3> boxes);
-    /// Indices of the boxes that touch `box`, ascending.
-    void query(const Box3& box, std::vector<std::uint32_t>& out);
+    /// Indices of the boxes that touch `box`, ascending. Several threads may ask at once.
+    void query(const Box3& box, std::vector<std::uint32_t>& out) const;
 
 private:
     std::vector<Box3> m_boxes;
-    std::vector<std::uint32_t> m_large, m_begin, m_items, m_stamp;
-    std::uint32_t m_query = 0;
+    std::vector<std::uint32_t> m_large, m_begin, m_items;
     int m_columns = 0, m_rows = 0;
     double m_x0 = 0, m_y0 = 0, m_cell = 1;
 
     [[nodiscard]] int column(double x) const;
     [[nodiscard]] int row(double y) const;
-    void take(std::uint32_t index, const Box3& box, std::vector<std::uint32_t>& out);
 };
 
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -53,7 +51,14 @@ public:
     /// All pairs (low, high) of touching boxes, sorted.
     void pairs(std::span<const Box3> boxes, std::vector<IndexPair>& out);
 
+    // The same box by box: file() first, then partnersOf() for each, also by several threads at once.
+    void file(std::span<const Box3> boxes);
+    /// The boxes after box i that touch it, ascending.
+    void partnersOf(std::uint32_t i, std::span<const Box3> boxes, std::vector<std::uint32_t>& out) const;
+
 private:
+    static constexpr std::uint32_t kLarge = 0xffffffffu; ///< in place of a bucket
+
     double m_cell = 0;
     std::size_t m_count = 0;
     std::vector<std::uint32_t> m_begin, m_items, m_large;

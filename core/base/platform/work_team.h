@@ -44,6 +44,18 @@ public:
         });
     }
 
+    /// Calls part(worker, begin, end) for contiguous parts of [0, count), one for each worker, with at least `least` elements where
+    /// there are several. The parts of a count are always the same, so what a worker wrote last is in its own cache.
+    template <class Part> void split(std::size_t count, std::size_t least, Part&& part) {
+        const std::size_t workers = std::clamp<std::size_t>(count / least, 1, size());
+        if (workers == 1) {
+            part(0u, std::size_t{0}, count);
+            return;
+        }
+        run(static_cast<unsigned>(workers),
+            [&](unsigned worker) { part(worker, count * worker / workers, count * (worker + 1) / workers); });
+    }
+
 private:
     using Function = void (*)(void* work, unsigned worker);
     struct alignas(64) Post { ///< of one thread; padded, so that threads that poll do not disturb each other

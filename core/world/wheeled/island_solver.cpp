@@ -26,10 +26,10 @@ void IslandSolver::step(const Vec3& gravity, double h) {
     for (std::uint32_t i = 0; i < m_objects.units.size(); ++i)
         if (const WheeledUnit& unit = m_objects.units[i]; unit.isMovable() && !unit.isVehicle() && !m_contacts.touches(i))
             m_workers[0].batch.solveLoose(i);
-    m_team.share(m_blocks.size(), kBlocksAtOnce, [&](unsigned worker, std::size_t begin, std::size_t end) {
+    m_team.split(m_blocks.size(), kBlocksAtOnce, [&](unsigned worker, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) solveBlock(*m_workers[worker].block, m_blocks[i], tick);
     });
-    m_team.share(m_islands.size(), kIslandsAtOnce, [&](unsigned worker, std::size_t begin, std::size_t end) {
+    m_team.split(m_islands.size(), kIslandsAtOnce, [&](unsigned worker, std::size_t begin, std::size_t end) {
         IslandBatch& batch = m_workers[worker].batch;
         for (std::size_t i = begin; i < end; ++i) {
             batch.add(m_islands[i].units, m_islands[i].contacts);

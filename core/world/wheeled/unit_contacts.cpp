@@ -11,6 +11,7 @@ constexpr double kLookAhead =
 constexpr double kSamePoint = 0.02; // m
 constexpr double kLeastOverlap = 1e-4; // m, of heights
 constexpr double kTall = 0.005;        // m
+constexpr std::size_t kUnitsOfThread = 16; // at least
 
 Box3 boxOf(const WheeledUnit& unit) {
     const double x = unit.position.x(), y = unit.position.y(), r = unit.shape->bound + kLookAhead;
@@ -31,6 +32,22 @@ Box3 boxOf(const PlanarShape& f) {
 void UnitContacts::find() {
     std::swap(m_now, m_last);
     m_now.clear();
+    fileBoxes();
+    for (Finder& finder : m_finders) finder.found.clear();
+    m_team.split(m_objects.units.size(), kUnitsOfThread, [this](unsigned worker, std::size_t begin, std::size_t end) {
+        Finder& finder = m_finders[worker];
+        for (std::size_t i = begin; i < end; ++i) findOf(static_cast<std::uint32_t>(i), finder);
+        takeOver(finder.found);
+    });
+    for (const Finder& finder : m_finders) m_now.insert(m_now.end(), finder.found.begin(), finder.found.end());
+    m_touches.assign(m_objects.units.size(), 0);
+    for (const UnitContact& c : m_now) {
+        m_touches[c.a] = 1;
+        if (c.b != kNoActor) m_touches[c.b] = 1;
+    }
+}
+
+void UnitContacts::fileBoxes() {
     if (m_filed != m_objects.scenery.size()) {
         std::vector<Box3> boxes;
         for (const WheeledScenery& s : m_objects.scenery) boxes.push_back(boxOf(s.footprint));
@@ -39,29 +56,26 @@ void UnitContacts::find() {
     }
     m_boxes.clear();
     for (const WheeledUnit& unit : m_objects.units) m_boxes.push_back(boxOf(unit));
-    m_grid.pairs(m_boxes, m_pairs);
-    for (const auto& [a, b] : m_pairs) meet(a, b);
-    if (m_filed > 0)
-        for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
-            if (!m_objects.units[i].isMovable()) continue;
-            m_near.clear();
-            m_sceneryGrid.query(m_boxes[i], m_near);
-            for (const std::uint32_t s : m_near) meetScenery(i, m_objects.scenery[s]);
-        }
-    std::ranges::sort(m_now, {}, [](const UnitContact& c) { return c.key(); });
-    takeOver();
-    m_touches.assign(m_objects.units.size(), 0);
-    for (const UnitContact& c : m_now) {
-        m_touches[c.a] = 1;
-        if (c.b != kNoActor) m_touches[c.b] = 1;
-    }
+    m_grid.file(m_boxes);
+}
+
+/// With units after it, then with the scenery: by ascending keys.
+void UnitContacts::findOf(std::uint32_t unit, Finder& finder) const {
+    const WheeledUnit& own = m_objects.units[unit];
+    if (own.ended) return;
+    finder.sides.clear();
+    m_grid.partnersOf(unit, m_boxes, finder.near);
+    for (const std::uint32_t other : finder.near) meet(unit, other, finder);
+    if (m_filed == 0 || !own.isMovable()) return;
+    m_sceneryGrid.query(m_boxes[unit], finder.near);
+    if (!finder.near.empty()) meetScenery(unit, finder);
 }
 
 void UnitContacts::forget(std::uint32_t unit) {
     std::erase_if(m_now, [unit](const UnitContact& c) { return c.a == unit || c.b == unit; });
 }
 
-UnitContacts::Side UnitContacts::sideOf(const WheeledUnit& unit, std::size_t footprint) const {
+UnitContacts::Side UnitContacts::sideOf(const WheeledUnit& unit, std::size_t footprint) {
     const PlanarShape& shape = unit.shape->footprints[footprint];
     Side side{&shape, unit.plane, unit.position.z(), Vec2::Zero(), unit.plane.at + unit.plane.turn(shape.centre)};
     if (!unit.isVehicle()) return side;
@@ -70,39 +84,48 @@ UnitContacts::Side UnitContacts::sideOf(const WheeledUnit& unit, std::size_t foo
     return side;
 }
 
-void UnitContacts::meet(std::uint32_t a, std::uint32_t b) {
-    const WheeledUnit &ua = m_objects.units[a], &ub = m_objects.units[b];
-    if (ua.ended || ub.ended || (!ua.isMovable() && !ub.isMovable())) return;
-    const double reach = ua.shape->bound + ub.shape->bound + kLookAhead;
-    if ((ua.plane.at - ub.plane.at).squaredNorm() > reach * reach) return;
-    m_sides.clear();
-    for (std::uint32_t k = 0; k < ub.shape->footprints.size(); ++k) m_sides.push_back(sideOf(ub, k));
-    for (std::uint32_t i = 0; i < ua.shape->footprints.size(); ++i) {
-        const Side side = sideOf(ua, i);
-        for (std::uint32_t k = 0; k < m_sides.size(); ++k)
-            if (areNear(side, m_sides[k])) add({a, b, ua.geoms + i, ub.geoms + k}, side, m_sides[k]);
-    }
+/// Those of the unit whose contacts are looked for, where they are not known yet.
+void UnitContacts::seeSides(const WheeledUnit& unit, Finder& finder) {
+    for (std::size_t i = finder.sides.size(); i < unit.shape->footprints.size(); ++i) finder.sides.push_back(sideOf(unit, i));
 }
 
-void UnitContacts::meetScenery(std::uint32_t a, const WheeledScenery& scenery) {
+void UnitContacts::meet(std::uint32_t a, std::uint32_t b, Finder& finder) const {
+    const WheeledUnit &ua = m_objects.units[a], &ub = m_objects.units[b];
+    if (ub.ended || (!ua.isMovable() && !ub.isMovable())) return;
+    const double reach = ua.shape->bound + ub.shape->bound + kLookAhead;
+    if ((ua.plane.at - ub.plane.at).squaredNorm() > reach * reach) return;
+    seeSides(ua, finder);
+    finder.others.clear();
+    for (std::size_t k = 0; k < ub.shape->footprints.size(); ++k) finder.others.push_back(sideOf(ub, k));
+    for (std::uint32_t i = 0; i < finder.sides.size(); ++i)
+        for (std::uint32_t k = 0; k < finder.others.size(); ++k)
+            if (areNear(finder.sides[i], finder.others[k]))
+                add({a, b, ua.geoms + i, ub.geoms + k}, finder.sides[i], finder.others[k], finder);
+}
+
+/// That of `near`.
+void UnitContacts::meetScenery(std::uint32_t a, Finder& finder) const {
     const WheeledUnit& unit = m_objects.units[a];
-    const Side other{&scenery.footprint, {}, 0, Vec2::Zero(), scenery.footprint.centre};
-    for (std::uint32_t i = 0; i < unit.shape->footprints.size(); ++i)
-        if (const Side side = sideOf(unit, i); areNear(side, other))
-            add({a, kNoActor, unit.geoms + i, scenery.geom}, side, other);
+    seeSides(unit, finder);
+    for (std::uint32_t i = 0; i < finder.sides.size(); ++i)
+        for (const std::uint32_t s : finder.near) {
+            const WheeledScenery& scenery = m_objects.scenery[s];
+            const Side other{&scenery.footprint, {}, 0, Vec2::Zero(), scenery.footprint.centre};
+            if (areNear(finder.sides[i], other)) add({a, kNoActor, unit.geoms + i, scenery.geom}, finder.sides[i], other, finder);
+        }
 }
 
 /// Their circles and heights: most pairs need no more.
 bool UnitContacts::areNear(const Side& a, const Side& b) {
     const double reach = a.footprint->bound + b.footprint->bound + kLookAhead;
-    return std::min(a.high(), b.high()) - std::max(a.low(), b.low()) >= kLeastOverlap &&
-           (a.centre - b.centre).squaredNorm() <= reach * reach;
+    return (a.centre - b.centre).squaredNorm() <= reach * reach &&
+           std::min(a.high(), b.high()) - std::max(a.low(), b.low()) >= kLeastOverlap;
 }
 
-void UnitContacts::add(const UnitContact& pair, const Side& a, const Side& b) {
+void UnitContacts::add(const UnitContact& pair, const Side& a, const Side& b, Finder& finder) const {
     const PlanarTouch touch = touchOf(*a.footprint, a.pose, *b.footprint, b.pose, kLookAhead);
     if (touch.count == 0) return;
-    UnitContact& contact = m_now.emplace_back(pair);
+    UnitContact& contact = finder.found.emplace_back(pair);
     contact.normal = touch.normal;
     const SurfaceSpec &sa = m_objects.surfaces[a.footprint->surface], &sb = m_objects.surfaces[b.footprint->surface];
     contact.friction = std::min(sa.friction, sb.friction);
@@ -110,7 +133,7 @@ void UnitContacts::add(const UnitContact& pair, const Side& a, const Side& b) {
     addPoints(contact, a, b, touch);
 }
 
-void UnitContacts::addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch) {
+void UnitContacts::addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch) const {
     const double low = std::max(a.low(), b.low()), high = std::min(a.high(), b.high());
     const auto addAt = [&](double height) {
         const double lean = contact.normal.dot((height - b.height) * b.lean - (height - a.height) * a.lean);
@@ -130,9 +153,10 @@ void UnitContacts::addPoints(UnitContact& contact, const Side& a, const Side& b,
 }
 
 /// From the nearest point of the last tick, each used once.
-void UnitContacts::takeOver() {
-    auto old = m_last.begin();
-    for (UnitContact& c : m_now) {
+void UnitContacts::takeOver(std::span<UnitContact> contacts) const {
+    if (contacts.empty()) return;
+    auto old = std::ranges::lower_bound(m_last, contacts[0].key(), {}, &UnitContact::key);
+    for (UnitContact& c : contacts) {
         while (old != m_last.end() && old->key() < c.key()) ++old;
         if (old == m_last.end() || old->key() != c.key()) continue;
         std::array<bool, 4> used{};

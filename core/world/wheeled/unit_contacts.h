@@ -2,13 +2,14 @@
 // Which units touch each other and the scenery, over x and y; found anew in every tick.
 //
 // Method: candidates from grids of bounding boxes, then footprints whose heights overlap. Contacts are sorted by their units and geoms, and
-// take over the impulses of the same points in the tick before.
+// take over the impulses of the same points in the tick before. Each thread of the team finds those of a range of units.
 
 #include <array>
 #include <span>
 #include <tuple>
 #include <vector>
 
+#include "base/platform/work_team.h"
 #include "world/broad_phase.h"
 #include "world/wheeled/wheeled_objects.h"
 
@@ -37,7 +38,7 @@ struct UnitContact {
 
 class UnitContacts {
 public:
-    explicit UnitContacts(const WheeledObjects& objects) : m_objects(objects) {}
+    UnitContacts(const WheeledObjects& objects, WorkTeam& team) : m_objects(objects), m_team(team), m_finders(team.size()) {}
 
     void find();
     /// Contacts of the units start from nothing in the next tick.
@@ -58,21 +59,29 @@ private:
         [[nodiscard]] double low() const { return height + footprint->low; }
         [[nodiscard]] double high() const { return height + footprint->high; }
     };
-    void meet(std::uint32_t a, std::uint32_t b);
-    void meetScenery(std::uint32_t a, const WheeledScenery& scenery);
-    [[nodiscard]] Side sideOf(const WheeledUnit& unit, std::size_t footprint) const;
+    /// Of one thread.
+    struct Finder {
+        std::vector<UnitContact> found; ///< of its units
+        std::vector<Side> sides, others; ///< of the unit whose contacts are looked for, and of the one that it meets
+        std::vector<std::uint32_t> near;
+    };
+    void fileBoxes();
+    void findOf(std::uint32_t unit, Finder& finder) const;
+    void meet(std::uint32_t a, std::uint32_t b, Finder& finder) const;
+    void meetScenery(std::uint32_t a, Finder& finder) const;
+    static void seeSides(const WheeledUnit& unit, Finder& finder);
+    [[nodiscard]] static Side sideOf(const WheeledUnit& unit, std::size_t footprint);
     [[nodiscard]] static bool areNear(const Side& a, const Side& b);
-    void add(const UnitContact& pair, const Side& a, const Side& b);
-    void addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch);
-    void takeOver();
+    void add(const UnitContact& pair, const Side& a, const Side& b, Finder& finder) const;
+    void addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch) const;
+    void takeOver(std::span<UnitContact> contacts) const;
 
     const WheeledObjects& m_objects;
+    WorkTeam& m_team;
+    std::vector<Finder> m_finders; ///< by worker
     std::vector<UnitContact> m_now, m_last;
     std::vector<std::uint8_t> m_touches; ///< by unit
-    std::vector<Side> m_sides;           ///< of the second of two units
     std::vector<Box3> m_boxes;
-    std::vector<IndexPair> m_pairs;
-    std::vector<std::uint32_t> m_near;
     PairGrid m_grid;
     StaticGrid m_sceneryGrid;
     std::size_t m_filed = 0; ///< scenery in its grid

@@ -11,7 +11,8 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kUnitsAtOnce = 32; // by one thread
+constexpr std::size_t kUnitsOfThread = 16; // at least
+constexpr std::string_view kLeavesGround = "it leaves the ground", kLeans = "it leans by more than 20 degrees";
 constexpr double kFarthest = 1e5;        // m
 constexpr double kFastest = 200;  // m/s
 constexpr double kFastestTurn = 1e4;
@@ -170,22 +171,30 @@ std::optional<EngineFault> WheeledEngine::step(double h) {
     applyMotions();
     m_contacts.find();
     m_solver.step(m_settings.gravity, h);
-    clearForces();
-    for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
-        const WheeledUnit& unit = m_objects.units[i];
-        if (unit.isMovable() && !unit.isVehicle()) moveOn(m_objects.units[i], h);
-    }
-    endFaulty();
     m_joints.resize(m_objects.wheelOf.size());
-    m_team.share(m_objects.units.size(), kUnitsAtOnce, [this, h](unsigned, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (m_objects.units[i].isMovable()) publishStates(m_objects, static_cast<std::uint32_t>(i));
-            publishJoints(m_objects.units[i], h);
-        }
+    m_faulty.resize(m_team.size());
+    m_team.split(m_objects.units.size(), kUnitsOfThread, [this, h](unsigned worker, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (!finish(static_cast<std::uint32_t>(i), h)) m_faulty[worker].push_back(static_cast<std::uint32_t>(i));
     });
+    endFaulty(h);
     m_list.clear(h);
     m_rays.markMoved();
     return m_fault;
+}
+
+/// A unit's tick is over. False, and nothing is published, where it has a fault.
+bool WheeledEngine::finish(std::uint32_t index, double h) {
+    WheeledUnit& unit = m_objects.units[index];
+    unit.force = unit.moment = Vec3::Zero();
+    for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].torque = 0;
+    if (unit.isMovable()) {
+        if (!unit.isVehicle()) moveOn(unit, h);
+        if (!faultOf(unit).empty()) return false;
+        publishStates(m_objects, index);
+    }
+    publishJoints(unit, h);
+    return true;
 }
 
 /// What was moved is at rest and touches nothing yet.
@@ -205,13 +214,8 @@ void WheeledEngine::applyMotions() {
     m_motions.clear();
 }
 
-void WheeledEngine::clearForces() {
-    for (WheeledUnit& unit : m_objects.units) unit.force = unit.moment = Vec3::Zero();
-    for (WheelState& wheel : m_objects.wheels) wheel.torque = 0;
-}
-
 /// Empty: it has none.
-std::string WheeledEngine::faultOf(const WheeledUnit& unit) const {
+std::string_view WheeledEngine::faultOf(const WheeledUnit& unit) const {
     const auto within = [](const Vec3& v, double most) { return v.squaredNorm() <= most * most; }; // false for NaN
     const Quat& q = unit.rotation;
     const double up = 1 - 2 * (q.x() * q.x() + q.y() * q.y());
@@ -219,24 +223,27 @@ std::string WheeledEngine::faultOf(const WheeledUnit& unit) const {
         return "it is farther than 100000 m from the origin, or its state is no number";
     if (!within(unit.linear, kFastest)) return "it moves faster than 200 m/s";
     if (!within(unit.angular, kFastestTurn)) return "it turns faster than 10000 rad/s";
-    if (!m_objects.ground->isEndless() && !m_objects.ground->isBelow(unit.position.head<2>()))
-        return "it leaves the ground, which " + m_objects.engineName() + " cannot follow; use Engine = general";
-    if (unit.shape->kind != ActorKind::Ball && up < kLeastUpright)
-        return "it leans by more than 20 degrees, which " + m_objects.engineName() + " cannot follow; use Engine = general";
+    if (!m_objects.ground->isEndless() && !m_objects.ground->isBelow(unit.position.head<2>())) return kLeavesGround;
+    if (unit.shape->kind != ActorKind::Ball && up < kLeastUpright) return kLeans;
     return {};
 }
 
-/// It stays as it was published last.
-void WheeledEngine::endFaulty() {
-    for (WheeledUnit& unit : m_objects.units) {
-        if (!unit.isMovable()) continue;
-        std::string fault = faultOf(unit);
-        if (fault.empty()) continue;
-        unit.ended = true;
-        m_ended.push_back({{unit.bodies}, std::move(fault)});
-        for (std::size_t i = 0; i < unit.shape->bodies.size(); ++i)
-            m_objects.states[unit.bodies + i].linear = m_objects.states[unit.bodies + i].angular = Vec3::Zero();
-        for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].stop();
+/// They stay as they were published last.
+void WheeledEngine::endFaulty(double h) {
+    for (std::vector<std::uint32_t>& units : m_faulty) {
+        for (const std::uint32_t index : units) {
+            WheeledUnit& unit = m_objects.units[index];
+            std::string fault(faultOf(unit));
+            if (fault == kLeavesGround || fault == kLeans)
+                fault += ", which " + m_objects.engineName() + " cannot follow; use Engine = general";
+            unit.ended = true;
+            m_ended.push_back({{unit.bodies}, std::move(fault)});
+            for (std::size_t i = 0; i < unit.shape->bodies.size(); ++i)
+                m_objects.states[unit.bodies + i].linear = m_objects.states[unit.bodies + i].angular = Vec3::Zero();
+            for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].stop();
+            publishJoints(unit, h);
+        }
+        units.clear();
     }
 }
 

@@ -53,10 +53,10 @@ private:
     void markAloft(const WheeledUnit& unit);
     void addWheels(const ActorDef& actor, ActorHandles& handles);
     void applyMotions();
-    void clearForces();
-    void endFaulty();
+    [[nodiscard]] bool finish(std::uint32_t index, double h);
+    void endFaulty(double h);
     void publishJoints(const WheeledUnit& unit, double h);
-    [[nodiscard]] std::string faultOf(const WheeledUnit& unit) const;
+    [[nodiscard]] std::string_view faultOf(const WheeledUnit& unit) const;
 
     /// Actors with the same bodies and joints at the same height share a shape.
     struct KnownShape {
@@ -70,11 +70,12 @@ private:
     GroundSearch m_grounds;
     std::vector<KnownShape> m_shapes;
     std::vector<Motion> m_motions;
-    UnitContacts m_contacts{m_objects};
     WorkTeam m_team;
+    UnitContacts m_contacts{m_objects, m_team};
     IslandSolver m_solver{m_objects, m_contacts, m_team};
     ContactList m_list{m_objects, m_contacts};
     WheeledRays m_rays{m_objects};
+    std::vector<std::vector<std::uint32_t>> m_faulty; ///< units, by thread
     std::vector<EngineFault> m_ended;
     std::optional<EngineFault> m_fault;
 };
