@@ -30,11 +30,13 @@ void ContactList::make() const {
 }
 
 void ContactList::addUnit(const UnitContact& c, std::vector<EngineContact>& to) const {
-    const Vec3 normal(c.normal.x(), c.normal.y(), 0), tangent(-normal.y(), normal.x(), 0);
     for (const UnitContactPoint& p : c.points())
-        if (p.gap <= 0 || p.normal > 0)
-            to.push_back(
-                {c.a, c.b, c.geomA, c.geomB, p.at, -normal, std::max(-p.gap, 0.), p.normal / m_h, -p.tangent / m_h * tangent});
+        if (carries(p)) to.push_back(contactOf(c, p));
+}
+
+EngineContact ContactList::contactOf(const UnitContact& c, const UnitContactPoint& p) const {
+    const Vec3 normal(c.normal.x(), c.normal.y(), 0), tangent(-normal.y(), normal.x(), 0);
+    return {c.a, c.b, c.geomA, c.geomB, p.at, -normal, std::max(-p.gap, 0.), p.normal / m_h, -p.tangent / m_h * tangent};
 }
 
 void ContactList::addSupports(std::uint32_t index) const {
@@ -69,29 +71,42 @@ std::span<const std::uint32_t> ContactList::of(std::uint32_t geom) const {
     return {m_byGeom.data() + m_begin[geom], m_begin[geom + 1] - m_begin[geom]};
 }
 
+EngineContact ContactList::at(std::uint32_t index) const {
+    if (index < kAmongUnits) return all()[index];
+    const UnitContact& contact = m_contacts.all()[(index - kAmongUnits) / kMostPoints];
+    return contactOf(contact, contact.list[(index - kAmongUnits) % kMostPoints]);
+}
+
 std::span<const std::uint32_t> ContactList::amongUnits(std::uint32_t unit, std::uint32_t geom) const {
     if (!m_contacts.touches(unit)) return {};
-    if (!m_amongReady) makeAmong();
+    if (!m_linked) link();
     m_found.clear();
-    for (auto at = std::ranges::lower_bound(m_amongOf, IndexPair{unit, 0}); at != m_amongOf.end() && at->first == unit; ++at)
-        if (const EngineContact& c = m_among[at->second]; c.first == geom || c.second == geom)
-            m_found.push_back(kAmongUnits + at->second);
+    if (m_heads[geom].round != m_round) return m_found;
+    for (std::uint32_t k = m_heads[geom].contact; k != kNone;) {
+        const UnitContact& c = m_contacts.all()[k];
+        for (std::uint32_t i = 0; i < c.count; ++i)
+            if (carries(c.list[i])) m_found.push_back(kAmongUnits + k * kMostPoints + i);
+        k = geom == c.geomA ? m_next[k].ofA : m_next[k].ofB;
+    }
     return m_found;
 }
 
-void ContactList::makeAmong() const {
-    m_amongReady = true;
-    m_among.clear();
-    m_amongOf.clear();
-    for (const UnitContact& c : m_contacts.all()) {
-        const auto first = static_cast<std::uint32_t>(m_among.size());
-        addUnit(c, m_among);
-        for (std::uint32_t i = first; i < m_among.size(); ++i) {
-            m_amongOf.emplace_back(c.a, i);
-            if (c.b != kNoActor) m_amongOf.emplace_back(c.b, i);
-        }
+/// From the last contact to the first, so that those of a geom ascend.
+void ContactList::link() const {
+    m_linked = true;
+    ++m_round;
+    m_heads.resize(m_objects.geoms.size());
+    m_next.resize(m_contacts.all().size());
+    const auto put = [&](std::uint32_t geom, std::uint32_t contact) {
+        Head& head = m_heads[geom];
+        const std::uint32_t before = head.round == m_round ? head.contact : kNone;
+        head = {m_round, contact};
+        return before;
+    };
+    for (auto k = static_cast<std::uint32_t>(m_next.size()); k-- > 0;) {
+        const UnitContact& c = m_contacts.all()[k];
+        m_next[k] = {put(c.geomA, k), put(c.geomB, k)};
     }
-    std::ranges::sort(m_amongOf);
 }
 
 void ContactList::file() const {

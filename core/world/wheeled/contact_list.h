@@ -15,23 +15,33 @@ public:
 
     /// After a tick of h seconds.
     void clear(double h) {
-        m_ready = m_filed = m_amongReady = false;
+        m_ready = m_filed = m_linked = false;
         m_h = h;
     }
     [[nodiscard]] const std::vector<EngineContact>& all() const;
     /// By an index of of().
-    [[nodiscard]] const EngineContact& at(std::uint32_t index) const {
-        return index < kAmongUnits ? all()[index] : m_among[index - kAmongUnits];
-    }
+    [[nodiscard]] EngineContact at(std::uint32_t index) const;
     /// Indices of the contacts of a geom, ascending. Those of a geom that the ground does not touch are found without the list of all.
     [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t geom) const;
 
 private:
-    static constexpr std::uint32_t kAmongUnits = 0x80000000u; ///< added to the indices of m_among
+    static constexpr std::uint32_t kAmongUnits = 0x80000000u; ///< and more: a point of a contact among units
+    static constexpr std::uint32_t kMostPoints = 4, kNone = 0xffffffffu;
+    /// Of the list of a geom's contacts among units; in this round.
+    struct Head {
+        std::uint64_t round = 0;
+        std::uint32_t contact = kNone;
+    };
+    struct Next {
+        std::uint32_t ofA = kNone, ofB = kNone;
+    };
 
+    /// What is only near carries nothing, and is no contact for others.
+    [[nodiscard]] static bool carries(const UnitContactPoint& point) { return point.gap <= 0 || point.normal > 0; }
+    [[nodiscard]] EngineContact contactOf(const UnitContact& contact, const UnitContactPoint& point) const;
     [[nodiscard]] std::span<const std::uint32_t> amongUnits(std::uint32_t unit, std::uint32_t geom) const;
     void make() const;
-    void makeAmong() const;
+    void link() const;
     void file() const;
     void addUnit(const UnitContact& contact, std::vector<EngineContact>& to) const;
     void addGround(std::uint32_t unit) const;
@@ -40,9 +50,11 @@ private:
     const WheeledObjects& m_objects;
     const UnitContacts& m_contacts;
     double m_h = 1;
-    mutable bool m_ready = false, m_filed = false, m_amongReady = false;
-    mutable std::vector<EngineContact> m_all, m_among; ///< m_among: without those with the ground
-    mutable std::vector<IndexPair> m_amongOf;          ///< sorted: unit, index in m_among
+    mutable bool m_ready = false, m_filed = false, m_linked = false;
+    mutable std::vector<EngineContact> m_all;
+    mutable std::vector<Head> m_heads; ///< by geom
+    mutable std::vector<Next> m_next;  ///< by contact of m_contacts
+    mutable std::uint64_t m_round = 0;
     mutable std::vector<std::uint32_t> m_found;
     mutable std::vector<std::uint32_t> m_begin, m_byGeom; ///< m_begin: by geom
 };

@@ -17,23 +17,50 @@ constexpr double kPushShare = 0.2;        // of the depth, per tick
 constexpr double kFastestPush = 0.1;      // m/s
 constexpr double kLeastBounce = 0.05;     // m/s
 
+using Pair = double __attribute__((vector_size(16)));
+
+/// The velocities of one side of a contact, read once and written once for all that it does.
+class Side {
+public:
+    /// nullptr: it does not move.
+    explicit Side(double* from) : m_from(from) {
+        if (!from) return;
+        m_v[0] = {from[VX * kVehicleLanes], from[VY * kVehicleLanes]};
+        m_v[1] = {from[WX * kVehicleLanes], from[WY * kVehicleLanes]};
+        m_v[2] = {from[WZ * kVehicleLanes], 0};
+    }
+    [[nodiscard]] double speed(const VehiclePush& push) const {
+        const Pair sum = at(push.row, 0) * m_v[0] + at(push.row, 1) * m_v[1] + at(push.row, 2) * m_v[2];
+        return sum[0] + sum[1];
+    }
+    void push(const VehiclePush& push, double impulse) {
+        for (int i = 0; i < 3; ++i) m_v[i] += impulse * at(push.change, i);
+    }
+    void write() const {
+        if (!m_from) return;
+        m_from[VX * kVehicleLanes] = m_v[0][0];
+        m_from[VY * kVehicleLanes] = m_v[0][1];
+        m_from[WX * kVehicleLanes] = m_v[1][0];
+        m_from[WY * kVehicleLanes] = m_v[1][1];
+        m_from[WZ * kVehicleLanes] = m_v[2][0];
+    }
+
+private:
+    static Pair at(const double (&values)[6], int pair) { return Pair{values[2 * pair], values[2 * pair + 1]}; }
+
+    double* m_from;
+    Pair m_v[3] = {};
+};
+
+double product(const VehiclePush& push) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 5; ++i) sum += push.row[i] * push.change[i];
+    return sum;
+}
+
 template <class L> auto& speedOf(L& loose, std::size_t component) { return loose.v[component * kVehicleLanes]; }
 
 } // namespace
-
-double IslandBatch::ContactRow::speed(const VehiclePush& a, const VehiclePush& b) const {
-    double mine = 0, theirs = 0;
-    for (std::size_t i = 0; i < 5; ++i) mine += a.row[i] * va[i * kVehicleLanes];
-    if (!vb) return -mine;
-    for (std::size_t i = 0; i < 5; ++i) theirs += b.row[i] * vb[i * kVehicleLanes];
-    return theirs - mine;
-}
-
-void IslandBatch::ContactRow::push(const VehiclePush& a, const VehiclePush& b, double impulse) const {
-    for (std::size_t i = 0; i < 5; ++i) va[i * kVehicleLanes] -= impulse * a.change[i];
-    if (!vb) return;
-    for (std::size_t i = 0; i < 5; ++i) vb[i * kVehicleLanes] += impulse * b.change[i];
-}
 
 void IslandBatch::begin(const Vec3& gravity, double h) {
     m_tick = {{gravity.x(), gravity.y(), gravity.z()}, h};
@@ -163,18 +190,26 @@ double* IslandBatch::velocitiesOf(std::uint32_t unit) {
     return m_objects.units[unit].isVehicle() ? &m_blocks[at.block].lanes->v[0][at.lane] : m_loose[at.lane].v.data();
 }
 
-VehiclePush IslandBatch::pushOf(std::uint32_t unit, const Vec3& point, const Vec2& way) const {
+VehiclePushes IslandBatch::pushesOf(std::uint32_t unit, const Vec3& point, const Vec2& normal) const {
     if (unit == kNoActor || !m_objects.units[unit].isMovable()) return {};
     const WheeledUnit& u = m_objects.units[unit];
     const Vec3 arm = point - u.position;
     const Place& at = m_place[unit];
-    if (u.isVehicle()) return pushAt(*m_blocks[at.block].lanes, at.lane, u.shape->mass, arm, way);
+    if (u.isVehicle()) return pushesAt(*m_blocks[at.block].lanes, at.lane, u.shape->mass, arm, normal);
     const Loose& loose = m_loose[at.lane];
-    const double turn = loose.reach > 0 ? arm.x() * way.y() - arm.y() * way.x() : 0;
-    VehiclePush push;
-    push.row = {way.x(), way.y(), 0, 0, turn};
-    push.change = {way.x() / loose.mass, way.y() / loose.mass, 0, 0, turn == 0 ? 0 : turn / loose.inertia};
-    return push;
+    const auto fill = [&](VehiclePush& push, const Vec2& way) {
+        const double turn = loose.reach > 0 ? arm.x() * way.y() - arm.y() * way.x() : 0;
+        push.row[VX] = way.x();
+        push.row[VY] = way.y();
+        push.row[WZ] = turn;
+        push.change[VX] = way.x() / loose.mass;
+        push.change[VY] = way.y() / loose.mass;
+        push.change[WZ] = turn == 0 ? 0 : turn / loose.inertia;
+    };
+    VehiclePushes out;
+    fill(out.normal, normal);
+    fill(out.tangent, {-normal.y(), normal.x()});
+    return out;
 }
 
 /// Over x and y, as the last tick left it: what drives or pulls a body in this tick is no blow.
@@ -185,22 +220,15 @@ Vec2 IslandBatch::velocityAt(std::uint32_t unit, const Vec3& point) const {
 }
 
 void IslandBatch::addRows(UnitContact& c) {
-    const Vec2 normal = c.normal, tangent(-normal.y(), normal.x());
+    const Vec2 normal = c.normal;
     for (const UnitContactPoint& point : c.points()) {
         ContactRow row;
         row.va = velocitiesOf(c.a);
         row.vb = velocitiesOf(c.b);
-        if (!row.va) row.va = m_still.data();
-        row.normalA = pushOf(c.a, point.at, normal);
-        row.normalB = pushOf(c.b, point.at, normal);
-        row.tangentA = pushOf(c.a, point.at, tangent);
-        row.tangentB = pushOf(c.b, point.at, tangent);
-        for (std::size_t i = 0; i < 5; ++i) {
-            row.normalMass += row.normalA.row[i] * row.normalA.change[i] + row.normalB.row[i] * row.normalB.change[i];
-            row.tangentMass += row.tangentA.row[i] * row.tangentA.change[i] + row.tangentB.row[i] * row.tangentB.change[i];
-        }
-        row.normalMass = 1 / row.normalMass;
-        row.tangentMass = 1 / row.tangentMass;
+        row.a = pushesOf(c.a, point.at, normal);
+        row.b = pushesOf(c.b, point.at, normal);
+        row.normalMass = 1 / (product(row.a.normal) + product(row.b.normal));
+        row.tangentMass = 1 / (product(row.a.tangent) + product(row.b.tangent));
         const double depth = -point.gap, closing = (velocityAt(c.a, point.at) - velocityAt(c.b, point.at)).dot(normal);
         row.bias = depth > 0 ? std::min(kPushShare * std::max(depth - kSlop, 0.) / m_tick.h, kFastestPush) : depth / m_tick.h;
         if (c.restitution > 0 && closing > kLeastBounce && closing * m_tick.h > -depth)
@@ -213,18 +241,26 @@ void IslandBatch::addRows(UnitContact& c) {
 }
 
 double IslandBatch::solveContact(ContactRow& row) {
-    const double before = row.normal,
-                 normal = std::max(before + (row.bias - row.speed(row.normalA, row.normalB)) * row.normalMass, 0.);
-    if (normal != row.normal) row.push(row.normalA, row.normalB, normal - row.normal);
-    row.normal = normal;
-    double change = std::abs(normal - before);
-    const double limit = row.friction * normal;
-    if (limit == 0 && row.tangent == 0) return change;
-    const double tangent = std::clamp(row.tangent - row.speed(row.tangentA, row.tangentB) * row.tangentMass, -limit, limit);
-    if (tangent != row.tangent) row.push(row.tangentA, row.tangentB, tangent - row.tangent);
-    change = std::max(change, std::abs(tangent - row.tangent));
-    row.tangent = tangent;
-    return change;
+    Side a(row.va), b(row.vb);
+    const double speed = b.speed(row.b.normal) - a.speed(row.a.normal), before = row.normal, beforeTangent = row.tangent;
+    row.normal = std::max(before + (row.bias - speed) * row.normalMass, 0.);
+    const double change = row.normal - before, limit = row.friction * row.normal;
+    if (change != 0) {
+        a.push(row.a.normal, -change);
+        b.push(row.b.normal, change);
+    }
+    double turn = 0;
+    if (limit != 0 || beforeTangent != 0) {
+        const double slip = b.speed(row.b.tangent) - a.speed(row.a.tangent);
+        row.tangent = std::clamp(beforeTangent - slip * row.tangentMass, -limit, limit);
+        turn = row.tangent - beforeTangent;
+        a.push(row.a.tangent, -turn);
+        b.push(row.b.tangent, turn);
+    }
+    if (change == 0 && turn == 0) return 0; // most do nothing, and need not be waited for
+    a.write();
+    b.write();
+    return std::max(std::abs(change), std::abs(turn));
 }
 
 /// Vehicles with the impulses of the last tick, then the rows of contacts with theirs.
@@ -241,8 +277,13 @@ void IslandBatch::prepare() {
         island.rows.last = m_rows.size();
     }
     for (const ContactRow& row : m_rows) {
-        row.push(row.normalA, row.normalB, row.normal);
-        row.push(row.tangentA, row.tangentB, row.tangent);
+        Side a(row.va), b(row.vb);
+        a.push(row.a.normal, -row.normal);
+        a.push(row.a.tangent, -row.tangent);
+        b.push(row.b.normal, row.normal);
+        b.push(row.b.tangent, row.tangent);
+        a.write();
+        b.write();
     }
 }
 

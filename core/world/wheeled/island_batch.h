@@ -37,12 +37,10 @@ private:
         std::array<double, 5 * kVehicleLanes> v{}; ///< vx, vy, wx, wy, wz, as far apart as in a block
     };
     struct ContactRow {
-        double *va = nullptr, *vb = nullptr; ///< velocities; vb: nullptr where it does not move
-        VehiclePush normalA, normalB, tangentA, tangentB;
+        double *va = nullptr, *vb = nullptr; ///< velocities; nullptr where it does not move
+        VehiclePushes a, b;
         double normalMass = 0, tangentMass = 0; ///< kg
         double bias = 0, friction = 0, normal = 0, tangent = 0;
-        [[nodiscard]] double speed(const VehiclePush& a, const VehiclePush& b) const;
-        void push(const VehiclePush& a, const VehiclePush& b, double impulse) const;
     };
     struct Range {
         std::size_t first = 0, last = 0;
@@ -67,7 +65,7 @@ private:
     [[nodiscard]] Loose looseOf(std::uint32_t unit) const;
     void addLoose(std::uint32_t unit);
     void addRows(UnitContact& contact);
-    [[nodiscard]] VehiclePush pushOf(std::uint32_t unit, const Vec3& point, const Vec2& way) const;
+    [[nodiscard]] VehiclePushes pushesOf(std::uint32_t unit, const Vec3& point, const Vec2& normal) const;
     [[nodiscard]] Vec2 velocityAt(std::uint32_t unit, const Vec3& point) const;
     [[nodiscard]] double* velocitiesOf(std::uint32_t unit);
     [[nodiscard]] static double hold(Loose& loose, Vec3& grip);
@@ -88,7 +86,6 @@ private:
     std::size_t m_blockCount = 0;
     std::vector<Loose> m_loose;
     std::vector<ContactRow> m_rows;
-    std::array<double, 5 * kVehicleLanes> m_still{}; ///< of a fixed unit
 };
 
 } // namespace trundle

@@ -95,12 +95,16 @@ void UnitContacts::meet(std::uint32_t a, std::uint32_t b, Finder& finder) const 
     const double reach = ua.shape->bound + ub.shape->bound + kLookAhead;
     if ((ua.plane.at - ub.plane.at).squaredNorm() > reach * reach) return;
     seeSides(ua, finder);
-    finder.others.clear();
-    for (std::size_t k = 0; k < ub.shape->footprints.size(); ++k) finder.others.push_back(sideOf(ub, k));
+    finder.facing.clear();
     for (std::uint32_t i = 0; i < finder.sides.size(); ++i)
-        for (std::uint32_t k = 0; k < finder.others.size(); ++k)
-            if (areNear(finder.sides[i], finder.others[k]))
-                add({a, b, ua.geoms + i, ub.geoms + k}, finder.sides[i], finder.others[k], finder);
+        if (isNear(finder.sides[i], ub)) finder.facing.push_back(i);
+    if (finder.facing.empty()) return;
+    finder.others.clear();
+    for (std::uint32_t k = 0; k < ub.shape->footprints.size(); ++k)
+        if (const Side side = sideOf(ub, k); isNear(side, ua)) finder.others.push_back({side, ub.geoms + k});
+    for (const std::uint32_t i : finder.facing)
+        for (const Other& other : finder.others)
+            if (areNear(finder.sides[i], other.side)) add({a, b, ua.geoms + i, other.geom}, finder.sides[i], other.side, finder);
 }
 
 /// That of `near`.
@@ -113,6 +117,12 @@ void UnitContacts::meetScenery(std::uint32_t a, Finder& finder) const {
             const Side other{&scenery.footprint, {}, 0, Vec2::Zero(), scenery.footprint.centre};
             if (areNear(finder.sides[i], other)) add({a, kNoActor, unit.geoms + i, scenery.geom}, finder.sides[i], other, finder);
         }
+}
+
+/// Whether the circles of a footprint and of all of another unit touch.
+bool UnitContacts::isNear(const Side& side, const WheeledUnit& unit) {
+    const double reach = side.footprint->bound + unit.shape->bound + kLookAhead;
+    return (side.centre - unit.plane.at).squaredNorm() <= reach * reach;
 }
 
 /// Their circles and heights: most pairs need no more.

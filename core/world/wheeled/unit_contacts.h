@@ -59,10 +59,16 @@ private:
         [[nodiscard]] double low() const { return height + footprint->low; }
         [[nodiscard]] double high() const { return height + footprint->high; }
     };
+    struct Other {
+        Side side;
+        std::uint32_t geom = 0;
+    };
     /// Of one thread.
     struct Finder {
         std::vector<UnitContact> found; ///< of its units
-        std::vector<Side> sides, others; ///< of the unit whose contacts are looked for, and of the one that it meets
+        std::vector<Side> sides;        ///< of the unit whose contacts are looked for
+        std::vector<std::uint32_t> facing; ///< of those, the ones near the unit that it meets
+        std::vector<Other> others;         ///< of that unit
         std::vector<std::uint32_t> near;
     };
     void fileBoxes();
@@ -71,6 +77,7 @@ private:
     void meetScenery(std::uint32_t a, Finder& finder) const;
     static void seeSides(const WheeledUnit& unit, Finder& finder);
     [[nodiscard]] static Side sideOf(const WheeledUnit& unit, std::size_t footprint);
+    [[nodiscard]] static bool isNear(const Side& side, const WheeledUnit& unit);
     [[nodiscard]] static bool areNear(const Side& a, const Side& b);
     void add(const UnitContact& pair, const Side& a, const Side& b, Finder& finder) const;
     void addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch) const;

@@ -137,16 +137,24 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
     }
 }
 
-VehiclePush pushAt(const VehicleBlock& block, std::size_t lane, double mass, const Vec3& arm, const Vec2& way) {
+VehiclePushes pushesAt(const VehicleBlock& block, std::size_t lane, double mass, const Vec3& arm, const Vec2& normal) {
     const double c = block.middleC[lane], s = block.middleS[lane];
     const Vec3 at(c * arm.x() + s * arm.y(), c * arm.y() - s * arm.x(), arm.z());
-    const double x = c * way.x() + s * way.y(), y = c * way.y() - s * way.x();
-    const Vec3 turn(-at.z() * y, at.z() * x, at.x() * y - at.y() * x);
     const auto in = [&](int k) { return block.inverse[k][lane]; };
-    const Vec3 change(in(0) * turn.x() + in(1) * turn.y() + in(2) * turn.z(),
-                      in(1) * turn.x() + in(3) * turn.y() + in(4) * turn.z(),
-                      in(2) * turn.x() + in(4) * turn.y() + in(5) * turn.z());
-    return {{x, y, turn.x(), turn.y(), turn.z()}, {x / mass, y / mass, change.x(), change.y(), change.z()}};
+    const auto fill = [&](VehiclePush& push, double x, double y) {
+        const Vec3 turn(-at.z() * y, at.z() * x, at.x() * y - at.y() * x);
+        const double row[5] = {x, y, turn.x(), turn.y(), turn.z()};
+        const double change[5] = {x / mass, y / mass, in(0) * turn.x() + in(1) * turn.y() + in(2) * turn.z(),
+                                  in(1) * turn.x() + in(3) * turn.y() + in(4) * turn.z(),
+                                  in(2) * turn.x() + in(4) * turn.y() + in(5) * turn.z()};
+        std::ranges::copy(row, push.row);
+        std::ranges::copy(change, push.change);
+    };
+    VehiclePushes out;
+    const double x = c * normal.x() + s * normal.y(), y = c * normal.y() - s * normal.x();
+    fill(out.normal, x, y);
+    fill(out.tangent, -y, x);
+    return out;
 }
 
 } // namespace trundle

@@ -1,7 +1,6 @@
 #pragma once
 // Vehicles of the world into the lanes of blocks and back, and what contacts do to them there.
 
-#include <array>
 #include <span>
 
 #include "world/wheeled/vehicle_block.h"
@@ -19,9 +18,14 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
 
 /// Speed of a point of the vehicle along a level direction, and what an impulse there does.
 struct VehiclePush {
-    std::array<double, 5> row{}, change{}; ///< vx, vy, wx, wy, wz
+    alignas(16) double row[6] = {}, change[6] = {}; ///< vx, vy, wx, wy, wz, and a zero
+};
+/// Of a point of a contact: along its normal, and across that to the left.
+struct VehiclePushes {
+    VehiclePush normal, tangent;
 };
 /// Vectors from the centre of mass, world axes.
-[[nodiscard]] VehiclePush pushAt(const VehicleBlock& block, std::size_t lane, double mass, const Vec3& arm, const Vec2& way);
+[[nodiscard]] VehiclePushes pushesAt(const VehicleBlock& block, std::size_t lane, double mass, const Vec3& arm,
+                                     const Vec2& normal);
 
 } // namespace trundle

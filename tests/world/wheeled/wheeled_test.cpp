@@ -229,6 +229,34 @@ private Q_SLOTS:
         QVERIFY(std::abs(b - a - 0.5) < 1e-9);
     }
 
+    /// What drives a robot against an elastic wall is no blow: it bounces once and then presses evenly, with all that its tyres hold.
+    void pressesEvenly() {
+        Scene scene = wheeledScene();
+        const auto elastic = scene.surface(0.5, 0.6);
+        scene.scenery({box("wall", {0.1, 2, 0.3}, at(0.2, 0, 0.15), elastic)}, {}, "room");
+        scene.robot("r", {}, small());
+        auto world = scene.build();
+        QVERIFY(world);
+        drive(*world, "r", 5, 0.01); // 0.98 g of both tyres' load: up to 0.05 m/s in a tick
+        double fastestBack = 0;
+        for (int k = 0; k < 300; ++k) {
+            QVERIFY(world->tick().ok());
+            fastestBack = std::min(fastestBack, velocity(*world, "r/chassis").x());
+        }
+        QVERIFY(fastestBack < -0.1); // it did bounce
+        double least = 1e300, most = 0;
+        for (int k = 0; k < 50; ++k) {
+            QVERIFY(world->tick().ok());
+            double back = 0;
+            for (const WorldContact& c : world->contacts()) back -= c.force * c.normal.x();
+            least = std::min(least, back);
+            most = std::max(most, back);
+            QVERIFY(velocity(*world, "r/chassis").norm() < 1e-6);
+        }
+        qInfo("back at up to %.3f m/s, then %.6f to %.6f N", -fastestBack, least, most);
+        QVERIFY(least > 5 && most - least < 1e-3 * most);
+    }
+
     void ballRolls() {
         Scene scene = wheeledScene();
         const auto rolling = scene.surface(0.8, 0, 0.001);
