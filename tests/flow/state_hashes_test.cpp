@@ -78,7 +78,7 @@ const World kWorlds[] = {
      "RobotConfig Ball { Body b { Sphere g { Radius=0.05 Mass=0.2 Surface=rubber Material=red } } }\n"
      "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n"
      "Robot crate { Config=Crate Pos=0.25,0.25,0.04 }\nRobot ball { Config=Ball Pos=-0.25,0.25,0.05 }\n",
-     "8", "a8ff8753c967415f"},
+     "8", "8407ca4297b5a16a"},
     {"quick solver, long ticks", nullptr,
      "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot "
      "Pos=1.4,1.4,0 BumpAndTurn b {} }\n",

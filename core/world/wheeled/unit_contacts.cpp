@@ -33,13 +33,13 @@ void UnitContacts::find() {
     std::swap(m_now, m_last);
     m_now.clear();
     fileBoxes();
-    for (Finder& finder : m_finders) finder.found.clear();
+    for (Search& search : m_searches) search.found.clear();
     m_team.split(m_objects.units.size(), kUnitsOfThread, [this](unsigned worker, std::size_t begin, std::size_t end) {
-        Finder& finder = m_finders[worker];
-        for (std::size_t i = begin; i < end; ++i) findOf(static_cast<std::uint32_t>(i), finder);
-        takeOver(finder.found);
+        Search& search = m_searches[worker];
+        for (std::size_t i = begin; i < end; ++i) findOf(static_cast<std::uint32_t>(i), search);
+        takeOver(search.found);
     });
-    for (const Finder& finder : m_finders) m_now.insert(m_now.end(), finder.found.begin(), finder.found.end());
+    for (const Search& search : m_searches) m_now.insert(m_now.end(), search.found.begin(), search.found.end());
     m_touches.assign(m_objects.units.size(), 0);
     for (const UnitContact& c : m_now) {
         m_touches[c.a] = 1;
@@ -60,15 +60,15 @@ void UnitContacts::fileBoxes() {
 }
 
 /// With units after it, then with the scenery: by ascending keys.
-void UnitContacts::findOf(std::uint32_t unit, Finder& finder) const {
+void UnitContacts::findOf(std::uint32_t unit, Search& search) const {
     const WheeledUnit& own = m_objects.units[unit];
     if (own.ended) return;
-    finder.sides.clear();
-    m_grid.partnersOf(unit, m_boxes, finder.near);
-    for (const std::uint32_t other : finder.near) meet(unit, other, finder);
+    search.sides.clear();
+    m_grid.partnersOf(unit, m_boxes, search.near);
+    for (const std::uint32_t other : search.near) meet(unit, other, search);
     if (m_filed == 0 || !own.isMovable()) return;
-    m_sceneryGrid.query(m_boxes[unit], finder.near);
-    if (!finder.near.empty()) meetScenery(unit, finder);
+    m_sceneryGrid.query(m_boxes[unit], search.near);
+    if (!search.near.empty()) meetScenery(unit, search);
 }
 
 void UnitContacts::forget(std::uint32_t unit) {
@@ -85,37 +85,37 @@ UnitContacts::Side UnitContacts::sideOf(const WheeledUnit& unit, std::size_t foo
 }
 
 /// Those of the unit whose contacts are looked for, where they are not known yet.
-void UnitContacts::seeSides(const WheeledUnit& unit, Finder& finder) {
-    for (std::size_t i = finder.sides.size(); i < unit.shape->footprints.size(); ++i) finder.sides.push_back(sideOf(unit, i));
+void UnitContacts::seeSides(const WheeledUnit& unit, Search& search) {
+    for (std::size_t i = search.sides.size(); i < unit.shape->footprints.size(); ++i) search.sides.push_back(sideOf(unit, i));
 }
 
-void UnitContacts::meet(std::uint32_t a, std::uint32_t b, Finder& finder) const {
+void UnitContacts::meet(std::uint32_t a, std::uint32_t b, Search& search) const {
     const WheeledUnit &ua = m_objects.units[a], &ub = m_objects.units[b];
     if (ub.ended || (!ua.isMovable() && !ub.isMovable())) return;
     const double reach = ua.shape->bound + ub.shape->bound + kLookAhead;
     if ((ua.plane.at - ub.plane.at).squaredNorm() > reach * reach) return;
-    seeSides(ua, finder);
-    finder.facing.clear();
-    for (std::uint32_t i = 0; i < finder.sides.size(); ++i)
-        if (isNear(finder.sides[i], ub)) finder.facing.push_back(i);
-    if (finder.facing.empty()) return;
-    finder.others.clear();
+    seeSides(ua, search);
+    search.facing.clear();
+    for (std::uint32_t i = 0; i < search.sides.size(); ++i)
+        if (isNear(search.sides[i], ub)) search.facing.push_back(i);
+    if (search.facing.empty()) return;
+    search.others.clear();
     for (std::uint32_t k = 0; k < ub.shape->footprints.size(); ++k)
-        if (const Side side = sideOf(ub, k); isNear(side, ua)) finder.others.push_back({side, ub.geoms + k});
-    for (const std::uint32_t i : finder.facing)
-        for (const Other& other : finder.others)
-            if (areNear(finder.sides[i], other.side)) add({a, b, ua.geoms + i, other.geom}, finder.sides[i], other.side, finder);
+        if (const Side side = sideOf(ub, k); isNear(side, ua)) search.others.push_back({side, ub.geoms + k});
+    for (const std::uint32_t i : search.facing)
+        for (const Other& other : search.others)
+            if (areNear(search.sides[i], other.side)) add({a, b, ua.geoms + i, other.geom}, search.sides[i], other.side, search);
 }
 
 /// That of `near`.
-void UnitContacts::meetScenery(std::uint32_t a, Finder& finder) const {
+void UnitContacts::meetScenery(std::uint32_t a, Search& search) const {
     const WheeledUnit& unit = m_objects.units[a];
-    seeSides(unit, finder);
-    for (std::uint32_t i = 0; i < finder.sides.size(); ++i)
-        for (const std::uint32_t s : finder.near) {
+    seeSides(unit, search);
+    for (std::uint32_t i = 0; i < search.sides.size(); ++i)
+        for (const std::uint32_t s : search.near) {
             const WheeledScenery& scenery = m_objects.scenery[s];
             const Side other{&scenery.footprint, {}, 0, Vec2::Zero(), scenery.footprint.centre};
-            if (areNear(finder.sides[i], other)) add({a, kNoActor, unit.geoms + i, scenery.geom}, finder.sides[i], other, finder);
+            if (areNear(search.sides[i], other)) add({a, kNoActor, unit.geoms + i, scenery.geom}, search.sides[i], other, search);
         }
 }
 
@@ -132,10 +132,10 @@ bool UnitContacts::areNear(const Side& a, const Side& b) {
            std::min(a.high(), b.high()) - std::max(a.low(), b.low()) >= kLeastOverlap;
 }
 
-void UnitContacts::add(const UnitContact& pair, const Side& a, const Side& b, Finder& finder) const {
+void UnitContacts::add(const UnitContact& pair, const Side& a, const Side& b, Search& search) const {
     const PlanarTouch touch = touchOf(*a.footprint, a.pose, *b.footprint, b.pose, kLookAhead);
     if (touch.count == 0) return;
-    UnitContact& contact = finder.found.emplace_back(pair);
+    UnitContact& contact = search.found.emplace_back(pair);
     contact.normal = touch.normal;
     const SurfaceSpec &sa = m_objects.surfaces[a.footprint->surface], &sb = m_objects.surfaces[b.footprint->surface];
     contact.friction = std::min(sa.friction, sb.friction);

@@ -38,7 +38,7 @@ struct UnitContact {
 
 class UnitContacts {
 public:
-    UnitContacts(const WheeledObjects& objects, WorkTeam& team) : m_objects(objects), m_team(team), m_finders(team.size()) {}
+    UnitContacts(const WheeledObjects& objects, WorkTeam& team) : m_objects(objects), m_team(team), m_searches(team.size()) {}
 
     void find();
     /// Contacts of the units start from nothing in the next tick.
@@ -64,7 +64,7 @@ private:
         std::uint32_t geom = 0;
     };
     /// Of one thread.
-    struct Finder {
+    struct Search {
         std::vector<UnitContact> found; ///< of its units
         std::vector<Side> sides;        ///< of the unit whose contacts are looked for
         std::vector<std::uint32_t> facing; ///< of those, the ones near the unit that it meets
@@ -72,20 +72,20 @@ private:
         std::vector<std::uint32_t> near;
     };
     void fileBoxes();
-    void findOf(std::uint32_t unit, Finder& finder) const;
-    void meet(std::uint32_t a, std::uint32_t b, Finder& finder) const;
-    void meetScenery(std::uint32_t a, Finder& finder) const;
-    static void seeSides(const WheeledUnit& unit, Finder& finder);
+    void findOf(std::uint32_t unit, Search& search) const;
+    void meet(std::uint32_t a, std::uint32_t b, Search& search) const;
+    void meetScenery(std::uint32_t a, Search& search) const;
+    static void seeSides(const WheeledUnit& unit, Search& search);
     [[nodiscard]] static Side sideOf(const WheeledUnit& unit, std::size_t footprint);
     [[nodiscard]] static bool isNear(const Side& side, const WheeledUnit& unit);
     [[nodiscard]] static bool areNear(const Side& a, const Side& b);
-    void add(const UnitContact& pair, const Side& a, const Side& b, Finder& finder) const;
+    void add(const UnitContact& pair, const Side& a, const Side& b, Search& search) const;
     void addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch) const;
     void takeOver(std::span<UnitContact> contacts) const;
 
     const WheeledObjects& m_objects;
     WorkTeam& m_team;
-    std::vector<Finder> m_finders; ///< by worker
+    std::vector<Search> m_searches; ///< by worker
     std::vector<UnitContact> m_now, m_last;
     std::vector<std::uint8_t> m_touches; ///< by unit
     std::vector<Box3> m_boxes;
