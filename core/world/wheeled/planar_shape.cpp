@@ -94,12 +94,15 @@ struct Separation {
     std::size_t edge = 0;
 };
 
-/// Of an edge of `a`, behind which all of `b` lies the farthest.
-Separation separation(std::span<const Vec2> corners, std::span<const Vec2> outwards, std::span<const Vec2> other) {
+/// Of an edge of `a`, behind which all of `b` lies the farthest, or the first one with more than `enough` between them.
+Separation separation(std::span<const Vec2> corners, std::span<const Vec2> outwards, std::span<const Vec2> other, double enough) {
     Separation best;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t i = 0; i < corners.size() && best.gap <= enough; ++i) {
         double least = 1e300;
-        for (const Vec2& p : other) least = std::min(least, outwards[i].dot(p - corners[i]));
+        for (const Vec2& p : other) {
+            least = std::min(least, outwards[i].dot(p - corners[i]));
+            if (least <= best.gap) break; // another edge is better
+        }
         if (least > best.gap) best = {least, i};
     }
     return best;
@@ -127,9 +130,9 @@ bool clip(Segment& s, const Vec2& origin, const Vec2& along, double length) {
 /// In the frame of `a`.
 PlanarTouch polygons(const PlanarShape& a, const Edges& b, double margin) {
     PlanarTouch out;
-    const Separation mine = separation(a.corners, a.outwards, b.corners());
+    const Separation mine = separation(a.corners, a.outwards, b.corners(), margin);
     if (mine.gap > margin) return out;
-    const Separation theirs = separation(b.corners(), b.outwards(), a.corners);
+    const Separation theirs = separation(b.corners(), b.outwards(), a.corners, margin);
     if (theirs.gap > margin) return out;
     const bool flip = theirs.gap > mine.gap + kClearlyFar;
     const std::span<const Vec2> reference = flip ? b.corners() : a.corners, incident = flip ? a.corners : b.corners(),
@@ -164,7 +167,7 @@ PlanarTouch polygons(const PlanarShape& a, const Edges& b, double margin) {
 PlanarTouch circleOnPolygon(const PlanarShape& polygon, const Vec2& centre, double radius, double margin) {
     PlanarTouch out;
     const Vec2 only[1] = {centre};
-    const Separation s = separation(polygon.corners, polygon.outwards, only);
+    const Separation s = separation(polygon.corners, polygon.outwards, only, radius + margin);
     if (s.gap > radius + margin) return out;
     const Segment face = edgeOf(polygon.corners, s.edge);
     const Vec2 way = face.to - face.from;
