@@ -71,6 +71,33 @@ private Q_SLOTS:
         }
     }
 
+    /// A worker has the same part again; parts that are too small are not made.
+    void splitsIntoOnePartForEachWorker() {
+        for (const unsigned size : {1u, 2u, 5u})
+            for (const std::size_t count : {0, 1, 7, 8, 9, 1000})
+                for (const std::size_t least : {1, 8, 5000}) {
+                    WorkTeam team(size);
+                    using Parts = std::vector<std::pair<std::size_t, std::size_t>>;
+                    const auto split = [&] {
+                        Parts parts(size);
+                        team.split(count, least, [&](unsigned worker, std::size_t begin, std::size_t end) {
+                            parts[worker] = {begin, end};
+                        });
+                        return parts;
+                    };
+                    const Parts parts = split();
+                    QVERIFY(split() == parts);
+                    std::size_t next = 0;
+                    for (const auto& [begin, end] : parts) {
+                        if (begin == end) continue;
+                        QCOMPARE(begin, next);
+                        QVERIFY(end - begin >= std::min(count, least));
+                        next = end;
+                    }
+                    QCOMPARE(next, count);
+                }
+    }
+
     void whatOneRoundWroteTheNextReads() {
         WorkTeam team(3);
         std::vector<std::uint64_t> values(600, 1), next(600);

@@ -45,6 +45,13 @@ private Q_SLOTS:
                 for (std::uint32_t b = a + 1; b < boxes.size(); ++b)
                     if (boxes[a].touches(boxes[b])) expected.emplace_back(a, b);
             QVERIFY(found == expected);
+            found.clear();
+            std::vector<std::uint32_t> partners;
+            for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+                grid.partnersOf(a, boxes, partners);
+                for (const std::uint32_t b : partners) found.emplace_back(a, b);
+            }
+            QVERIFY(found == expected);
         }
     }
 

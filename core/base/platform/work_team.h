@@ -49,7 +49,7 @@ public:
     template <class Part> void split(std::size_t count, std::size_t least, Part&& part) {
         const std::size_t workers = std::clamp<std::size_t>(count / least, 1, size());
         if (workers == 1) {
-            part(0u, std::size_t{0}, count);
+            if (count > 0) part(0u, std::size_t{0}, count);
             return;
         }
         run(static_cast<unsigned>(workers),

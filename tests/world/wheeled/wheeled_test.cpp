@@ -187,6 +187,24 @@ private Q_SLOTS:
         }
     }
 
+    /// More robots than one thread takes, that meet each other and a wall.
+    void isTheSameOnAnyThreads() {
+        std::vector<std::uint64_t> hashes;
+        for (const int threads : {1, 2, 3}) {
+            Scene scene = wheeledScene();
+            scene.spec->settings.threads = threads;
+            scene.scenery({box("wall", {0.1, 12, 0.3}, at(1.7, 0, 0.15), 3)}, {}, "room");
+            for (int i = 0; i < 64; ++i) scene.robot("r" + std::to_string(i), at(0.3 * (i % 8) - 0.9, 0.3 * (i / 8), 0), small());
+            auto world = scene.build();
+            QVERIFY(world);
+            for (int i = 0; i < 64; ++i) drive(*world, "r" + std::to_string(i), i % 3 == 0 ? 0.4 : i % 3 == 1 ? -0.2 : 0.1);
+            QVERIFY(run(*world, 2));
+            hashes.push_back(world->stateHash());
+        }
+        QCOMPARE(hashes[1], hashes[0]);
+        QCOMPARE(hashes[2], hashes[0]);
+    }
+
     /// Sliding and turning on the ground: v^2 / (2 mu g), w I / (mu m g a), a = 0.3826 of the side of a square.
     void looseStops() {
         Scene scene = wheeledScene();
