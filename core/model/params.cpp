@@ -73,6 +73,12 @@ ParamScope::Entry* ParamScope::find(std::string_view name) {
     return nullptr;
 }
 
+std::size_t ParamScope::count() const {
+    std::size_t count = 0;
+    for (const ParamScope* scope = this; scope; scope = scope->m_outer) count += scope->m_entries.size();
+    return count;
+}
+
 std::vector<std::string> ParamScope::names() const {
     std::vector<std::string> names;
     std::unordered_set<std::string_view> seen; // a name may hide the same one further out
@@ -259,10 +265,9 @@ void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& sc
     Diagnostic& d = m_diagnostics.error(Code::UnknownParam, place, std::move(message));
     if (name == "index" || name == "index2") return; // no other word is meant
     constexpr std::size_t kMany = 1000, kFirst = 20; // with many Params, suggestions for each error would take minutes
-    if (manyAlready(m_diagnostics)) return;
+    if (manyAlready(m_diagnostics) || (scope.count() > kMany && m_diagnostics.all().size() > kFirst)) return;
     std::vector<std::string> names = scope.names();
     if (name == "PI" || name == "Pi") names.emplace_back("pi");
-    if (names.size() > kMany && m_diagnostics.all().size() > kFirst) return;
     suggest(d, name, names, place);
     if (d.suggestions.empty() && !names.empty())
         d.message += (names.size() == 1 ? "; there is " : "; there are ") + listText(names, "and");

@@ -47,6 +47,7 @@ private:
     };
     [[nodiscard]] Entry* find(std::string_view name);
     [[nodiscard]] std::vector<std::string> names() const;
+    [[nodiscard]] std::size_t count() const; ///< of them, one that hides another counted twice
 
     ParamScope* m_outer;
     std::map<std::string, Entry, std::less<>> m_entries;
