@@ -94,7 +94,7 @@ private Q_SLOTS:
             if (QString::fromStdString(document.loaded()->paths[f]).startsWith(real("rover")))
                 QCOMPARE(format(*document.loaded()->trees[f]), print(*document.loaded()->trees[f]));
 
-        m_window->activateWindow(); // without a window manager nobody does when the dialog closes
+        m_window->activateWindow(); // which needs a window manager when a dialog closes
         QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
         for (int i = 0; i < 12; ++i) hand.key(Qt::Key_BracketRight, Qt::ControlModifier);
         RunSession& session = m_window->session();
