@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include "base/platform/work_team.h"
@@ -44,33 +43,6 @@ private Q_SLOTS:
         }
     }
 
-    void everyItemIsInOneRange_data() {
-        QTest::addColumn<unsigned>("size");
-        QTest::addColumn<std::size_t>("count");
-        QTest::addColumn<std::size_t>("range");
-        for (const unsigned size : {1u, 2u, 5u})
-            for (const std::size_t count : {0, 1, 7, 8, 9, 1000})
-                for (const std::size_t range : {1, 8, 5000})
-                    QTest::addRow("%u threads, %zu by %zu", size, count, range) << size << count << range;
-    }
-    void everyItemIsInOneRange() {
-        QFETCH(unsigned, size);
-        QFETCH(std::size_t, count);
-        QFETCH(std::size_t, range);
-        WorkTeam team(size);
-        for (int again = 0; again < 20; ++again) {
-            std::vector<int> seen(count);
-            std::vector<std::size_t> byWorker(size);
-            team.share(count, range, [&](unsigned worker, std::size_t begin, std::size_t end) {
-                QVERIFY2(begin < end && end <= count, "a range is empty or too long");
-                for (std::size_t i = begin; i < end; ++i) ++seen[i];
-                byWorker[worker] += end - begin;
-            });
-            QCOMPARE(seen, std::vector<int>(count, 1));
-            QCOMPARE(std::accumulate(byWorker.begin(), byWorker.end(), std::size_t{0}), count);
-        }
-    }
-
     /// A worker has the same part again; parts that are too small are not made.
     void splitsIntoOnePartForEachWorker() {
         for (const unsigned size : {1u, 2u, 5u})
@@ -102,7 +74,7 @@ private Q_SLOTS:
         WorkTeam team(3);
         std::vector<std::uint64_t> values(600, 1), next(600);
         for (int round = 0; round < 500; ++round) {
-            team.share(values.size(), 16, [&](unsigned, std::size_t begin, std::size_t end) {
+            team.split(values.size(), 16, [&](unsigned, std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) next[i] = 3 * values[i] + 2 * values[(i + 1) % values.size()];
             });
             std::swap(values, next);

@@ -30,20 +30,6 @@ public:
         runAll(
             workers, [](void* w, unsigned worker) { (*static_cast<std::remove_reference_t<Work>*>(w))(worker); }, &work);
     }
-    /// Calls part(worker, begin, end) for ranges of [0, count), each handed to whoever is free next.
-    template <class Part> void share(std::size_t count, std::size_t range, Part&& part) {
-        const std::size_t ranges = (count + range - 1) / range;
-        if (size() == 1 || ranges < 2) {
-            if (count > 0) part(0u, std::size_t{0}, count);
-            return;
-        }
-        std::atomic<std::size_t> next{0};
-        run(static_cast<unsigned>(std::min<std::size_t>(size(), ranges)), [&](unsigned worker) {
-            for (std::size_t i = next.fetch_add(1); i < ranges; i = next.fetch_add(1))
-                part(worker, i * range, std::min(count, (i + 1) * range));
-        });
-    }
-
     /// Calls part(worker, begin, end) for contiguous parts of [0, count), one for each worker, with at least `least` elements where
     /// there are several. The parts of a count are always the same, so what a worker wrote last is in its own cache.
     template <class Part> void split(std::size_t count, std::size_t least, Part&& part) {

@@ -20,10 +20,10 @@ constexpr double kLeastBounce = 0.05;     // m/s
 using Pair = double __attribute__((vector_size(16)));
 
 /// The velocities of one side of a contact, read once and written once for all that it does.
-class Side {
+class ContactVelocity {
 public:
     /// nullptr: it does not move.
-    explicit Side(double* from) : m_from(from) {
+    explicit ContactVelocity(double* from) : m_from(from) {
         if (!from) return;
         m_v[0] = {from[VX * kVehicleLanes], from[VY * kVehicleLanes]};
         m_v[1] = {from[WX * kVehicleLanes], from[WY * kVehicleLanes]};
@@ -241,7 +241,7 @@ void IslandBatch::addRows(UnitContact& c) {
 }
 
 double IslandBatch::solveContact(ContactRow& row) {
-    Side a(row.va), b(row.vb);
+    ContactVelocity a(row.va), b(row.vb);
     const double speed = b.speed(row.b.normal) - a.speed(row.a.normal), before = row.normal, beforeTangent = row.tangent;
     row.normal = std::max(before + (row.bias - speed) * row.normalMass, 0.);
     const double change = row.normal - before, limit = row.friction * row.normal;
@@ -277,7 +277,7 @@ void IslandBatch::prepare() {
         island.rows.last = m_rows.size();
     }
     for (const ContactRow& row : m_rows) {
-        Side a(row.va), b(row.vb);
+        ContactVelocity a(row.va), b(row.vb);
         a.push(row.a.normal, -row.normal);
         a.push(row.a.tangent, -row.tangent);
         b.push(row.b.normal, row.normal);
