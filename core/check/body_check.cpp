@@ -27,10 +27,13 @@ bool isSamePose(const Pose& a, const Pose& b) {
     return (a.position - b.position).norm() < kSamePlace && a.rotation.angularDistance(b.rotation) < kSameAngle;
 }
 
+using FixPlaces = std::set<std::pair<Code, SourceRange>>;
+
 class BodyCheck {
 public:
-    BodyCheck(const LoadedProject& loaded, const RobotConfigSpec& config, Diagnostics& diagnostics)
-        : m_loaded(loaded), m_config(config), m_diagnostics(diagnostics) {}
+    /// `planned`: the places that have a fix by the check of another config, which is shown there alone.
+    BodyCheck(const LoadedProject& loaded, const RobotSpec& robot, FixPlaces& planned, Diagnostics& diagnostics)
+        : m_loaded(loaded), m_robot(robot), m_config(*robot.config), m_planned(planned), m_diagnostics(diagnostics) {}
 
     void check() {
         BodyGroups groups(m_config.bodies.size());
@@ -51,7 +54,9 @@ private:
     }
     [[nodiscard]] std::string pathOf(const std::string& name) const { return "RobotConfig." + m_config.name + "." + name; }
 
-    void addFix(Diagnostic& d, const std::string& title, const Result<EditPlan>& plan) const {
+    template <class MakePlan> void addFix(Diagnostic& d, const std::string& title, const MakePlan& makePlan) {
+        if (!m_planned.emplace(d.code, d.range).second) return;
+        const Result<EditPlan> plan = makePlan();
         if (plan.ok() && plan.value().edits.size() == 1) d.fixes.push_back({title, plan.value().edits.begin()->second});
     }
 
@@ -99,9 +104,11 @@ private:
             if (body.name.find('.') != std::string::npos) continue; // of a Part: the joint belongs into its config
             const auto isRound = [](const GeomSpec& g) { return g.shape == GeomShape::Cylinder || g.shape == GeomShape::Sphere; };
             if (std::ranges::any_of(body.geoms, isRound)) continue; // a wheel or a ball is to turn
-            addFix(d, "fix it to " + m_config.bodies[0].name,
-                   planInsert(m_loaded, "RobotConfig." + m_config.name,
-                              "Fixed " + body.name + "Hold { Parent=" + m_config.bodies[0].name + " Child=" + body.name + " }"));
+            addFix(d, "fix it to " + m_config.bodies[0].name, [&] {
+                return planInsert(m_loaded, "RobotConfig." + m_config.name,
+                                  "Fixed " + body.name + "Hold { Parent=" + m_config.bodies[0].name + " Child=" + body.name +
+                                      " }");
+            });
         }
     }
 
@@ -173,11 +180,16 @@ private:
             "the inertia of " + body.name + " in " + m_config.name + " about " + axis + " is " + figureText(given) + " kg m^2, " +
                 (isLarge ? "more than its mass can have inside its shapes" : "far less than its mass has inside its shapes") +
                 "; a solid of this size has about " + figureText(solid) + " kg m^2");
-        addFix(d, "take it from the shapes", planReset(m_loaded, {pathOf(body.name) + ".Inertia"}));
+        addFix(d, "take it from the shapes", [&] {
+            const Result<EditPlan> ofRobot = planReset(m_loaded, {m_robot.name + "." + body.name + ".Inertia"});
+            return ofRobot.ok() ? ofRobot : planReset(m_loaded, {pathOf(body.name) + ".Inertia"});
+        });
     }
 
     const LoadedProject& m_loaded;
+    const RobotSpec& m_robot; ///< the first with this config
     const RobotConfigSpec& m_config;
+    FixPlaces& m_planned;
     Diagnostics& m_diagnostics;
 };
 
@@ -193,11 +205,10 @@ bool isTwin(const BodySpec& a, const BodySpec& b) {
 
 void checkBodies(const LoadedProject& loaded, Diagnostics& diagnostics) {
     std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
-    std::set<std::string> named;           // configs of one name differ in values alone
+    FixPlaces planned;
     for (const RobotSpec& robot : loaded.experiment->robots)
-        if (robot.config && !robot.config->bodies.empty() && seen.insert(robot.config.get()).second &&
-            named.insert(robot.config->name).second)
-            BodyCheck(loaded, *robot.config, diagnostics).check();
+        if (robot.config && !robot.config->bodies.empty() && seen.insert(robot.config.get()).second)
+            BodyCheck(loaded, robot, planned, diagnostics).check();
 }
 
 } // namespace trundle

@@ -51,10 +51,10 @@ public:
         : m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics), m_up(scene.up()) {}
 
     void check() {
-        std::set<std::string> seen;
+        std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
         for (std::uint32_t r = 0; r < m_experiment.robots.size(); ++r) {
             const RobotConfigSpec& config = *m_experiment.robots[r].config;
-            if (!seen.insert(config.name).second) continue;
+            if (!seen.insert(&config).second) continue;
             checkGround(r, drivenWheelsOf(config), freeWheelsOf(config));
             checkTracks(r);
         }

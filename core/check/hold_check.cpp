@@ -1,9 +1,10 @@
 // Servos and linear motors too weak for the weight of what they carry, by statics: the torque of gravity about the joint, through its range.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
+#include <map>
+#include <vector>
 
+#include "check/body_groups.h"
 #include "check/checks.h"
 #include "check/drive_wheels.h"
 
@@ -12,6 +13,7 @@ namespace trundle {
 namespace {
 
 constexpr int kSteps = 72;
+constexpr double kSameWay = 1e-6;
 constexpr double kLevelled = 0.05; // of its weight: less than this along a slider's axis is no lift
 
 /// What a joint holds apart from the rest of its robot.
@@ -20,27 +22,19 @@ struct Load {
     Vec3 centre = Vec3::Zero();
 };
 
-/// The lighter one of the two sides of a joint: a leg holds its foot up at least, an arm its hand.
+/// The side of a joint that does not hang on the world; of a robot that is held nowhere the lighter one: a leg holds its foot up at
+/// least, an arm its hand.
 Load loadOf(const RobotConfigSpec& config, const JointSpec& joint) {
-    std::vector<std::size_t> side(config.bodies.size());
-    std::iota(side.begin(), side.end(), std::size_t{0});
-    const auto sideOf = [&](int body) {
-        auto b = static_cast<std::size_t>(body);
-        while (side[b] != b) b = side[b] = side[side[b]];
-        return b;
-    };
-    const auto join = [&](int a, int b) {
-        if (a != kWorldBody && b != kWorldBody) side[sideOf(a)] = sideOf(b);
-    };
+    BodyGroups groups(config.bodies.size());
     for (const JointSpec& other : config.joints)
-        if (&other != &joint) join(other.parent, other.child);
-    for (const SpringSpec& spring : config.springs) join(spring.parent, spring.child);
-    const bool isOnWorld = joint.parent == kWorldBody;
-    if (!isOnWorld && sideOf(joint.child) == sideOf(joint.parent)) return {};
-    const auto sum = [&](int of) {
+        if (&other != &joint) groups.join(other.parent, other.child);
+    for (const SpringSpec& spring : config.springs) groups.join(spring.parent, spring.child);
+    const std::size_t world = groups.of(kWorldBody), parent = groups.of(joint.parent), child = groups.of(joint.child);
+    if (parent == child) return {};
+    const auto sum = [&](std::size_t side) {
         Load load;
-        for (std::size_t i = 0; i < side.size(); ++i) {
-            if (sideOf(static_cast<int>(i)) != sideOf(of)) continue;
+        for (std::size_t i = 0; i < config.bodies.size(); ++i) {
+            if (groups.of(static_cast<int>(i)) != side) continue;
             const BodySpec& body = config.bodies[i];
             load.mass += body.mass.mass;
             load.centre += body.mass.mass * (body.pose * body.mass.centre);
@@ -48,9 +42,9 @@ Load loadOf(const RobotConfigSpec& config, const JointSpec& joint) {
         if (load.mass > 0) load.centre /= load.mass;
         return load;
     };
-    const Load carried = sum(joint.child);
-    if (isOnWorld) return carried;
-    const Load carrier = sum(joint.parent);
+    if (parent == world) return sum(child);
+    if (child == world) return sum(parent);
+    const Load carried = sum(child), carrier = sum(parent);
     return carried.mass <= carrier.mass ? carried : carrier;
 }
 
@@ -101,10 +95,13 @@ void checkHold(const RobotConfigSpec& config, const ComponentSpec& motor, const 
 } // namespace
 
 void checkHolds(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
-    std::set<const RobotConfigSpec*> seen; // membership test only
+    std::map<const RobotConfigSpec*, std::vector<Vec3>> seen; // by config: the ways it hangs; its order, by address, is not used
     for (const RobotSpec& robot : experiment.robots) {
-        if (!seen.insert(robot.config.get()).second) continue;
         const Vec3 gravity = robot.pose.rotation.conjugate() * experiment.settings.gravity;
+        std::vector<Vec3>& ways = seen[robot.config.get()];
+        if (std::ranges::any_of(ways, [&](const Vec3& way) { return (way - gravity).norm() < kSameWay * gravity.norm(); }))
+            continue;
+        ways.push_back(gravity);
         for (const ComponentSpec& motor : robot.config->devices)
             if (motor.kind == "Servo" || motor.kind == "LinearMotor") checkHold(*robot.config, motor, gravity, diagnostics);
     }

@@ -53,10 +53,10 @@ public:
           m_ramp(steepestRamp(m_experiment, m_up)) {}
 
     void check() {
-        std::set<std::string> seen;
+        std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
         for (const RobotSpec& robot : m_experiment.robots) {
             const RobotConfigSpec& config = *robot.config;
-            if (!seen.insert(config.name).second) continue;
+            if (!seen.insert(&config).second) continue;
             const std::vector<DriveWheel> wheels = drivenWheelsOf(config);
             for (const DriveWheel& wheel : wheels) {
                 const double speed = speedOf(wheel);

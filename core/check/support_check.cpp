@@ -120,7 +120,7 @@ private:
 
     void measure(const Piece& piece) {
         const RobotConfigSpec* config = m_experiment.robots[piece.robot].config.get();
-        const Block block{config->name, config->bodies[piece.bodies.front()].nameRange.range.begin};
+        const Block block{config->name, config->bodies[piece.bodies.front()].nameRange};
         const auto known = m_byConfig.find(block);
         if (m_measured >= kMaxMeasured) {
             if (known != m_byConfig.end()) ++m_findings[known->second].others;
@@ -221,7 +221,7 @@ private:
     Vec3 m_up;
     std::set<std::pair<std::uint32_t, std::uint32_t>> m_touching; ///< (robot, body)
     std::vector<SupportFinding> m_findings;
-    using Block = std::pair<std::string, std::uint32_t>; ///< a config and the place of the block of the piece's first body
+    using Block = std::pair<std::string, SourceRange>; ///< a config and the place of the block of the piece's first body
     std::map<Block, std::size_t> m_byConfig;
     std::size_t m_measured = 0;
 };

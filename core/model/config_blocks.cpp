@@ -13,4 +13,11 @@ bool hasMisspeltConfig(const Part& config) {
     });
 }
 
+bool isConfigComputed(const Part& part) {
+    const SourceAssignment* a = part.isPartUse() ? part.assignments.find("Config") : nullptr;
+    if (!a || a->value->elements.size() != 1) return false;
+    const Element::Kind kind = a->value->elements[0].kind;
+    return kind == Element::Kind::ParamRef || kind == Element::Kind::Expression;
+}
+
 } // namespace trundle

@@ -19,6 +19,9 @@ template <class Visit> void eachBlock(const Part& part, const Visit& visit) {
     return base->is(Role::Config) && (base->assignments.find("Config") || hasMisspeltConfig(*base));
 }
 
+/// Whether the Config of a Part is computed: which one it is, and what it has, depends on values that an instance gives.
+[[nodiscard]] bool isConfigComputed(const Part& part);
+
 /// Whether it is a config made from another one.
 [[nodiscard]] inline bool isVariant(const Part& part) { return part.config && part.is(Role::Config); }
 

@@ -4,6 +4,7 @@
 
 #include "model/config_blocks.h"
 #include "model/dotted_path.h"
+#include "model/override_order.h"
 #include "model/params.h"
 #include "model/robot_path.h"
 #include "model/set_targets.h"
@@ -11,23 +12,6 @@
 namespace trundle {
 
 namespace {
-
-std::string joined(std::span<const std::string> words) {
-    std::string text;
-    for (const std::string& word : words) text = pathInside(text, word);
-    return text;
-}
-
-/// The same with the names of Repeats instead of those of their members: an override of all members.
-std::string joinedForAll(const Part& config, std::span<const std::string> words) {
-    std::string text;
-    const Part* at = &config;
-    for (const std::string& word : words) {
-        at = at ? at->find(word) : nullptr;
-        text = pathInside(text, at && at->isRepeat() ? at->name : word);
-    }
-    return text;
-}
 
 Provenance found(const Outline& outline, const SourceAssignment& a, Origin origin, const Property* property, SourceRange block) {
     const bool param = std::any_of(a.value->elements.begin(), a.value->elements.end(), [](const Element& e) {
@@ -46,33 +30,56 @@ std::optional<Provenance> inPart(const Outline& outline, const Part& part, const
     return Provenance{Origin::Default, {}, part.nameRange(), property};
 }
 
-std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words,
-                                       Origin origin);
+/// Follows a path, and collects the blocks on it that set values of what is inside them.
+class ProvenanceSearch {
+public:
+    ProvenanceSearch(const Outline& outline, std::span<const std::string> words) : m_outline(outline) {
+        for (const std::string& word : words) m_path.push_back({word, {}});
+    }
 
-std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std::span<const std::string> words, Origin origin) {
-    if (words.size() == 1) return inPart(outline, part, words[0], origin);
-    if (isVariant(part) && part.config->find(words[0])) return fromInstance(outline, part, words, origin);
-    const Part* inner = part.find(words[0]);
-    if (!inner) return std::nullopt;
-    const std::span<const std::string> rest = words.subspan(1);
-    return inner->isPartUse() ? fromInstance(outline, *inner, rest, origin) : fromPart(outline, *inner, rest, origin);
-}
+    std::optional<Provenance> run(const Part& part) {
+        const bool isInstance = part.is(Role::Instance) || part.is(Role::Layout);
+        const std::optional<Provenance> inside =
+            isInstance ? fromInstance(part, 0, Origin::Instance) : fromPart(part, 0, Origin::Config);
+        const std::vector<FoundOverride> all = inside ? overridesFor(m_path, m_layers) : std::vector<FoundOverride>();
+        if (all.empty()) return inside;
+        const FoundOverride& held = all.front();
+        const SourceRange block = m_layers[held.layer].instance->nameRange();
+        return found(m_outline, *held.assignment, m_origins[held.layer], inside->property, block);
+    }
 
-/// `origin`: of what the instance's own block sets.
-std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words,
-                                       Origin origin) {
-    const bool hasNoBlocks = instance.isPartUse() || isVariant(instance); // none with that name
-    std::optional<Provenance> own = words.size() == 1 ? inPart(outline, instance, words[0], origin)
-                                    : hasNoBlocks     ? std::nullopt
-                                                      : fromPart(outline, instance, words, origin);
-    if (own) return own;
-    const Part* config = configOf(outline, instance);
-    std::optional<Provenance> inConfig = config ? fromPart(outline, *config, words, Origin::Config) : std::nullopt;
-    const SourceAssignment* a = instance.assignments.find(joined(words));
-    if (!a && config) a = instance.assignments.find(joinedForAll(*config, words));
-    if (!inConfig || !a) return inConfig;
-    return found(outline, *a, origin, inConfig->property, instance.nameRange());
-}
+private:
+    bool isLast(std::size_t word) const { return word + 1 == m_path.size(); }
+
+    std::optional<Provenance> fromPart(const Part& part, std::size_t word, Origin origin) {
+        OverrideWord& at = m_path[word];
+        if (isLast(word)) return inPart(m_outline, part, at.name, origin);
+        if (isVariant(part) && part.config->find(at.name)) return fromInstance(part, word, origin);
+        const Part* inner = part.find(at.name);
+        if (!inner) return std::nullopt;
+        at.all = inner->isRepeat() && inner->name != at.name ? inner->name : std::string();
+        return inner->isPartUse() ? fromInstance(*inner, word + 1, origin) : fromPart(*inner, word + 1, origin);
+    }
+
+    /// `origin`: of what the instance's own block sets.
+    std::optional<Provenance> fromInstance(const Part& instance, std::size_t word, Origin origin) {
+        const bool hasNoBlocks = instance.isPartUse() || isVariant(instance); // none with that name
+        std::optional<Provenance> own = isLast(word)  ? inPart(m_outline, instance, m_path[word].name, origin)
+                                        : hasNoBlocks ? std::nullopt
+                                                      : fromPart(instance, word, origin);
+        if (own) return own;
+        const Part* config = configOf(m_outline, instance);
+        if (!config) return std::nullopt;
+        m_layers.push_back({&instance, word});
+        m_origins.push_back(origin);
+        return fromPart(*config, word, Origin::Config);
+    }
+
+    const Outline& m_outline;
+    std::vector<OverrideWord> m_path;
+    std::vector<OverrideLayer> m_layers;
+    std::vector<Origin> m_origins; ///< of what each layer sets
+};
 
 } // namespace
 
@@ -114,8 +121,7 @@ std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view 
     }
     if (!part || used >= words.size()) return std::nullopt;
     const std::span<const std::string> rest = std::span(words).subspan(used);
-    const bool instance = part->is(Role::Instance) || part->is(Role::Layout);
-    return instance ? fromInstance(outline, *part, rest, Origin::Instance) : fromPart(outline, *part, rest, Origin::Config);
+    return ProvenanceSearch(outline, rest).run(*part);
 }
 
 } // namespace trundle

@@ -27,10 +27,23 @@ std::vector<std::string> robotNames(const ResolveContext& context, const Propert
     return names;
 }
 
+void reportNoRobot(ResolveContext& context, const Property& property, const std::string& name, const std::string& what,
+                   SourceRange place, bool isLiteral) {
+    Diagnostic& d = context.diagnostics.error(Code::UnknownReference, place,
+                                              property.name + " names " + name + ", " + what + "; it takes a robot");
+    suggest(d, name, robotNames(context, property), isLiteral ? place : SourceRange{});
+}
+
+/// Whether a Grid or Scatter has put scenery into the world.
+bool isScenery(const ResolveContext& context, const Part& layout) {
+    return std::ranges::find(context.out.statics, layout.range, &StaticSpec::range) != context.out.statics.end();
+}
+
 } // namespace
 
 bool checkRobots(ResolveContext& context, const Property& property, ResolvedValue& value) {
     std::vector<std::string> names;
+    const IsOwnName isOwn{context.outline};
     const bool isLiteral = value.origin != Origin::Param && (value.value.texts.size() == 1 || !value.names.empty());
     for (std::size_t k = 0; k < value.value.texts.size(); ++k) {
         const std::string& name = value.value.texts[k];
@@ -40,8 +53,7 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
         if ((!part && layoutOfMember(context.outline, name)) || isInRepeat) {
             const bool isForAll = isInRepeat && property.maxCount > 1; // `row.cart` names all members
             const bool there = std::ranges::any_of(context.out.robots, [&](const RobotSpec& robot) {
-                const auto rest = isForAll ? restBehind(name, robot.name) : std::nullopt;
-                return robot.name == name || (rest && rest->empty());
+                return robot.name == name || (isForAll && isNamedBy(robot.name, name, isOwn));
             });
             if (!there && context.isFailedRobot(name)) return false;
             if (!there && !context.out.robots.empty()) {
@@ -52,16 +64,16 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
             context.unknownReference(property.name, "robot", name, place, isLiteral, robotNames(context, property));
             return false;
         } else if (part && part->kind->name != "Robot" && !part->is(Role::Layout)) {
-            Diagnostic& d = context.diagnostics.error(Code::UnknownReference, place,
-                                                      property.name + " names " + name + ", " + withArticle(part->kind->name) +
-                                                          "; it takes a robot");
-            suggest(d, name, robotNames(context, property), isLiteral ? place : SourceRange{});
+            reportNoRobot(context, property, name, withArticle(part->kind->name), place, isLiteral);
             return false;
         }
         if (part && (part->is(Role::Layout) || isInRepeat) && property.maxCount > 1) {
-            for (const RobotSpec& robot : context.out.robots) {
-                const auto rest = robot.range == part->range ? restBehind(name, robot.name) : std::nullopt;
-                if (rest && rest->empty()) names.push_back(robot.name);
+            const std::size_t before = names.size();
+            for (const RobotSpec& robot : context.out.robots)
+                if (isNamedBy(robot.name, name, isOwn)) names.push_back(robot.name);
+            if (names.size() == before && isScenery(context, *part)) {
+                reportNoRobot(context, property, name, withArticle(part->kind->name) + " of scenery", place, isLiteral);
+                return false;
             }
         } else {
             names.push_back(name);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 #include "model/dotted_path.h"
 #include "model/experiment_spec.h"
@@ -61,10 +62,49 @@ inline const Part* inRepeat(const Part& repeat, std::string_view word) {
     return layout && layout->is(Role::Layout) ? layout : nullptr;
 }
 
+/// restBehind() beside what else there is: `cart_2` is no member of a `cart` of which `isOwn` says that it is there itself, and not
+/// as its members.
+template <class IsOwn>
+std::optional<std::string_view> restBehind(std::string_view path, std::string_view name, const IsOwn& isOwn) {
+    const std::optional<std::string_view> rest = restBehind(path, name);
+    for (std::size_t begin = 0; rest && begin < name.size(); path = withoutFirstWord(path)) {
+        const std::string_view word = firstWord(name.substr(begin));
+        if (word != firstWord(path) && isOwn(std::string(name.substr(0, begin)).append(firstWord(path)))) return std::nullopt;
+        begin += word.size() + 1;
+    }
+    return rest;
+}
+
 /// Whether a robot has this name, or is one of the members that it names: "row_3.cart" of "row.cart", "swarm_3" of "swarm".
 inline bool isNamedBy(std::string_view robot, std::string_view name) {
     const auto rest = restBehind(name, robot);
     return rest && rest->empty();
 }
+/// The same beside what else there is.
+template <class IsOwn> bool isNamedBy(std::string_view robot, std::string_view name, const IsOwn& isOwn) {
+    const auto rest = restBehind(name, robot, isOwn);
+    return rest && rest->empty();
+}
+
+/// Whether a name of the world is that of a block itself, and not of a Repeat, Grid or Scatter, which are there as their members.
+struct IsOwnName {
+    const Outline& outline;
+    bool operator()(std::string_view name) const {
+        const Part* part = outline.world.find(name);
+        return part && !part->isRepeat() && !part->is(Role::Layout);
+    }
+};
+
+/// Whether a robot has a name.
+class RobotNames {
+public:
+    explicit RobotNames(const std::vector<RobotSpec>& robots) {
+        for (const RobotSpec& robot : robots) m_names.insert(robot.name);
+    }
+    bool operator()(std::string_view name) const { return m_names.contains(name); }
+
+private:
+    std::unordered_set<std::string_view> m_names;
+};
 
 } // namespace trundle

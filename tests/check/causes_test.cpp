@@ -163,6 +163,23 @@ private Q_SLOTS:
             "  Slider rail { Parent=base Child=mast Axis=1,0,0 LowStop=0 HighStop=0.1 }\n"
             "  LinearMotor lift { Joint=rail MaxForce=3 MaxSpeed=0.1 }\n}\nRobot r { Config=B Pos=0,0,0.2 HPR=0,-90,0 }\n",
             Code::WeakMotor, "lift of B cannot lift what is on rail: that weighs 4.91 N along its axis, MaxForce is 3 N", "lift");
+        row("a lift of the second robot, which stands on its back",
+            "RobotConfig B {\n  Body base { Box b { Size=0.4,0.4,0.4 Mass=20 } }\n"
+            "  Body mast { Pos=0.25,0,0 Box b { Size=0.1,0.1,0.1 Mass=0.5 } }\n"
+            "  Slider rail { Parent=base Child=mast Axis=1,0,0 LowStop=0 HighStop=0.1 }\n"
+            "  LinearMotor lift { Joint=rail MaxForce=3 MaxSpeed=0.1 }\n}\nRobot first { Config=B Pos=0,3,0.2 }\n"
+            "Robot r { Config=B Pos=0,0,0.2 HPR=0,-90,0 }\n",
+            Code::WeakMotor, "lift of B cannot lift what is on rail: that weighs 4.91 N along its axis, MaxForce is 3 N", "lift");
+        row("a lift on a mast that is lighter than what it lifts",
+            "RobotConfig B {\n  Body mast { Box b { Size=0.05,0.05,1 Pos=0,0,0.6 Mass=1 } }\n"
+            "  Body car { Pos=0.2,0,0.5 Box b { Size=0.2,0.2,0.2 Mass=5 } }\n  Fixed f { Parent=world Child=mast }\n"
+            "  Slider rail { Parent=mast Child=car Axis=0,0,1 LowStop=0 HighStop=0.1 }\n"
+            "  LinearMotor lift { Joint=rail MaxForce=20 MaxSpeed=0.1 }\n}\nRobot r { Config=B }\n",
+            Code::WeakMotor, "lift of B cannot lift what is on rail: that weighs 49.1 N along its axis, MaxForce is 20 N",
+            "lift");
+        row("an inertia of the second robot alone",
+            "Robot first { Config=Crate Pos=3,0,0.1 }\nRobot r { Config=Crate Pos=0,0,0.1 b.Inertia=9,9,9 }\n", Code::OddInertia,
+            "the inertia of b in Crate about X is 9 kg m^2, more than its mass can have inside its shapes", "b", true);
         for (const char* thin : {"Box foil { Size=0.005,2,0.5", "Box foil { Size=2,2,0.005",
                                  "Cylinder foil { Radius=0.3 Length=0.005", "Cylinder foil { Radius=0.0025 Length=0.5",
                                  "Capsule foil { Radius=0.0025 Length=0.5", "Sphere foil { Radius=0.0025"})
@@ -198,6 +215,24 @@ private Q_SLOTS:
         const auto again = m_fixture.open(CheckFixture::applied(*loaded, d.fixes[0]));
         const Diagnostics after = CheckFixture::check(*again);
         QVERIFY2(after.all().empty(), CheckFixture::shown(*again, after).c_str());
+    }
+
+    /// Bodies in the air at the same place of two files are two findings.
+    void bodiesOfTwoFilesInTheAir() {
+        const auto folder = std::filesystem::path(m_fixture.folder.path().toStdString()) / "configs";
+        std::filesystem::create_directories(folder);
+        for (const char* name : {"K", "L"})
+            std::ofstream(folder / (std::string(name) + ".sim"))
+                << "PartConfig " << name << " { Body b { Box x { Size=0.1,0.1,0.1 Mass=1 } } }\n";
+        const auto loaded = m_fixture.open("#import K.sim\n#import L.sim\n" + kThings +
+                                           "RobotConfig R { Body a { Box x { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                           "  Part k { Config=K Pos=1,0,2 } Part l { Config=L Pos=2,0,3 } }\n"
+                                           "Robot r { Config=R Pos=0,0,0.05 }\n");
+        QVERIFY(loaded);
+        const std::string story = CheckFixture::shown(*loaded, CheckFixture::check(*loaded));
+        for (const char* body :
+             {"r/k.b, which no joint holds, starts 2 m above", "r/l.b, which no joint holds, starts 3 m above"})
+            QVERIFY2(story.find(body) != std::string::npos, story.c_str());
     }
 
     void unusualRobots_data() {

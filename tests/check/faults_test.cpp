@@ -102,6 +102,10 @@ private Q_SLOTS:
         row("a CurrentLimit that holds the motors back", held("CurrentLimit=0.05") + kRobot, Code::WeakMotor,
             "what holds them back is their CurrentLimit of 0.05 A", "leftMotor");
         right("a CurrentLimit that is enough", held("CurrentLimit=1") + kRobot);
+        row("a CurrentLimit of the second robot that holds its motors back",
+            held("CurrentLimit=1") + kRobot +
+                "Robot second { Config=B Pos=0,2,0 leftMotor.CurrentLimit=0.05 rightMotor.CurrentLimit=0.05 }\n",
+            Code::WeakMotor, "what holds them back is their CurrentLimit of 0.05 A", "leftMotor");
         row("a FrictionTorque that holds the motors back", held("FrictionTorque=0.1195") + kRobot, Code::WeakMotor,
             "what holds them back is their FrictionTorque of 0.119 N m", "leftMotor");
         row("a battery that is too weak", kBase + "  Battery cell { Voltage=0.1 Capacity=1 }\n" + kRobot, Code::WeakMotor,

@@ -142,6 +142,24 @@ private Q_SLOTS:
         QCOMPARE(pairs("q_2,q_0.d, f,q_1"), (Pairs{{0, 2}, {1, 3}}));
     }
 
+    /// link_1 is a body of its own, and no member of a link that is a body or a Part.
+    void noContactKeepsNamesThatAreAlikeApart() {
+        const std::string part = "PartConfig Leg { Body foot { " + kBox + " } }\n";
+        const auto config = [&](const char* names, const std::string& inside) {
+            return resolved(kHead + part + "RobotConfig K { SelfCollision=true NoContact=" + names + "\n Body base { " + kBox +
+                            " }\n" + inside + " }\nRobot r { Config=K }\n");
+        };
+        using Pairs = std::vector<std::pair<int, int>>;
+        const std::string bodies = "Body link { " + kBox + " } Body link_1 { " + kBox + " } Body far { " + kBox + " }";
+        QCOMPARE(config("link,base", bodies).config().noContact, (Pairs{{0, 1}}));
+        QCOMPARE(config("link_1,base", bodies).config().noContact, (Pairs{{0, 2}}));
+        const std::string legs = "Part leg { Config=Leg } Part leg_1 { Config=Leg }";
+        QCOMPARE(config("leg,base", legs).config().noContact, (Pairs{{0, 1}}));
+        QCOMPARE(config("leg.foot,base", legs).config().noContact, (Pairs{{0, 1}}));
+        const std::string repeat = "Repeat leg { Count=2 Body foot { " + kBox + " } }";
+        QCOMPARE(config("leg.foot,base", repeat).config().noContact, (Pairs{{0, 1}, {0, 2}}));
+    }
+
     /// Poses that count from each other: long chains in any order, and circles, end with a message.
     void chainsOfPosesAreBounded() {
         const auto bodies = [](int count, bool isBackwards, bool isCircle) {

@@ -25,6 +25,26 @@ MassProperties massOf(const std::string& text, std::string* said = nullptr) {
     return r.experiment->robots.empty() ? MassProperties{} : r.config().bodies.at(0).mass;
 }
 
+/// A text with two files that it imports at its top. Each has a folder of its own: the first one finds a mesh of 1 m there, the
+/// second one of 2 m.
+Resolved imported(const std::string& text, const std::string& first, const std::string& second) {
+    Resolved r;
+    addText(r, "main.sim", "#import first.sim\n#import second.sim\n" + text);
+    for (const std::string& inner : {first, second}) {
+        const FileId file = addText(r, "inner.sim", inner);
+        r.texts->imports[r.texts->trees[0]->items().at(file - 1).as<ImportItem>()] = file;
+    }
+    r.texts->firstSet = 3;
+    r.outline = Outline::build(r.texts, sample::kindsWithWalker(), r.diagnostics);
+    AssetLookup lookup = sample::assets();
+    lookup.mesh = [](const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
+        const double side = file == 2 ? 2 : 1;
+        return FoundAsset<TriangleMesh>{"/" + written, std::make_shared<const TriangleMesh>(boxMesh({side, side, side}, Pose{}))};
+    };
+    r.experiment = resolve(*r.outline, lookup, r.diagnostics);
+    return r;
+}
+
 } // namespace
 
 class ResolverTest : public QObject {
@@ -295,6 +315,30 @@ private Q_SLOTS:
         for (std::size_t i : {2, 3, 4, 5})
             for (std::size_t k : {0, 2, 3, 4, 5}) QVERIFY(i == k || of(i) != of(k));
         QCOMPARE(r.config(3).bodies.at(1).geoms[0].radius, 0.0600000000001);
+    }
+
+    /// A relative path leads elsewhere from another folder.
+    void sharesNoConfigsWithFilesOfOtherFolders() {
+        const std::string at = " Config=K b.hull.File=\"body.obj\" }\n";
+        const Resolved r = imported("Material g { } Surface s { }\n"
+                                    "RobotConfig K { Body b { Mesh hull { File=\"cube.obj\" Mass=1 Material=g Surface=s } } }\n",
+                                    "Robot red {" + at + "Robot red2 { Pos=3,0,0" + at, "Robot blue { Pos=6,0,0" + at);
+        QVERIFY2(!r.diagnostics.hasErrors(), r.messages().c_str());
+        const auto reach = [&](std::size_t robot) { return r.config(robot).bodies.at(0).geoms.at(0).mesh->points.at(7)[0]; };
+        QCOMPARE(r.experiment->robots[0].config, r.experiment->robots[1].config);
+        QCOMPARE(reach(0), 0.5);
+        QCOMPARE(reach(2), 1.0);
+    }
+
+    /// Also those that are at the same place in two files.
+    void everyLooseBodyOfAStaticIsReported() {
+        const auto part = [](const char* name) {
+            return std::string("PartConfig ") + name + " { Body b { Box x { Size=1,1,1 Mass=1 Material=g Surface=s } } }\n";
+        };
+        const Resolved r = imported("Material g { } Surface s { }\nStaticConfig S { Part k { Config=K } Part l { Config=L } }\n",
+                                    part("K"), part("L"));
+        const QString all = QString::fromStdString(r.messages());
+        QVERIFY2(all.contains(u"no joint holds Body k.b") && all.contains(u"no joint holds Body l.b"), qPrintable(all));
     }
 
     /// Overrides of geoms, bodies, joints and devices reach exactly the part that they name.

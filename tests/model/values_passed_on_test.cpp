@@ -78,6 +78,54 @@ private Q_SLOTS:
         QCOMPARE(parts.value(1), QStringLiteral("-7 m"));
     }
 
+    /// A Part with a Config that depends on a Param or on the number of a member takes values by path like any other.
+    void intoAComputedConfig_data() {
+        QTest::addColumn<QString>("inside");
+        QTest::newRow("of a list") << "Param kinds=Big,Small Repeat r { Count=2 Part w { Config=$(element(kinds,index)) to=b } }";
+        QTest::newRow("a Param of the Repeat") << "Repeat r { Count=2 Param kind=Small Part w { Config=$kind to=b } }";
+        QTest::newRow("a Param of the config") << "Param kind=Big Repeat r { Count=2 Part w { Config=$kind to=b } }";
+    }
+    void intoAComputedConfig() {
+        QFETCH(QString, inside);
+        const std::string wheel =
+            " Body t { Sphere tyre { Radius=$d Mass=1 Material=g Surface=s } } Fixed f { Parent=$to Child=t } }\n";
+        const auto with = [&](const std::string& values) {
+            return sample::resolved("Material g { } Surface s { }\n"
+                                    "PartConfig Big { Param d = 5 cm" +
+                                    wheel + "PartConfig Small { Param d = 2 cm" + wheel +
+                                    "RobotConfig R { Body b { Sphere x { Radius=0.2 Mass=3 Material=g Surface=s } } " +
+                                    inside.toStdString() + " }\nRobot a { Config=R " + values + " }\n");
+        };
+        const auto radius = [](const sample::Resolved& r, std::size_t body) {
+            return r.config().bodies.at(body).geoms.at(0).radius;
+        };
+        const sample::Resolved one = with("r_1.w.t.tyre.Radius=0.2"), all = with("r.w.t.tyre.Radius=0.2 r_0.w.d=0.3");
+        QCOMPARE(reported(one), QString());
+        QCOMPARE(radius(one, 2), 0.2);
+        QVERIFY(radius(one, 1) < 0.1);
+        QCOMPARE(reported(all), QString());
+        QCOMPARE(radius(all, 1), 0.2);
+        const QString wrong = reported(with("r_1.w.t.tire.Radius=0.2")), wrongParam = reported(with("r.w.dd=0.2"));
+        QVERIFY2(wrong.startsWith(u"E314 Body t has no tire; it has tyre | tire"), qPrintable(wrong));
+        QVERIFY2(wrongParam.contains(u" has no dd; it has d") && wrongParam.count(u'\n') == 0, qPrintable(wrongParam));
+    }
+
+    /// Which config it is, and so what a path leads to, is known with the Params of the robot.
+    void intoTheConfigThatAParamGives() {
+        const auto with = [&](const std::string& values) {
+            return sample::resolved("Material g { } Surface s { }\n"
+                                    "PartConfig Ball { Body t { Sphere ball { Radius=0.1 Mass=1 Material=g Surface=s } } }\n"
+                                    "PartConfig Cube { Body t { Box cube { Size=1,1,1 Mass=1 Material=g Surface=s } } }\n"
+                                    "RobotConfig R { Param kind=Ball Part w { Config=$kind } }\nRobot a { Config=R " +
+                                    values + " }\n");
+        };
+        const sample::Resolved r = with("kind=Cube w.t.cube.Mass=7");
+        QCOMPARE(reported(r), QString());
+        QCOMPARE(r.config().bodies.at(0).mass.mass, 7.0);
+        const QString wrong = reported(with("kind=Cube w.t.ball.Mass=7"));
+        QVERIFY2(wrong.startsWith(u"E314 Body t has no ball; it has cube | ball"), qPrintable(wrong));
+    }
+
     /// What a variant gives is from outside also where an expression uses it.
     void throughAnExpression() {
         const std::string text = "Material g { } Surface s { }\nRobotConfig R { Param d = 2 cm "

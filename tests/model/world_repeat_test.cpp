@@ -184,6 +184,38 @@ private Q_SLOTS:
         }
     }
 
+    /// cart_2 is a robot of its own, and no member of cart.
+    void robotsOfAlikeNamesAreNotMembers() {
+        using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+        const auto apart = [](const std::string& text) { return world(text).experiment->noContact; };
+        const std::string alike = "Robot cart { Config=Cart } Robot cart_2 { Config=Cart Pos=3,0,0 }\n"
+                                  "Robot box { Config=Cart Pos=6,0,0 }\n";
+        QCOMPARE(apart(alike + "NoContact=cart,box\n"), (Pairs{{0, 2}}));
+        QCOMPARE(apart(alike + "NoContact=cart_2,box\n"), (Pairs{{1, 2}}));
+        const std::string row = "Repeat row { Count=2 Pos=0,$(3*index),0\n"
+                                "  Robot cart { Config=Cart } Robot cart_2 { Config=Cart Pos=3,0,0 } }\n"
+                                "Robot box { Config=Cart Pos=9,0,0 }\n";
+        QCOMPARE(apart(row + "NoContact=row.cart,box\n"), (Pairs{{0, 4}, {2, 4}}));
+        const Resolved r = world(row);
+        const IsOwnName isOwn{*r.outline};
+        QVERIFY(isNamedBy("row_1.cart", "row.cart", isOwn) && !isNamedBy("row_1.cart_2", "row.cart", isOwn));
+        QVERIFY(isNamedBy("row_1.cart_2", "row.cart_2", isOwn) && isNamedBy("box", "box", isOwn));
+        const std::string grid = "Grid cart { Config=Cart Count=2 Spacing=3 } Robot box { Config=Cart Pos=9,0,0 }\n";
+        QCOMPARE(apart(grid + "NoContact=cart,box\n"), (Pairs{{0, 2}, {1, 2}}));
+    }
+
+    /// What moves in a Static is scenery that a Scatter keeps clear of.
+    void aScatterIsClearOfWhatMoves() {
+        const std::string door =
+            "StaticConfig Door { Body leaf { Pos=0,0,0.5 Box b { Size=1,3,1 Mass=5 Material=g Surface=s } }\n"
+            "  Hinge h { Parent=world Child=leaf Axis=0,0,1 } }\nStatic door { Config=Door Pos=2,0,0 }\n";
+        const Resolved r = world(door + "Scatter swarm { Config=Cart Count=4 Area=0,-1,4,1 MinDistance=0 }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->robots.size(), std::size_t(5));
+        for (const RobotSpec& robot : r.experiment->robots)
+            if (!robot.scenery) QVERIFY(std::abs(robot.pose.position.x() - 2) > 1);
+    }
+
     void errors_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("message");
@@ -218,6 +250,12 @@ private Q_SLOTS:
             "E208 Child names cart.c, but there is no such body of a robot (robot.body); there is cart.b\n", "cart.c");
         row("no robot", "Repeat row { Count=2 Robot cart { Config=Cart } Region r { Size=1,1,1 Robots=row_2.cart } }\n",
             "E208 Robots names row_2.cart, but there is no such robot\n", "row_2.cart");
+        row("scenery in a region",
+            "Grid posts { Config=Post Count=2 Spacing=1 } Robot c { Config=Cart } Region r { Size=1,1,1 Robots=posts }\n",
+            "E208 Robots names posts, a Grid of scenery; it takes a robot\n", "posts");
+        row("scenery that touches nothing",
+            "Grid posts { Config=Post Count=2 Spacing=1 } Robot c { Config=Cart }\nNoContact=posts,c\n",
+            "E208 NoContact names posts, a Grid of scenery; it takes a robot\n", "posts");
         row("no parts", "Repeat row { Count=2 In=b Static p { Config=Post } }\n",
             "E302 In places what is in a config; at the top level there are no bodies to count from\n", "b");
         row("no parts, a Repeat inside", "Repeat row { Count=2 Repeat more { Count=2 In=b Static p { Config=Post } } }\n",

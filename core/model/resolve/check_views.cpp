@@ -40,9 +40,9 @@ void checkIsThere(ResolveContext& context, const ComponentSpec& log, const char*
 
 void checkFrameLogs(ResolveContext& context) {
     if (context.diagnostics.errorCount() > 0) return; // their targets may exist but be invalid
-    std::set<std::uint32_t> reported; // the members of a Repeat have one block
+    std::set<SourceRange> reported;                   // the members of a Repeat have one block
     for (const ComponentSpec& log : context.out.logs) {
-        if (log.kind != "FrameLog" || reported.contains(log.nameRange.range.begin)) continue;
+        if (log.kind != "FrameLog" || reported.contains(log.nameRange)) continue;
         const std::size_t before = context.diagnostics.all().size();
         checkIsThere(context, log, "Camera", "camera", cameraPaths(context.out));
         checkIsThere(context, log, "View", "view", viewNames(context.out));
@@ -50,7 +50,7 @@ void checkFrameLogs(ResolveContext& context) {
         if (view && !log.text("View").empty() && !log.text("Camera").empty())
             context.diagnostics.warning(Code::Conflict, view->range.known() ? view->range : log.nameRange,
                                         "FrameLog " + log.name + " has a Camera, so its View takes no pictures");
-        if (context.diagnostics.all().size() > before) reported.insert(log.nameRange.range.begin);
+        if (context.diagnostics.all().size() > before) reported.insert(log.nameRange);
     }
 }
 

@@ -12,11 +12,14 @@ namespace trundle {
 
 namespace {
 
-void appendKey(std::string& key, const std::string& name, const GivenValue& value) {
+/// `file`: the one that a relative path is searched from; none for a Param, whose path is searched from where the Param is used.
+void appendKey(std::string& key, const std::string& name, const GivenValue& value, FileId file = kNoFile) {
     key += '\n' + name + '=';
     for (const GivenElement& e : value.elements) {
         key += static_cast<char>('0' + static_cast<int>(e.kind));
         key += elementText(e) + e.text + ',';
+        const bool isText = e.kind == GivenElement::Kind::Word || e.kind == GivenElement::Kind::String;
+        if (isText && file != kNoFile) key += std::to_string(file) + ',';
     }
 }
 
@@ -24,6 +27,11 @@ class InstanceReader {
 public:
     InstanceReader(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given)
         : m_context(context), m_part(part), m_scope(scope), m_given(given) {}
+
+    /// Whether the words of a path from `first` on lead to something in a Part, whose config is this one; reports it otherwise.
+    bool checkRest(const Part& use, const Part& config, const SourceAssignment& a, std::size_t first) {
+        return checkPath(use, a, &config, first);
+    }
 
     Record read(const Part*& config, std::string_view kind, const OverrideNode* outer, std::size_t member) {
         const Part* likely = likelyConfig();
@@ -101,7 +109,7 @@ private:
         if (!param && !checkPath(config, a)) return;
         std::optional<GivenValue> value = m_context.evaluator.evaluate(*a.value, a.file, m_scope);
         if (!value || (param && !m_context.evaluator.checkUnits(*value))) return;
-        appendKey(m_given.key, a.key, *value);
+        appendKey(m_given.key, a.key, *value, param ? kNoFile : a.file);
         if (param) {
             value->fromParam = true;
             m_given.params.emplace_back(a.key, std::move(*value));
@@ -114,16 +122,21 @@ private:
         }
         node->origin = Origin::Instance;
         node->value = std::make_shared<const GivenValue>(std::move(*value));
+        node->assignment = &a;
+        node->writer = &m_part;
     }
 
-    /// The way of a path into a config; through a Part whose config this instance exchanges, `left.Config=Other`, into that one.
+    /// The way of a path into a config; through a Part whose config this instance exchanges, `left.Config=Other`, into that one. It
+    /// ends at a Part whose config is computed: checkOverrides() walks on from there.
     struct PathWalk {
         const Part* at; ///< where it ends
-        const Part* exchanged = nullptr;
-        std::size_t word = 0;              ///< the first one that is not there
+        const Part* exchanged;
+        std::size_t word;                  ///< the first one that is not there
         bool leads = false, isRaw = false; ///< isRaw: it ends in the text of a module that is not there
 
-        PathWalk(const InstanceReader& reader, const Part& config, const SourceAssignment& a) : at(&config) {
+        PathWalk(const InstanceReader& reader, const Part& config, const SourceAssignment& a, const Part* configThere = nullptr,
+                 std::size_t first = 0)
+            : at(&config), exchanged(configThere), word(first) {
             for (; word + 1 < a.path.size(); ++word) {
                 const Part* next = (exchanged ? exchanged : at)->find(a.path[word].text);
                 if (!next) return;
@@ -131,6 +144,8 @@ private:
                 if (isRaw) return;
                 at = next;
                 exchanged = next->isPartUse() ? reader.exchangedConfig(a, word) : nullptr;
+                leads = !exchanged && isConfigComputed(*next);
+                if (leads) return;
             }
             const std::string& key = a.path.back().text;
             const Part* used = exchanged ? exchanged : at->config;
@@ -145,8 +160,8 @@ private:
         const Part* config = isName ? m_context.outline.configs.find(other->value->elements[0].text) : nullptr;
         return config && config->kind->name == "PartConfig" ? config : nullptr;
     }
-    bool checkPath(const Part& config, const SourceAssignment& a) {
-        const PathWalk walk(*this, config, a);
+    bool checkPath(const Part& config, const SourceAssignment& a, const Part* configThere = nullptr, std::size_t first = 0) {
+        const PathWalk walk(*this, config, a, configThere, first);
         return walk.leads || (!walk.isRaw && noSuchPath(walk.exchanged ? *walk.exchanged : *walk.at, a, walk.word));
     }
 
@@ -250,6 +265,22 @@ void InstanceValues::addParam(const std::string& name, GivenValue value) {
 Record readInstance(ResolveContext& context, const Part& part, ParamScope& scope, InstanceValues& given, const Part*& config,
                     std::string_view kind, const OverrideNode* outer, std::size_t member) {
     return InstanceReader(context, part, scope, given).read(config, kind, outer, member);
+}
+
+static void checkOverrides(ResolveContext& context, const Part& use, const Part& config, const OverrideNode& node,
+                           std::size_t depth, std::set<const SourceAssignment*>& reported) {
+    for (const auto& [name, inner] : node.children) checkOverrides(context, use, config, inner, depth + 1, reported);
+    const SourceAssignment* a = node.assignment;
+    if (!a || depth == 0 || reported.contains(a)) return;
+    ParamScope none;
+    InstanceValues given;
+    if (!InstanceReader(context, *node.writer, none, given).checkRest(use, config, *a, a->path.size() - depth))
+        reported.insert(a);
+}
+
+void checkOverrides(ResolveContext& context, const Part& use, const Part& config, const OverrideNode& outside,
+                    std::set<const SourceAssignment*>& reported) {
+    checkOverrides(context, use, config, outside, 0, reported);
 }
 
 void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part* instance,

@@ -1,6 +1,8 @@
 #pragma once
 // The values that an instance sets in its config: of a Robot, Static, Grid or Scatter, and of a Part. Private to core/model.
 
+#include <set>
+
 #include "model/resolve/resolve_context.h"
 
 namespace trundle {
@@ -12,6 +14,11 @@ struct InstanceValues {
 
     void addParam(const std::string& name, GivenValue value);
 };
+
+/// Reports overrides from outside that lead nowhere in the config of a Part, which is known with the values of an instance only;
+/// each once, since they are in all members of a Repeat.
+void checkOverrides(ResolveContext& context, const Part& use, const Part& config, const OverrideNode& outside,
+                    std::set<const SourceAssignment*>& reported);
 
 /// Reads the values of an instance's own block, sorted into properties of its kind, Params of its config and overrides by path.
 /// `outer` overrides its own properties; null: nothing does. `config` becomes the config that it names, nullptr with a diagnostic

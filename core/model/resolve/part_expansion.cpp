@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "model/config_blocks.h"
 #include "model/dotted_path.h"
 #include "model/param_reference.h"
 #include "model/part_depth.h"
@@ -26,8 +27,8 @@ std::shared_ptr<const GivenValue> passedIn(const GivenValue& value) {
 void lay(const OverrideNode& outside, OverrideNode& own) {
     if (outside.word.known()) own.word = outside.word;
     if (outside.value) {
+        own.takeValueOf(outside);
         own.value = passedIn(*outside.value);
-        own.origin = outside.origin;
     }
     for (const auto& [name, node] : outside.children) lay(node, own.children[name]);
 }
@@ -35,7 +36,7 @@ void lay(const OverrideNode& outside, OverrideNode& own) {
 /// Lays the overrides of one member of a Repeat over those of all.
 void layMember(const OverrideNode& member, OverrideNode& all) {
     if (member.word.known()) all.word = member.word;
-    if (member.value) all.value = member.value, all.origin = member.origin;
+    if (member.value) all.takeValueOf(member);
     for (const auto& [name, node] : member.children) layMember(node, all.children[name]);
 }
 
@@ -258,6 +259,7 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
     own.declare(use.params);
     m_context.evaluator.checkAll(own);
     const Record record = readInstance(m_context, use, own, frame.given, frame.config, "PartConfig", outside);
+    if (frame.config && outside && isConfigComputed(use)) checkOverrides(m_context, use, *frame.config, *outside, m_astray);
     if (outer.use) nameUses(first, outer);
     if (!frame.config) return;
     placeLater(frame, record);

@@ -18,6 +18,15 @@ struct OverrideNode {
     std::shared_ptr<const GivenValue> value;
     Origin origin = Origin::Instance;
     SourceRange word; ///< its name where it was written first, in a path
+    const SourceAssignment* assignment = nullptr; ///< of the value
+    const Part* writer = nullptr;                 ///< the block that has it
+
+    void takeValueOf(const OverrideNode& other) {
+        value = other.value;
+        origin = other.origin;
+        assignment = other.assignment;
+        writer = other.writer;
+    }
 };
 
 /// The overrides of what has that name inside; null: none.

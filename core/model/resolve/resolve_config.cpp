@@ -165,10 +165,17 @@ void resolveParts(ResolveContext& context, PartExpansion& expansion, RobotConfig
     resolveJointsAndDevices(context, expansion, resolveBodies(context, expansion, spec), spec);
 }
 
-/// Whether a name is that of a body or of what it is in: "q_1.d" is in "q_1.d", "q_1", "q.d" and "q".
-bool isIn(std::string_view body, std::string_view name) {
-    for (; !name.empty(); name = withoutFirstWord(name), body = withoutFirstWord(body))
-        if (firstWord(body) != firstWord(name) && !isMemberOf(firstWord(body), firstWord(name))) return false;
+/// Whether a name is that of a body or of what it is in: of a Repeat q, "q_1.d" is in "q_1.d", "q_1", "q.d" and "q".
+bool isIn(const PartFrame& frame, std::string_view body, std::string_view name) {
+    const PartFrame* at = &frame; // that the words so far lead to
+    for (; !name.empty(); name = withoutFirstWord(name), body = withoutFirstWord(body)) {
+        const std::string_view word = firstWord(body);
+        if (word != firstWord(name) && !isMemberOf(word, firstWord(name))) return false;
+        const auto inner = at->inner.find(word);
+        const bool isInner = inner != at->inner.end();
+        if (word != firstWord(name) && !(isInner && inner->second->member)) return false; // `q_1` may be no member of a q
+        if (isInner) at = inner->second;
+    }
     return true;
 }
 
@@ -179,7 +186,7 @@ void resolveNoContact(ResolveContext& context, const PartFrame& frame, const Rec
     const auto bodiesOf = [&](const std::string& name) {
         std::vector<int> bodies;
         for (std::size_t i = 0; i < spec.bodies.size(); ++i)
-            if (isIn(spec.bodies[i].name, name)) bodies.push_back(static_cast<int>(i));
+            if (isIn(frame, spec.bodies[i].name, name)) bodies.push_back(static_cast<int>(i));
         return bodies;
     };
     std::size_t at = 0; // of the name in the list
@@ -226,9 +233,9 @@ void reportLooseBodies(ResolveContext& context, const RobotConfigSpec& spec) {
             if (parentHeld == held[child]) continue;
             held[parentHeld ? child : static_cast<std::size_t>(joint.parent)] = more = true;
         }
-    std::set<std::uint32_t> reported; // the members of a Repeat have one block
+    std::set<SourceRange> reported; // the members of a Repeat have one block
     for (std::size_t i = 0; i < spec.bodies.size(); ++i)
-        if (!held[i] && reported.insert(spec.bodies[i].nameRange.range.begin).second)
+        if (!held[i] && reported.insert(spec.bodies[i].nameRange).second)
             context.diagnostics.error(
                 Code::WrongPlace, spec.bodies[i].nameRange,
                 "no joint holds Body " + spec.bodies[i].name +

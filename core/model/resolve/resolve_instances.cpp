@@ -320,7 +320,7 @@ private:
             const RobotDisc disc = d.scenery ? discOf(d.scenery->geoms, d.scenery->moving.get()) : discOf(*d.spec);
             if (&d == &all[0] || disc.radius > largest.radius) largest = disc;
         }
-        return scatterPoses(m_context, expanded, record, largest);
+        return scatterPoses(m_context, expanded, record, largest, m_moving);
     }
 
     ResolveContext& m_context;

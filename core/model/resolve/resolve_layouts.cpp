@@ -69,8 +69,8 @@ std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Rec
     return poses;
 }
 
-std::vector<Pose> scatterPoses(ResolveContext& context, const ExpandedPart& expanded, const Record& record,
-                               const RobotDisc& disc) {
+std::vector<Pose> scatterPoses(ResolveContext& context, const ExpandedPart& expanded, const Record& record, const RobotDisc& disc,
+                               const std::vector<RobotSpec>& moving) {
     const Part& part = *expanded.part;
     const ScatterFields f = fieldsFrom<ScatterFields>(record);
     if (!(f.area[0] < f.area[2]) || !(f.area[1] < f.area[3])) {
@@ -80,11 +80,13 @@ std::vector<Pose> scatterPoses(ResolveContext& context, const ExpandedPart& expa
     }
     const Pose origin = poseOf(f.pos, f.hpr);
     std::vector<Footprint> obstacles;
-    for (const StaticSpec& s : context.out.statics) {
-        for (const GeomSpec& geom : *s.geoms) {
-            for (Footprint& footprint : footprintsOf(geom, s.pose)) obstacles.push_back(std::move(footprint));
-        }
-    }
+    const auto addObstacles = [&](const std::vector<GeomSpec>& geoms, const Pose& pose) {
+        for (const GeomSpec& geom : geoms)
+            for (Footprint& footprint : footprintsOf(geom, pose)) obstacles.push_back(std::move(footprint));
+    };
+    for (const StaticSpec& s : context.out.statics) addObstacles(*s.geoms, s.pose);
+    for (const RobotSpec& robot : moving)
+        for (const BodySpec& body : robot.config->bodies) addObstacles(body.geoms, robot.pose * body.pose);
     const std::uint64_t seed = f.seed > 0 ? static_cast<std::uint64_t>(f.seed) : context.out.settings.seed;
     const std::uint64_t path = fnv1a64(expanded.name());
     const auto members = static_cast<std::uint64_t>(f.count);

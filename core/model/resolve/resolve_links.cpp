@@ -257,8 +257,9 @@ void resolveRegion(ResolveContext& context, const ExpandedPart& expanded) {
     if (!record.complete) return;
     const auto f = fieldsFrom<RegionFields>(record);
     RegionSpec region{expanded.name(), expanded.placed(poseOf(f.pos, f.hpr)), vec3(f.size), {}, part.range, part.nameRange()};
-    if (f.robots) region.robots = robotsOf(context, *f.robots);
-    for (std::size_t i = 0; !f.robots && i < context.out.robots.size(); ++i)
+    const bool isGiven = record.given("Robots"); // possibly all of them are robots with errors of their own
+    if (isGiven) region.robots = robotsOf(context, record.find("Robots")->value.texts);
+    for (std::size_t i = 0; !isGiven && i < context.out.robots.size(); ++i)
         if (!context.out.robots[i].scenery) region.robots.push_back(i);
     context.out.regions.push_back(std::move(region));
 }
@@ -272,7 +273,7 @@ void resolveApartRobots(ResolveContext& context) {
     const auto membersOf = [&](const std::string& name) {
         std::vector<std::size_t> members;
         for (std::size_t i = 0; i < context.out.robots.size(); ++i)
-            if (const auto rest = restBehind(name, context.out.robots[i].name); rest && rest->empty()) members.push_back(i);
+            if (isNamedBy(context.out.robots[i].name, name, IsOwnName{context.outline})) members.push_back(i);
         return members;
     };
     const auto pairs = namePairs(context, record, {});
