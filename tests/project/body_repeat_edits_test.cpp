@@ -191,6 +191,38 @@ private Q_SLOTS:
         QCOMPARE(after->experiment->robots[0].config->bodies[0].geoms.size(), std::size_t(7));
     }
 
+    /// Patterns of logs into Repeats of the world, and into Repeats of a robot, follow renames; what they name is still used.
+    void patternsIntoRepeatsFollowRenames() {
+        const std::string ball = " { Sphere s { Radius=0.1 Mass=1 Material=red Surface=floor } }\n";
+        const std::string motor = "TorqueConstant=1 SpeedConstant=1 Resistance=1 MaxVoltage=12 }\n";
+        const auto loaded = m_fixture.open(
+            "Material red { }\nSurface floor { }\nRobotConfig Cart {\n  Body hull" + ball + "  Body wheel" + ball +
+            "  Hinge axle { Parent=hull Child=wheel }\n  RotaryMotor leftMotor { Joint=axle " + motor +
+            "  Repeat roller { Count=2\n    Body rim" + ball +
+            "    Hinge pin { Parent=hull Child=rim }\n    RotaryMotor motor { Joint=pin " + motor +
+            "  }\n}\nRepeat lane { Count=2 Pos=0,$(9*index),0\n  Robot cart { Config=Cart }\n"
+            "  Grid crowd { Config=Cart Count=2 Spacing=3 Pos=4,0,0 }\n}\n"
+            "SignalLog one { Signals=\"lane_*.cart/leftMotor/current\" }\n"
+            "SignalLog two { Signals=\"lane_1.crowd_*/leftMotor/current\", \"lane_?.cart/roller_*.motor/current\" }\n"
+            "SignalLog three { Signals=\"lane_*/wheel/pose\" }\nPoseLog all { Robot=\"lane_*\" }\n");
+        QCOMPARE(messages(*loaded), std::string());
+        for (const auto& [path, name, texts] : std::vector<std::tuple<std::string, std::string, QStringList>>{
+                 {"lane",
+                  "track",
+                  {"\"track_*.cart/left", "\"track_1.crowd_*/", "\"track_?.cart/", "\"track_*/wheel", "Robot=\"track_*\""}},
+                 {"lane.cart", "wagon", {"\"lane_*.wagon/left", "\"lane_?.wagon/roller"}},
+                 {"lane.crowd", "flock", {"\"lane_1.flock_*/"}},
+                 {"RobotConfig.Cart.leftMotor", "drive", {"lane_*.cart/drive/current", "crowd_*/drive/current"}},
+                 {"RobotConfig.Cart.roller", "drum", {"cart/drum_*.motor/current"}},
+                 {"RobotConfig.Cart.roller.motor", "drive", {"cart/roller_*.drive/current"}},
+                 {"RobotConfig.Cart.wheel", "tyre", {"\"lane_*/tyre/pose"}}}) {
+            const QString text = QString::fromStdString(m_fixture.text(loaded, planRename(*loaded, path, name)));
+            for (const QString& part : texts) QVERIFY2(text.contains(part), qPrintable(text));
+        }
+        const std::string removed = m_fixture.text(loaded, planRemove(*loaded, {"RobotConfig.Cart.leftMotor"}));
+        QVERIFY2(removed.starts_with("refused: ") && removed.find("SignalLog one") != std::string::npos, removed.c_str());
+    }
+
     void moves() {
         const auto text = [&](const Result<EditPlan>& plan) { return QString::fromStdString(m_fixture.text(m_loaded, plan)); };
         const QString moved = text(planMove(*m_loaded, {"RobotConfig.Kit.hub.hull"}, "RobotConfig.Kit.hub.disc", {}));

@@ -29,6 +29,16 @@ std::string alone(const std::string& robots) {
            robots;
 }
 
+/// The same with a Repeat.
+std::string conveyor(const std::string& robots) {
+    return std::string(kCommon) +
+           "RobotConfig Conveyor {\n  Body frame { Box bed { Size=1,1,0.1 Mass=2 Material=red Surface=floor } }\n"
+           "  Repeat roller { Count=5 Pos=$(0.2*index),0,0.2\n"
+           "    Body drum { Sphere s { Radius=0.05 Mass=1 Material=red Surface=floor } }\n"
+           "    Hinge axle { Parent=frame Child=drum Damping=0.001 }\n  }\n}\n" +
+           robots;
+}
+
 const Part& config(const LoadedProject& loaded, const char* name = "Rover") { return *loaded.outline->configs.find(name); }
 
 } // namespace
@@ -59,6 +69,13 @@ private Q_SLOTS:
         row("a Param there", imported, "r.width", "r.width", true);
         row("overridden already", alone("Robot r { Config=Rover chassis.hull.Mass=3 }\n"), "r.chassis.hull.Mass",
             "r.chassis.hull.Mass", true);
+        const std::string set = "roller.axle.Damping=0.1 }\n", path = "belt.roller_3.axle.Damping";
+        const std::string belt = conveyor("Robot belt { Config=Conveyor " + set),
+                          variant = conveyor("RobotConfig Stiff { Config=Conveyor " + set + "Robot belt { Config=Stiff }\n");
+        row("overridden for all members", belt, path.c_str(), path.c_str(), true);
+        row("another value of that member", belt, "belt.roller_3.axle.Friction", "RobotConfig.Conveyor.roller_3.axle.Friction",
+            false);
+        row("by the only variant for all", variant, path.c_str(), "RobotConfig.Stiff.roller_3.axle.Damping", true);
         row("a setting", one, "Tick", "Tick", false);
         row("nothing", one, "nobody.Mass", "nobody.Mass", false);
     }
@@ -74,6 +91,23 @@ private Q_SLOTS:
         const EditTarget target = targetOfValue(*loaded, asked.toStdString(), users);
         QCOMPARE(QString::fromStdString(target.path), set);
         QCOMPARE(target.isOverride, isOverride);
+    }
+
+    /// One member has no value to be reset where the value is set for all of them.
+    void resetOfOneMember() {
+        PlanFixture fixture;
+        const auto loaded =
+            fixture.open(conveyor("Robot belt { Config=Conveyor roller.axle.Damping=0.1 roller_2.axle.Damping=0.2 }\n"));
+        const auto reset = [&](const char* roller) {
+            return fixture.text(loaded, planReset(*loaded, {std::string("belt.") + roller + ".axle.Damping"}));
+        };
+        const std::string there = "is set for all members, by roller.axle.Damping in Robot belt; ",
+                          own = " it there, or give this member a value of its own";
+        QCOMPARE(reset("roller_3"), "refused: Damping of Hinge axle " + there + "reset" + own);
+        QCOMPARE(fixture.text(loaded, planPushOverride(*loaded, "belt.roller_3.axle.Damping")),
+                 "refused: Damping of Hinge axle " + there + "push" + own);
+        QVERIFY(reset("roller_2").ends_with("Robot belt { Config=Conveyor roller.axle.Damping=0.1 }\n"));
+        QVERIFY(reset("roller").ends_with("Robot belt { Config=Conveyor roller_2.axle.Damping=0.2 }\n"));
     }
 
     /// An instance in a file that is not open counts as well.

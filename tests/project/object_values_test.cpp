@@ -1,10 +1,12 @@
 // The values of an object as Properties shows them, the blocks around a selection, and how far copies are moved.
 #include <QTest>
 
+#include "model/provenance.h"
 #include "plan_fixture.h"
 #include "project/edits/duplicate_offset.h"
 #include "project/edits/insert_positions.h"
 #include "project/objects/object_values.h"
+#include "project/objects/part_values.h"
 #include "project/objects/unplaced_configs.h"
 
 using namespace trundle;
@@ -125,6 +127,52 @@ private Q_SLOTS:
         QVERIFY(field("r2.arm.s", "HPR").inherited == "0,0,0 deg");
     }
 
+    /// Of many overrides of one value, in Repeats in Repeats and from several blocks, the rows and provenance have the resolver's.
+    void valuesOfMembersAreThoseOfTheResolver() {
+        const std::vector<std::string> inner = {"a.b", "a_1.b", "a.b_1", "a_1.b_1"};
+        std::uint32_t random = 1;
+        for (int round = 0; round < 40; ++round) {
+            int value = 0;
+            const auto some = [&](const std::string& before) { // about half of the possible overrides
+                std::string text;
+                for (const std::string& path : inner) {
+                    random = random * 1664525 + 1013904223;
+                    if (random >> 31) text += " " + before + path + ".w.s.Radius=0.0" + std::to_string(++value + 10);
+                }
+                return text;
+            };
+            const std::string leg = some(""), use = some(""),
+                              variant = some("row.leg.") + some("row_1.leg.") + some("row_0.leg."),
+                              robot = some("row.leg.") + some("row_1.leg.");
+            const auto loaded = m_fixture.open(
+                "PartConfig Leg { Repeat a { Count=2 Repeat b { Count=2 Body w { Sphere s { Radius=0.01 Mass=1 } } } } }\n"
+                "PartConfig Long { Config=Leg" +
+                leg + " }\nRobotConfig Base { Repeat row { Count=2 Part leg { Config=Long" + use +
+                " } } }\nRobotConfig V { Config=Base" + variant + " }\nRobot r { Config=V" + robot + " }\n");
+            QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+            const std::vector<BodySpec>& bodies = loaded->experiment->robots.at(0).config->bodies;
+            QCOMPARE(bodies.size(), std::size_t(8));
+            for (const BodySpec& body : bodies) {
+                const std::string path = "r." + body.name + ".s";
+                const std::string where = path + " of\n" + std::string(loaded->trees[0]->source().bytes());
+                const double radius = body.geoms.at(0).radius;
+                QVERIFY2(valueAt(*loaded, *placeOf(*loaded, path), "Radius")->numbers.at(0) == radius, where.c_str());
+                QVERIFY2(ObjectValues(loaded, path).property("Radius")->value->numbers.at(0) == radius, where.c_str());
+                const auto from = provenanceOf(*loaded->outline, path + ".Radius");
+                QVERIFY2(from && std::stod(std::string(loaded->sources.slice(from->value))) == radius, where.c_str());
+            }
+        }
+    }
+
+    void overridesForAllMembers() {
+        const auto loaded = m_fixture.open("RobotConfig C { Repeat a { Count=3 Body w { Sphere s { Radius=1 Mass=1 } } } }\n"
+                                           "Robot r { Config=C a.w.s.Radius=2 a_1.w.s.Radius=3 }\n");
+        const auto row = [&](const char* path) { return *ObjectValues(loaded, path).property("Radius"); };
+        QCOMPARE(row("r.a_0.w.s").setForAll, std::string("a.w.s.Radius"));
+        QVERIFY(row("r.a_1.w.s").setForAll.empty() && row("r.a_1.w.s").inherited == "1 m");
+        QVERIFY(row("r.a.w.s").setForAll.empty() && row("r.a.w.s").origin == ValueOrigin::Override);
+    }
+
     void paramsOfAnObject() {
         const auto texts = [&](const char* path, std::size_t most) {
             std::vector<std::string> all;
@@ -205,6 +253,12 @@ private Q_SLOTS:
         const double both = offset({"robot0", "robot1"}).y(); // y = 4 and y = -3
         QVERIFY2(std::abs(both - cart - 7) < 0.21, qPrintable(QString::number(both - cart)));
         QCOMPARE(offset({"robot0.chassis"}), Vec3(0, 0.1, 0));
+        for (const int tenths : {1, 2, 3, 6, 7, 8}) { // never beside each other without a gap, nor with two
+            const auto wide =
+                m_fixture.open("StaticConfig W { Box b { Size=1,0." + std::to_string(tenths) + ",1 } }\nStatic w { Config=W }\n");
+            const double step = duplicateOffset(*wide, {"w"}).y();
+            QVERIFY2(std::abs(step - (tenths + 1) / 10.0) < 1e-9, qPrintable(QString::number(step)));
+        }
         QCOMPARE(offset({}), Vec3(0, 0.1, 0));
     }
 

@@ -85,9 +85,10 @@ private Q_SLOTS:
 
     /// The members of a Grid become bodies where they were, with its overrides.
     void membersOfAGridBecomeBodies() {
-        const auto before = m_fixture.open("RobotConfig C { Body b { Box x { Size=0.2,0.2,0.2 Mass=1 } } }\n"
-                                           "Robot r { Config=C Pos=5,0,0.1 }\n"
-                                           "Grid g { Config=C Pos=1,2,0.1 HPR=30,0,0 Count=3,2 Spacing=0.5 b.x.Mass=2 }\n");
+        const auto before = m_fixture.open(
+            "RobotConfig C { Param side = 0.2 Body b { Box x { Size=$side,0.2,0.2 Mass=1 } } }\n"
+            "RobotConfig V { Config=C b.x.Mass=3 }\nRobot r { Config=V Pos=5,0,0.1 }\n"
+            "Grid g { Config=C Pos=1,2,0.1 HPR=30,0,0 Count=3,2 Spacing=0.5 side=$(0.1 + index/100) b.x.Mass=$(2 + index2) }\n");
         QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
         const auto group = planGroup(*before, {"r", "g"}, "Piece");
         QVERIFY2(group.ok(), group.ok() ? "" : group.error().message.c_str());
@@ -103,6 +104,7 @@ private Q_SLOTS:
                                          [&, &pose = pose, &geom = geom](const auto& other) {
                                              return (other.first.position - pose.position).norm() < 1e-6 &&
                                                     other.first.rotation.angularDistance(pose.rotation) < 1e-6 &&
+                                                    (other.second.size - geom.size).norm() < 1e-9 &&
                                                     other.second.mass == geom.mass;
                                          }),
                      group.value().text.c_str());
@@ -137,7 +139,15 @@ private Q_SLOTS:
             "#import other.sim\nStaticConfig S { Box b { Size=1,1,1 } }\nStatic s { Config=S }\n"
             "RobotConfig C { Body b { Mass=1 Box x { Size=1,1,1 } } }\nRobot r { Config=C }\n"
             "RobotConfig D { Body b { Mass=1 Box x { Size=1,1,1 } } Camera eye { Body=b } }\nRobot d { Config=D }\n"
-            "Grid g { Config=C Count=2 Spacing=9 }\nPoseLog l { Robot=r }\n");
+            "Grid g { Config=C Count=2 Spacing=9 }\nPoseLog l { Robot=r }\n"
+            "StaticConfig Fence { Repeat post { Count=5 Spacing=1 Box wood { Size=0.1,0.1,1 } } }\nStatic fence { Config=Fence "
+            "}\n"
+            "RobotConfig Bolted { Body b { Box x { Size=1,1,1 Mass=1 } Ring bolt { Count=6 Radius=0.3 Sphere s { Radius=0.1 "
+            "Mass=1 } } } }\n"
+            "RobotConfig Painted { Config=Bolted }\nRobot crate { Config=Painted }\n"
+            "RobotConfig Stack { Body low { Box x { Size=1,1,1 Mass=1 } } Body top { In=low Pos=0,0,1 Box x { Size=1,1,1 Mass=1 "
+            "} } }\n"
+            "Robot stack { Config=Stack }\nRing posts { Count=3 Radius=9 Static post { Config=S } }\n");
         const auto why = [&](const std::vector<std::string>& paths, const char* name = "Piece") {
             const auto plan = planGroup(*loaded, paths, name);
             return plan.ok() ? std::string() : plan.error().message;
@@ -150,6 +160,10 @@ private Q_SLOTS:
         QCOMPARE(why({"g"}), std::string());
         QVERIFY(why({"r"}).find("named by PoseLog l") != std::string::npos);
         QVERIFY(why({}).find("select") != std::string::npos);
+        QVERIFY(why({"fence"}).find("StaticConfig Fence has Repeat post") != std::string::npos);
+        QVERIFY(why({"crate"}).find("RobotConfig Painted has Ring bolt") != std::string::npos);
+        QVERIFY(why({"stack"}).find("stack.top has its place In low") != std::string::npos);
+        QVERIFY(why({"posts.post"}).find("Static post is in Ring posts") != std::string::npos);
         QVERIFY(why({"s"}, "S").find("already") != std::string::npos);
         QVERIFY(why({"s"}, "my piece").find("no name") != std::string::npos);
     }

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "plan_fixture.h"
+#include "project/objects/part_values.h"
 
 using namespace trundle;
 using sample::PlanFixture;
@@ -189,6 +190,55 @@ private Q_SLOTS:
         QVERIFY(a.rotation.angularDistance(b.rotation) < 1e-9);
     }
 
+    /// Where a body counts from another one by In, with a robot that has the config and without.
+    void movedGeomKeepsPoseInABodyThatCountsFromAnother() {
+        const std::string arm = "RobotConfig Arm {\n  Body base { Pos=0,0,0.1 HPR=20,0,0 Box plate { Size=0.3,0.3,0.1 Mass=1 }\n"
+                                "    Box foot { Size=0.1,0.1,0.1 Pos=0.1,0,0 Mass=1 } }\n"
+                                "  Body lower { Pos=0,0.1,0.3 HPR=0,30,0 Box tube { Size=0.1,0.1,0.4 Mass=1 } }\n"
+                                "  Repeat link { Count=2 In=lower Pos=0,0,$index Body upper { Pos=0,0.05,0.4 HPR=0,60,0\n"
+                                "    Box beam { Size=0.1,0.1,0.4 Pos=0,0,0.2 HPR=10,0,0 Mass=1 }\n"
+                                "    Box cap { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                "    Body hand { In=upper Pos=0,0,0.1 HPR=0,0,20 Box palm { Size=0.1,0.1,0.1 Mass=1 } } }\n"
+                                "  Body tip { In=link_1.upper Pos=0,0,0.4 HPR=5,0,0 Box pin { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                "  Body eye { In=lower Pos=0,0.2,0.1 HPR=0,0,70 Box lens { Size=0.1,0.1,0.1 Mass=1 }\n"
+                                "    Box lid { Size=0.1,0.1,0.1 Pos=0,0,0.1 Mass=1 } }\n}\n";
+        const std::string robot = "Robot r { Config=Arm Pos=1,2,3 HPR=40,0,0 }\n";
+        for (const auto& [from, geom, to, hasRobot] : std::vector<std::tuple<std::string, std::string, std::string, bool>>{
+                 {"link_1.upper", "beam", "base", true},
+                 {"link_1.upper", "beam", "link_1.hand", true},
+                 {"base", "foot", "tip", true},
+                 {"eye", "lid", "base", true},
+                 {"eye", "lid", "base", false},
+                 {"base", "foot", "eye", false},
+                 {"link_1.upper", "beam", "link_1.hand", false}}) {
+            const auto before = m_fixture.open(arm + robot);
+            QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
+            const auto loaded = hasRobot ? before : m_fixture.open(arm);
+            const std::string start = hasRobot ? "r." : "RobotConfig.Arm.";
+            const std::string text = m_fixture.text(loaded, planMove(*loaded, {start + from + "." + geom}, start + to, ""));
+            const auto after = m_fixture.open(hasRobot ? text : text + robot);
+            QVERIFY2(!after->diagnostics.hasErrors(), text.c_str());
+            const Pose a = worldPose(*before, "r", from, geom), b = worldPose(*after, "r", to, geom);
+            QVERIFY2((a.position - b.position).norm() < 1e-9 && a.rotation.angularDistance(b.rotation) < 1e-8, text.c_str());
+        }
+    }
+
+    /// What is inserted is on top of a body that counts from another one.
+    void insertedShapesAreOnTopOfABodyThatCountsFromAnother() {
+        const auto loaded = m_fixture.open("RobotConfig Arm {\n"
+                                           "  Body lower { Pos=0,0,1 HPR=0,0,90 Box tube { Size=0.1,0.1,0.1 Mass=1 } }\n"
+                                           "  Body upper { In=lower Pos=0,0.4,0 Box beam { Size=0.1,0.1,0.1 Mass=1 } }\n}\n"
+                                           "Robot r { Config=Arm }\n");
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+        const Pose upper = loaded->experiment->robots[0].config->bodies[1].pose;
+        const auto has = [&](const char* kind, const char* parent, const Vec3& position) {
+            const std::string text = templateOf(*loaded, *loaded->registry->find(kind), parent);
+            return text.find("Pos=" + positionText(position)) != std::string::npos ? std::string() : text;
+        };
+        QCOMPARE(has("Box", "r.upper", upper.rotation.conjugate() * Vec3(0, 0, 0.1)), std::string());
+        QCOMPARE(has("Body", "r", Vec3(0, 0, upper.position.z() + 0.1)), std::string());
+    }
+
     /// Moving there and back restores the original short numbers.
     void thereAndBack() {
         const auto loaded = m_fixture.open(scene("Robot r { Config=Cart }\n"));
@@ -222,6 +272,19 @@ private Q_SLOTS:
                  "refused: Hinge axle uses chassis, which RobotConfig Other does not have");
         const auto both = planMove(*loaded, {"r.wheel", "r.axle", "r.chassis", "r.touch"}, "o", "");
         QVERIFY(both.ok() || both.error().message.find("uses r,") != std::string::npos);
+    }
+
+    /// Two uses of a Param that names what is moved beside it and called otherwise there are one change.
+    void namesThatAMovedParamGives() {
+        const std::string bodies = "  Body b { Sphere { Radius=1 Mass=1 } }\n  Body w { Sphere { Radius=1 Mass=1 } }\n"
+                                   "  Hinge axle { Parent=b Child=w }\n  RotaryMotor m { Joint=axle }\n";
+        const std::string drive = "  DifferentialDrive d { Param driven = m LeftMotor=$driven RightMotor=$driven }\n";
+        const auto loaded = m_fixture.open("RobotConfig A {\n" + bodies + drive + "}\nRobotConfig B {\n" + bodies +
+                                           "}\nRobot a { Config=A }\nRobot b { Config=B }\n");
+        const std::string moved = m_fixture.text(loaded, planMove(*loaded, {"a.m", "a.d"}, "b", ""));
+        QVERIFY2(moved.find("RotaryMotor m2 { Joint=axle }") != std::string::npos &&
+                     moved.find("Param driven = m2 LeftMotor=$driven") != std::string::npos,
+                 moved.c_str());
     }
 
     void refused_data() {

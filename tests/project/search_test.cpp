@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "lang/parser.h"
+#include "model/kinds/model_kinds.h"
 #include "project/loading/search.h"
 #include "project/saving/named_files.h"
 
@@ -60,19 +61,31 @@ private Q_SLOTS:
         QCOMPARE(shownPath(other, path("project2")), std::string("a.sim"));
     }
 
-    /// Where a text names a file: in values, in Params and in blocks in blocks; whole values, not parts of them.
-    void namesOfFilesInAText() {
-        const std::string text = "Param skin = \"wood.png\" { Help=\"wood.png\" }\nParam list = a.png, wood.png\n"
-                                 "Material m { Texture=wood.png Param p = wood.png }\n"
-                                 "StaticConfig S { Box b { File=\"wood.png\" Name=\"my wood.png\" } Other=wood.png.bak }\n";
-        const auto tree = parse(std::make_shared<const SourceText>("a.sim", text), 0);
+    /// Where texts name a file: in properties that are files, also by override, and in the Params that these have, through others;
+    /// whole values, not parts of them.
+    void namesOfFilesInTexts() {
+        const std::string text = "Param skin = $wood { Help=\"wood.png\" }\nParam wood = wood.png\nParam other = wood.png\n"
+                                 "Param list = a.png, \"wood.png\"\n"
+                                 "Material m { Texture=wood.png Param p = wood.png }\nMaterial n { Texture=$skin }\n"
+                                 "StaticConfig S { Param q = wood.png Mesh b { File=$q Material=wood.png }\n"
+                                 "  Mesh c { File=wood.png.bak } }\n"
+                                 "StaticConfig T { Mesh b { File=$(if(1 > 2, q, element(list, 1))) } }\n"
+                                 "Static s { Config=S q=\"wood.png\" b.Material=wood.png }\n"
+                                 "Static t { Config=S b.File=wood.png }\n";
+        LoadedProject loaded;
+        const auto registry = std::make_shared<Registry>();
+        addModelKinds(*registry);
+        loaded.registry = registry;
+        loaded.trees = {parse(std::make_shared<const SourceText>("a.sim", text), 0)};
         std::vector<std::uint32_t> found, wanted;
-        for (const TextRange& range : rangesOf(*tree, "wood.png")) {
-            const std::string_view words = tree->source().slice(range);
+        const FileWords all = fileWordsIn(loaded);
+        for (const TextRange& range : all.at({FileId{0}, "wood.png"})) {
+            const std::string_view words = loaded.trees[0]->source().slice(range);
             QVERIFY(words == "wood.png" || words == "\"wood.png\"");
             found.push_back(range.begin);
         }
-        for (const char* before : {"skin = ", "a.png, ", "Texture=", "p = ", "File="})
+        std::ranges::sort(found);
+        for (const char* before : {"Param wood = ", "a.png, ", "Texture=", "Param q = ", "S q=", "b.File="})
             wanted.push_back(static_cast<std::uint32_t>(text.find(before) + std::string_view(before).size()));
         QCOMPARE(found, wanted);
     }

@@ -40,7 +40,7 @@ Vec3 duplicateOffset(const LoadedProject& loaded, const std::vector<std::string>
     const Span span = spanOf(loaded, paths);
     const double width = span.high > span.low ? span.high - span.low : 0;
     if (!(width < kFarthest)) return {0, kStep, 0};
-    return {0, std::floor(width / kStep + 1) * kStep, 0};
+    return {0, std::floor(width / kStep + 1 + 1e-6) * kStep, 0};
 }
 
 } // namespace trundle

@@ -6,6 +6,7 @@
 #include "model/dotted_path.h"
 #include "project/edits/plan_targets.h"
 #include "project/loading/search.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 
@@ -167,7 +168,7 @@ EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propert
     target.file = place->instance->file;
     target.instances = instancesOf(loaded, *inConfig.config).size();
     const bool apart = inConfig.config->file != target.file || inConfig.holder->file != target.file;
-    if (apart || target.instances != 1 || place->instance->assignments.find(inConfig.within)) return target;
+    if (apart || target.instances != 1 || overrideAt(loaded, *place, key)) return target;
     std::vector<std::string> all = users.of(loaded, *inConfig.config);
     if (std::any_of(all.begin(), all.end(), [&](const std::string& user) { return user != loaded.paths[target.file]; }))
         return target;

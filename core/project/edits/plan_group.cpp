@@ -14,6 +14,7 @@
 
 #include "lang/characters.h"
 #include "lang/tree_edit.h"
+#include "model/config_blocks.h"
 #include "model/passive_objects.h"
 #include "project/edits/edit_builder.h"
 #include "project/edits/plan_dependents.h"
@@ -68,6 +69,25 @@ bool isLiteral(const Value& value) {
                        [](const Element& e) { return e.kind != Element::Kind::ParamRef && e.kind != Element::Kind::Expression; });
 }
 
+/// The blocks of a config, with those of what it is a variant of.
+std::vector<const Part*> blocksOf(const Part& config) {
+    std::vector<const Part*> blocks;
+    eachBlock(config, [&](const Part& block) { blocks.push_back(&block); });
+    return blocks;
+}
+
+/// The first block of a config that is no shape, nor, of what moves, a body of shapes; nullptr: none.
+const Part* unfitIn(const Part& config, bool scenery) {
+    const auto isShape = [](const Part& block) { return block.is(Role::Geom) && block.usable; };
+    for (const Part* block : blocksOf(config)) {
+        if (scenery ? isShape(*block) : block->is(Role::Body) && block->usable && std::ranges::all_of(block->parts, isShape))
+            continue;
+        const auto inner = std::ranges::find_if_not(block->parts, isShape);
+        return !scenery && block->is(Role::Body) && inner != block->parts.end() ? &*inner : block;
+    }
+    return nullptr;
+}
+
 /// What becomes parts of the new config.
 struct GroupedObject {
     const Part* part = nullptr; ///< the Static, Robot, Grid or Scatter
@@ -84,9 +104,10 @@ public:
         findMiddle();
         std::string parts;
         for (const GroupedObject& item : m_items) {
-            Result<std::string> text = m_scenery ? geomsOf(*item.part, *configOf(m_loaded, *item.part), m_inverse * item.pose,
-                                                           m_items.size() > 1 ? item.name : "")
-                                                 : bodiesOf(item);
+            const std::vector<const Part*> blocks = blocksOf(*configOf(m_loaded, *item.part));
+            Result<std::string> text = m_scenery
+                                           ? geomsOf(item, blocks, {}, m_inverse * item.pose, m_items.size() > 1 ? item.name : "")
+                                           : bodiesOf(item, blocks);
             if (!text.ok()) return text.error();
             parts += text.value();
         }
@@ -127,6 +148,13 @@ private:
                 return Error{Code::WrongPlace, (part ? part->title() : path) +
                                                    " cannot be part of a piece: select scenery, or robots "
                                                    "without joints, devices and controller"};
+            if (!place->around.empty())
+                return Error{Code::WrongPlace, part->title() + " is in " + place->around.back()->title() +
+                                                   ", which repeats it; it cannot be part of a piece"};
+            if (const Part* unfit = unfitIn(*config, scenery))
+                return Error{Code::WrongPlace, part->title() + " cannot be part of a piece: its " + config->title() + " has " +
+                                                   unfit->title() + ", and a piece has shapes" +
+                                                   (scenery ? " only" : ", and bodies of shapes, only")};
             if (part->file != 0)
                 return Error{Code::WrongPlace, part->title() + " is in " +
                                                    shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder) +
@@ -185,41 +213,40 @@ private:
         return name;
     }
 
-    /// The geoms of a config or body as lines of text. `at`: pose of their frame in the new config.
-    Result<std::string> geomsOf(const Part& instance, const Part& owner, const Pose& at, const std::string& prefix) {
+    /// The geoms of a config or body as lines of text. `within`: "hull." of a body; `at`: pose of their frame in the new config.
+    Result<std::string> geomsOf(const GroupedObject& item, const std::vector<const Part*>& geoms, const std::string& within,
+                                const Pose& at, const std::string& prefix) {
         std::string text;
         std::set<std::string>& taken = m_scenery ? m_names : m_geomNames;
-        const auto geoms =
-            std::count_if(owner.parts.begin(), owner.parts.end(), [](const Part& p) { return p.is(Role::Geom) && p.usable; });
-        const std::string within = &owner == configOf(m_loaded, instance) ? std::string() : owner.name + ".";
-        for (const Part& part : owner.parts) {
-            if (!part.is(Role::Geom) || !part.usable) continue;
-            const std::string name = prefix.empty() ? part.name : geoms == 1 ? prefix : prefix + "_" + part.name;
-            Result<std::string> values = valuesOf(instance, part, within + part.name);
+        for (const Part* part : geoms) {
+            const std::string name = prefix.empty() ? part->name : geoms.size() == 1 ? prefix : prefix + "_" + part->name;
+            Result<std::string> values = valuesOf(item, *part, within + part->name);
             if (!values.ok()) return values.error();
-            const auto place = placeOf(m_loaded, instance.name + "." + within + part.name);
-            if (!place) return Error{Code::NoSuchPath, "there is no " + instance.name + "." + within + part.name};
-            text += (m_scenery ? "  " : "    ") + part.block->type.text + " " + free(taken, name) + " { " +
+            const auto place = placeOf(m_loaded, item.name + "." + within + part->name);
+            if (!place) return Error{Code::NoSuchPath, "there is no " + item.name + "." + within + part->name};
+            text += (m_scenery ? "  " : "    ") + part->block->type.text + " " + free(taken, name) + " { " +
                     placeText(at * poseAt(m_loaded, *place)) + values.value() + " }\n";
         }
         return text;
     }
 
-    Result<std::string> bodiesOf(const GroupedObject& item) {
+    Result<std::string> bodiesOf(const GroupedObject& item, const std::vector<const Part*>& bodies) {
         std::string text;
-        const Part& instance = *item.part;
-        const Part& config = *configOf(m_loaded, instance);
-        const auto bodies =
-            std::count_if(config.parts.begin(), config.parts.end(), [](const Part& p) { return p.is(Role::Body); });
-        for (const Part& body : config.parts) {
-            if (!body.is(Role::Body) || !body.usable) continue;
-            const auto place = placeOf(m_loaded, instance.name + "." + body.name);
-            Result<std::string> values = valuesOf(instance, body, body.name);
+        for (const Part* body : bodies) {
+            const auto place = placeOf(m_loaded, item.name + "." + body->name);
+            if (!place) return Error{Code::NoSuchPath, "there is no " + item.name + "." + body->name};
+            const std::optional<PropertyValue> in = valueAt(m_loaded, *place, "In");
+            if (in && !in->texts.empty() && !in->texts.front().empty())
+                return Error{Code::WrongPlace, item.name + "." + body->name + " has its place In " + in->texts.front() +
+                                                   "; give it one in the robot before it is part of a piece"};
+            Result<std::string> values = valuesOf(item, *body, body->name);
             if (!values.ok()) return values.error();
             m_geomNames.clear();
-            Result<std::string> geoms = geomsOf(instance, body, Pose{}, "");
+            std::vector<const Part*> shapes;
+            for (const Part& shape : body->parts) shapes.push_back(&shape);
+            Result<std::string> geoms = geomsOf(item, shapes, body->name + ".", Pose{}, "");
             if (!geoms.ok()) return geoms.error();
-            text += "  Body " + free(m_names, bodies == 1 ? item.name : item.name + "_" + body.name) + " { " +
+            text += "  Body " + free(m_names, bodies.size() == 1 ? item.name : item.name + "_" + body->name) + " { " +
                     placeText(m_inverse * item.pose * poseAt(m_loaded, *place)) + values.value() + "\n" + geoms.value() + "  }\n";
         }
         return text;
@@ -230,18 +257,25 @@ private:
         return "Pos=" + positionText(pose.position) + (turn == "0,0,0" ? "" : " HPR=" + turn);
     }
 
+    /// By the instance, by a variant, or in its own block; nullptr: it has its default.
+    [[nodiscard]] const SourceAssignment* givenTo(const GroupedObject& item, const Part& part, const std::string& within,
+                                                  const std::string& key) const {
+        if (const SourceAssignment* a = item.part->assignments.find(within + "." + key)) return a;
+        for (const Part* config = configOf(m_loaded, *item.part); config; config = config->config)
+            if (const SourceAssignment* a = config->assignments.find(within + "." + key)) return a;
+        return part.assignments.find(key);
+    }
+
     /// All given properties except the pose: " Size=1,2,3 Material=red".
-    Result<std::string> valuesOf(const Part& instance, const Part& part, const std::string& within) {
+    Result<std::string> valuesOf(const GroupedObject& item, const Part& part, const std::string& within) {
         std::string text;
-        const auto place = placeOf(m_loaded, instance.name + "." + within);
+        const auto place = placeOf(m_loaded, item.name + "." + within);
         for (const Property& property : part.kind->properties) {
             if (property.name == "Pos" || property.name == "HPR") continue;
-            const SourceAssignment* a = instance.assignments.find(within + "." + property.name);
-            if (!a) a = part.assignments.find(property.name);
+            const SourceAssignment* a = givenTo(item, part, within, property.name);
             if (!a || !place) continue;
             const std::optional<PropertyValue> value = valueAt(m_loaded, *place, property.name);
-            if (!value)
-                return Error{Code::MissingValue, property.name + " of " + instance.name + "." + within + " cannot be read"};
+            if (!value) return Error{Code::MissingValue, property.name + " of " + item.name + "." + within + " cannot be read"};
             std::string written = isLiteral(*a->value) ? std::string(m_loaded.outline->texts().slice(a->valueRange()))
                                                        : valueText(property, *value);
             if (property.type == PropertyType::File && !value->texts.empty())

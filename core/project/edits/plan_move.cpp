@@ -260,10 +260,10 @@ private:
     void change(TextEdit edit) {
         for (const MovedItem& m : m_moved) {
             if (!isWithin(edit.range, m.part->range)) continue;
-            std::vector<TextEdit>& edits = m_inside[m.part];
-            const bool known = std::any_of(edits.begin(), edits.end(), [&](const TextEdit& e) { return e.range == edit.range; });
             edit.range.range.begin -= m.part->range.range.begin;
             edit.range.range.end -= m.part->range.range.begin;
+            std::vector<TextEdit>& edits = m_inside[m.part];
+            const bool known = std::any_of(edits.begin(), edits.end(), [&](const TextEdit& e) { return e.range == edit.range; });
             if (!known) edits.push_back(std::move(edit));
             return;
         }
@@ -323,9 +323,11 @@ private:
         old.within = withinOf(old);
         into.instance = newInstance;
         into.within = withinOf(into);
+        old.members.insert(old.members.end(), into.members.begin(), into.members.end()); // of a Repeat the same one for both
+        into.members = old.members;
         const auto frame = [&](ObjectLocation holder) {
             while (holder.part && holder.part->isRepeat() && !holder.above.empty()) holder = outer(holder);
-            return holder.part && holder.part->is(Role::Body) ? poseAt(m_loaded, holder) : Pose{};
+            return holder.part && holder.part->is(Role::Body) ? poseInConfig(m_loaded, holder) : Pose{};
         };
         Pose from = frame(outer(old)), to = ofConfig ? Pose{} : frame(into);
         if (oldInstance && newInstance && oldInstance != newInstance && !old.member && !into.member) {
@@ -367,12 +369,13 @@ private:
     Status put(const MovedItem& m) {
         const Part& part = *m.part;
         if (!m.goes()) return {};
-        Result<std::string> written = applyEdits(m_texts.slice(part.range), m_inside[&part]);
+        const Result<std::string> written = applyEdits(m_texts.slice(part.range), m_inside[&part]);
+        if (!written.ok()) return written.error();
         const std::size_t indent = indentOfLine(m_loaded.trees[part.file]->source().bytes(), part.range.range.begin).size();
         const SourceRange whole = withOwnComments(m_loaded, part.range, m_ranges);
         const std::string above(m_texts.slice({whole.file, {whole.range.begin, part.range.range.begin}}));
         const std::string behind(m_texts.slice({whole.file, {part.range.range.end, whole.range.end}}));
-        MovedBlock text(dedented(written.ok() ? above + written.value() + behind : std::string(m_texts.slice(whole)), indent));
+        MovedBlock text(dedented(above + written.value() + behind, indent));
         if (m.name != part.name || !part.block->name) text.rename(m.name);
         if (m.from != m.to)
             if (Status kept = keepPose(m, text); !kept.ok()) return kept;

@@ -29,6 +29,18 @@ struct OverrideTarget {
     [[nodiscard]] const SourceAssignment* own() const { return place.part ? place.part->assignments.find(key) : nullptr; }
 };
 
+/// The override of all members of a Repeat that gives one of them its value; nullptr without one.
+const SourceAssignment* overrideOfAll(const LoadedProject& loaded, const OverrideTarget& t) {
+    if (t.within.empty() || t.place.members.empty() || t.override()) return nullptr;
+    return overrideAt(loaded, t.place, t.key);
+}
+
+Error setForAll(const OverrideTarget& t, const SourceAssignment& a, const std::string& change) {
+    return {Code::EditRefused, t.key + " of " + t.place.part->title() + " is set for all members, by " + a.key + " in " +
+                                   t.place.instance->title() + "; " + change +
+                                   " it there, or give this member a value of its own"};
+}
+
 std::optional<OverrideTarget> targetOf(const LoadedProject& loaded, const std::string& path) {
     OverrideTarget t;
     t.key = lastWord(path);
@@ -131,8 +143,10 @@ Result<EditPlan> planReset(const LoadedProject& loaded, const std::vector<std::s
                                     : t->place.part    ? t->own()
                                                        : loaded.outline->settings.find(t->key);
         if (!a || fromCommandLine(loaded, *a)) {
-            reason = {Code::NoSuchPath, t->within.empty() ? t->key + " has its default already"
-                                                          : t->key + " has no value of its own in " + t->place.instance->title()};
+            const SourceAssignment* all = overrideOfAll(loaded, *t);
+            const std::string none = t->within.empty() ? t->key + " has its default already"
+                                                       : t->key + " has no value of its own in " + t->place.instance->title();
+            reason = all ? setForAll(*t, *all, "reset") : Error{Code::NoSuchPath, none};
             continue;
         }
         if (isRequired(*t)) {
@@ -150,6 +164,7 @@ Result<EditPlan> planReset(const LoadedProject& loaded, const std::vector<std::s
 Result<EditPlan> planPushOverride(const LoadedProject& loaded, const std::string& propertyPath) {
     const std::optional<OverrideTarget> t = targetOf(loaded, propertyPath);
     if (!t) return Error{Code::NoSuchPath, "there is no property " + propertyPath};
+    if (const SourceAssignment* all = overrideOfAll(loaded, *t)) return setForAll(*t, *all, "push");
     const SourceAssignment* a = t->override();
     if (!a || fromCommandLine(loaded, *a))
         return Error{Code::NoSuchPath, propertyPath + " is no override: there is nothing to be moved into a config"};

@@ -95,7 +95,9 @@ Vec3 templatePosition(const LoadedProject& loaded, const std::string& given, con
     std::optional<double> top;
     const auto poseOf = [&](const std::string& of) {
         const auto place = placeOf(loaded, of);
-        return place && place->part ? poseAt(loaded, *place) : Pose();
+        if (!place || !place->part) return Pose();
+        const bool isInPart = std::ranges::any_of(place->above, &Part::isPartUse); // it is placed in the PartConfig
+        return isInPart ? poseAt(loaded, *place) : poseInConfig(loaded, *place);
     };
     if (target.is(Role::Body)) {
         X_CT = poseOf(path);

@@ -19,6 +19,27 @@ namespace {
 
 bool hasWildcard(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
 
+/// What `find` has by a word; a Repeat, Grid or Scatter also by a pattern for its members, "lane_*" or "lane_1?".
+template <class Find> const Part* foundBy(std::string_view word, const Find& find) {
+    if (const Part* part = find(word)) return part;
+    const std::size_t bar = word.rfind('_');
+    if (bar == std::string_view::npos || bar == 0 || bar + 1 == word.size()) return nullptr;
+    const bool isMember = word.find_first_not_of("0123456789*?", bar + 1) == std::string_view::npos;
+    const Part* part = isMember ? find(word.substr(0, bar)) : nullptr;
+    return part && (part->isRepeat() || part->is(Role::Layout)) ? part : nullptr;
+}
+const Part* namedIn(const Part& holder, std::string_view word) {
+    return foundBy(word, [&](std::string_view name) { return holder.find(name); });
+}
+const Part* partAt(const Part& holder, std::string_view path) {
+    const Part* at = namedIn(holder, firstWord(path));
+    while (at && firstWord(path) != path) {
+        path = withoutFirstWord(path);
+        at = namedIn(*at, firstWord(path));
+    }
+    return at;
+}
+
 /// A word of a value and its source range.
 struct ValueWord {
     std::string_view text;
@@ -276,15 +297,14 @@ private:
     const Part* startInWorld(const ValueWord& said, const ValueContext& place, const std::string& key, std::size_t& size) {
         const ValueWord first = said.piece(0, firstWord(said.text).size());
         const Part* at = nullptr;
-        for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && !at; ++it) at = inRepeat(**it, first.text);
-        if (!at) at = m_outline.world.find(first.text);
-        if (!at) at = layoutOfMember(m_outline, first.text);
+        for (auto it = place.repeats.rbegin(); it != place.repeats.rend() && !at; ++it) at = namedIn(**it, first.text);
+        if (!at) at = foundBy(first.text, [&](std::string_view name) { return m_outline.world.find(name); });
         if (!at) return nullptr;
         add(*at, nameRange(*at, first), {}, place, key);
         size = first.text.size();
         for (SourceRange before = first.range; at->isRepeat() && size < said.text.size();) {
             const ValueWord next = said.piece(size + 1, firstWord(said.text.substr(size + 1)).size());
-            const Part* inner = inRepeat(*at, next.text);
+            const Part* inner = namedIn(*at, next.text);
             if (!inner) return nullptr;
             add(*inner, nameRange(*inner, next), before, place, key);
             before = next.range;
@@ -323,7 +343,7 @@ private:
         if (isInside) at = *inside;
         for (std::size_t begin = 0; begin <= said.text.size();) {
             const ValueWord word = said.piece(begin, firstWord(said.text.substr(begin)).size());
-            at = at->find(word.text);
+            at = namedIn(*at, word.text);
             if (!at) return;
             add(*at, nameRange(*at, word), before, place, key, pattern);
             if (isInside && begin == 0) m_found.back().lookedUpFirst = &config;
@@ -336,26 +356,19 @@ private:
     void world(const ValueWord& said, const ValueContext& place, const std::string& key) {
         const std::size_t slash = std::min(said.text.find('/'), said.text.size());
         const ValueWord first = said.piece(0, slash);
-        std::vector<const Part*> meant;
+        const bool isPattern = hasWildcard(first.text);
         std::size_t size = 0;
-        const bool isThere =
-            m_outline.world.find(firstWord(first.text)) ||
-            std::ranges::any_of(place.repeats, [&](const Part* r) { return inRepeat(*r, firstWord(first.text)); });
-        if (const Part* part = isThere ? startInWorld(first, place, key, size) : nullptr) {
-            if (size == first.text.size()) meant = {part};
-        } else if (const std::size_t bar = first.text.rfind('_');
-                   bar != std::string_view::npos &&
-                   first.text.find_first_not_of("0123456789*?", bar + 1) == std::string_view::npos) {
-            const Part* layout = m_outline.world.find(first.text.substr(0, bar));
-            if (layout && layout->is(Role::Layout)) {
-                add(*layout, first.piece(0, bar).range, {}, place, key);
-                meant = {layout};
-            }
-        }
-        if (meant.empty() && hasWildcard(first.text)) {
-            for (const Part* part : m_outline.world.all())
-                if (isPlaced(*part) && fitsPattern(first.text, part->is(Role::Layout) ? part->name + "_0" : part->name))
-                    meant.push_back(part);
+        const Part* part = startInWorld(first, place, key, size);
+        std::vector<const Part*> meant;
+        if (part && part->isRepeat() && isPattern) {
+            eachInWorld(*part, {}, [&](const Part& inner, const std::string&) {
+                if (isPlaced(inner)) meant.push_back(&inner);
+            });
+        } else if (part && size == first.text.size()) {
+            meant = {part};
+        } else if (isPattern) {
+            for (const auto& [placed, name] : firstMembers(m_outline))
+                if (isPlaced(*placed) && fitsPattern(first.text, name)) meant.push_back(placed);
         }
         if (slash < said.text.size()) signal(said, slash + 1, meant, place, key);
     }
@@ -368,7 +381,7 @@ private:
         std::set<const BlockItem*> named;
         for (const Part* instance : meant) {
             const Part* config = configOf(m_loaded, *instance);
-            const Part* part = config ? config->findPath(second.text) : nullptr;
+            const Part* part = config ? partAt(*config, second.text) : nullptr;
             const Part& holder = part ? *config : *instance;
             if (!part) part = instance->find(second.text);
             if (part && named.insert(part->block).second) path(holder, second, place, key, meant.size() > 1);

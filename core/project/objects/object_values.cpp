@@ -112,21 +112,19 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
     if (property.maxCount > 1) field.separator = separator();
     if (m_part) field.place = m_part->nameRange();
     const bool isOfConfig = list != (m_part ? &m_part->assignments : &m_loaded->outline->settings);
-    const auto set = m_scopes->overrideOf(property.name, isOfConfig);
+    const std::vector<PathScopes::Override> all = m_scopes->overridesOf(property.name, isOfConfig);
     const SourceAssignment* a = list->find(property.name);
-    if (set) {
+    if (!all.empty()) {
         // What an inner Part sets is the config's value for the outer instance.
-        const bool isOurs = set->layer->instance == m_place.instance;
-        fill(field, {set->assignment->value, set->assignment->file, set->layer->scope,
+        const PathScopes::Override& set = all.front();
+        const bool isOurs = set.layer->instance == m_place.instance;
+        fill(field, {set.assignment->value, set.assignment->file, set.layer->scope,
                      isOurs ? ValueOrigin::Override : ValueOrigin::Config});
-        for (const PathScopes::Layer& inner : m_scopes->layers()) { // an inner Part may override it too
-            if (&inner <= set->layer || inner.inside.empty()) continue;
-            const SourceAssignment* next = inner.instance->assignments.find(pathInside(inner.inside, property.name));
-            if (!next) continue;
-            a = next;
-            break;
-        }
-        fillInherited(field, *set->layer, a ? a->value : nullptr, a ? a->file : kNoFile);
+        const std::string own = pathInside(m_place.within, property.name);
+        if (isOurs && set.assignment->key != own) field.setForAll = set.assignment->key;
+        const auto isOther = [&](const PathScopes::Override& other) { return other.layer != set.layer; };
+        if (const auto next = std::ranges::find_if(all, isOther); next != all.end()) a = next->assignment; // an inner Part's
+        fillInherited(field, *set.layer, a ? a->value : nullptr, a ? a->file : kNoFile);
     } else if (a) {
         fill(field, {a->value, a->file, &scope, m_inConfig || isOfConfig ? ValueOrigin::Config : ValueOrigin::Own});
     }

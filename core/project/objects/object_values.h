@@ -39,6 +39,8 @@ struct FieldValue {
     std::string shown;                  ///< of a formula: its evaluated value for display
     std::string separator = ",";        ///< between elements, as in the file
     std::string config, inherited;      ///< of an override: the config's name, and its value there with unit; empty: none
+    /// Of an override that is for more members of a Repeat than this one: its path in the instance, "roller.axle.Damping".
+    std::string setForAll;
     std::vector<std::string> parts;     ///< of a formula: the evaluated value of each element, if their numbers match
 
     [[nodiscard]] bool given() const { return origin != ValueOrigin::Default; }

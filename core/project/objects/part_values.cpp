@@ -45,6 +45,13 @@ std::optional<PropertyValue> valueAt(const LoadedProject& loaded, const ObjectLo
     return property->defaultValue;
 }
 
+const SourceAssignment* overrideAt(const LoadedProject& loaded, const ObjectLocation& place, const std::string& key) {
+    const PathScopes scopes(loaded, place);
+    const std::vector<PathScopes::Override> all = scopes.overridesOf(key, place.part == place.instance);
+    const auto own = std::ranges::find_if(all, [&](const auto& set) { return set.layer->instance == place.instance; });
+    return place.instance && own != all.end() ? own->assignment : nullptr;
+}
+
 std::string shortNumber(double value) {
     for (double power = 1; power < 1e11; power *= 10) {
         const double rounded = std::round(value * power) / power;
@@ -129,11 +136,25 @@ std::string resolvedPrefix(const ObjectLocation& place) {
 
 namespace {
 
+constexpr std::size_t kMostIns = 100; ///< that are followed for one frame: they may be a circle
+
+DescribedFrame frameOf(const LoadedProject& loaded, const ObjectLocation& place, std::size_t& ins);
+
+/// The pose of a body beside or around a block by the texts alone, of a config that no robot has. `ins`: followed so far.
+std::optional<Pose> writtenPose(const LoadedProject& loaded, ObjectLocation place, const std::string& body, std::size_t& ins) {
+    for (place.part = nullptr; !place.above.empty(); place.above.pop_back())
+        if ((place.part = place.above.back()->find(body))) break;
+    if (!place.part || !place.part->is(Role::Body) || ++ins > kMostIns) return std::nullopt;
+    const DescribedFrame frame = frameOf(loaded, place, ins);
+    return frame.pose * frame.mirrored(poseAt(loaded, place));
+}
+
 /// The pose in the config of the body that a block's `In` names; nothing if it has none.
-std::optional<Pose> poseOfIn(const LoadedProject& loaded, const ObjectLocation& place) {
+std::optional<Pose> poseOfIn(const LoadedProject& loaded, const ObjectLocation& place, std::size_t& ins) {
     const std::optional<PropertyValue> in = valueAt(loaded, place, "In");
-    const RobotConfigSpec* config = in && !in->texts.empty() ? resolvedConfig(loaded, place) : nullptr;
-    if (!config) return std::nullopt;
+    if (!in || in->texts.empty()) return std::nullopt;
+    const RobotConfigSpec* config = resolvedConfig(loaded, place);
+    if (!config) return writtenPose(loaded, place, in->texts[0], ins);
     for (std::string prefix = resolvedPrefix(place);;) { // in a member of a Repeat also a name around it
         const auto it = std::ranges::find(config->bodies, prefix + in->texts[0], &BodySpec::name);
         if (it != config->bodies.end()) return it->pose;
@@ -143,9 +164,7 @@ std::optional<Pose> poseOfIn(const LoadedProject& loaded, const ObjectLocation& 
     }
 }
 
-} // namespace
-
-DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation& place) {
+DescribedFrame frameOf(const LoadedProject& loaded, const ObjectLocation& place, std::size_t& ins) {
     DescribedFrame frame;
     for (std::size_t i = 0; i < place.above.size(); ++i) {
         if (place.above[i]->is(Role::Body)) frame.pose = {}; // geoms are described in their body
@@ -155,15 +174,27 @@ DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation&
         use.instance = place.instance;
         use.members = place.members;
         use.above.assign(place.above.begin(), place.above.begin() + static_cast<std::ptrdiff_t>(i));
-        if (const std::optional<Pose> in = poseOfIn(loaded, use)) frame.pose = *in;
+        if (const std::optional<Pose> in = poseOfIn(loaded, use, ins)) frame.pose = *in;
         const bool isRing = use.part->kind->name == "Ring";
         frame.pose = frame.pose * frame.mirrored(isRing ? memberPoseAt(loaded, use) : poseAt(loaded, use));
         const std::optional<PropertyValue> mirror = valueAt(loaded, use, "Mirror");
         const std::string axis = mirror && !mirror->texts.empty() ? mirror->texts[0] : std::string();
         if (axis == "x" || axis == "y" || axis == "z") frame.signs[axis[0] - 'x'] *= -1;
     }
-    if (const std::optional<Pose> in = place.part ? poseOfIn(loaded, place) : std::nullopt) frame.pose = *in;
+    if (const std::optional<Pose> in = place.part ? poseOfIn(loaded, place, ins) : std::nullopt) frame.pose = *in;
     return frame;
+}
+
+} // namespace
+
+DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation& place) {
+    std::size_t ins = 0;
+    return frameOf(loaded, place, ins);
+}
+
+Pose poseInConfig(const LoadedProject& loaded, const ObjectLocation& place) {
+    const DescribedFrame frame = describedFrame(loaded, place);
+    return frame.pose * frame.mirrored(poseAt(loaded, place));
 }
 
 std::string positionText(const Vec3& p) { return shortNumber(p.x()) + "," + shortNumber(p.y()) + "," + shortNumber(p.z()); }

@@ -14,6 +14,10 @@ namespace trundle {
 /// is given. Nothing if there is no value or it is invalid.
 [[nodiscard]] std::optional<PropertyValue> valueAt(const LoadedProject& loaded, const ObjectLocation& place,
                                                    const std::string& key);
+/// What the instance that an object is reached through sets for a property or Param of it, of a member of a Repeat also for all
+/// members; nullptr: nothing.
+[[nodiscard]] const SourceAssignment* overrideAt(const LoadedProject& loaded, const ObjectLocation& place,
+                                                 const std::string& key);
 /// The value as written in a file: numbers in the property's unit, quotes where needed.
 [[nodiscard]] std::string valueText(const Property& property, const PropertyValue& value);
 /// With the fewest digits that represent the number to 1e-10.
@@ -36,6 +40,8 @@ struct DescribedFrame {
     [[nodiscard]] Pose mirrored(const Pose& described) const;
 };
 [[nodiscard]] DescribedFrame describedFrame(const LoadedProject& loaded, const ObjectLocation& place);
+/// Pose of a body or Part in the frame of the config or scenery, also where it counts from another body by In.
+[[nodiscard]] Pose poseInConfig(const LoadedProject& loaded, const ObjectLocation& place);
 /// A position (m) as text: "0.1,0,0.05".
 [[nodiscard]] std::string positionText(const Vec3& position);
 /// HPR in degrees as text.

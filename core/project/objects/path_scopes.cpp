@@ -15,11 +15,8 @@ PathScopes::PathScopes(const LoadedProject& loaded, const ObjectLocation& place)
                            chain.front() != place.instance;
     if (isReached) {
         for (const Part* repeat : place.around) m_scope = enterMember(*repeat, place.memberOf(*repeat).value_or(0));
-        m_layers.push_back({place.instance,
-                            configOf(loaded, *place.instance),
-                            enterMember(*place.instance, place.memberOf(*place.instance).value_or(0)),
-                            {},
-                            {}});
+        m_layers.push_back({place.instance, configOf(loaded, *place.instance),
+                            enterMember(*place.instance, place.memberOf(*place.instance).value_or(0))});
     }
     const Part* before = nullptr;
     for (const Part* part : chain) {
@@ -27,21 +24,19 @@ PathScopes::PathScopes(const LoadedProject& loaded, const ObjectLocation& place)
         before = part;
         if (part->is(Role::Config)) {
             if (!isBase) m_scope = enter(*part);
-            if (isVariant(*part)) m_layers.push_back({part, part->config, m_scope, {}, {}});
+            if (isVariant(*part)) m_layers.push_back({part, part->config, m_scope, m_path.size()});
             continue;
         }
         if (part != chain.front()) descend(*part, place);
         m_scope = enterMember(*part, place.memberOf(*part).value_or(0));
-        if (isPlaced(*part)) m_layers.push_back({part, configOf(loaded, *part), m_scope, {}, {}});
+        if (isPlaced(*part)) m_layers.push_back({part, configOf(loaded, *part), m_scope, m_path.size()});
     }
 }
 
 void PathScopes::descend(const Part& part, const ObjectLocation& place) {
-    const std::optional<std::size_t> member = place.memberOf(part);
-    for (Layer& layer : m_layers) {
-        layer.inside = pathInside(layer.inside, member ? part.name + "_" + std::to_string(*member) : part.name);
-        layer.insideAll = pathInside(layer.insideAll, part.name);
-    }
+    const std::optional<std::size_t> member = part.isRepeat() ? place.memberOf(part) : std::nullopt;
+    if (member) m_path.push_back({part.name + "_" + std::to_string(*member), part.name});
+    else m_path.push_back({part.name, {}});
 }
 
 /// The Params of a block, and of a Repeat, Grid or Scatter the number of a member.
@@ -85,15 +80,20 @@ ParamScope& PathScopes::configScope() {
 }
 
 std::optional<PathScopes::Override> PathScopes::overrideOf(std::string_view key, bool isParam) const {
-    for (const Layer& layer : m_layers) {
-        if (layer.inside.empty() && !isParam) continue;
-        if (const SourceAssignment* a = layer.instance->assignments.find(pathInside(layer.inside, key)))
-            return Override{a, &layer};
-        if (layer.insideAll == layer.inside) continue;
-        if (const SourceAssignment* a = layer.instance->assignments.find(pathInside(layer.insideAll, key)))
-            return Override{a, &layer};
-    }
-    return std::nullopt;
+    const std::vector<Override> all = overridesOf(key, isParam);
+    return all.empty() ? std::nullopt : std::optional(all.front());
+}
+
+std::vector<PathScopes::Override> PathScopes::overridesOf(std::string_view key, bool isParam) const {
+    std::vector<OverrideLayer> layers;
+    for (const Layer& layer : m_layers)
+        if (isParam || layer.first < m_path.size()) layers.push_back({layer.instance, layer.first});
+    std::vector<OverrideWord> path = m_path;
+    path.push_back({std::string(key), {}});
+    std::vector<Override> all;
+    for (const FoundOverride& found : overridesFor(path, layers)) // the layers left out are the innermost ones
+        all.push_back({found.assignment, &m_layers[found.layer]});
+    return all;
 }
 
 } // namespace trundle

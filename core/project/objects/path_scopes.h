@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 
+#include "model/override_order.h"
 #include "model/params.h"
 #include "project/objects/object_location.h"
 
@@ -15,15 +16,13 @@ public:
     PathScopes(const PathScopes&) = delete;
     PathScopes& operator=(const PathScopes&) = delete;
 
-    /// A Robot, Static, Grid, Scatter or Part that sets values of what is inside it. The outermost one holds.
+    /// A Robot, Static, Grid, Scatter, Part or variant that sets values of what is inside it.
     struct Layer {
         const Part* instance = nullptr;
         const Part* config = nullptr; ///< of the instance
         ParamScope* scope = nullptr;  ///< for the values in its block
-        std::string inside;           ///< path from it to the object: "left.wheel"; empty: it is the object
-        std::string insideAll;        ///< the same with the names of Repeats instead of those of their members
+        std::size_t first = 0;        ///< the word of the path to the object that its keys begin with
     };
-    [[nodiscard]] const std::vector<Layer>& layers() const { return m_layers; }
     /// The Params at the values in the object's own block.
     [[nodiscard]] ParamScope& scope() { return *m_scope; }
     /// The Params of the config that an object at the end of the path uses, with the values that are set for them; those of the
@@ -37,6 +36,8 @@ public:
         const Layer* layer = nullptr;
     };
     [[nodiscard]] std::optional<Override> overrideOf(std::string_view key, bool isParam = false) const;
+    /// All that are set; the first one holds.
+    [[nodiscard]] std::vector<Override> overridesOf(std::string_view key, bool isParam = false) const;
     [[nodiscard]] Evaluator& evaluator() { return m_evaluator; }
 
 private:
@@ -49,7 +50,8 @@ private:
     Diagnostics m_silent;
     Evaluator m_evaluator;
     std::deque<ParamScope> m_scopes; // a deque: the scopes point to each other
-    std::vector<Layer> m_layers;
+    std::vector<Layer> m_layers;     ///< outermost first
+    std::vector<OverrideWord> m_path; ///< the words to the object, without those of a config at its beginning
     ParamScope *m_globals = nullptr, *m_scope = nullptr, *m_configScope = nullptr;
 };
 

@@ -1,10 +1,12 @@
 #include "project/saving/named_files.h"
 
 #include <filesystem>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "base/platform/read_file.h"
+#include "model/param_reference.h"
 
 namespace trundle {
 
@@ -21,20 +23,61 @@ void modulesIn(const std::vector<Item>& items, std::vector<const ModuleItem*>& f
     }
 }
 
-void wordsIn(const Value& value, const std::string& words, std::vector<TextRange>& found) {
-    for (const Element& element : value.elements) {
-        const bool text = element.kind == Element::Kind::Word || element.kind == Element::Kind::String;
-        if (text && element.text == words) found.push_back(element.range);
+/// Follows Params by their names alone, without their scopes.
+class FileWordSearch {
+public:
+    explicit FileWordSearch(const LoadedProject& loaded) : m_registry(*loaded.registry) {
+        for (const Kind* kind : m_registry.all())
+            for (const Property& property : kind->properties)
+                if (property.type == PropertyType::File) m_keys.insert(property.name);
+        for (FileId text = 0; text < loaded.trees.size(); ++text) search(loaded.trees[text]->items(), nullptr, text);
     }
-}
 
-void wordsIn(const std::vector<Item>& items, const std::string& words, std::vector<TextRange>& found) {
-    for (const Item& item : items) {
-        if (const auto* block = item.as<BlockItem>()) wordsIn(block->items, words, found);
-        else if (const auto* assignment = item.as<AssignmentItem>()) wordsIn(assignment->value, words, found);
-        else if (const auto* param = item.as<ParamItem>()) wordsIn(param->value, words, found);
+    FileWords run() {
+        while (!m_open.empty()) {
+            const auto given = m_given.find(m_open.back());
+            m_open.pop_back();
+            if (given == m_given.end()) continue;
+            for (const auto& [value, text] : given->second) add(*value, text);
+        }
+        return std::move(m_found);
     }
-}
+
+private:
+    /// `kind`: of the block; nullptr: it is unknown, or the items are in no block of this text.
+    void search(const std::vector<Item>& items, const Kind* kind, FileId text) {
+        for (const Item& item : items) {
+            if (const auto* block = item.as<BlockItem>()) search(block->items, m_registry.find(block->type.text), text);
+            if (const auto* param = item.as<ParamItem>()) m_given[param->name.text].emplace_back(&param->value, text);
+            const auto* a = item.as<AssignmentItem>();
+            if (!a || a->path.empty()) continue;
+            const std::string& key = a->path.back().text;
+            const bool isOwn = kind && a->path.size() == 1;
+            const Property* own = isOwn ? kind->find(key) : nullptr;
+            if (!own) m_given[key].emplace_back(&a->value, text);
+            if (own ? own->type == PropertyType::File : !isOwn && m_keys.contains(key)) add(a->value, text);
+        }
+    }
+
+    void add(const Value& value, FileId text) {
+        const auto follow = [this](const std::string& param) {
+            if (m_params.insert(param).second) m_open.push_back(param);
+        };
+        for (const Element& e : value.elements) {
+            if (e.kind == Element::Kind::Word || e.kind == Element::Kind::String) m_found[{text, e.text}].push_back(e.range);
+            if (e.kind == Element::Kind::ParamRef) follow(e.text);
+            if (e.expression) eachNameGiven(*e.expression, follow);
+        }
+    }
+
+    const Registry& m_registry;
+    std::set<std::string> m_keys;    ///< properties of any kind that are files
+    std::set<std::string> m_params;  ///< that give a file its name
+    std::vector<std::string> m_open; ///< those of them that are still to be followed
+    /// To Params, in their declarations and in instances.
+    std::map<std::string, std::vector<std::pair<const Value*, FileId>>> m_given;
+    FileWords m_found;
+};
 
 /// The files in the folder of a glTF file, or below it, that hold its numbers.
 std::vector<std::string> gltfBuffers(const std::string& path) {
@@ -91,10 +134,6 @@ std::vector<std::string> neededBy(const NamedFileUse& file) {
     return needed;
 }
 
-std::vector<TextRange> rangesOf(const Tree& tree, const std::string& words) {
-    std::vector<TextRange> found;
-    wordsIn(tree.items(), words, found);
-    return found;
-}
+FileWords fileWordsIn(const LoadedProject& loaded) { return FileWordSearch(loaded).run(); }
 
 } // namespace trundle

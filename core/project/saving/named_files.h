@@ -1,7 +1,9 @@
 #pragma once
 // The files (meshes, images, modules) that texts refer to, which must be copied when a project is saved elsewhere.
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "project/loading/loaded_project.h"
@@ -24,7 +26,8 @@ struct NamedFileUse {
 [[nodiscard]] std::string libraryOf(const std::string& written, const std::string& folder, ModuleCatalog& modules);
 /// Files that a file needs: a module's description, the buffers of a glTF file. Relative to its folder.
 [[nodiscard]] std::vector<std::string> neededBy(const NamedFileUse& file);
-/// Every range in a syntax tree where a value has exactly this text.
-[[nodiscard]] std::vector<TextRange> rangesOf(const Tree& tree, const std::string& words);
+/// Where values of the texts name files: in properties that are files, and in Params that such a property has. By text and words.
+using FileWords = std::map<std::pair<FileId, std::string>, std::vector<TextRange>>;
+[[nodiscard]] FileWords fileWordsIn(const LoadedProject& loaded);
 
 } // namespace trundle

@@ -179,9 +179,8 @@ private:
     }
 
     Status rewrite(const NamedFileUse& file, const std::string& words) {
-        const std::vector<TextRange> places =
-            file.module ? std::vector{file.range} : rangesOf(*m_loaded.trees[file.text], file.written);
-        return rewrite(file.text, places, words);
+        if (m_fileWords.empty()) m_fileWords = fileWordsIn(m_loaded);
+        return rewrite(file.text, file.module ? std::vector{file.range} : m_fileWords[{file.text, file.written}], words);
     }
 
     Status moveBeside(FileId file) {
@@ -231,6 +230,7 @@ private:
     std::set<FileId> m_seen;
     std::set<std::pair<FileId, std::string>> m_brought;
     std::map<std::string, std::string> m_copies; // including files that already exist there
+    FileWords m_fileWords;                       // of the current texts, once they are needed
     std::map<FileId, std::map<std::uint32_t, TextEdit>> m_edits;
 };
 
