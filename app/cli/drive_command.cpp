@@ -59,6 +59,10 @@ std::shared_ptr<const ExperimentSpec> experimentOf(const LoadedProject& loaded, 
     auto alone = std::make_shared<ExperimentSpec>(*loaded.experiment);
     alone->robots = {robot};
     alone->statics.clear();
+    alone->joints.clear(); // these name robots by number
+    alone->springs.clear();
+    alone->regions.clear();
+    alone->noContact.clear();
     alone->settings.engine = EngineChoice::General;
     alone->logs.clear();
     for (const ComponentSpec& log : loaded.experiment->logs) {

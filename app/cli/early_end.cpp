@@ -86,13 +86,14 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
     out.add(",\n  \"wall_s\": ").add(wall);
     out.add(",\n  \"real_time_factor\": ").add(wall > 0 ? simulated / wall : 0);
     out.add(",\n  \"peak_memory_kb\": ").add(static_cast<std::uint64_t>(used.ru_maxrss));
-    out.add(",\n  \"engine\": null,\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  \"rescued_ticks\": null,\n  \"finished\": null,\n  "
+    out.add(",\n  \"engine\": null,\n  \"threads\": null,\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  "
+            "\"rescued_ticks\": null,\n  \"finished\": null,\n  "
             "\"interrupted\": ");
     out.add(end.kind == EarlyEndKind::NotResponding || end.kind == EarlyEndKind::Interrupted ? "true" : "false");
     out.add(",\n  \"robots\": {");
     const EarlyPoses* poses = facts.poses.load();
     if (poses) out.add(poses->members.data(), poses->members.size());
-    out.add("},\n  \"objects\": null,\n  \"ended\": null,\n  \"robots_time_s\": ");
+    out.add("},\n  \"objects\": null,\n  \"ended\": null,\n  \"stopped\": null,\n  \"robots_time_s\": ");
     if (poses) out.add(poses->timeS);
     else out.add("null");
     out.add(",\n  \"diagnostics\": [");

@@ -63,9 +63,15 @@ std::vector<std::string> restOfLines(const std::string& text, const std::vector<
     return found;
 }
 
-std::vector<std::string> references(const fs::path& mesh, const std::string& text) {
-    std::string ending = mesh.extension().string();
+/// In small letters.
+std::string endingOf(const fs::path& file) {
+    std::string ending = file.extension().string();
     std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return ending;
+}
+
+std::vector<std::string> references(const fs::path& mesh, const std::string& text) {
+    const std::string ending = endingOf(mesh);
     if (ending == ".obj") return restOfLines(text, {"mtllib"}, false);
     if (ending == ".mtl") return restOfLines(text, {"map_", "bump", "disp", "norm", "refl"}, true);
     if (ending == ".dae") return between(text, "<init_from>", "</init_from>");
@@ -90,7 +96,7 @@ void addFilesOf(const fs::path& folder, const fs::path& file, std::vector<std::s
         if (isOutside || !fs::is_regular_file(folder / name, ec)) name = name.filename();
         if (name.empty() || !fs::is_regular_file(folder / name, ec) || std::ranges::count(names, name.string()) > 0) continue;
         names.push_back(name.string());
-        if (name.extension() == ".mtl") addFilesOf(folder, folder / name, names);
+        if (endingOf(name) == ".mtl") addFilesOf(folder, folder / name, names);
     }
 }
 

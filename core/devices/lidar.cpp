@@ -73,8 +73,12 @@ void Lidar::begin(Mount& mount) {
     time.set(-1);
 }
 
-/// Casts what it has passed of the sweep that ends with the next reading.
+/// Casts what it has passed of the sweep that ends with the next reading. One that lost its power begins its sweep again.
 void Lidar::follow(Sensing& world) {
+    if (!world.supply().powered()) {
+        m_cast = 0;
+        return;
+    }
     const double period = interval(world.tick());
     if (!(m_sweepTime > world.tick())) return; // within one tick nothing moves
     const double slack = 1e-6 * world.tick(), due = std::ceil((world.time() - slack) / period) * period;

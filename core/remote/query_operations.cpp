@@ -46,9 +46,10 @@ Reply QueryOperations::status() {
 
 namespace {
 
-Json controllersOf(const RobotSpec& robot) {
+Json controllersOf(ServedRun& run, const RobotSpec& robot) {
     Json all = Json::array();
-    for (const ControllerSpec& each : robot.controllers) all.push_back({{"kind", each.kind}, {"name", each.name}});
+    for (const ControllerSpec* each : run.runner().controllersOf(robot.name))
+        all.push_back({{"kind", each->kind}, {"name", each->name}});
     return all;
 }
 
@@ -59,12 +60,12 @@ Reply QueryOperations::list() {
     Reply reply;
     Json robots = Json::array();
     for (const RobotSpec& robot : m_run.world().experiment().robots) {
-        Json devices = Json::array();
+        Json devices = Json::array(), controllers = controllersOf(m_run, robot);
         for (const ComponentSpec& device : robot.config->devices)
             devices.push_back({{"device", robot.name + "/" + device.name}, {"kind", device.kind}, {"interface", interfaceOf(device.kind)}});
         robots.push_back({{"robot", robot.name},
-                          {"controller", robot.controllers.empty() ? Json() : Json(robot.controllers.front().kind)},
-                          {"controllers", controllersOf(robot)},
+                          {"controller", controllers.empty() ? Json() : controllers.front()["kind"]},
+                          {"controllers", std::move(controllers)},
                           {"held", m_run.isHeld(robot.name)},
                           {"devices", std::move(devices)}});
     }
@@ -109,14 +110,13 @@ Reply QueryOperations::describe() {
     const RobotSpec* robot = m_run.robot(name);
     if (!robot) return Reply::failed("no_such_path", "there is no robot " + shortenedMessage(name));
     Reply reply;
-    Json devices = Json::array(), signals = Json::array();
+    Json devices = Json::array(), signals = Json::array(), controllers = controllersOf(m_run, *robot);
     for (const ComponentSpec& device : robot->config->devices) devices.push_back(describedDevice(*robot, device));
     for (const SignalEntry& entry : m_run.world().layout().entries())
         if (entry.path.starts_with(robot->name + "/")) signals.push_back(describedSignal(entry));
     reply.members["robot"] = robot->name;
-    reply.members["controller"] =
-        robot->controllers.empty() ? Json() : controllersOf(*robot).front();
-    reply.members["controllers"] = controllersOf(*robot);
+    reply.members["controller"] = controllers.empty() ? Json() : controllers.front();
+    reply.members["controllers"] = std::move(controllers);
     reply.members["held"] = m_run.isHeld(robot->name);
     reply.members["slots"] = m_run.world().layout().slotCount();
     reply.members["devices"] = std::move(devices);

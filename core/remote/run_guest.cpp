@@ -25,6 +25,9 @@ void RunGuest::addLine(const LiveLine& line) {
 
 void RunGuest::end() {
     if (m_server) m_server->close();
+    if (m_run)
+        for (const RobotSpec& robot : m_run->world().experiment().robots)
+            if (m_run->isHeld(robot.name)) m_run->runner().command(HoldCommand{robot.name, false, Holder::Guest});
     m_clients->store(0);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "model/joined_robots.h"
 #include "run/schedule.h"
 
 namespace trundle {
@@ -104,10 +105,11 @@ Status ServedRun::checkSignal(const std::string& path, std::size_t count) const 
 
 Status ServedRun::checkOwner(const std::string& path) const {
     const RobotSpec* owner = robot(robotOf(path));
-    if (owner && !owner->controllers.empty() && !isHeld(owner->name))
-        return Error{Code::Conflict, "the controller " + owner->controllers.front().name + " of " + owner->name + " owns " + path + "; hold " +
-                                         owner->name + " first"};
-    return {};
+    if (!owner || isHeld(owner->name)) return {};
+    const std::vector<const ControllerSpec*> controllers = m_built.runner->controllersOf(owner->name);
+    if (controllers.empty()) return {};
+    return Error{Code::Conflict, "the controller " + controllers.front()->name + " of " + owner->name + " owns " + path +
+                                     "; hold " + owner->name + " first"};
 }
 
 Status ServedRun::setSignal(const std::string& path, const std::vector<double>& values) {
@@ -120,20 +122,27 @@ Status ServedRun::setSignal(const std::string& path, const std::vector<double>& 
 Status ServedRun::hold(const std::string& name, bool held) {
     if (!exists()) return noRun();
     if (!robot(name)) return Error{Code::NoSuchPath, "there is no robot " + shortenedMessage(name)};
-    m_commands["hold " + name] = HoldCommand{name, held};
+    m_commands["hold " + name] = HoldCommand{name, held, Holder::Guest};
     if (held) {
         m_held.insert(name);
         return {};
     }
     m_held.erase(name);
-    if (!robot(name)->controllers.empty()) // its signals that wait for the coming tick are its controller's again
+    if (!runner().controllersOf(name).empty()) // its signals that wait for the coming tick are its controller's again
         std::erase_if(m_commands, [&](const auto& command) { return command.first.starts_with("signal " + name + "/"); });
     return {};
 }
 
 Status ServedRun::place(const std::string& name, const Pose& pose) {
     if (!exists()) return noRun();
-    if (!robot(name)) return Error{Code::NoSuchPath, "there is no robot " + shortenedMessage(name)};
+    const RobotSpec* placed = robot(name);
+    if (!placed) return Error{Code::NoSuchPath, "there is no robot " + shortenedMessage(name)};
+    const ExperimentSpec& experiment = world().experiment();
+    const JoinedRobots joined(experiment);
+    const auto index = static_cast<std::size_t>(placed - experiment.robots.data());
+    if (const std::string& hold = joined.hold(index); !hold.empty())
+        return Error{Code::OutOfRange, name + " cannot be placed: " + hold};
+    for (const std::size_t i : joined.with(index)) m_commands.erase("place " + experiment.robots[i].name); // the last one counts
     m_commands["place " + name] = PlaceCommand{name, pose};
     return {};
 }
@@ -151,8 +160,7 @@ Status ServedRun::push(const std::string& body, const Vec3& force, const Vec3& p
 
 Status ServedRun::restart(const std::string& name) {
     if (!exists()) return noRun();
-    const RobotSpec* owner = robot(name);
-    if (!owner || owner->controllers.empty())
+    if (runner().controllersOf(name).empty())
         return Error{Code::NoSuchPath, "there is no robot " + shortenedMessage(name) + " with a controller"};
     m_commands["restart " + name] = RestartCommand{name};
     return {};

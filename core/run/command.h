@@ -27,10 +27,13 @@ struct SignalCommand {
     double value = 0;
     std::uint32_t element = 0; ///< which one, of a signal with several
 };
-/// While a robot is held, its controllers are not called: commands come from elsewhere.
+/// Who holds a robot: the user of the window, or programs that control the run.
+enum class Holder { Window, Guest };
+/// While anyone holds a robot, its controllers are not called: commands come from elsewhere.
 struct HoldCommand {
     std::string robot;
     bool held = true;
+    Holder holder = Holder::Window;
 };
 /// Changes the values of a surface, found by name; applies to contacts from the coming tick on.
 struct SurfaceCommand {

@@ -55,11 +55,8 @@ void ControllerSet::start(const BackendFactory& backends, Diagnostics& diagnosti
             // The experiment outlives the run.
             const std::shared_ptr<const RobotSpec> view(std::shared_ptr<void>(), &robots[i]);
             Status started = add(i, view, k, {});
-            if (started) {
-                const MonitoredCall call(m_context.calls, m_controllers.back().target, "setup");
-                started = m_controllers.back().backend->start(m_context.world.layout(), m_context.world.block(),
-                                                              outputsOf(m_controllers.size() - 1));
-            }
+            if (started)
+                started = m_controllers.back().start(m_context.world, outputsOf(m_controllers.size() - 1), m_context.calls);
             if (!started) report(started.error(), robots[i].controllers[k]);
         }
 }
@@ -81,10 +78,7 @@ Status ControllerSet::add(std::size_t robot, std::shared_ptr<const RobotSpec> vi
 
 /// Its place stays, since others refer to theirs by index.
 void ControllerSet::remove(RunningController& controller) {
-    {
-        const MonitoredCall call(m_context.calls, controller.target, "destructor");
-        controller.backend->stop();
-    }
+    controller.stop(m_context.calls);
     setItsCommandsToZero(controller);
     forgetStop(controller);
     controller.backend.reset(); // before the robot that its outputs refer to
@@ -113,7 +107,7 @@ Status ControllerSet::apply(const SwapCommand& swap) {
             add(static_cast<std::size_t>(robot - experiment().robots.begin()), std::move(view), index, swap.library, old);
         !made)
         return made;
-    m_controllers[place].held = m_held.contains(swap.robot);
+    m_controllers[place].held = !m_holders[swap.robot].empty();
     if (startAgain(m_controllers[place])) {
         m_controllers[place].cost.restarts = 0;
         m_context.say(swap.robot, TRUNDLE_INFO, "the controller " + swap.to->name + " is " + swap.to->kind + " now");
@@ -161,9 +155,10 @@ RunningController* ControllerSet::controllerOf(const std::string& robot, const s
 
 /// Also holds for controllers that come later.
 Status ControllerSet::apply(const HoldCommand& hold) {
-    if (hold.held) m_held.insert(hold.robot);
-    else m_held.erase(hold.robot);
-    for (RunningController* controller : controllersOf(hold.robot)) controller->held = hold.held;
+    std::set<Holder>& holders = m_holders[hold.robot];
+    if (hold.held) holders.insert(hold.holder);
+    else holders.erase(hold.holder);
+    for (RunningController* controller : controllersOf(hold.robot)) controller->held = !holders.empty();
     return {};
 }
 
@@ -173,8 +168,7 @@ std::optional<Status> ControllerSet::set(const PropertyCommand& command) {
     if (slash == std::string::npos) return std::nullopt;
     const auto meant = controllersOf(command.object.substr(0, slash), command.object.substr(slash + 1));
     if (meant.empty()) return std::nullopt;
-    const MonitoredCall call(m_context.calls, meant.front()->target, "set");
-    return meant.front()->backend->set(command.property, command.value);
+    return meant.front()->set(command, isStopped(*meant.front()), m_context.calls);
 }
 
 Status ControllerSet::apply(const RestartCommand& restart) {
@@ -216,15 +210,16 @@ void ControllerSet::forgetStop(const RunningController& controller) {
     });
 }
 
-/// From its setup, in a new process if the old one has ended.
+/// From its setup, in a new process if the old one has ended, with the live values that it had.
 bool ControllerSet::startAgain(RunningController& controller) {
     forgetStop(controller);
     controller.called = controller.slow = false;
     ++controller.cost.restarts;
-    const MonitoredCall call(m_context.calls, controller.target, "setup");
-    const Status started =
-        controller.backend->start(m_context.world.layout(), m_context.world.block(), outputsOf(indexOf(controller)));
-    if (started || controller.backend->fault()) return started.ok(); // the fault is reported by stopFaulty()
+    const Status started = controller.start(m_context.world, outputsOf(indexOf(controller)), m_context.calls);
+    if (started)
+        for (const Error& refused : controller.setLiveValues(m_context.calls))
+            m_context.say({}, TRUNDLE_ERROR, "command refused: " + refused.message);
+    if (started || controller.backend->fault()) return !controller.backend->fault(); // which is reported by stopFaulty()
     m_stopped.push_back({controller.robot, controller.spec().name, controller.spec().nameRange, m_context.world.time(), {started.error().message, {}, {}, true}});
     m_context.say(controller.view->name, TRUNDLE_ERROR, started.error().message);
     setItsCommandsToZero(controller);
@@ -234,8 +229,7 @@ bool ControllerSet::startAgain(RunningController& controller) {
 /// What its code hands over to the new one. All are asked before the first is replaced: they may share a process.
 std::string ControllerSet::stateOf(RunningController& controller) {
     if (isStopped(controller) || controller.backend->fault()) return {};
-    const MonitoredCall call(m_context.calls, controller.target, "saveState");
-    Result<std::string> state = controller.backend->saveState();
+    Result<std::string> state = controller.saveState(m_context.calls);
     if (state) return std::move(state).value();
     m_context.say(controller.view->name, TRUNDLE_WARNING,
                   "no state is handed over: " + state.error().message);
@@ -246,11 +240,7 @@ std::string ControllerSet::stateOf(RunningController& controller) {
 bool ControllerSet::startFrom(RunningController& controller, const std::string& state) {
     if (!startAgain(controller)) return false;
     if (state.empty()) return true;
-    Status loaded;
-    {
-        const MonitoredCall call(m_context.calls, controller.target, "loadState");
-        loaded = controller.backend->loadState(state);
-    }
+    const Status loaded = controller.loadState(state, m_context.calls);
     if (loaded) return true;
     m_context.say(controller.view->name, TRUNDLE_WARNING,
                   "the state of the old code is not used: " + loaded.error().message);
@@ -350,8 +340,7 @@ void ControllerSet::stop() {
     m_ending = true;
     for (RunningController& controller : m_controllers) {
         if (controller.removed) continue;
-        const MonitoredCall call(m_context.calls, controller.target, "destructor");
-        controller.backend->stop();
+        controller.stop(m_context.calls);
         const ControllerFault* fault = controller.backend->fault();
         if (fault && fault->isOwn && !isStopped(controller)) reportFault(controller);
     }
@@ -370,6 +359,13 @@ std::optional<std::pair<Error, SourceRange>> ControllerSet::think() {
             stopFaulty();
         }
     return std::nullopt;
+}
+
+std::vector<const ControllerSpec*> ControllerSet::specsOf(const std::string& robot) const {
+    std::vector<const ControllerSpec*> specs;
+    for (const RunningController& each : m_controllers)
+        if (!each.removed && each.view->name == robot) specs.push_back(&each.spec());
+    return specs;
 }
 
 std::vector<ControllerCost> ControllerSet::costs() const {

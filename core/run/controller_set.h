@@ -2,6 +2,7 @@
 // The controllers of a run: their start, updates, faults, restarts and new code.
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] std::optional<Status> set(const PropertyCommand& command);
 
     [[nodiscard]] const std::vector<StoppedController>& stopped() const { return m_stopped; }
+    /// Those that a robot has now, in the order of their calls; valid until the next command.
+    [[nodiscard]] std::vector<const ControllerSpec*> specsOf(const std::string& robot) const;
     [[nodiscard]] std::vector<ControllerCost> costs() const;
 
 private:
@@ -73,7 +76,7 @@ private:
     Context m_context;
     std::vector<RunningController> m_controllers;
     std::vector<StoppedController> m_stopped;
-    std::set<std::string> m_held; ///< robots
+    std::map<std::string, std::set<Holder>> m_holders; ///< by robot
     CommandClaims m_claims;
     BackendFactory m_backends;
     std::uint64_t m_requests = 0; ///< to load new code

@@ -172,6 +172,15 @@ Status ExperimentRunner::writeLogs() {
     return {};
 }
 
+/// Before their Interval is over.
+void ExperimentRunner::writeCollected() {
+    for (OpenLog& open : m_logs) {
+        m_rows.clear();
+        open.log->collected(m_rows);
+        open.file->write(m_rows);
+    }
+}
+
 Status ExperimentRunner::tick() {
     if (m_failure) return Error{m_failure->code, m_failure->message};
     m_options.calls->recordTicks(m_world->ticks(), m_world->time());
@@ -198,6 +207,7 @@ void ExperimentRunner::closeFinish() {
 }
 
 void ExperimentRunner::flushLogs() {
+    writeCollected();
     for (const auto& file : m_folder.files()) {
         file->flush();
         if (file->failure()) (void)fail(*file->failure(), {});
@@ -209,6 +219,7 @@ Status ExperimentRunner::finish() {
     m_finished = true;
     m_controllers.stop();
     reportDropped();
+    writeCollected();
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
     if (m_hasLogs) m_folder.settle();

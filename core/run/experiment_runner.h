@@ -33,6 +33,9 @@ public:
     const std::vector<Diagnostic>& warnings() const override { return m_warnings; }
     const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
     const std::vector<StoppedController>& stoppedControllers() const override { return m_controllers.stopped(); }
+    std::vector<const ControllerSpec*> controllersOf(const std::string& robot) const override {
+        return m_controllers.specsOf(robot);
+    }
     std::vector<ControllerCost> controllerCosts() const override { return m_controllers.costs(); }
     const RunFinish* finished() const override { return m_finish ? &*m_finish : nullptr; }
     void flushLogs() override;
@@ -63,6 +66,7 @@ private:
     void applyCommands();
     Status apply(const Command& command);
     Status writeLogs();
+    void writeCollected();
     void closeFinish();
 
     RunOptions m_options;

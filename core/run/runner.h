@@ -95,6 +95,8 @@ public:
     [[nodiscard]] virtual const Diagnostic* failure() const = 0;
     /// Controllers that are stopped now, in the order of their faults. A run that ends with any has failed in part.
     [[nodiscard]] virtual const std::vector<StoppedController>& stoppedControllers() const = 0;
+    /// Those that a robot has now, with what came and without what left during the run; valid until the next tick.
+    [[nodiscard]] virtual std::vector<const ControllerSpec*> controllersOf(const std::string& robot) const = 0;
     /// One entry for each controller, in the order of the robots. Calls are counted and measured only with
     /// RunOptions::measuresControllers.
     [[nodiscard]] virtual std::vector<ControllerCost> controllerCosts() const = 0;

@@ -21,11 +21,10 @@ std::pair<const SceneObject*, std::uint32_t> SceneObjects::findGeom(const std::s
     return geom ? std::pair{owner, *geom} : std::pair<const SceneObject*, std::uint32_t>{nullptr, 0};
 }
 
-/// Floors of a static are separate nodes.
-void SceneObjects::maskFloors(const std::string& owner, unsigned mask) {
+/// Floors of a static and what moves in it are separate nodes.
+void SceneObjects::maskParts(const std::string& owner, unsigned mask) {
     for (const auto& [name, object] : m_objects)
-        if (!object.shapes && name.size() > owner.size() && name[owner.size()] == '/' && name.starts_with(owner))
-            object.node->setNodeMask(mask);
+        if (name.size() > owner.size() && name[owner.size()] == '/' && name.starts_with(owner)) object.node->setNodeMask(mask);
 }
 
 void SceneObjects::setHidden(const std::vector<std::string>& paths) {
@@ -35,7 +34,7 @@ void SceneObjects::setHidden(const std::vector<std::string>& paths) {
         if (object.node->getNumChildren() > 0) object.node->setChild(0, shapes);
     };
     for (const std::string& path : m_hidden) {
-        maskFloors(path, ~0u);
+        maskParts(path, ~0u);
         if (const SceneObject* object = find(path)) object->node->setNodeMask(~0u);
         else if (const SceneObject* owner = findGeom(path).first) show(*owner, owner->shapes);
     }
@@ -44,7 +43,7 @@ void SceneObjects::setHidden(const std::vector<std::string>& paths) {
     for (const std::string& path : m_hidden) {
         if (const SceneObject* object = find(path)) object->node->setNodeMask(0);
         else if (const auto [owner, geom] = findGeom(path); owner) left[owner].push_back(geom);
-        maskFloors(path, 0);
+        maskParts(path, 0);
     }
     for (const auto& [owner, geoms] : left) {
         show(*owner, partOf(*owner->shapes, [&, geoms = geoms](std::uint32_t g) {

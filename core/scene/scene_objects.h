@@ -29,7 +29,7 @@ public:
     void setHidden(const std::vector<std::string>& paths);
 
 private:
-    void maskFloors(const std::string& owner, unsigned mask);
+    void maskParts(const std::string& owner, unsigned mask);
 
     std::unordered_map<std::string, SceneObject> m_objects; // by path
     std::vector<std::string> m_hidden;

@@ -10,10 +10,12 @@
 //
 // Building: world_build.cpp; ticks: world_tick.cpp; reading, commands, faults: world_state.cpp.
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "model/joined_robots.h"
 #include "world/device_texts.h"
 #include "world/robot_signals.h"
 #include "world/world_chargers.h"
@@ -63,6 +65,7 @@ private:
     [[nodiscard]] Status advance();
     [[nodiscard]] std::optional<EngineFault> stepEngine();
     [[nodiscard]] Status endRobots();
+    void placeRobots();
     void publish();
 
     // world_state.cpp
@@ -77,6 +80,7 @@ private:
     const CallTarget* m_solver;
     std::unique_ptr<Engine> m_engine;
     WorldObjects m_objects;
+    JoinedRobots m_joined{*m_experiment};
     mutable WorldRadio m_radio{*m_experiment, *m_engine, m_objects}; ///< mutable: see World::medium()
     WorldSupply m_supply;
     WorldLamps m_lamps;
@@ -89,6 +93,8 @@ private:
     WorldDevices m_devices{*m_calls}; ///< destroyed before all that devices reach
     RobotSignals m_signals;
 
+    std::map<std::size_t, Pose>
+        m_placed; ///< by robot: how it is moved in the coming tick; of several placements the last one counts
     std::uint64_t m_ticks = 0;
     std::optional<Fault> m_fault;
     RobotFaults m_robotFaults;

@@ -151,7 +151,8 @@ public:
     virtual void addForce(BodyHandle body, const Vec3& force, const Vec3& point) = 0;
     virtual void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) = 0;  ///< in the geom's frame, until replaced
     virtual void setSurface(std::size_t surface, const SurfaceSpec& values) = 0; ///< by its index in the settings
-    /// Moves a whole actor rigidly and sets its velocities to zero; joint positions are kept.
+    /// Moves a whole actor rigidly, with its own joints and springs to the world, and sets its velocities to zero; joint positions are
+    /// kept.
     virtual void moveActor(ActorHandle actor, const Pose& motion) = 0;
 
     /// Adds the inertia (kg m^2) of a geared rotor about a joint's axis to the child body. Only before the first step; not for
@@ -196,5 +197,4 @@ protected:
 
 /// The rigid-body engine (ODE).
 [[nodiscard]] Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings);
-
 } // namespace trundle

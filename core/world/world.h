@@ -127,7 +127,8 @@ public:
     // External commands, applied at the start of the next tick (core/run stamps them with their tick).
     /// Applies a force (N, world) at a point (m, world) to the body "robot0/chassis" for one tick.
     [[nodiscard]] virtual Status push(const std::string& body, const Vec3& force, const Vec3& point) = 0;
-    /// Moves a robot to a pose, and what joints at the top level join to it along, with zero velocity.
+    /// Moves a robot to a pose, and what joints at the top level join to it along, with zero velocity; refused where one of these joints
+    /// holds them to the world. Of several in a tick the last one counts.
     [[nodiscard]] virtual Status place(const std::string& robot, const Pose& pose) = 0;
     /// Replaces the values of the surface with that name.
     [[nodiscard]] virtual Status setSurface(const SurfaceSpec& surface) = 0;

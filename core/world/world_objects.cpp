@@ -122,8 +122,6 @@ void WorldObjects::buildRobots(const ExperimentSpec& experiment, Engine& engine,
 
 /// In text order, after all actors.
 void WorldObjects::buildLinks(const ExperimentSpec& experiment, Engine& engine, Diagnostics& diagnostics) {
-    m_groups.resize(m_robots.size());
-    std::iota(m_groups.begin(), m_groups.end(), std::size_t{0});
     if (!engine.links) return; // what it cannot join was refused with the experiment
     const auto bodyOf = [&](int robot, int body) {
         return robot == kWorldBody ? BodyHandle{}
@@ -132,10 +130,6 @@ void WorldObjects::buildLinks(const ExperimentSpec& experiment, Engine& engine, 
     const auto add = [&](const auto& link, auto& handles, auto made) {
         if (made) handles.push_back(made.value());
         else diagnostics.error(made.error().code, link.spec.nameRange, made.error().message);
-        if (link.parentRobot == kWorldBody) return;
-        const std::size_t a = m_groups[static_cast<std::size_t>(link.parentRobot)],
-                          b = m_groups[static_cast<std::size_t>(link.childRobot)];
-        std::ranges::replace(m_groups, std::max(a, b), std::min(a, b));
     };
     for (const auto& link : experiment.joints)
         add(link, m_joints,
@@ -149,12 +143,11 @@ void WorldObjects::buildLinks(const ExperimentSpec& experiment, Engine& engine, 
         engine.links->separate(m_robots[first].handles.actor, m_robots[second].handles.actor);
 }
 
-std::vector<const BuiltRobot*> WorldObjects::joinedWith(const BuiltRobot& robot) const {
-    std::vector<const BuiltRobot*> joined;
-    const std::size_t group = m_groups[static_cast<std::size_t>(&robot - m_robots.data())];
-    for (std::size_t i = 0; i < m_groups.size(); ++i)
-        if (m_groups[i] == group) joined.push_back(&m_robots[i]);
-    return joined;
+void WorldObjects::moveWorldJoints(const BuiltRobot& robot, const Pose& motion) {
+    for (const JointHandle joint : robot.handles.joints) {
+        JointLocation& location = m_jointLocations[joint.index];
+        if (!location.carried) location = {0, false, motion * location.anchor, motion.rotation * location.axis};
+    }
 }
 
 void WorldObjects::addGeom(std::uint32_t index, BuiltGeom geom) {

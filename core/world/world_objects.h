@@ -55,8 +55,8 @@ public:
     /// Joints and springs at the top level, in the order of the experiment.
     [[nodiscard]] const std::vector<JointHandle>& joints() const { return m_joints; }
     [[nodiscard]] const std::vector<CouplingHandle>& springs() const { return m_springs; }
-    /// A robot and all that joints or springs at the top level join to it.
-    [[nodiscard]] std::vector<const BuiltRobot*> joinedWith(const BuiltRobot& robot) const;
+    /// What holds a robot to the world from inside of its config moves along with it.
+    void moveWorldJoints(const BuiltRobot& robot, const Pose& motion);
     /// Pose in the world of a robot's config frame; before the first tick exactly the pose of the text, bit for bit.
     [[nodiscard]] static Pose framePose(const BuiltRobot& robot, const Engine& engine, std::uint64_t ticks);
     /// See World::reportedPose.
@@ -112,7 +112,6 @@ private:
     std::vector<BuiltRobot> m_robots;
     std::vector<JointHandle> m_joints;
     std::vector<CouplingHandle> m_springs;
-    std::vector<std::size_t> m_groups; ///< by robot: the lowest one that it is joined to
     std::vector<BuiltGeom> m_geoms;
     std::vector<std::string> m_bodyPaths;
     std::vector<double> m_reflectances; ///< by material

@@ -106,11 +106,13 @@ Status BuiltWorld::place(const std::string& name, const Pose& pose) {
     if (!robot) return Error{Code::UnknownReference, "there is no robot " + name};
     if (robot->spec->scenery) return Error{Code::OutOfRange, name + " is scenery, which has its place in the text alone"};
     if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
-    if (hasEnded(*this, static_cast<std::size_t>(robot - m_objects.robots().data())))
+    const auto index = static_cast<std::size_t>(robot - m_objects.robots().data());
+    if (hasEnded(*this, index))
         return Error{Code::OutOfRange, name + " has ended and stays where it is until the run starts again"};
+    if (const std::string& hold = m_joined.hold(index); !hold.empty())
+        return Error{Code::OutOfRange, name + " cannot be placed: " + hold};
     const Pose motion = pose * framePose(*robot).inverse();
-    for (const BuiltRobot* joined : m_objects.joinedWith(*robot)) // a train stays one
-        if (!joined->spec->scenery) m_engine->moveActor(joined->handles.actor, motion);
+    for (const std::size_t joined : m_joined.with(index)) m_placed[joined] = motion; // a train stays one
     return {};
 }
 

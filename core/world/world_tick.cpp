@@ -15,6 +15,7 @@ Status BuiltWorld::advance() {
     const double end = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
     m_radio.advance(end);
     m_contactsReady = false;
+    placeRobots();
     if (const auto fault = stepEngine()) return stopAt(*fault);
     if (const Status ended = endRobots(); !ended) return ended;
     ++m_ticks;
@@ -24,6 +25,15 @@ Status BuiltWorld::advance() {
     m_chargers.beginTick();
     if (const WorldDevice* failed = m_devices.sense(m_ticks)) return stopAt(*failed);
     return {};
+}
+
+void BuiltWorld::placeRobots() {
+    for (const auto& [index, motion] : m_placed) {
+        const BuiltRobot& robot = m_objects.robots()[index];
+        m_engine->moveActor(robot.handles.actor, motion);
+        m_objects.moveWorldJoints(robot, motion);
+    }
+    m_placed.clear();
 }
 
 std::optional<EngineFault> BuiltWorld::stepEngine() {

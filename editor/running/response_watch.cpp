@@ -24,11 +24,9 @@ double ResponseWatch::seconds() const {
 }
 
 QString ResponseWatch::unresponsiveController() const {
-    const auto turn = m_run.live ? m_run.live->turn() : std::nullopt;
-    if (!turn || !m_run.built || *turn >= m_run.built->experiment->robots.size()) return {};
-    const RobotSpec& robot = m_run.built->experiment->robots[*turn];
-    return tr("%1's %2").arg(QString::fromStdString(robot.name),
-                             QString::fromStdString(robot.controllers.empty() ? std::string() : robot.controllers.front().kind));
+    const CallTarget* called = m_run.live ? m_run.live->controllerInCall() : nullptr;
+    if (!called) return {};
+    return tr("%1's %2").arg(QString::fromStdString(called->robot), QString::fromStdString(called->kind));
 }
 
 QString ResponseWatch::text() const {

@@ -65,6 +65,9 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("expected");
         QTest::newRow("OBJ") << "cup.obj" << QByteArray("# mtllib no.mtl\nmtllib cup.mtl\r\nv 0 0 0\n")
                              << QStringList{"cup.mtl", "paint.png", "textures/dots.jpg"};
+        (void)write(QStringLiteral("cup/SHINY.MTL"), "map_Kd paint.png\n");
+        QTest::newRow("in capital letters") << "CUP2.OBJ" << QByteArray("mtllib SHINY.MTL\n")
+                                            << QStringList{"SHINY.MTL", "paint.png"};
         QTest::newRow("COLLADA") << "cup.dae"
                                  << QByteArray(
                                         "<init_from>file://textures/dots.jpg</init_from><init_from> paint.png\n</init_from>")

@@ -2,6 +2,8 @@
 #include "devices/discharge_curve.h"
 #include "sensor_world.h"
 
+#include <numbers>
+
 using namespace trundle;
 using namespace trundle::test;
 
@@ -99,6 +101,34 @@ private Q_SLOTS:
         QVERIFY(w.run(200));
         QVERIFY(w.value("r/battery/voltage") > 5 && w.value("r/eye/time") > 1);
         QVERIFY(w.value("r/battery/level") > 0);
+    }
+
+    /// It slides on while it has no power. Its first readings then have nothing of the time before.
+    void theFirstReadingsOfARobotThatWasEmpty() {
+        SensorWorld w(docked({"Capacity=0.001 Voltage=6 BaseLoad=3 StartLevel=0.02"}, "Voltage=7 MaxCurrent=0",
+                             "  Imu imu { Body=base }\n  Lidar scan { Body=base Beams=10 FieldOfView=60 MaxRange=20 MinRange=0 "
+                             "UpdatePeriod=0.1 SweepTime=0.1 }\n") +
+                      "StaticConfig Wall { Plane wall { HPR=0,-90,0 Pos=3,0,0 } }\nStatic wall { Config=Wall }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(10));
+        QVERIFY(w.world().push("r/base", {200, 0, 0}, w.pose("r/base").position).ok());
+        while (w.value("r/battery/charge") > 0 && w.time() < 1) QVERIFY(w.run());
+        QVERIFY(std::abs(w.time() - 0.15) < 1e-9 && w.value("r/base/velocity") > 1); // in the middle of a sweep
+        const double last = w.value("r/imu/time"), x = w.pose("r/base").position.x();
+        QVERIFY(w.run(200));
+        QVERIFY(w.value("r/imu/time") == last && std::abs(w.value("r/base/velocity")) < 1e-6);
+        QVERIFY(w.world().setProperty("station/charger", "MaxCurrent", {PropertyType::Number, {1}, {}}).ok());
+        while (w.value("r/imu/time") == last && w.time() < 3) QVERIFY(w.run());
+        QVERIFY(w.value("r/imu/time") > 2);
+        QVERIFY((w.vector("r/imu/acceleration") - Vec3(0, 0, 9.81)).norm() < 1e-3);
+        QCOMPARE(w.value("r/scan/time"), w.value("r/imu/time"));
+        const Pose eye = w.pose("r/base");
+        QVERIFY(eye.position.x() > x + 0.05);
+        for (std::size_t i = 0; i < 10; ++i) {
+            const double bearing = (-30 + 60 * double(i) / 9) * std::numbers::pi / 180;
+            const Vec3 along = eye.rotation * Vec3(std::cos(bearing), std::sin(bearing), 0);
+            QVERIFY(isNear(w.value("r/scan/ranges", i), (3 - eye.position.x()) / along.x(), 1e-6));
+        }
     }
 
     void allThatTouchItShareItsCurrent() {

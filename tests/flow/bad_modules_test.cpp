@@ -18,6 +18,7 @@ class BadModulesTest : public QObject {
 
     QTemporaryDir m_folder;
     QByteArray m_hash; ///< of a run without faults
+    QStringList m_keys; ///< of its results
 
     QString experiment(const QByteArray& controller, const QByteArray& device, const QByteArray& settings = {}) {
         const QString path = m_folder.filePath("zoo.sim");
@@ -92,7 +93,9 @@ private Q_SLOTS:
 void BadModulesTest::initTestCase() {
     const Outcome run = runZoo(experiment({}, {}));
     QVERIFY2(run.code == 0, shown(run));
-    m_hash = QJsonDocument::fromJson(run.out).object()["state_hash"].toString().toLatin1();
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    m_keys = json.keys();
+    m_hash = json["state_hash"].toString().toLatin1();
     QCOMPARE(m_hash.size(), 16);
     QCOMPARE(rows(), kRowsWhole);
 }
@@ -224,6 +227,7 @@ void BadModulesTest::reportsEveryModuleFault() {
     const QJsonObject json = QJsonDocument::fromJson(run.out, &error).object();
     QVERIFY2(error.error == QJsonParseError::NoError, shown(run).left(4000));
     QCOMPARE(json.contains("crashed"), !robot.isEmpty());
+    for (const QString& key : m_keys) QVERIFY2(json.contains(key), qPrintable(key));
     if (!robot.isEmpty() && rows > 0 && rows < kRowsWhole) { // the positions are at most a second old
         const QJsonObject robots = json["robots"].toObject();
         QVERIFY2(robots.keys() == (QStringList{"bad", "cart", "good"}) && robots["bad"]["pos"].toArray().size() == 3, shown(run));

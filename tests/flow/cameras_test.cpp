@@ -152,6 +152,11 @@ private Q_SLOTS:
         QVERIFY2(view.code == 1 && view.err.contains("View names ovrview, but there is no such view"), shown(view));
         const Outcome both = check("FrameLog film { Camera=seeker_0/eye View=overview }\n");
         QVERIFY2(both.code == 0 && both.err.contains("has a Camera, so its View takes no pictures"), shown(both));
+        const QByteArray before = "#import other.sim\n" + QByteArray(contentOf(kExperiment)) + "\n"; // both begin at one byte
+        QVERIFY(writeFile(folder.filePath("other.sim"), QByteArray(before.size() - 1, '/') + "\nFrameLog a { View=one }\n"));
+        QVERIFY(writeFile(folder.filePath("film.sim"), before + "FrameLog b { View=two }\n"));
+        const Outcome two = cli({"check", folder.filePath("film.sim")});
+        QVERIFY2(two.err.contains("View names one,") && two.err.contains("View names two,"), shown(two));
     }
 
     void runContinuesWithoutPictures() {

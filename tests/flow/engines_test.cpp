@@ -167,6 +167,41 @@ private Q_SLOTS:
         QCOMPARE(run("swarm.sim", "auto", "0.1")["engine"].toString(), "wheeled");
     }
 
+    /// What only the general engine has: auto takes that one, and the others name the place.
+    void refusesSurfacesAndSensors_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("said");
+        const QByteArray floor = "Surface dryFloor { Friction=1 }\nSurface runner { Friction=0.05 Friction2=0.6 }\nSurface "
+                                 "wetFloor { Friction=0.1 }\n"
+                                 "Static floor { Config=F }\n",
+                         robot = "Robot r { Config=SimpleRobot }\n";
+        QTest::newRow("two floors")
+            << floor + robot +
+                   "StaticConfig F { Box dry { Size=9,9,1 Pos=0,0,-0.5 Surface=dryFloor } Box wet { Size=9,9,1 "
+                   "Pos=9,0,-0.5 Surface=wetFloor } }\n"
+            << QByteArray("floor: geom wet is level with the rest of the ground and has another surface");
+        QTest::newRow("Friction2 of the floor") << floor + robot + "StaticConfig F { Plane ground { Surface=runner } }\n"
+                                                << QByteArray("floor: geom ground has a surface with a Friction2");
+        const QByteArray plain = floor + "StaticConfig F { Plane ground { Surface=dryFloor } }\n";
+        QTest::newRow("Friction2 of a thing") << plain + robot +
+                                                     "RobotConfig C { Body b { Box x { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=1 "
+                                                     "Surface=runner } } }\nRobot c { Config=C Pos=2,0,0 }\n"
+                                              << QByteArray("c: geom x has a surface with a Friction2");
+        QTest::newRow("a force sensor")
+            << plain + "RobotConfig K { Config=SimpleRobot Body plate { Pos=0,0,0.3 Box p { Size=0.05,0.05,0.01 Mass=0.01 } } "
+                       "Fixed mount { Parent=chassis Child=plate } ForceSensor cell { Joint=mount Body=plate } }\nRobot r { "
+                       "Config=K }\n"
+            << QByteArray("cell is a ForceSensor, which measures in a joint");
+    }
+    void refusesSurfacesAndSensors() {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, said);
+        const QString file = write("#import robots/simple_robot.sim\n" + text);
+        QCOMPARE(run(file, "auto", "0.1")["engine"].toString(), "general");
+        const Outcome refused = cli({"run", file, "--set", "Engine=wheeled", "--duration", "0.1", "--log-dir", m_folder.path()});
+        QVERIFY2(refused.code == 1 && refused.err.contains(said), shown(refused));
+    }
+
     void takesThreadsForManyRobots() {
         const auto threads = [](const QString& experiment, const QStringList& more) {
             return run(experiment, "general", "0.1", more)["threads"].toInt();

@@ -75,6 +75,123 @@ private Q_SLOTS:
         QVERIFY(w.world().robotFaults().ends.empty());
     }
 
+    /// A drag of a whole train names each of its robots; a later placement in the same tick replaces an earlier one.
+    void theLastPlacementOfATickCounts() {
+        SensorWorld w(kTwoRobots.substr(0, kTwoRobots.find("Hinge top")) +
+                      "Ball hitch { Parent=upper.body Child=lower.body Anchor=0.1,0,1 }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        const auto moved = [&](const char* robot, double x) {
+            Pose to = w.pose(robot);
+            to.position.x() += x;
+            return w.world().place(robot, to).ok();
+        };
+        QVERIFY(w.run(2));
+        const auto isAt = [&](const char* robot, double x) { return std::abs(w.pose(robot).position.x() - x) < 1e-3; };
+        QVERIFY(moved("upper", 1) && moved("lower", 1) && w.run(1));
+        QVERIFY2(isAt("upper", 1) && isAt("lower", 1.2), qPrintable(QString::number(w.pose("upper").position.x())));
+        QVERIFY(moved("upper", 2) && moved("lower", 0.5) && w.run(1));
+        QVERIFY2(isAt("upper", 1.5) && isAt("lower", 1.7), qPrintable(QString::number(w.pose("upper").position.x())));
+    }
+
+    void aMoteStaysWhereItIsPlaced() {
+        SensorWorld w("Engine=general\n#import robots/tmote_sky.sim\n#import arenas/open_floor.sim\n"
+                      "Static floor { Config=OpenFloor }\nRobot mote { Config=TmoteSky }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(5));
+        const Pose to{{0.5, -0.25, 0}, rotationFromHpr({0.7, 0, 0})};
+        QVERIFY(w.world().place("mote", to).ok());
+        for (int i = 0; i < 50; ++i) {
+            QVERIFY(w.run(1));
+            QVERIFY((w.pose("mote").position - to.position).norm() < 1e-5);
+            QVERIFY(w.pose("mote").rotation.angularDistance(to.rotation) < 1e-5);
+        }
+    }
+
+    void whatHoldsARobotToTheWorldIsPlacedWithIt_data() {
+        QTest::addColumn<QString>("top");
+        QTest::addColumn<bool>("two");
+        const QString at = QStringLiteral(" top { Parent=world Child=body Anchor=-0.1,0,1 ");
+        QTest::newRow("pendulum") << "Hinge" + at + "Axis=0,1,0 }" << false;
+        QTest::newRow("top") << "Ball" + at + "}" << false;
+        QTest::newRow("fixed") << "Fixed top { Parent=world Child=body }" << true;
+        QTest::newRow("hinge") << "Hinge" + at + "Axis=0,1,0 Stiffness=2 Damping=0.05 HighStop=20 }" << true;
+        QTest::newRow("ball") << "Ball" + at + "Axis=1,0,0 SwingStop=20 }" << true;
+        QTest::newRow("universal") << "Universal" + at + "Axis=0,1,0 Axis2=0,0,1 Stiffness=2 Damping=0.05 HighStop=20 }" << true;
+        QTest::newRow("slider") << "Slider top { Parent=world Child=body Axis=4,0,-3 Stiffness=50 HighStop=0.1 }" << true;
+        QTest::newRow("spring") << "Spring top { Parent=world Child=body Anchor=0,0,1.5 Anchor2=0,0,1 Stiffness=200 }" << true;
+    }
+    /// It then moves as one that was placed where it was, elsewhere.
+    void whatHoldsARobotToTheWorldIsPlacedWithIt() {
+        QFETCH(QString, top);
+        QFETCH(bool, two);
+        const std::string box = "Box box { Size=0.2,0.1,0.1 Mass=1 Surface=rubber } }\n";
+        std::string robot = kBlock + "RobotConfig Both { Body body { Pos=0,0,1 " + box + top.toStdString() + "\n";
+        if (two)
+            robot += "Body second { Pos=0.2,0,1 " + box + "Hinge elbow { Parent=body Child=second Anchor=0.1,0,1 Axis=0,1,0 }\n";
+        robot += "}\nRobot both { Config=Both }\n";
+        SensorWorld w(robot), same(robot);
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(25) && same.run(25));
+        const Pose motion{{2, 1, 0.5}, rotationFromHpr({0.7, 0, 0})};
+        QVERIFY(w.world().place("both", motion * w.world().robotPose(0)).ok());
+        QVERIFY(same.world().place("both", same.world().robotPose(0)).ok());
+        for (int i = 0; i < 60; ++i) {
+            QVERIFY(w.run(1) && same.run(1));
+            for (const char* path : {"both/body", "both/second"}) {
+                if (!two && path == std::string("both/second")) continue;
+                const Pose is = w.pose(path), expected = motion * same.pose(path);
+                const double off = (is.position - expected.position).norm();
+                QVERIFY2(off < 1e-6, qPrintable(QStringLiteral("%1 is off by %2 m after %3 ticks").arg(path).arg(off).arg(i)));
+                QVERIFY(is.rotation.angularDistance(expected.rotation) < 1e-6);
+            }
+        }
+        QVERIFY(w.world().robotFaults().ends.empty() && w.world().robotFaults().closedJoints.empty());
+    }
+
+    void whatIsHeldByJointsBetweenRobotsIsNotPlaced() {
+        SensorWorld w(kTwoRobots), door(kTwoRobots.substr(0, kTwoRobots.find("Hinge top")) +
+                                        "StaticConfig Door { Body leaf { Pos=0,3,1 Box box { Size=0.2,0.1,0.1 Mass=1 } }\n"
+                                        " Hinge axle { Parent=world Child=leaf Axis=0,0,1 } }\nStatic door { Config=Door }\n"
+                                        "Fixed closer { Parent=door.leaf Child=lower.body }\n"
+                                        "Spring rope { Parent=world Child=upper.body Stiffness=1 }\n"); // gives way
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY2(door.ok(), door.failure().c_str());
+        const Status refused = w.world().place("lower", {Vec3(3, 0, 1), Quat::Identity()});
+        QVERIFY(!refused.ok());
+        QCOMPARE(text(refused.error().message), QStringLiteral("lower cannot be placed: top holds upper to the world"));
+        const Status closed = door.world().place("lower", {Vec3(3, 0, 1), Quat::Identity()});
+        QVERIFY(!closed.ok());
+        QCOMPARE(text(closed.error().message), QStringLiteral("lower cannot be placed: closer holds lower to door"));
+        QVERIFY(door.world().place("upper", {Vec3(3, 0, 1), Quat::Identity()}).ok());
+    }
+
+    void springsReleaseARobotThatEnds_data() {
+        QTest::addColumn<QString>("ends");
+        QTest::addColumn<QString>("stays");
+        QTest::newRow("child") << "lower"
+                               << "upper";
+        QTest::newRow("parent") << "upper"
+                                << "lower";
+    }
+    void springsReleaseARobotThatEnds() {
+        QFETCH(QString, ends);
+        QFETCH(QString, stays);
+        SensorWorld w("Gravity=0,0,0\n" + kBlock +
+                      "Robot upper { Config=Block Pos=0,0,1 }\nRobot lower { Config=Block Pos=0.5,0,1 }\n"
+                      "Spring rope { Parent=upper.body Child=lower.body Length=0.1 Stiffness=20 }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(3));
+        QVERIFY(w.value("rope/force") > 0.5);
+        QVERIFY(w.world().push(ends.toStdString() + "/body", {0, 0, 1e7}, w.pose(ends.toStdString()).position).ok());
+        QVERIFY(w.run(1));
+        QCOMPARE(w.world().robotFaults().ends.size(), std::size_t(1));
+        QCOMPARE(w.value("rope/force"), 0.0);
+        const Vec3 before = w.vector(stays.toStdString() + "/velocity");
+        QVERIFY(w.run(20));
+        QVERIFY((w.vector(stays.toStdString() + "/velocity") - before).norm() < 1e-9);
+        QCOMPARE(w.value("rope/force"), 0.0);
+    }
+
     void reportsWhatIsUnknown_data() {
         QTest::addColumn<QString>("joint");
         QTest::addColumn<QString>("message");

@@ -7,6 +7,9 @@
 
 #include "app/application.h"
 #include "remote/server.h"
+#include "run/experiment_runner.h"
+#include "run/fake_world.h"
+#include "run/scripted_backend.h"
 
 using namespace trundle;
 using Json = nlohmann::json;
@@ -321,6 +324,57 @@ private Q_SLOTS:
         const Json read = call(peer, {{"op", "read"}, {"device", "r/base"}});
         QCOMPARE(read["interface"], Json("position2d"));
         QVERIFY(read["data"]["pos"][0].get<double>() > 0.1);
+    }
+
+    void whatIsHeldToTheWorldIsNotPlaced() {
+        const std::string path = (std::filesystem::path(m_folder.path().toStdString()) / "held.sim").string();
+        std::ofstream(path) << kText << "Fixed hold { Parent=world Child=r2.chassis }\n";
+        const std::shared_ptr<const LoadedProject> others = std::exchange(m_loaded, m_application->open(path, {}).value());
+        QVERIFY(m_run->reset());
+        Peer peer = connect();
+        QCOMPARE(call(peer, {{"op", "place"}, {"robot", "r"}, {"position", {1, 0, 0}}})["ok"], Json(true));
+        const Json refused = call(peer, {{"op", "place"}, {"robot", "r2"}, {"position", {1, 0, 0}}});
+        QVERIFY2(refused.dump().find("r2 cannot be placed: hold holds r2 to the world") != std::string::npos,
+                 refused.dump().c_str());
+        cleanup();
+        m_loaded = others;
+    }
+
+    /// The commands are those of the controllers that the robot has now, not at the start of the run.
+    void aSwapChangesWhoOwnsTheCommands() {
+        std::string story;
+        std::vector<double> gaps;
+        ExperimentRunner runner(std::make_unique<FakeWorld>(experimentOf({"r"})), {});
+        Diagnostics diagnostics;
+        runner.startControllers(
+            [&](const ControllerRequest&) -> Result<std::unique_ptr<ControllerBackend>> {
+                auto backend = std::make_unique<ScriptedBackend>();
+                backend->story = &story;
+                backend->gaps = &gaps;
+                return std::unique_ptr<ControllerBackend>(std::move(backend));
+            },
+            diagnostics);
+        ServedRun run(runner);
+        m_server = std::make_unique<RemoteServer>(run, ServerOptions());
+        Peer peer = connect();
+        const Json set{{"op", "command"}, {"signals", {{"r/base/linearVelocity", 0.2}}}};
+        const Json restart{{"op", "restart"}, {"robot", "r"}};
+        const auto controllers = [&] { return call(peer, {{"op", "list"}})["robots"][0]["controllers"].dump(); };
+        QCOMPARE(call(peer, set)["ok"], Json(true));
+        QCOMPARE(call(peer, restart)["error"], Json("no_such_path"));
+        QCOMPARE(controllers(), std::string("[]"));
+        const ControllerSpec brain{{"Scripted", "brain", {{"UpdatePeriod", numberValue(0)}}, {}, {}}, {}};
+        runner.command(SwapCommand{"r", "", brain, "scripted.so"});
+        QVERIFY(runner.tick().ok());
+        QCOMPARE(call(peer, set)["error"], Json("owned"));
+        QCOMPARE(call(peer, restart)["ok"], Json(true));
+        QCOMPARE(controllers(), std::string(R"([{"kind":"Scripted","name":"brain"}])"));
+        QCOMPARE(call(peer, {{"op", "describe"}, {"robot", "r"}})["controller"]["name"], Json("brain"));
+        runner.command(SwapCommand{"r", "brain", {}, {}});
+        QVERIFY(runner.tick().ok());
+        QCOMPARE(call(peer, set)["ok"], Json(true));
+        QCOMPARE(controllers(), std::string("[]"));
+        m_server.reset();
     }
 
     /// A command that is refused as a whole leaves none of its values behind.

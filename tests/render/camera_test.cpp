@@ -374,25 +374,6 @@ private Q_SLOTS:
         for (const char* name : {"arena/floor", "arena/east", "robot0/chassis/hull"}) QVERIFY2(met.contains(name), name);
     }
 
-    void aCameraMaySeeItsOwnRobotOrNot() {
-        GeomSpec label; // in front of the lens
-        label.name = "plate";
-        label.size = {0.02, 1, 1};
-        label.pose.position = {0.5, 0, 0};
-        for (const bool sees : {true, false}) {
-            auto experiment = lampExperiment({{3, 0, 0}}, 1.0);
-            CameraValues values{{"SeesSelf", numbers({sees ? 1.0 : 0.0})}, {"Resolution", numbers({64, 48})}};
-            experiment->robots = {cameraRobot("robot0", {}, values, {label})};
-            experiment->materials.push_back({});
-            auto config = std::make_shared<RobotConfigSpec>(*experiment->robots[0].config);
-            config->bodies[0].geoms[0].material = 1;
-            experiment->robots[0].config = config;
-            const CameraImage frame = mustTake(captureAtStart(experiment, "robot0/eye"));
-            const std::uint8_t* p = frame.pixels.data() + 3 * (24 * 64 + 32);
-            QCOMPARE(p[0] == 255 && p[1] == 0, !sees);
-        }
-    }
-
     void nearAndFarCutThePicture() {
         for (const auto& [nearest, farthest, seen] : {std::tuple{0.1, 10.0, true}, {0.1, 1.5, false}, {4.5, 10.0, false}}) {
             auto experiment = lampExperiment({{3, 0, 0}}, 1.0);

@@ -1,4 +1,5 @@
-// Numbers of objects in segmentation images, wherever planes are among the geoms of a static.
+// Objects as cameras see them: their numbers in segmentation images, wherever planes are among the geoms of a static, and what has the
+// camera.
 #include <QtTest>
 
 #include <set>
@@ -82,6 +83,30 @@ private Q_SLOTS:
             }
         }
         for (const char* name : {"left", "right", "floor", "wall"}) QVERIFY2(met.contains(name), name);
+    }
+
+    void aCameraMaySeeItsOwnRobotOrNot() {
+        GeomSpec label; // in front of the lens
+        label.name = "plate";
+        label.size = {0.02, 1, 1};
+        label.pose.position = {0.5, 0, 0};
+        for (const auto& [sees, isStatic] : {std::pair{true, false}, {false, false}, {true, true}, {false, true}}) {
+            auto experiment = lampExperiment({{3, 0, 0}}, 1.0);
+            CameraValues values{{"SeesSelf", numbers({sees ? 1.0 : 0.0})}, {"Resolution", numbers({64, 48})}};
+            experiment->robots = {cameraRobot("robot0", {}, values, {label})};
+            if (isStatic) { // a part that moves in it has the camera
+                experiment->robots[0].scenery = std::make_shared<const std::vector<GeomSpec>>();
+                experiment->statics.push_back({"robot0", "Crane", {}, experiment->robots[0].scenery, {}, {}});
+            }
+            experiment->materials.push_back({});
+            auto config = std::make_shared<RobotConfigSpec>(*experiment->robots[0].config);
+            config->bodies[0].geoms[0].material = 1;
+            experiment->robots[0].config = config;
+            const auto frame = captureAtStart(experiment, "robot0/eye");
+            QVERIFY(frame.ok());
+            const std::uint8_t* p = frame.value().pixels.data() + 3 * (24 * 64 + 32);
+            QCOMPARE(p[0] == 255 && p[1] == 0, !sees);
+        }
     }
 };
 

@@ -225,8 +225,8 @@ private Q_SLOTS:
         const std::vector<Command> commands = run.commands();
         QCOMPARE(commands.size(), 3u);
         for (const Command& command : commands) QCOMPARE(command.tick, 2u);
-        QCOMPARE(std::get<PlaceCommand>(commands[0].what).pose.position.x(), 2.0);
-        QCOMPARE(std::get<PlaceCommand>(commands[1].what).robot, std::string("robot1"));
+        QCOMPARE(std::get<PlaceCommand>(commands[0].what).robot, std::string("robot1"));
+        QCOMPARE(std::get<PlaceCommand>(commands[1].what).pose.position.x(), 2.0); // in the order in which they were given last
         const SignalEntry* entry = run.layout()->find("robot0/base/linearVelocity");
         QCOMPARE(run.snapshot()->block->slots()[entry->offset], 0.5);
     }

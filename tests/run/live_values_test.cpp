@@ -110,6 +110,29 @@ private Q_SLOTS:
         QVERIFY(b.read("row_3").empty() && b.read("row_2.cart").empty());
     }
 
+    /// What is between robots has its signals below its own name, of several words in a Repeat in the world.
+    void whatIsBetweenRobotsIsFoundByItsName() {
+        Bench b;
+        Kind region;
+        region.name = "Region";
+        region.signals = {{"count", "", "How many are inside.", TRUNDLE_INTEGER_SIGNAL, 1, TRUNDLE_OUTPUT}};
+        QVERIFY(b.registry->add(region));
+        for (const char* name : {"goal", "lane_1.goal"}) {
+            b.experiment->regions.emplace_back().name = name;
+            b.layout->add(name + std::string("/count"), "", SignalType::Integer, SignalDirection::Output);
+        }
+        b.layout->add("lane_1.hitch/position", "rad", SignalType::Real, SignalDirection::Output);
+        b.block = std::make_shared<SignalBlock>(*b.layout);
+        b.set("goal/count", 1);
+        b.set("lane_1.goal/count", 2);
+        b.set("lane_1.hitch/position", std::numbers::pi);
+        QCOMPARE(b.read("goal"), std::string("count = 1"));
+        QCOMPARE(b.read("lane_1.goal"), std::string("count = 2"));
+        QCOMPARE(b.objects->read("lane_1.goal", b.snapshot)[0].help, std::string("How many are inside."));
+        QCOMPARE(b.read("lane_1.hitch"), std::string("position = 180.0 °"));
+        QVERIFY(b.read("lane_1").empty() && b.read("lane_2.goal").empty() && b.read("goal.x").empty());
+    }
+
     void aGeomIsWhereItsBodyCarriesIt() {
         Bench b;
         b.set("robot0/chassis/pose", 1, 0);

@@ -6,6 +6,7 @@
 
 #include "base/platform/read_file.h"
 #include "radio/medium.h"
+#include "run/experiment_runner.h"
 #include "run/fake_world.h"
 #include "run/logs/log_kinds.h"
 #include "run/logs/movie_file.h"
@@ -19,7 +20,8 @@ namespace {
 /// Robots with radios, all on channel 26 but that of "odd".
 class RadioWorld final : public World {
 public:
-    RadioWorld() : m_inner(experimentOf({"robot0", "robot1", "odd"})), m_medium(settings()) {
+    explicit RadioWorld(std::shared_ptr<const ExperimentSpec> experiment = experimentOf({"robot0", "robot1", "odd"}))
+        : m_inner(std::move(experiment)), m_medium(settings()) {
         int i = 0;
         for (const char* path : {"robot0/radio", "robot1/radio", "odd/radio"}) {
             RadioDefinition d;
@@ -36,9 +38,9 @@ public:
     const SignalLayout& layout() const override { return m_inner.layout(); }
     SignalBlock& block() override { return m_inner.block(); }
     const SignalBlock& block() const override { return std::as_const(m_inner).block(); }
-    Status tick() override { return {}; }
+    Status tick() override { return m_inner.tick(); }
     const Fault* fault() const override { return nullptr; }
-    std::uint64_t ticks() const override { return 0; }
+    std::uint64_t ticks() const override { return m_inner.ticks(); }
     std::uint64_t quickTicks() const override { return 0; }
     std::uint64_t rescuedTicks() const override { return 0; }
     std::size_t largestExactCluster() const override { return 0; }
@@ -207,6 +209,32 @@ private Q_SLOTS:
         QVERIFY(file.starts_with(head) && file.find(std::string(7, 0x55)) != std::string::npos);
         QCOMPARE(textOf(*all, world), head);
         QCOMPARE(textOf(*ofOther, world), head); // frames that it sends
+    }
+
+    /// Frames are written before their Interval is over when the files are flushed or closed, each once.
+    void framesOfAnIntervalThatIsNotOver() {
+        const QTemporaryDir folder;
+        const auto experiment = experimentOf({"robot0", "robot1"});
+        experiment->logs = {logSpec("RadioLog", "a", {{"Interval", numberValue(1)}}),
+                            logSpec("RadioLog", "b", {{"Interval", numberValue(1)}, {"Format", textValue({"pcap"})}})};
+        RunOptions options;
+        options.logFolder = folder.path().toStdString();
+        auto world = std::make_unique<RadioWorld>(experiment);
+        Medium& medium = *world->medium();
+        ExperimentRunner runner(std::move(world), std::move(options));
+        Diagnostics diagnostics;
+        runner.openLogs(diagnostics);
+        QVERIFY(!diagnostics.hasErrors());
+        for (int frames = 1; frames <= 3; ++frames) {
+            QVERIFY(medium.send(0, std::vector<std::uint8_t>(7, 0x55), kBroadcastAddress, 0));
+            medium.advance(frames * 10'000);
+            QVERIFY(runner.tick().ok());
+            if (frames < 3) runner.flushLogs();
+            else QVERIFY(runner.finish().ok());
+            const auto content = [&](const char* name) { return readRegularFile(folder.filePath(name).toStdString()).value(); };
+            QCOMPARE(rowsOf(content("a.csv")), 1 + frames);
+            QCOMPARE(QByteArray::fromStdString(content("b.pcap")).count(QByteArray(7, 0x55)), frames);
+        }
     }
 
     void withoutAMedium() {

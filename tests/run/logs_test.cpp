@@ -31,13 +31,26 @@ private Q_SLOTS:
                              "[deg]\n0.5,robot0,0,0,0,0,0,0\n0.5,robot1,0,1,0,0,0,0\n"));
     }
     void aPoseLogOfAGridByItsName() {
-        FakeWorld world(experimentOf({"swarm_0", "swarm_1", "swarm_x", "other", "swarm12", "swarm_", "swarm", "swarm_1_2"}));
+        FakeWorld world(experimentOf({"swarm_0", "swarm_1", "swarm_x", "other", "swarm12", "swarm_", "swarm_1_2"}));
         const std::string csv = csvOf(world, logSpec("PoseLog", "path", {{"Robot", textValue({"swarm"})}}));
         QVERIFY(csv.find("swarm_1,") != std::string::npos);
         for (const char* other : {"swarm_x", "swarm12", "swarm_,", "swarm_1_2"})
             QVERIFY2(csv.find(other) == std::string::npos, other);
-        QVERIFY(csv.find(",swarm,") != std::string::npos); // it is a robot's name too
         QVERIFY(csv.find("other") == std::string::npos);
+    }
+    /// A robot with a name of its own is no member of one whose name is the beginning of that.
+    void aRobotHasNoMembers() {
+        const auto chosen = [](const std::string& name) {
+            Diagnostics diagnostics;
+            const std::vector<RobotSpec> robots =
+                experimentOf({"cart", "cart_2", "row_0.cart", "row_0.cart_2", "row_1.cart", "row_1.cart_2"})->robots;
+            return chooseRobots(logSpec("PoseLog", "path", {{"Robot", textValue({name})}}), robots, diagnostics);
+        };
+        QCOMPARE(chosen("cart"), std::vector<std::size_t>{0});
+        QCOMPARE(chosen("cart_2"), std::vector<std::size_t>{1});
+        QCOMPARE(chosen("row.cart"), (std::vector<std::size_t>{2, 4}));
+        QCOMPARE(chosen("row_1.cart"), std::vector<std::size_t>{4});
+        QCOMPARE(chosen("cart*"), (std::vector<std::size_t>{0, 1}));
     }
     void unknownRobotListsExisting() {
         FakeWorld world(experimentOf({"robot0", "robot1"}));

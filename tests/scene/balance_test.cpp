@@ -135,6 +135,20 @@ private Q_SLOTS:
         experiment->robots[0].config = config;
         QVERIFY(!balanceOf(experiment));
     }
+
+    /// By a joint of the experiment to the world or to another robot; a spring holds nothing.
+    void whatAnotherRobotHoldsNeedsNoSupport() {
+        auto experiment = std::make_shared<ExperimentSpec>(*experimentOf({boxBody(Vec3::Constant(0.1), {0, 0, 1}, 1)}));
+        experiment->robots.push_back(experiment->robots[0]);
+        experiment->springs.push_back({{}, 1, 0});
+        experiment->joints.push_back({{}, kWorldBody, 1});
+        QVERIFY(balanceOf(experiment));
+        for (const auto& [parent, child] : {std::pair(kWorldBody, 0), {0, 1}, {1, 0}}) {
+            experiment->joints[0].parentRobot = parent;
+            experiment->joints[0].childRobot = child;
+            QVERIFY(!balanceOf(experiment));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(BalanceTest)

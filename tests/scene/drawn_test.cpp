@@ -97,6 +97,29 @@ private Q_SLOTS:
         QCOMPARE(drawnOf(scene, view, 160, 120, kMaskRobots).points, 49u);
     }
 
+    /// In colour and in data images; what is hidden in another way is compared with.
+    void whatMovesInAStaticIsHiddenWithIt() {
+        const auto experiment = sampleExperiment({2, 0.7, true, 6});
+        experiment->robots[0].name = "arena";
+        experiment->robots[0].scenery = experiment->statics[0].geoms;
+        Scene scene(*experiment);
+        scene.makeData(*experiment);
+        CameraView view = aboveTheCrowd();
+        view.eye *= 0.3;
+        const auto trianglesOf = [&](const std::vector<std::string>& hidden, std::uint32_t mask) {
+            scene.setHidden(hidden);
+            scene.followData();
+            return drawnOf(scene, view, 640, 480, mask).triangles;
+        };
+        const std::vector<std::string> each{"arena", "arena/chassis", "arena/leftWheel", "arena/rightWheel"};
+        for (const std::uint32_t mask : {kMaskRobots, kMaskData}) {
+            const unsigned all = trianglesOf({}, mask), others = trianglesOf(each, mask);
+            QVERIFY(others > 0 && all > others);
+            QCOMPARE(trianglesOf({"arena"}, mask), others);
+            QCOMPARE(trianglesOf({}, mask), all);
+        }
+    }
+
     void theShadowsOfAllAreOneDrawAndNoMoreThanTheirOutlines() {
         Scene scene(*sampleExperiment({49, 0.7, true, 6}));
         for (const int width : {64, 320, 640, 1920}) {

@@ -190,6 +190,13 @@ private Q_SLOTS:
             for (RadioId b = 0; b < 4; ++b)
                 if (a != b) QCOMPARE(walls(a, {double(a), 0, 0}, b, {double(b), 0, 0}), std::abs(int(a) - int(b)) - 1);
         QCOMPARE(walls(9, {-1, 0, 0}, 1, {1, 0, 0}), 1); // a radio of no robot
+        const auto fixed =
+            std::make_shared<const std::vector<GeomSpec>>(); // the last one is of a static, the third of the statics
+        experiment->robots[3].scenery = fixed;
+        for (const char* name : {"floor", "wall", "r3"}) experiment->statics.push_back({name, "S", {}, fixed, {}, {}});
+        const auto more = wallsBetween(std::make_shared<const ObjectIndex>(experiment),
+                                       std::make_shared<const BodyPoses>(startPoses(*experiment)), radioNodesOf(*experiment));
+        QCOMPARE(more(3, {3, 0, 0}, 0, {0, 0, 0}), 2);
     }
 
     /// A View in the world, beside a robot, and one that turns with it: its Eye and Target from the robot's origin, which is not that of

@@ -216,6 +216,35 @@ private Q_SLOTS:
         QVERIFY(position(*world, "left/body").x() > 0.5);
     }
 
+    /// Two robots on a joint, of which one would pass through a thin wall, stop together: the joint stays closed.
+    void joinedRobotsStopTogether() {
+        Scene scene;
+        scene.spec->settings.gravity = Vec3::Zero();
+        scene.scenery({box("wall", {0.001, 0.2, 0.2})});
+        scene.ball("front", {-1.05, 0, 0}, 1, 0.02).ball("beside", {-1.05, 0.5, 0}, 1, 0.02);
+        scene.spec->joints.push_back({joint("hitch", JointType::Ball, 0, 0, {-1.05, 0.25, 0}, Vec3::UnitZ()), 0, 1});
+        auto world = scene.build();
+        QVERIFY(world);
+        const auto gap = [&] {
+            const auto end = [&](const char* body, double y) -> Vec3 {
+                const double* p = slot(*world, std::string(body) + "/body/pose");
+                return Pose{Vec3(p), Quat(p[3], p[4], p[5], p[6])} * Vec3(0, y, 0);
+            };
+            return (end("front", 0.25) - end("beside", -0.25)).norm();
+        };
+        for (const char* body : {"front", "beside"}) // 20 m/s, 0.2 m in a tick
+            QVERIFY(world->push(std::string(body) + "/body", {2000, 0, 0}, position(*world, std::string(body) + "/body")).ok());
+        double moved = 0;
+        for (int i = 0; i < 10 && (i == 0 || moved > 0.199); ++i) {
+            const double before = position(*world, "front/body").x();
+            QVERIFY(world->tick().ok());
+            moved = position(*world, "front/body").x() - before;
+            QVERIFY2(gap() < 1e-4, qPrintable(QString::number(gap())));
+        }
+        QVERIFY(moved < 0.199 && position(*world, "front/body").x() < 0); // the wall has stopped it
+        QVERIFY(std::abs(position(*world, "beside/body").x() - position(*world, "front/body").x()) < 1e-4);
+    }
+
     /// What meets another body in a tick and touches it at its end is a contact.
     void contactsAreNotReported() {
         Scene scene;

@@ -1,7 +1,7 @@
 // Springs and stops of Ball and Universal joints, and where springs of Hinges and Sliders rest.
 #include <QtTest>
 
-#include "world/fixtures.h"
+#include "world/probe_device.h"
 
 using namespace fixture;
 
@@ -79,6 +79,43 @@ private Q_SLOTS:
         const double angle = 2 * std::asin(rotation(*world).y());
         QVERIFY(angle > 0.005 && std::abs(*slot(*world, "r/j/position2") - angle) < 1e-9);
         QVERIFY(*slot(*world, "r/j/rate2") > 0);
+    }
+
+    /// A torque about the first axis, and a motor there, act about the parent's axis, however the child is tilted about its own.
+    void universalTurnsAboutTheAxisOfItsParent() {
+        JointSpec spec = joint("j", JointType::Universal, kWorldBody, 0, {0, 0, 1}, Vec3::UnitX());
+        spec.axis2 = Vec3::UnitY();
+        Bench probes;
+        bench = &probes;
+        std::uint32_t id = 0;
+        double torque = 0;
+        probes.probes["p"].setup = [&](const TrundleMount& m) { return m.joint(m.context, "j", &id); };
+        probes.probes["p"].act = [&](const TrundleServices& s) {
+            s.jointTorque(s.context, id, torque);
+            return 0;
+        };
+        for (const bool motor : {false, true}) {
+            Scene scene = onJoint(spec, 0.1);
+            auto config = std::make_shared<RobotConfigSpec>(*scene.spec->robots[0].config);
+            config->devices.push_back(motor ? row("m", "j") : probe("p"));
+            scene.spec->robots[0].config = config;
+            torque = 0;
+            auto world = scene.build(code);
+            QVERIFY(world);
+            turn(*world, {0, 40, 0}); // 2 rad/s
+            for (int i = 0; i < 100 && value(*world, "r/j/position2") < 40 * kPi / 180; ++i) QVERIFY(world->tick().ok());
+            const double angle = value(*world, "r/j/position2");
+            QVERIFY(angle > 0.6 && angle < 0.8);
+            const double inertia = 0.1 * std::pow(std::cos(angle), 2) + 0.15 * std::pow(std::sin(angle), 2);
+            torque = 2;
+            if (motor) command(*world, "r/m", 1, 0, 1000);
+            QVERIFY(world->tick().ok());
+            const double expected = motor ? 1 : torque * 0.01 / inertia, rate = value(*world, "r/j/rate");
+            QVERIFY2(std::abs(rate / expected - 1) < 0.01, qPrintable(QString::number(rate / expected)));
+            if (!motor) continue;
+            const double effort = value(*world, "r/m/effort") * 0.01 / inertia;
+            QVERIFY2(std::abs(effort - 1) < 0.01, qPrintable(QString::number(effort)));
+        }
     }
 
     void ballSwings() {

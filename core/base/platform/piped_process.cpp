@@ -81,7 +81,7 @@ bool PipedProcess::feed(const void* bytes, std::size_t size) {
 bool PipedProcess::finish() {
     if (m_input >= 0) ::close(m_input);
     m_input = -1;
-    int status = 0;
+    int status = -1; // not known
     while (m_process > 0 && ::waitpid(m_process, &status, 0) < 0 && errno == EINTR) {}
     m_process = 0;
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;

@@ -109,6 +109,8 @@ bool replaces(const decltype(Command::what)& later, const decltype(Command::what
 void LiveRun::command(decltype(Command::what) what) {
     const std::scoped_lock guard(m_shared->lock);
     if (m_shared->phase == LivePhase::Ended && !(m_shared->end && m_shared->end->canContinue)) return;
+    if (std::holds_alternative<PlaceCommand>(what)) // the last one counts, also for what is joined to another one
+        std::erase_if(m_shared->commands, [&](const auto& earlier) { return replaces(what, earlier); });
     for (auto& earlier : m_shared->commands)
         if (replaces(what, earlier)) {
             earlier = std::move(what);
@@ -193,10 +195,9 @@ double LiveRun::busyS() const {
     return m_shared->busySince ? std::chrono::duration<double>(LiveClock::now() - *m_shared->busySince).count() : 0;
 }
 
-std::optional<std::size_t> LiveRun::turn() const {
+const CallTarget* LiveRun::controllerInCall() const {
     const CallTarget* target = m_shared->calls->target();
-    return target && target->controllerOf != CallTarget::kNoRobot ? std::optional<std::size_t>(target->controllerOf)
-                                                                  : std::nullopt;
+    return target && target->controllerOf != CallTarget::kNoRobot ? target : nullptr;
 }
 
 } // namespace trundle

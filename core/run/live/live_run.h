@@ -74,8 +74,8 @@ public:
     [[nodiscard]] std::vector<Command> commands() const;
     /// Wall time (s) of the tick or build in progress; 0 while the thread waits.
     [[nodiscard]] double busyS() const;
-    /// Index of the robot whose controller is being called.
-    [[nodiscard]] std::optional<std::size_t> turn() const;
+    /// The controller that is being called, valid as long as this object; nullptr: none.
+    [[nodiscard]] const CallTarget* controllerInCall() const;
 
 private:
     std::shared_ptr<LiveRunShared> m_shared;

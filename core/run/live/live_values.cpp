@@ -41,11 +41,11 @@ LiveObject::LiveObject(const ExperimentSpec& experiment, const SignalLayout& lay
 void LiveObject::bind(const ExperimentSpec& experiment, const SignalLayout& layout, const Registry& registry,
                       std::string_view path) {
     const std::string first = robotNameIn(experiment, path);
-    path = path.size() > first.size() ? path.substr(first.size() + 1) : std::string_view();
     const RobotSpec* robot = named(experiment.robots, first);
-    if (!robot && path.empty()) // a joint, spring or region between robots
-        return addSignals(layout, first + "/", named(experiment.regions, first) ? registry.find("Region") : nullptr);
-    if (!robot || !robot->config) return;
+    if (!robot) // a joint, spring or region between robots; in a Repeat of the world "lane_1.goal"
+        return addSignals(layout, std::string(path) + "/", named(experiment.regions, path) ? registry.find("Region") : nullptr);
+    if (!robot->config) return;
+    path = path.size() > first.size() ? path.substr(first.size() + 1) : std::string_view();
     if (path.empty()) return addRobot(*robot, layout, registry);
     const BodySpec* body = named(robot->config->bodies, path);
     const GeomSpec* geom = nullptr;

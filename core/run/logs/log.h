@@ -37,6 +37,8 @@ public:
     /// The header row; rows() appends the rows for the world's current state.
     virtual void header(std::string& csv) const = 0;
     virtual void rows(const World& world, double time, std::string& csv) = 0;
+    /// Appends what it has collected since the last rows(): the file is flushed or closed before the next are due.
+    virtual void collected(std::string&) {}
 };
 
 /// Sets the fields of a T from a resolved component; properties not given keep their defaults.

@@ -84,18 +84,15 @@ bool matchesWildcard(std::string_view pattern, std::string_view text) {
 std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vector<RobotSpec>& robots, Diagnostics& diagnostics) {
     std::vector<bool> chosen(robots.size(), false);
     const std::vector<std::string> written = spec.texts("Robot");
+    const RobotNames isRobot(robots);
     for (std::size_t i = 0; written.empty() && i < robots.size(); ++i) chosen[i] = !robots[i].scenery;
     for (std::size_t k = 0; k < written.size(); ++k) {
         const std::string& name = written[k];
         const auto own = std::ranges::find(robots, name, &RobotSpec::name);
         bool found = own != robots.end();
         if (found) chosen[static_cast<std::size_t>(own - robots.begin())] = true;
-        const bool isOne = found && name.find('.') != std::string::npos; // of a Repeat: no others have such a name
-        for (std::size_t i = 0; i < robots.size() && !isOne; ++i) {
-            const auto behind = restBehind(name, robots[i].name); // the robot, or one of the members that the name means
-            if (!matchesWildcard(name, robots[i].name) && !(behind && behind->empty())) continue;
-            chosen[i] = found = true;
-        }
+        for (std::size_t i = 0; i < robots.size() && own == robots.end(); ++i)
+            if (matchesWildcard(name, robots[i].name) || isNamedBy(robots[i].name, name, isRobot)) chosen[i] = found = true;
         if (found) continue;
         std::vector<std::string> names;
         std::set<std::string> known; // members of a Repeat have one name

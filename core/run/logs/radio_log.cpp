@@ -43,7 +43,8 @@ public:
 
     void header(std::string& csv) const override { addRadioHeader(csv); }
 
-    void rows(const World&, double, std::string& csv) override {
+    void rows(const World&, double, std::string& csv) override { collected(csv); }
+    void collected(std::string& csv) override {
         for (const FrameRecord& r : m_trace->records)
             if (m_robots.has(r.from) || m_robots.has(r.to)) addRadioRow(r, m_medium.radio(r.from), m_medium.radio(r.to), csv);
         m_trace->records.clear();
@@ -62,7 +63,8 @@ public:
     PacketCapture(Medium& medium, RadioChoice robots) : m_robots(std::move(robots)), m_trace(medium.trace()) {}
 
     void header(std::string& bytes) const override { beginPcap(bytes); }
-    void rows(const World&, double, std::string& bytes) override {
+    void rows(const World&, double, std::string& bytes) override { collected(bytes); }
+    void collected(std::string& bytes) override {
         for (const AirFrame& frame : m_trace->frames)
             if (m_robots.has(frame.from)) addToPcap(frame, bytes);
         m_trace->records.clear();

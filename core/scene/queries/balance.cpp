@@ -172,7 +172,9 @@ std::string tippingText(const Balance& balance, double heading) {
 
 std::optional<Balance> balanceOf(const ObjectIndex& objects, std::uint32_t robot, const BodyPoses& poses) {
     const RobotConfigSpec& config = *objects.experiment().robots[robot].config;
-    if (std::ranges::any_of(config.joints, [](const JointSpec& joint) { return joint.parent == kWorldBody; }))
+    const auto isHeld = [&](const auto& link) { return link.parentRobot == int(robot) || link.childRobot == int(robot); };
+    if (std::ranges::any_of(config.joints, [](const JointSpec& joint) { return joint.parent == kWorldBody; }) ||
+        std::ranges::any_of(objects.experiment().joints, isHeld))
         return std::nullopt;
     const MassProperties mass = massOf(objects, robot, poses);
     Points points;

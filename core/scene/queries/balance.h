@@ -42,7 +42,7 @@ struct Balance {
 [[nodiscard]] std::string tippingText(const Balance& balance, double heading);
 /// "Stable: 32 mm to the edge", "Falls over: 5 mm beyond the edge".
 [[nodiscard]] std::string balanceText(const Balance& balance);
-/// Nothing for a robot that is joined to the world, or has no mass or no colliding shapes.
+/// Nothing for a robot that is joined to the world or to another robot, or has no mass or no colliding shapes.
 [[nodiscard]] std::optional<Balance> balanceOf(const ObjectIndex& objects, std::uint32_t robot, const BodyPoses& poses);
 
 } // namespace trundle

@@ -72,8 +72,9 @@ WallCount wallsBetween(std::shared_ptr<const ObjectIndex> objects, std::shared_p
                        const std::vector<RadioNode>& nodes) {
     std::vector<std::size_t> robots;
     for (const RadioNode& node : nodes) {
-        const auto robot = objects->find(node.robot);
-        robots.push_back(robot ? robot->instance : kNoRobot);
+        const auto object = objects->find(node.robot);
+        const auto robot = object ? objects->bodiesOf(*object) : std::nullopt;
+        robots.push_back(robot ? *robot : kNoRobot);
     }
     return [objects = std::move(objects), poses = std::move(poses), robots = std::move(robots)](RadioId first, const Vec3& a,
                                                                                                 RadioId second, const Vec3& b) {

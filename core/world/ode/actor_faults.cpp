@@ -131,12 +131,18 @@ void ActorFaults::closeLinks(std::uint32_t index) {
     }
 }
 
-/// Joints to other actors hold no more.
+/// Joints and springs to other actors hold no more.
 void ActorFaults::releaseLinks(std::uint32_t index) {
+    const auto isOfActor = [&](std::uint32_t body) { return body != kNone && m_objects.bodies[body].actor == index; };
+    for (OdeCoupling& c : m_objects.couplings)
+        if (isOfActor(c.first) != isOfActor(c.second)) {
+            c.released = true;
+            *c.feedback = {};
+            dJointDisable(c.id);
+        }
     for (const std::uint32_t link : m_objects.links) {
         OdeJoint& joint = m_objects.joints[link];
-        const bool isParent = joint.parent != kNone && m_objects.bodies[joint.parent].actor == index;
-        if (!isParent && m_objects.bodies[joint.child].actor != index) continue;
+        if (!isOfActor(joint.parent) && !isOfActor(joint.child)) continue;
         joint.rate = joint.lastRate = 0;
         for (const dJointID id : {joint.id, joint.drive, joint.spring, joint.friction, joint.stop, joint.damper, joint.losses})
             if (id) dJointDisable(id);

@@ -1,5 +1,8 @@
 #include "world/ode/pending_writes.h"
 
+#include "world/ode/joints/axis_motor.h"
+#include "world/ode/joints/joint_builder.h"
+
 namespace trundle {
 
 std::span<const std::uint32_t> PendingWrites::apply(OdeObjects& objects) {
@@ -25,13 +28,29 @@ void PendingWrites::addTorque(const OdeObjects& objects, const JointTorque& writ
         return;
     }
     const OdeBody& child = objects.bodies[j.child];
-    const Vec3 torque = write.torque * turn(child.r, j.childAxis);
+    const Vec3 torque = write.torque * axisNow(j, objects.bodies);
     dBodyAddTorque(child.id, torque.x(), torque.y(), torque.z());
     if (j.parent != kNone) dBodyAddTorque(objects.bodies[j.parent].id, -torque.x(), -torque.y(), -torque.z());
 }
 
+/// What holds the actor to the world.
+void PendingWrites::moveHolds(OdeObjects& objects, const OdeActor& actor, const Pose& motion) {
+    for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i)
+        if (OdeJoint& joint = objects.joints[i]; joint.parent == kNone)
+            moveWorldJoint(joint, objects.bodies[joint.child], motion);
+    for (std::uint32_t i = actor.couplings.begin; i < actor.couplings.end; ++i) {
+        OdeCoupling& c = objects.couplings[i];
+        if (c.isGear && c.common == kNone) {
+            c.point = motion * c.point;
+            c.line = (motion.rotation * c.line).normalized();
+        }
+        if (!c.isGear && c.second == kNone) c.secondAnchor = motion * c.secondAnchor;
+    }
+}
+
 void PendingWrites::move(OdeObjects& objects, const ActorMotion& write) {
     const OdeActor& actor = objects.actors[write.actor];
+    moveHolds(objects, actor, write.motion);
     for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) {
         const OdeBody& b = objects.bodies[i];
         const Vec3 position = write.motion * vec(b.p);

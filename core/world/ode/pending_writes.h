@@ -12,7 +12,7 @@ class PendingWrites {
 public:
     void addTorque(std::uint32_t joint, double torque) { m_torques.push_back({joint, torque}); }
     void addForce(std::uint32_t body, const Vec3& force, const Vec3& point) { m_forces.push_back({body, force, point}); }
-    /// Moves a whole actor and sets its velocities to zero.
+    /// Moves a whole actor with its own joints to the world, and sets its velocities to zero.
     void addMotion(std::uint32_t actor, const Pose& motion) { m_motions.push_back({actor, motion}); }
 
     /// Does all of them, first the motions, and gives the actors that were moved.
@@ -33,6 +33,7 @@ private:
         Pose motion;
     };
     static void move(OdeObjects& objects, const ActorMotion& write);
+    static void moveHolds(OdeObjects& objects, const OdeActor& actor, const Pose& motion);
     static void addTorque(const OdeObjects& objects, const JointTorque& write);
 
     std::vector<JointTorque> m_torques;

@@ -39,6 +39,8 @@ const char* nameOf(JointType type) {
 
 } // namespace
 
+bool hasTwoFrictions(const SurfaceSpec& surface) { return surface.friction2 && *surface.friction2 != surface.friction; }
+
 bool LevelGround::isEndless() const {
     return std::ranges::any_of(slabs, [](const Slab& slab) { return slab.half.isZero(0); });
 }
@@ -157,12 +159,13 @@ bool ActorReader::readJoint(std::uint32_t index) {
         return true;
     }
     const bool free = m_roles[child] == Role::Unknown && joint.parent != kWorldBody;
-    if (free && joint.type == JointType::Hinge && isWheel(joint)) m_roles[child] = Role::Wheel;
-    else if (free && joint.type == JointType::Ball && isCaster(joint)) m_roles[child] = Role::Caster;
-    if (m_roles[child] == Role::Wheel || m_roles[child] == Role::Caster) {
-        if (m_roles[child] == Role::Wheel)
-            m_shape->wheels.push_back(
-                {index, static_cast<std::uint32_t>(joint.child), joint.axis, Vec3::Zero(), 0, joint.damping});
+    if (free && joint.type == JointType::Hinge && isWheel(joint)) {
+        m_roles[child] = Role::Wheel;
+        m_shape->wheels.push_back({index, static_cast<std::uint32_t>(joint.child), joint.axis, Vec3::Zero(), 0, joint.damping});
+        return true;
+    }
+    if (free && joint.type == JointType::Ball && isCaster(joint)) {
+        m_roles[child] = Role::Caster;
         return true;
     }
     return refuse(named(nameOf(joint.type), joint.name, "is not the axle of a wheel on the ground"), joint.nameRange);
@@ -233,10 +236,21 @@ bool ActorReader::isWhole() {
     for (std::uint32_t i = 0; i < m_roles.size(); ++i)
         if (m_roles[i] == Role::Unknown)
             return refuse(named("body", body(i).name, "is not fixed to the rest"), body(i).nameRange);
-    if (m_actor->joints)
-        for (const JointSpec& joint : *m_actor->joints)
-            if (joint.type != JointType::Fixed && m_roles[static_cast<std::size_t>(joint.parent)] != Role::Rigid)
-                return refuse(named(nameOf(joint.type), joint.name, "has a wheel for its parent"), joint.nameRange);
+    return areJointsOfRigid();
+}
+
+/// No joint hangs on a wheel, and none holds one beside its axle.
+bool ActorReader::areJointsOfRigid() {
+    const auto isRigid = [this](int index) {
+        return index == kWorldBody || m_roles[static_cast<std::size_t>(index)] == Role::Rigid;
+    };
+    if (!m_actor->joints) return true;
+    for (const JointSpec& joint : *m_actor->joints) {
+        if (!isRigid(joint.parent))
+            return refuse(named(nameOf(joint.type), joint.name, "has a wheel for its parent"), joint.nameRange);
+        if (joint.type == JointType::Fixed && !isRigid(joint.child))
+            return refuse(named(nameOf(joint.type), joint.name, "holds a wheel"), joint.nameRange);
+    }
     return true;
 }
 
@@ -272,6 +286,8 @@ bool ActorReader::addFootprints() {
         std::uint32_t count = 0;
         for (const GeomSpec& geom : body(i).geoms) {
             if (!geom.collide) continue;
+            if (m_roles[i] != Role::Wheel && hasTwoFrictions(m_surfaces[geom.surface]))
+                return refuse(named("geom", geom.name, kTwoFrictions), geom.nameRange);
             auto made = planarShapeOf(geom, s.bodies[i] * geom.pose);
             if (!made) return refuse(named("geom", geom.name, "has no footprint"), geom.nameRange);
             const PlanarShape& f = made.value();

@@ -13,6 +13,10 @@
 namespace trundle {
 
 inline constexpr std::size_t kMostSupports = 24; ///< of a vehicle
+inline constexpr const char* kTwoFrictions = "has a surface with a Friction2 other than its Friction";
+
+/// Whether friction depends on the direction, which only wheels may have.
+[[nodiscard]] bool hasTwoFrictions(const SurfaceSpec& surface);
 
 /// The level ground that carries everything: planes and boxes with their tops at one height.
 struct LevelGround {
@@ -109,6 +113,7 @@ private:
     [[nodiscard]] bool isCaster(const JointSpec& joint);
     [[nodiscard]] bool isOnGround(const char* kind, const JointSpec& joint, double bottom);
     [[nodiscard]] bool isWhole();
+    [[nodiscard]] bool areJointsOfRigid();
     void addMasses();
     [[nodiscard]] bool addFootprints();
     [[nodiscard]] bool addSupports();

@@ -44,10 +44,26 @@ private:
     /// Below the first robot.
     void findGround() {
         GroundSearch grounds;
-        eachStatic([&](const StaticSpec& s, const GeomSpec& g) { grounds.add(0, g, s.pose * g.pose); });
+        std::vector<std::pair<const StaticSpec*, const GeomSpec*>> all;
+        eachStatic([&](const StaticSpec& s, const GeomSpec& g) {
+            grounds.add(static_cast<std::uint32_t>(all.size()), g, s.pose * g.pose);
+            all.emplace_back(&s, &g);
+        });
         if (m_experiment.robots.empty()) return;
         const RobotSpec& first = m_experiment.robots[0];
         m_ground = grounds.under(lowestOf(actorOf(first)), first.pose.position.head<2>());
+        if (!m_ground) return;
+        for (const LevelGround::Slab& slab : m_ground->slabs)
+            if (!isSame(m_experiment.surfaces[slab.surface], m_experiment.surfaces[m_ground->surface()]))
+                refuse(all[slab.geom].first->name + ": geom " + all[slab.geom].second->name +
+                           " is level with the rest of the ground and has another surface",
+                       all[slab.geom].second->nameRange);
+    }
+    static bool isSame(const SurfaceSpec& a, const SurfaceSpec& b) {
+        const auto values = [](const SurfaceSpec& s) {
+            return std::tuple(s.friction, s.friction2, s.frictionHeading, s.restitution, s.rollingFriction, s.softness);
+        };
+        return values(a) == values(b);
     }
     static ActorDef actorOf(const RobotSpec& spec) {
         ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision, &spec.config->springs, &spec.config->gears};
@@ -57,6 +73,8 @@ private:
     void checkScenery() {
         eachStatic([&](const StaticSpec& s, const GeomSpec& g) {
             if (const auto why = whyNotScenery(g, s.pose * g.pose, *m_ground)) refuse(s.name + ": " + why->reason, why->range);
+            else if (hasTwoFrictions(m_experiment.surfaces[g.surface]))
+                refuse(s.name + ": geom " + g.name + " " + kTwoFrictions, g.nameRange);
         });
     }
     void checkLinks() {
@@ -73,6 +91,8 @@ private:
         for (const ComponentSpec& device : spec.config->devices)
             if (device.kind == "Belt" || device.kind == "Track")
                 refuse(spec.name + ": " + device.name + " is a " + device.kind + ", which moves a surface", device.nameRange);
+            else if (device.kind == "ForceSensor")
+                refuse(spec.name + ": " + device.name + " is a ForceSensor, which measures in a joint", device.nameRange);
             else if (device.kind == "Latch")
                 refuse(spec.name + ": " + device.name + " is a Latch, which joins robots", device.nameRange);
         NotWheeled why;

@@ -25,6 +25,8 @@ TEXT = """Tick = 0.02   Duration = 4
 Static floor {{ Config=OpenFloor }}
 Robot rover {{ Config=SimpleRobot Pos=0,-1,0 {controller} }}
 Robot other {{ Config=SimpleRobot Pos=0,1,0 }}
+Region yard {{ Size=9,9,1 }}
+NoContact=rover,other
 PoseLog path {{ Robot=rover Interval=0.02 File=path.csv }}
 SignalLog signals {{ Signals="rover/base/*","rover/*Encoder/*","rover/*Motor/*" Interval=0.02 File=signals.csv }}
 PoseLog others {{ Robot=other Interval=0.1 File=others.csv }}

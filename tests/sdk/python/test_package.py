@@ -15,7 +15,7 @@ from trundle.host.link import HOST, ControlPage, Link
 from trundle.host.module import Fault
 from trundle.host.wire import Reader, Writer
 from trundle.ports import RobotPorts
-from trundle.signals import COMMAND, OUTPUT, TRUTH, Entry, Image
+from trundle.signals import COMMAND, OUTPUT, SAME_SIGNALS, TRUTH, Entry, Image
 
 
 class Base(trundle.Controller):
@@ -94,7 +94,7 @@ class RandomTest(unittest.TestCase):
         self.assertTrue(all(0 <= b < 1 << 64 for b in bits))
 
 
-def robot_image():
+def robot_image(drive="DifferentialDrive"):
     entries = [Entry("r/base/linearVelocity", 1, COMMAND, 1, 0), Entry("r/base/angularVelocity", 1, COMMAND, 1, 1),
                Entry("r/base/linearAmount", 1, COMMAND, 1, 2), Entry("r/base/angularAmount", 1, COMMAND, 1, 3),
                Entry("r/base/sequence", 2, COMMAND, 1, 4), Entry("r/base/finished", 2, OUTPUT, 1, 5),
@@ -102,7 +102,7 @@ def robot_image():
                Entry("r/scan/ranges", 1, OUTPUT, 4, 12), Entry("r/scan/time", 1, OUTPUT, 1, 16),
                Entry("r/brain/turns", 2, OUTPUT, 1, 17), Entry("r/brain/goal", 1, OUTPUT, 2, 18)]
     sensors, commands = memoryview(bytearray(8 * 20)).cast("d"), memoryview(bytearray(8 * 20)).cast("d")
-    devices = [("DifferentialDrive", "base", 0.0), ("Lidar", "scan", 0.1)]
+    devices = [(drive, "base", 0.0), ("Lidar", "scan", 0.1)]
     return Image("r", "brain", "Sample", devices, entries, sensors.toreadonly(), commands), sensors, commands
 
 
@@ -145,6 +145,20 @@ class PortsTest(unittest.TestCase):
         self.assertFalse(self.robot.has("scan", "range") or self.robot.has("eye"))
         self.assertEqual(self.robot.ground_truth("base/pose").count, 3)
 
+    def test_a_port_binds_kinds_with_the_same_signals(self):
+        for kind in ("SkidDrive", "TrackDrive"):
+            image, _, commands = robot_image(kind)
+            RobotPorts(image, 0.01, None).differential_drive("base").move(0.2, 0.1)
+            self.assertEqual(commands[:2].tolist(), [0.2, 0.1])
+            RobotPorts(image, 0.01, None).port("base", "DifferentialDrive").set("linearVelocity", 0.5)
+            self.assertEqual(commands[0], 0.5)
+        with self.assertRaisesRegex(trundle.UnknownPort, "that is of kind DifferentialDrive"):
+            self.robot.skid_drive("base")
+        path = os.path.join(os.path.dirname(trundle.__file__), "..", "..", "..", "model", "port_kinds.cpp")
+        with open(path, encoding="utf-8") as file:
+            pairs = re.findall(r'\{"(\w+)", "(\w+)"\}', file.read())
+        self.assertEqual(sorted(pairs), sorted(SAME_SIGNALS))
+
     def test_only_commands_are_written(self):
         self.robot.signal("base", "finished").set(7)
         self.assertEqual(self.sensors[5], 0)
@@ -162,6 +176,34 @@ class PortsTest(unittest.TestCase):
         self.assertEqual(self.commands[17:20].tolist(), [2, 1, 5])
         with self.assertRaises(ValueError):
             sample.goal = (1, 2, 3)
+
+
+class DriveAmountsTest(unittest.TestCase):
+    def setUp(self):
+        image, _, self.commands = robot_image()
+        self.drive = RobotPorts(image, 0.01, None).differential_drive("base")
+        self.amounts = trundle.DriveAmounts()
+
+    def speeds(self):
+        return self.amounts.speeds({f"base/{name}": self.commands[i] for i, name in enumerate(trundle.DriveAmounts.SIGNALS)}, 0.02)
+
+    def test_a_move_cancels_an_amount(self):
+        for command, speeds in ((lambda: self.drive.move(-0.2, 0.0), (-0.2, 0)), (self.drive.stop, (0, 0)),
+                                (lambda: self.drive.drive(0.1, 0.2, 0.0, 0.0), (0.1, 0.2))):
+            self.drive.drive(0.3, 0.0, 1.0, 0.0)
+            self.assertEqual(self.speeds(), (0.3, 0))
+            self.amounts.moved(0.006, 0.0)
+            self.assertTrue(self.amounts.outputs()["base/busy"])
+            command()
+            self.assertEqual(self.speeds(), speeds)
+            outputs = self.amounts.outputs()
+            self.assertEqual((outputs["base/done"], outputs["base/busy"], outputs["base/finished"]), (True, False, self.commands[4]))
+
+    def test_an_amount_against_its_speed_is_refused(self):
+        self.drive.drive(0.3, 0.0, -1.0, 0.0)
+        for _ in range(2):
+            self.assertEqual(self.speeds(), (0, 0))
+            self.assertEqual(self.amounts.outputs()["base/finished"], 1)
 
 
 class PictureTest(unittest.TestCase):

@@ -157,6 +157,22 @@ private Q_SLOTS:
         QVERIFY(velocity(*world, "other/chassis").norm() < 1e-6);
     }
 
+    /// A wheel has one axle, and nothing else that holds it or hangs on it.
+    void aWheelHasOneAxle() {
+        for (const JointType type : {JointType::Hinge, JointType::Ball, JointType::Slider, JointType::Fixed})
+            for (const bool isWithWorld : {false, true}) {
+                const auto config = std::make_shared<RobotConfigSpec>(*small());
+                JointSpec more = config->joints.front();
+                more.name = "more";
+                more.type = type;
+                if (isWithWorld) more.parent = kWorldBody;
+                config->joints.push_back(more);
+                Scene scene = wheeledScene();
+                scene.robot("r", {}, config);
+                QVERIFY(!scene.build());
+            }
+    }
+
     /// Robots of one config are read each at its own height: one that is in the air is refused, first or last.
     void robotsOfOneConfigAtTheirHeights() {
         for (const bool isFirst : {false, true}) {

@@ -62,9 +62,9 @@ public:
         begin(mount);
     }
     void sense(Sensing& world) final {
+        follow(world);
         if (!world.supply().powered()) return; // it has no new readings
         if (m_power > 0) world.draw(m_power);
-        follow(world);
         if (m_clock.due(world.time(), m_updatePeriod, world.tick())) take(world);
         const double now = world.time() + 1e-6 * world.tick();
         while (!m_waiting.empty() && m_waiting.front().time + m_latency <= now) {
@@ -87,7 +87,7 @@ protected:
     }
 
     virtual void begin(Mount&) {}
-    /// Called in every tick, before measure.
+    /// Called in every tick, before measure; without power too, so that what it compares with the tick before is of that tick.
     virtual void follow(Sensing&) {}
     /// Fills `reading` with what it measures now; left empty, this reading is missed. Called only when a reading is due.
     virtual void measure(Sensing& world, std::vector<double>& reading) = 0;

@@ -159,11 +159,14 @@ class DriveAmounts:
         if get("sequence") != self.begun:
             self.begun = get("sequence")
             self.ends = [at + amount if amount else None for at, amount in zip((self.way, self.angle), amounts)]
-            if self.ends == [None, None] or any(a and a * w <= 0 for a, w in zip(amounts, wanted)):
+            if any(a and a * w <= 0 for a, w in zip(amounts, wanted)):
                 self.ends, self.finished = None, self.begun
                 return 0.0, 0.0
+        if amounts == (0, 0):  # also while an amount is driven, which ends with that
+            self.ends, self.finished = None, self.begun
+            return wanted
         if self.ends is None:
-            return wanted if amounts == (0, 0) else (0.0, 0.0)
+            return 0.0, 0.0
         left = [end - at if end is not None else None for end, at in zip(self.ends, (self.way, self.angle))]
         speeds = [self._towards(rest, abs(most), slowing, tick) if rest is not None else most
                   for rest, most, slowing in zip(left, wanted, self.slowing)]

@@ -82,7 +82,7 @@ class BasePort(Port):
 
 
 class DifferentialDrivePort(BasePort):
-    """A DifferentialDrive or a SkidDrive."""
+    """A DifferentialDrive, a SkidDrive or a TrackDrive."""
 
     def move(self, linear, angular):
         """Drives at `linear` m/s and turns left at `angular` rad/s until the next command. Cancels a running drive()."""

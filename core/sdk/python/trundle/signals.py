@@ -5,6 +5,8 @@ import array
 import difflib
 
 OUTPUT, COMMAND, TRUTH = 1, 2, 3
+# A port of the first kind also fits devices of the second; the same list as in core/model/port_kinds.cpp.
+SAME_SIGNALS = {("DifferentialDrive", "SkidDrive"), ("DifferentialDrive", "TrackDrive")}
 _MOST_LISTED = 30
 
 
@@ -60,6 +62,12 @@ class Entry:
         self.path, self.type, self.direction, self.count, self.offset = path, type, direction, count, offset
 
 
+def port_fits(port, device):
+    """Whether a port for devices of the kind `port` ("": any) binds a device of the kind `device`: of the same kind, or of one that has
+    the same signals."""
+    return not port or port == device or (port, device) in SAME_SIGNALS
+
+
 def _meant(word, candidates):
     near = difflib.get_close_matches(word, candidates, 1)
     return f"; did you mean '{near[0]}'?" if near else ""
@@ -103,13 +111,13 @@ class Image:
         return "its ports: " + _listed(f"{name} ({k})" for k, name, _ in self.devices)
 
     def device(self, kind, name):
-        """The kind, name and update period of a device; `kind` "": any."""
+        """The kind, name and update period of a device that a port of the kind `kind` binds; "": any."""
         found = next((d for d in self.devices if d[1] == name), None)
         wanted = f"{kind} port" if kind else "port"
         if found is None:
             near = _meant(name, [n for k, n, _ in self.devices if not kind or k == kind])
             raise UnknownPort(f"{self.robot} has no {wanted} '{name}'{near} ({self._ports(kind)})")
-        if kind and found[0] != kind:
+        if not port_fits(kind, found[0]):
             raise UnknownPort(f"{self.robot} has no {wanted} '{name}': that is of kind {found[0]} ({self._ports(kind)})")
         return found
 

@@ -1,5 +1,7 @@
 #include "world/ode/joints/axis_motor.h"
 
+#include "world/ode/objects/ode_math.h"
+
 namespace trundle {
 namespace {
 
@@ -21,7 +23,12 @@ double rowOf(dJointID motor, JointType of, int axis, int parameter) {
     return of == JointType::Slider ? dJointGetLMotorParam(motor, row) : dJointGetAMotorParam(motor, row);
 }
 
-dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, std::span<const Vec3> axes, bool parentFirst) {
+Vec3 axisNow(const OdeJoint& joint, const std::vector<OdeBody>& bodies) {
+    if (joint.type != JointType::Universal) return turn(bodies[joint.child].r, joint.childAxis);
+    return joint.parent == kNone ? joint.parentAxis : turn(bodies[joint.parent].r, joint.parentAxis);
+}
+
+dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, std::span<const Vec3> axes, int ofParent) {
     const dWorldID world = dBodyGetWorld(bodies[joint.child].id);
     const bool linear = joint.type == JointType::Slider;
     const dJointID motor =
@@ -33,9 +40,19 @@ dJointID axisMotor(const OdeJoint& joint, const std::vector<OdeBody>& bodies, st
     for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
         const Vec3& a = axes[static_cast<std::size_t>(i)];
         if (linear) dJointSetLMotorAxis(motor, i, withParent, a.x(), a.y(), a.z());
-        else dJointSetAMotorAxis(motor, i, parentFirst && i == 0 ? withParent : withChild, a.x(), a.y(), a.z());
+        else dJointSetAMotorAxis(motor, i, i < ofParent ? withParent : withChild, a.x(), a.y(), a.z());
     }
     return motor;
+}
+
+/// Rows of a slider turn with neither of its bodies. Those of a ball are about the axes of the world itself.
+void setWorldAxes(dJointID motor, const OdeJoint& joint) {
+    const Vec3& a = joint.parentAxis;
+    if (joint.type == JointType::Slider)
+        for (int i = 0; i < dJointGetLMotorNumAxes(motor); ++i) dJointSetLMotorAxis(motor, i, 0, a.x(), a.y(), a.z());
+    if (joint.type != JointType::Universal) return;
+    for (int i = 0; i < dJointGetAMotorNumAxes(motor); ++i)
+        if (dJointGetAMotorAxisRel(motor, i) == 0) dJointSetAMotorAxis(motor, i, 0, a.x(), a.y(), a.z());
 }
 
 } // namespace trundle

@@ -143,7 +143,7 @@ Vec3 CouplingRows::speedOf(std::uint32_t body, const Vec3& point) const {
 void CouplingRows::update(double h, std::span<const OdeContact> contacts, double errorReduction) {
     for (std::uint32_t i = 0; i < m_objects.couplings.size(); ++i) {
         OdeCoupling& c = m_objects.couplings[i];
-        if (m_objects.actors[m_objects.bodies[c.first].actor].ended) continue;
+        if (c.released || m_objects.actors[m_objects.bodies[c.first].actor].ended) continue;
         if (c.isGear) updateGear(c, h, errorReduction);
         else {
             updateInertia(c, i, contacts);

@@ -16,9 +16,11 @@ SpringRow damperRow(const OdeJoint& joint, double damping, double all, double h)
 }
 
 void addFrictionRows(OdeJoint& joint, const std::vector<OdeBody>& bodies, dJointFeedback* feedback) {
-    const Vec3 axis = turn(bodies[joint.child].r, joint.childAxis), axes[] = {axis, axis};
-    const bool withParent = joint.type == JointType::Universal || joint.type == JointType::Slider;
-    joint.losses = axisMotor(joint, bodies, axes, withParent);
+    const Vec3 axis = axisNow(joint, bodies), axes[] = {axis, axis};
+    joint.losses = axisMotor(joint, bodies, axes,
+                             joint.type == JointType::Universal ? 2
+                             : joint.type == JointType::Slider  ? 1
+                                                                : 0);
     dJointSetFeedback(joint.losses, feedback);
 }
 
@@ -33,7 +35,7 @@ void setFrictionRows(const OdeJoint& joint, const SpringRow& viscous) {
 double frictionEffortOf(const OdeJoint& joint, const std::vector<OdeBody>& bodies) {
     if (!joint.losses) return 0;
     const dJointFeedback& f = *dJointGetFeedback(joint.losses);
-    return turn(bodies[joint.child].r, joint.childAxis).dot(vec(joint.type == JointType::Slider ? f.f1 : f.t1));
+    return axisNow(joint, bodies).dot(vec(joint.type == JointType::Slider ? f.f1 : f.t1));
 }
 
 } // namespace trundle

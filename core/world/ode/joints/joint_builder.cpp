@@ -17,6 +17,27 @@ bool isCoaxial(GeomShape shape, const Vec3& centre, const Vec3& cylinderAxis, do
     return shape == GeomShape::Sphere || (shape == GeomShape::Cylinder && cylinderAxis.cross(axle).norm() < 1e-4);
 }
 
+/// With the bodies as they are at position 0. A universal joint's Axis is fixed to the parent; Axis2 to the child, which is ODE's first
+/// body.
+void setFrame(const OdeJoint& joint, const JointFrame& frame) {
+    const auto& [anchor, axis, axis2] = frame;
+    switch (joint.type) {
+    case JointType::Hinge:
+        dJointSetHingeAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
+        dJointSetHingeAxis(joint.id, axis.x(), axis.y(), axis.z());
+        break;
+    case JointType::Slider: dJointSetSliderAxis(joint.id, axis.x(), axis.y(), axis.z()); break;
+    case JointType::Ball: dJointSetBallAnchor(joint.id, anchor.x(), anchor.y(), anchor.z()); break;
+    case JointType::Universal:
+        dJointSetUniversalAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
+        dJointSetUniversalAxis1(joint.id, axis2.x(), axis2.y(), axis2.z());
+        dJointSetUniversalAxis2(joint.id, axis.x(), axis.y(), axis.z());
+        break;
+    case JointType::Fixed: dJointSetFixed(joint.id); break;
+    case JointType::Suspension: break; // see makeSuspension
+    }
+}
+
 } // namespace
 
 void JointBuilder::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32_t actor) {
@@ -74,46 +95,21 @@ void JointBuilder::carryFrame(OdeJoint& joint, const JointFrame& frame, const Ve
 }
 
 void JointBuilder::makeJoint(OdeJoint& joint, const JointSpec& spec, const JointFrame& frame) {
-    const auto& [anchor, axis, axis2] = frame;
     switch (spec.type) {
-    case JointType::Hinge: makeHinge(joint, anchor, axis); break;
-    case JointType::Slider: makeSlider(joint, axis); break;
-    case JointType::Ball:
-        joint.id = attached(dJointCreateBall(m_world, nullptr), joint);
-        dJointSetBallAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
-        break;
-    case JointType::Universal: makeUniversal(joint, anchor, axis, axis2); break;
-    case JointType::Fixed:
-        joint.id = attached(dJointCreateFixed(m_world, nullptr), joint);
-        dJointSetFixed(joint.id);
-        break;
-    case JointType::Suspension: makeSuspension(joint, anchor, axis, axis2); break;
+    case JointType::Hinge: joint.id = attached(dJointCreateHinge(m_world, nullptr), joint); break;
+    case JointType::Slider: joint.id = attached(dJointCreateSlider(m_world, nullptr), joint); break;
+    case JointType::Ball: joint.id = attached(dJointCreateBall(m_world, nullptr), joint); break;
+    case JointType::Universal: joint.id = attached(dJointCreateUniversal(m_world, nullptr), joint); break;
+    case JointType::Fixed: joint.id = attached(dJointCreateFixed(m_world, nullptr), joint); break;
+    case JointType::Suspension: return makeSuspension(joint, frame.anchor, frame.axis, frame.axis2);
     }
+    setFrame(joint, frame);
 }
 
 /// Attaches the child as first body, then the parent or the world.
 dJointID JointBuilder::attached(dJointID id, const OdeJoint& joint) const {
     dJointAttach(id, m_bodies[joint.child].id, joint.parent == kNone ? nullptr : m_bodies[joint.parent].id);
     return id;
-}
-
-void JointBuilder::makeHinge(OdeJoint& joint, const Vec3& anchor, const Vec3& axis) {
-    joint.id = attached(dJointCreateHinge(m_world, nullptr), joint);
-    dJointSetHingeAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
-    dJointSetHingeAxis(joint.id, axis.x(), axis.y(), axis.z());
-}
-
-void JointBuilder::makeSlider(OdeJoint& joint, const Vec3& axis) {
-    joint.id = attached(dJointCreateSlider(m_world, nullptr), joint);
-    dJointSetSliderAxis(joint.id, axis.x(), axis.y(), axis.z());
-}
-
-/// Axis is fixed to the parent; Axis2 to the child, which is ODE's first body.
-void JointBuilder::makeUniversal(OdeJoint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
-    joint.id = attached(dJointCreateUniversal(m_world, nullptr), joint);
-    dJointSetUniversalAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
-    dJointSetUniversalAxis1(joint.id, axis2.x(), axis2.y(), axis2.z());
-    dJointSetUniversalAxis2(joint.id, axis.x(), axis.y(), axis.z());
 }
 
 /// ODE's hinge-2 with its steering locked: the wheel rotates about axis2 and slides along axis.
@@ -149,6 +145,24 @@ void JointBuilder::findWheels(OdeJoint& joint, const Vec3& anchor, const Vec3& a
     }
     // Finite rotation keeps the hinge's angle equal to the integral of its rate.
     if (any) dBodySetFiniteRotationMode(body.id, 1);
+}
+
+/// ODE takes the place of a joint from its bodies, so the child is where it is at position 0 meanwhile.
+void moveWorldJoint(OdeJoint& joint, const OdeBody& child, const Pose& motion) {
+    joint.parentAnchor = motion * joint.parentAnchor;
+    joint.parentAxis = (motion.rotation * joint.parentAxis).normalized();
+    joint.slideAxis = joint.parentAxis; // those that may have the world as their parent slide along no other axis
+    joint.start = (motion.rotation * joint.start).normalized();
+    const RawState now = rawState(child);
+    const Vec3 at = joint.parentAnchor - joint.start * joint.childAnchor;
+    dReal q[4];
+    toOde(joint.start, q);
+    dBodySetPosition(child.id, at.x(), at.y(), at.z());
+    dBodySetQuaternion(child.id, q);
+    setFrame(joint, {joint.parentAnchor, joint.parentAxis, joint.start * joint.secondAxis});
+    setRawState(child, now);
+    for (const dJointID row : {joint.drive, joint.spring, joint.friction, joint.stop, joint.damper, joint.losses})
+        if (row) setWorldAxes(row, joint);
 }
 
 /// Adds J a a^T to the inertia tensor about the child's centre of mass, where a is the joint axis in the child's axes: about the

@@ -24,9 +24,6 @@ private:
     void carryFrame(OdeJoint& joint, const JointFrame& frame, const Vec3& main) const;
     void makeJoint(OdeJoint& joint, const JointSpec& spec, const JointFrame& frame);
     [[nodiscard]] dJointID attached(dJointID id, const OdeJoint& joint) const;
-    void makeSlider(OdeJoint& joint, const Vec3& axis);
-    void makeHinge(OdeJoint& joint, const Vec3& anchor, const Vec3& axis);
-    void makeUniversal(OdeJoint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2);
     void makeSuspension(OdeJoint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2);
     void findWheels(OdeJoint& joint, const Vec3& anchor, const Vec3& axle);
 
@@ -36,6 +33,8 @@ private:
     JointRows& m_rows;
 };
 
+/// Moves a joint of a body and the world; the body is moved afterwards.
+void moveWorldJoint(OdeJoint& joint, const OdeBody& child, const Pose& motion);
 /// Adds the inertia (kg m^2) of a geared rotor about a joint's axis to its child.
 [[nodiscard]] Status addAxialInertia(const OdeJoint& joint, const OdeBody& child, double inertia);
 

@@ -65,7 +65,7 @@ void JointRows::updateServo(OdeJoint& joint, double h) {
     SpringRow row{damping, 0};
     if (!m_touched[joint.child]) row = damperRow(joint, damping, damping + dampingOf(joint), h);
     if (!joint.damper) {
-        const Vec3 axis = turn(m_bodies[joint.child].r, joint.childAxis);
+        const Vec3 axis = axisNow(joint, m_bodies);
         joint.damper = axisMotor(joint, m_bodies, std::span(&axis, 1),
                                  joint.type == JointType::Universal || joint.type == JointType::Slider);
     }
@@ -92,7 +92,7 @@ void JointRows::writeMotor(OdeJoint& joint, double rate, double cfm, double limi
     case JointType::Universal:
     case JointType::Suspension:
         if (!joint.drive) {
-            const Vec3 axis = turn(m_bodies[joint.child].r, joint.childAxis);
+            const Vec3 axis = axisNow(joint, m_bodies);
             joint.drive = axisMotor(joint, m_bodies, std::span(&axis, 1), joint.type == JointType::Universal);
         }
         set(dJointSetAMotorParam, joint.drive);
@@ -128,7 +128,7 @@ double JointRows::effortOf(const OdeJoint& joint) const {
         return std::clamp((motor.rate - joint.rate) / std::max(motor.softness, kWorldCfm), -limit, limit);
     const dJointFeedback& f = *m_feedbacks[joint.feedback];
     const OdeBody& c = m_bodies[joint.child];
-    const Vec3 axis = turn(c.r, joint.childAxis), force = vec(f.f1);
+    const Vec3 axis = axisNow(joint, m_bodies), force = vec(f.f1);
     double effort = 0;
     if (joint.type == JointType::Slider) effort = axis.dot(force);
     else if (joint.drive) effort = axis.dot(vec(f.t1));

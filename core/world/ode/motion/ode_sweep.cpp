@@ -228,7 +228,7 @@ void OdeSweep::findPassages(std::uint32_t geom, double h) {
 /// of this one would have added.
 void OdeSweep::stopAt(std::uint32_t actor, double t, double h, std::span<const OdeContact> contacts) {
     const OdeActor& a = m_objects.actors[actor];
-    const bool jointed = a.joints.begin != a.joints.end;
+    const bool jointed = m_links.isJointed(actor);
     const bool flies = !jointed && std::none_of(contacts.begin(), contacts.end(),
                                                 [&](const OdeContact& c) { return c.actor == actor || c.partner == actor; });
     for (std::uint32_t i = a.bodies.begin; i < a.bodies.end; ++i) {
@@ -249,29 +249,39 @@ void OdeSweep::stopAt(std::uint32_t actor, double t, double h, std::span<const O
     }
 }
 
+/// The share of its path that an actor may move.
+double OdeSweep::shareOf(std::uint32_t index, double h) {
+    const OdeActor& actor = m_objects.actors[index];
+    double share = 1;
+    m_bounces = false;
+    for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) {
+        const OdeBody& b = m_objects.bodies[i];
+        if (b.geoms.begin == b.geoms.end) continue;
+        const double most = h * (vec(b.v).norm() + vec(b.w).norm() * b.reach); // rarely more than a shape is thick
+        if (!(most > kShare / 2 * std::min(b.thin, m_thinnestBox))) continue;
+        m_fast.clear();
+        for (std::uint32_t k = b.geoms.begin; k < b.geoms.end; ++k)
+            if (outruns(m_objects.geoms[k], h)) m_fast.push_back(k);
+        if (m_fast.empty()) continue;
+        ++m_count;
+        const Path path = pathOf(i, h);
+        const RawState end = stateOf(b);
+        for (const std::uint32_t geom : m_fast) share = std::min(share, freeShare(geom, path, m_links.isJointed(index)));
+        putBack(i, end);
+        for (const std::uint32_t geom : m_fast) findPassages(geom, h);
+    }
+    return share;
+}
+
+/// Actors that joints or latches join stop together, so that these stay closed.
 void OdeSweep::run(double h, std::span<const OdeContact> contacts) {
+    m_links.update(m_objects);
     for (std::uint32_t a = 0; a < m_objects.actors.size(); ++a) {
-        const OdeActor& actor = m_objects.actors[a];
-        double share = 1;
-        m_bounces = false;
-        for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) {
-            const OdeBody& b = m_objects.bodies[i];
-            if (b.geoms.begin == b.geoms.end) continue;
-            const double most = h * (vec(b.v).norm() + vec(b.w).norm() * b.reach); // rarely more than a shape is thick
-            if (!(most > kShare / 2 * std::min(b.thin, m_thinnestBox))) continue;
-            m_fast.clear();
-            for (std::uint32_t k = b.geoms.begin; k < b.geoms.end; ++k)
-                if (outruns(m_objects.geoms[k], h)) m_fast.push_back(k);
-            if (m_fast.empty()) continue;
-            ++m_count;
-            const Path path = pathOf(i, h);
-            const RawState end = stateOf(b);
-            for (const std::uint32_t geom : m_fast)
-                share = std::min(share, freeShare(geom, path, actor.joints.begin != actor.joints.end));
-            putBack(i, end);
-            for (const std::uint32_t geom : m_fast) findPassages(geom, h);
-        }
-        if (share < 1) stopAt(a, share, h, contacts);
+        if (!m_links.isFirst(a)) continue; // was moved with the first of its group
+        double share = shareOf(a, h);
+        for (std::uint32_t i = m_links.next(a); i != kNone; i = m_links.next(i)) share = std::min(share, shareOf(i, h));
+        if (!(share < 1)) continue;
+        for (std::uint32_t i = a; i != kNone; i = m_links.next(i)) stopAt(i, share, h, contacts);
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Bodies that move farther in a tick than they are thick are swept: where one would have entered the scenery on its way, its actor
 // stops just there, with the velocity that it has, and the next tick makes the contact. A robot with joints stops only at what it
-// would have passed. Passing through another moving body is only recorded. Method: contacts at poses along the path, no farther apart
+// would have passed, and with it all that joints or latches join to it. Passing through another moving body is only recorded. Method: contacts at poses along the path, no farther apart
 // than the body is thick, then halving.
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 
 #include "world/ode/collision/contact_search.h"
 #include "world/ode/motion/body_rotation.h"
+#include "world/ode/motion/linked_actors.h"
 
 namespace trundle {
 
@@ -51,6 +52,7 @@ private:
     [[nodiscard]] double freeShare(std::uint32_t geom, const Path& path, bool jointed);
     [[nodiscard]] double touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead);
     void findPassages(std::uint32_t geom, double h);
+    [[nodiscard]] double shareOf(std::uint32_t actor, double h);
     void stopAt(std::uint32_t actor, double t, double h, std::span<const OdeContact> contacts);
 
     const EngineSettings& m_settings;
@@ -58,6 +60,7 @@ private:
     const BodyRotation& m_rotation;
     ContactSearch& m_search;
     GeomCollider& m_collider;
+    LinkedActors m_links;
     std::uint64_t m_count = 0;
     double m_thinnestBox = 1e300; ///< m, of the scenery
     bool m_bounces = false;       ///< what stops the actor at hand

@@ -27,7 +27,6 @@ void PinnedBodies::start(std::span<const OdeBody> bodies, std::span<const OdeJoi
         p.joint = i;
         p.ball = joint.type == JointType::Ball;
         p.mass = mass.mass;
-        p.pin = joint.parentAnchor;
         p.central = matrix(mass.I);
         const Vec3& arm = joint.childAnchor;
         p.inertia = RotationalInertia(p.central + p.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose()));
@@ -53,6 +52,7 @@ void PinnedBodies::before(std::span<const OdeBody> bodies, std::span<const OdeJo
         const OdeJoint& joint = joints[p.joint];
         p.active = !joint.driven;
         if (!p.active) continue;
+        p.pin = joint.parentAnchor; // it moves with a robot that is placed
         const Vec3 lever = -turn(b.r, joint.childAnchor);
         p.start = quat(b.q);
         if (p.ball) turnOnBall(p, b, lever, h);

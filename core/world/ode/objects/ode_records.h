@@ -114,6 +114,7 @@ struct OdeJoint {
 /// A spring, or a gear between two joints: one row along a line. The first body is never the world.
 struct OdeCoupling {
     bool isGear = false, isTorque = false;   ///< isTorque: the row has no place, only a direction
+    bool released = false;                   ///< one of its actors has ended
     std::uint32_t first = 0, second = kNone; ///< bodies; of a spring child and parent
     dJointID id = nullptr;
     std::unique_ptr<dJointFeedback> feedback;

@@ -1,0 +1,186 @@
+// Controllers during a run: what they keep when they are started again, who holds their robots, which ones a robot has.
+#include <QtTest>
+
+#include "run/experiment_runner.h"
+#include "run/fake_world.h"
+
+using namespace trundle;
+
+namespace {
+
+/// What the backends of a run have done, and what they are to do.
+struct Script {
+    std::map<std::string, double> values; ///< of the controller that was started last
+    std::set<std::string> refused;        ///< properties
+    int starts = 0, updates = 0;
+    bool breaks = false; ///< once, by a fault of another controller of its process
+};
+
+/// A controller in a process of its own. A Speed below 0 is a fault in its update.
+class LiveBackend final : public ControllerBackend {
+public:
+    explicit LiveBackend(Script& script) : m_script(script) {}
+    Status start(const SignalLayout&, SignalBlock&, ControllerOutputs) override {
+        ++m_script.starts;
+        m_script.values.clear();
+        m_fault.reset();
+        return {};
+    }
+    Status tick(std::uint64_t, double, double) override {
+        if (std::exchange(m_script.breaks, false)) return fail("another one crashed", false);
+        if (m_script.values["Speed"] < 0) return fail("Speed is negative", true);
+        ++m_script.updates;
+        return {};
+    }
+    Status set(const std::string& property, const PropertyValue& value) override {
+        if (m_fault) return Error{Code::ControllerFailed, "it has stopped"};
+        if (m_script.refused.contains(property)) return Error{Code::OutOfRange, property + " is out of range"};
+        m_script.values[property] = value.numbers.front();
+        return {};
+    }
+    void stop() override {}
+    Status renew(std::uint64_t) override { return {}; }
+    const ControllerFault* fault() const override { return m_fault ? &*m_fault : nullptr; }
+    std::string describe() const override { return "live"; }
+
+private:
+    Status fail(const char* reason, bool isOwn) {
+        m_fault.emplace();
+        m_fault->reason = reason;
+        m_fault->isOwn = isOwn;
+        return Error{Code::ControllerFailed, reason};
+    }
+
+    Script& m_script;
+    std::optional<ControllerFault> m_fault;
+};
+
+ControllerSpec controller(const char* name) { return {{"Live", name, {{"UpdatePeriod", numberValue(0)}}, {}, {}}, {}}; }
+
+} // namespace
+
+class ControllerSetTest : public QObject {
+    Q_OBJECT
+
+    Script m_script;
+    std::vector<std::string> m_console;
+    std::unique_ptr<ExperimentRunner> m_runner;
+
+    void command(decltype(Command::what) what) {
+        m_runner->command(std::move(what));
+        QVERIFY(m_runner->tick().ok());
+    }
+    void set(const char* property, double value) {
+        command(PropertyCommand{"robot0/brain", property, {PropertyType::Number, {value}, {}}});
+    }
+    [[nodiscard]] std::size_t refusals() const {
+        const auto isRefusal = [](const std::string& text) { return text.starts_with("command refused"); };
+        return std::size_t(std::ranges::count_if(m_console, isRefusal));
+    }
+    [[nodiscard]] std::string namesOf(const char* robot) const {
+        std::string names;
+        for (const ControllerSpec* each : m_runner->controllersOf(robot)) names += each->name + " ";
+        return names;
+    }
+    /// Whether its controller is called after this command.
+    [[nodiscard]] bool isCalledAfter(bool held, Holder holder) {
+        const int before = m_script.updates;
+        command(HoldCommand{"robot0", held, holder});
+        return m_script.updates > before;
+    }
+
+private Q_SLOTS:
+    void init() {
+        m_script = {};
+        m_console.clear();
+        const auto experiment = experimentOf({"robot0", "robot1"});
+        experiment->robots[0].controllers = {controller("brain")};
+        RunOptions options;
+        options.console = [this](double, const std::string&, int, const std::string& text) { m_console.push_back(text); };
+        m_runner = std::make_unique<ExperimentRunner>(std::make_unique<FakeWorld>(experiment), std::move(options));
+        Diagnostics diagnostics;
+        m_runner->startControllers(
+            [this](const ControllerRequest&) -> Result<std::unique_ptr<ControllerBackend>> {
+                return std::unique_ptr<ControllerBackend>(std::make_unique<LiveBackend>(m_script));
+            },
+            diagnostics);
+        QVERIFY(!diagnostics.hasErrors());
+    }
+    void cleanup() { m_runner.reset(); }
+
+    void liveValuesStayWhenAControllerIsStartedAgain() {
+        set("Speed", 0.4);
+        set("Speed", 0.5);
+        set("Gain", 2);
+        const std::map<std::string, double> values{{"Gain", 2}, {"Speed", 0.5}};
+        QVERIFY(m_script.values == values);
+        command(RestartCommand{"robot0", "brain"});
+        QVERIFY(m_script.starts == 2 && m_script.values == values);
+        command(ReloadCommand{});
+        QVERIFY(m_script.starts == 3 && m_script.values == values);
+        m_script.breaks = true;
+        QVERIFY(m_runner->tick().ok());
+        QVERIFY(m_script.starts == 4 && m_script.values == values);
+        command(SwapCommand{"robot0", "brain", controller("brain"), "live.so"}); // has the values of its own block
+        QVERIFY(m_script.starts == 5 && !m_script.values.contains("Gain"));
+        command(RestartCommand{"robot0", "brain"});
+        QVERIFY(m_script.starts == 6 && !m_script.values.contains("Gain"));
+        QCOMPARE(refusals(), std::size_t(0));
+    }
+
+    void aValueThatStoppedAControllerCanBeCorrected() {
+        set("Speed", -1);
+        QCOMPARE(m_runner->stoppedControllers().size(), std::size_t(1));
+        set("Speed", 0.5);
+        QVERIFY(m_script.starts == 1 && refusals() == 0);
+        command(RestartCommand{"robot0", "brain"});
+        QVERIFY(m_runner->stoppedControllers().empty());
+        QCOMPARE(m_script.values["Speed"], 0.5);
+        command(StopCommand{"robot0", "brain"});
+        set("Speed", 0.7);
+        command(RestartCommand{"robot0", "brain"});
+        QCOMPARE(m_script.values["Speed"], 0.7);
+    }
+
+    void aValueThatTheNewCodeRefusesIsReported() {
+        set("Speed", 0.5);
+        set("Gain", 2);
+        m_script.refused = {"Gain"};
+        command(ReloadCommand{});
+        QVERIFY(std::ranges::find(m_console, "command refused: Gain is out of range") != m_console.end());
+        QVERIFY(m_script.values["Speed"] == 0.5 && !m_script.values.contains("Gain"));
+        command(ReloadCommand{});
+        QCOMPARE(refusals(), std::size_t(1));
+        set("Gain", 3); // refused at once, so not tried again
+        command(RestartCommand{"robot0", "brain"});
+        QCOMPARE(refusals(), std::size_t(2));
+    }
+
+    void aRobotIsFreeWhenTheLastHolderReleasesIt() {
+        QVERIFY(!isCalledAfter(true, Holder::Guest));
+        QVERIFY(!isCalledAfter(true, Holder::Window));
+        QVERIFY(!isCalledAfter(false, Holder::Window));
+        QVERIFY(!isCalledAfter(false, Holder::Window)); // that of the other stays
+        command(SwapCommand{"robot0", "brain", controller("brain"), "live.so"});
+        QVERIFY(!isCalledAfter(true, Holder::Guest));
+        QVERIFY(isCalledAfter(false, Holder::Guest)); // however often it asked
+        QVERIFY(!isCalledAfter(true, Holder::Window));
+        QVERIFY(isCalledAfter(false, Holder::Window));
+    }
+
+    void controllersThatARobotHasNow() {
+        QCOMPARE(namesOf("robot0"), std::string("brain "));
+        QVERIFY(namesOf("robot1").empty() && namesOf("robot2").empty());
+        command(SwapCommand{"robot1", "", controller("mind"), "live.so"});
+        command(SwapCommand{"robot0", "", controller("second"), "live.so"});
+        QCOMPARE(namesOf("robot0"), std::string("brain second "));
+        QCOMPARE(namesOf("robot1"), std::string("mind "));
+        command(SwapCommand{"robot0", "brain", controller("first"), "live.so"});
+        QCOMPARE(namesOf("robot0"), std::string("first second "));
+        command(SwapCommand{"robot0", "first", {}, {}});
+        QCOMPARE(namesOf("robot0"), std::string("second "));
+    }
+};
+
+QTEST_GUILESS_MAIN(ControllerSetTest)
+#include "controller_set_test.moc"
