@@ -233,18 +233,22 @@ Status StructureEdits::setValues(const QString& name, const std::vector<ValueEdi
     const bool copies =
         mergeKey.empty() && std::ranges::any_of(asked, [&](const std::string& path) { return targetOf(path).isShipped; });
     const std::string key = copies ? "copy " + std::to_string(m_document.revision()) : mergeKey;
+    const auto closed = [&](const Status& done) { // copies stay only with the values that they were made for
+        if (key == mergeKey) return done;
+        if (!done) m_document.edits().discardMerge(key);
+        m_document.edits().endMerge();
+        return done;
+    };
     const Result<std::vector<std::string>> paths = pathsForValues(asked, key);
-    if (!paths) return m_document.edits().apply(name, paths.error());
+    if (!paths) return closed(m_document.edits().apply(name, paths.error()));
     std::vector<ValueEdit> targets;
     for (std::size_t i = 0; i < values.size(); ++i) targets.push_back({paths.value()[i], values[i].value});
     const Result<FileEdits> edits = editsForValues(*m_document.loaded(), targets);
     // Loads once, with the values applied: a drag does this on every step.
     const Status done = edits ? m_document.edits().edit(name, edits.value(), key, reasonAgainst) : refuse(edits.error());
     if (done && !m_notice.isEmpty()) Q_EMIT m_document.notice(m_notice); // after each step of a drag, since a change removes it
-    if (key == mergeKey) return done;
-    if (!done) m_document.edits().discardMerge(key);
-    m_document.edits().endMerge();
-    if (done) Q_EMIT m_document.selectionRequested({std::string(withoutLastWord(paths.value()[0]))});
+    (void)closed(done);
+    if (done && key != mergeKey) Q_EMIT m_document.selectionRequested({std::string(withoutLastWord(paths.value()[0]))});
     return done;
 }
 

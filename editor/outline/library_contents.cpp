@@ -29,10 +29,9 @@ void append(std::vector<LibraryItem>& all, std::vector<LibraryItem> more) {
 const Part* robotConfigFor(const LoadedProject& loaded, const std::string& selected) {
     for (const std::string& path : placesAround(loaded, selected))
         if (const auto place = placeOf(loaded, path); place && place->part && place->part->is(Role::Config)) return place->part;
-    const Part* only = nullptr;
-    for (const Part* config : loaded.outline->configs.all())
-        if (config->kind->name == "RobotConfig") only = only ? nullptr : config;
-    return only;
+    std::vector<const Part*> robots = loaded.outline->configs.all();
+    std::erase_if(robots, [](const Part* config) { return config->kind->name != "RobotConfig"; });
+    return robots.size() == 1 ? robots.front() : nullptr;
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "model/dotted_path.h"
 #include "project/edits/edit_target.h"
 #include "project/loading/search.h"
+#include "project/objects/part_values.h"
 
 namespace trundle {
 
@@ -25,9 +26,12 @@ QString overrideWords(const FieldValue& value) {
     const QString config = QString::fromStdString(value.config);
     QString inherited = QString::fromStdString(value.inherited).simplified();
     if (inherited.size() > kMost) inherited = inherited.left(kMost - 1) + QStringLiteral("…");
-    if (config.isEmpty()) return QObject::tr("override here");
-    return inherited.isEmpty() ? QObject::tr("override here; %1 has no value").arg(config)
-                               : QObject::tr("override here; %1 has %2").arg(config, inherited);
+    const QString where = value.setForAll.empty()
+                              ? QObject::tr("override here")
+                              : QObject::tr("override for all, %1").arg(QString::fromStdString(value.setForAll));
+    if (config.isEmpty()) return where;
+    return inherited.isEmpty() ? QObject::tr("%1; %2 has no value").arg(where, config)
+                               : QObject::tr("%1; %2 has %3").arg(where, config, inherited);
 }
 
 namespace {
@@ -61,7 +65,6 @@ QString targetWords(const ObjectValues& object, Document& document) {
         return instances < 2 ? QString() : QObject::tr("A change here is for all %1 instances of %2.").arg(instances).arg(name);
     }
     if (!object.inConfig() && !object.isInstance()) return {};
-    const std::string below = object.within().empty() ? std::string() : object.within() + ".";
     std::vector<std::string> keys; // of values set in the config
     if (object.inConfig())
         for (const Property& p : object.kind()->properties) keys.push_back(p.name);
@@ -69,7 +72,8 @@ QString targetWords(const ObjectValues& object, Document& document) {
     if (object.isInstance() && config->kind)
         for (const Property& p : config->kind->properties)
             if (!object.kind()->find(p.name)) keys.push_back(p.name);
-    const auto key = std::ranges::find_if(keys, [&](const std::string& k) { return !instance->assignments.find(below + k); });
+    const std::optional<ObjectLocation> place = placeOf(loaded, object.path());
+    const auto key = std::ranges::find_if(keys, [&](const std::string& k) { return place && !overrideAt(loaded, *place, k); });
     if (key == keys.end()) return {};
     const EditTarget target = document.structure().targetOf(object.path() + "." + *key);
     if (!target.config) return {};

@@ -30,6 +30,14 @@
 namespace trundle {
 namespace {
 
+/// Those that a config uses and that are not listed yet.
+void addPartConfigs(const Part* config, std::vector<const Part*>& known) {
+    if (!config) return;
+    eachPartUse(*config, [&](const Part& use) {
+        if (use.config && std::ranges::find(known, use.config) == known.end()) known.push_back(use.config);
+    });
+}
+
 constexpr std::size_t kMaxLiveGroups = 8;
 constexpr int kLeastColumns = 24, kLeastLines = 8; ///< of text, in the smallest panel
 
@@ -165,6 +173,7 @@ bool PropertiesPanel::isUnaffected(const ChangeSet& changes) const {
                involved.push_back(place->part->config);
                for (const Part* part : place->above)
                    if (part->is(Role::Config)) involved.push_back(part);
+               for (std::size_t i = 0; i < involved.size(); ++i) addPartConfigs(involved[i], involved);
                return std::ranges::none_of(involved, [&](const Part* shown) {
                    return shown && (changes.nowAt(shown->range) != shown->range || changes.isEdited(*shown));
                });

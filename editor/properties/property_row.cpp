@@ -203,7 +203,7 @@ void PropertyRow::showOverride() {
         links << link("reset", tr("Reset"));
         tips << (one ? tr("Reset takes the override out") : tr("Reset takes the overrides out"));
     }
-    if (one) {
+    if (one && m_row.first().setForAll.empty()) {
         links << link("push", tr("Push Up"));
         tips << tr("Push Up writes the value into %1").arg(QString::fromStdString(m_row.first().config));
     }

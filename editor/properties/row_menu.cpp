@@ -28,7 +28,7 @@ void addValueActions(QMenu& menu, const Row& row, Document& document, const RowA
         reset->setIcon(themedIcon(QStringLiteral("reset")));
     }
     if (row.values.size() != 1) return;
-    if (row.first().origin == ValueOrigin::Override)
+    if (row.first().origin == ValueOrigin::Override && row.first().setForAll.empty())
         add(menu, "rowPush", QObject::tr("Push into the config"),
             [path, &document, actions] { actions.failed(pushOverride(document, path)); });
     if (row.first().origin == ValueOrigin::Config)

@@ -15,6 +15,7 @@
 #include "editor/running/session.h"
 #include "editor/widgets/empty_page.h"
 #include "editor/widgets/save_question.h"
+#include "model/dotted_path.h"
 #include "scene/queries/radio_model.h"
 
 namespace trundle {
@@ -22,6 +23,12 @@ namespace {
 
 constexpr int kPauseMs = 120; // about eight updates a second
 constexpr int kRoomForOneRow = 720;
+
+/// Whether a path is that of a radio, "robot0.left.radio", or of the Part or robot that it is in.
+bool holdsRadio(std::string_view path, const RadioNode& node) {
+    const std::string_view radio = std::string_view(node.radio.path).substr(node.robot.size() + 1);
+    return !path.empty() && startsWithPath(pathInside(node.robot, radio), path);
+}
 
 } // namespace
 
@@ -200,11 +207,11 @@ void RadiosPanel::showHint() {
 void RadiosPanel::followSelection() {
     if (!m_nodes || std::exchange(m_chosen, true)) return;
     std::vector<QString> ends;
-    for (std::string path : m_selection.paths()) {
-        std::ranges::replace(path, '.', '/');
+    for (const std::string& path : m_selection.paths()) {
         const auto& nodes = m_nodes->all();
-        auto it = std::ranges::find(nodes, path, [](const RadioNode& node) { return node.radio.path; });
-        if (it == nodes.end()) it = std::ranges::find(nodes, path.substr(0, path.find('/')), &RadioNode::robot);
+        auto it = std::ranges::find_if(nodes, [&](const RadioNode& node) { return holdsRadio(path, node); });
+        if (it == nodes.end()) // another part of a robot
+            it = std::ranges::find_if(nodes, [&](const RadioNode& node) { return startsWithPath(path, node.robot); });
         if (it == nodes.end()) continue;
         const QString end = QString::fromStdString(it->radio.path);
         if (std::ranges::find(ends, end) == ends.end()) ends.push_back(end);

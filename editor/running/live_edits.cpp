@@ -7,6 +7,7 @@
 #include "model/dotted_path.h"
 #include "model/outline.h"
 #include "model/provenance.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
@@ -87,6 +88,13 @@ const Part* declaredAt(const Outline& outline, const std::string& path) {
     return part;
 }
 
+/// The path of the block that a robot of the run has in the text: "row.cart" of "row_3.cart", "row.swarm" of "row_3.swarm_12".
+std::string blockPathOf(const Outline& outline, std::string_view robot) {
+    std::string path = nameOfAll(robot);
+    if (!outline.world.find(path) && layoutOfMember(outline, path)) path.resize(memberName(path)->stem.size());
+    return path;
+}
+
 /// The text of a property or Param of a block; nothing if it is not set.
 std::optional<std::string_view> textIn(const Outline& outline, const Part* part, const std::string& key, bool isParam) {
     if (!part) return std::nullopt;
@@ -111,8 +119,8 @@ public:
     /// `changed`: paths of the blocks to look at; none: all.
     LiveComparison(const ExperimentSpec& running, const LoadedProject& now, const std::optional<std::set<std::string>>& changed,
                    const std::set<std::string>& swapped, LiveEdits& out)
-        : m_running(running), m_now(*now.experiment), m_registry(*now.registry), m_out(out), m_swapped(swapped),
-          m_isWhole(!changed) {
+        : m_running(running), m_now(*now.experiment), m_outline(*now.outline), m_registry(*now.registry), m_out(out),
+          m_swapped(swapped), m_isWhole(!changed) {
         if (changed)
             for (const std::string& path : *changed) addTop(path);
     }
@@ -128,10 +136,11 @@ public:
     [[nodiscard]] std::size_t compared() const { return m_compared; }
 
 private:
-    /// "Surface.rubber" of "Surface.rubber", "RobotConfig.Rover" of "RobotConfig.Rover.motor", "robot0" of "robot0.brain".
+    /// "Surface.rubber" of "Surface.rubber", "robot0" of "robot0.brain".
     void addTop(const std::string& path) {
         const Kind* kind = m_registry.find(firstWord(path));
-        const bool isByKind = kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Config);
+        if (kind && kind->role == Role::Config) m_hasConfig = true;
+        const bool isByKind = kind && (kind->role == Role::Material || kind->role == Role::Surface);
         m_tops.insert(isByKind ? pathInside(firstWord(path), firstWord(withoutFirstWord(path))) : std::string(firstWord(path)));
     }
 
@@ -142,13 +151,11 @@ private:
         return isMeant;
     }
 
-    /// A robot is changed by its own block, by that of its Grid or Scatter, by its config, and by what Parts use.
+    /// A robot is changed by its own block, by the Grid, Scatter or Repeat that it is in, and by any config: its own may be a
+    /// variant of that one, or use it in a Part.
     bool isMeant(const RobotSpec& robot) {
-        const auto part = m_tops.lower_bound("PartConfig.");
-        const bool usesPart = part != m_tops.end() && part->starts_with("PartConfig.");
-        const bool isMeant = m_isWhole || usesPart || m_tops.contains(robot.name) ||
-                             m_tops.contains(robot.name.substr(0, robot.name.rfind('_'))) ||
-                             (robot.config && m_tops.contains("RobotConfig." + robot.config->name));
+        const bool isMeant =
+            m_isWhole || m_hasConfig || m_tops.contains(std::string(firstWord(blockPathOf(m_outline, robot.name))));
         m_compared += isMeant;
         return isMeant;
     }
@@ -280,7 +287,7 @@ private:
             if (const Kind* kind = m_registry.find(to->kind)) command.library = kind->module;
         }
         m_out.commands.emplace_back(std::move(command));
-        for (const std::string& owner : {robot.name, robot.name.substr(0, robot.name.rfind('_'))}) // a Grid's or Scatter's too
+        for (const std::string& owner : {robot.name, blockPathOf(m_outline, robot.name)}) // the run's and the text's
             for (const ControllerSpec* each : {from, to})
                 if (each) m_out.swapped.insert(owner + "." + each->name);
     }
@@ -323,11 +330,13 @@ private:
 
     const ExperimentSpec& m_running;
     const ExperimentSpec& m_now;
+    const Outline& m_outline;
     const Registry& m_registry;
     LiveEdits& m_out;
     const std::set<std::string>& m_swapped;
     const bool m_isWhole;
     std::set<std::string> m_tops;
+    bool m_hasConfig = false; ///< a block of a config has changed
     std::size_t m_compared = 0;
     std::shared_ptr<ExperimentSpec> m_changed;
     std::map<std::string, const RobotSpec*> m_robots;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "model/joined_robots.h"
 #include "model/passive_objects.h"
 
 namespace trundle {
@@ -31,6 +32,15 @@ void put(const SignalLayout& layout, SignalBlock& block, const std::string& owne
     write("/velocity", {0, 0, 0, 0, 0, 0});
 }
 
+void move(const SignalLayout& layout, SignalBlock& block, const RobotSpec& robot, const Pose& motion) {
+    const auto moveOwner = [&](const std::string& owner) {
+        if (const auto pose = poseIn(layout, block, owner)) put(layout, block, owner, motion * *pose);
+    };
+    moveOwner(robot.name);
+    if (!robot.config) return;
+    for (const BodySpec& body : robot.config->bodies) moveOwner(robot.name + "/" + body.name);
+}
+
 } // namespace
 
 std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const RobotSpec& robot) {
@@ -44,17 +54,16 @@ std::shared_ptr<const SignalBlock> withPlaced(const SignalLayout& layout, const 
                                               const ExperimentSpec& experiment, const std::vector<PlaceCommand>& placed) {
     auto moved = std::make_shared<SignalBlock>(layout);
     moved->copyFrom(block);
+    const JoinedRobots joined(experiment);
     for (const PlaceCommand& place : placed) {
         const auto robot = std::ranges::find_if(experiment.robots, [&](const RobotSpec& r) { return r.name == place.robot; });
         if (robot == experiment.robots.end() || !robot->config) continue;
         const auto now = shownPose(layout, block, *robot);
         if (!now) continue;
         const Pose motion = place.pose * now->inverse();
-        for (const BodySpec& body : robot->config->bodies)
-            if (const auto pose = poseIn(layout, block, place.robot + "/" + body.name))
-                put(layout, *moved, place.robot + "/" + body.name, motion * *pose);
-        if (const auto pose = poseIn(layout, block, place.robot))
-            put(layout, *moved, place.robot, isPassive(*robot) ? motion * *pose : place.pose);
+        for (const std::size_t i : joined.with(static_cast<std::size_t>(robot - experiment.robots.begin())))
+            move(layout, *moved, experiment.robots[i], motion);
+        if (!isPassive(*robot)) put(layout, *moved, place.robot, place.pose); // to the bit
     }
     return moved;
 }

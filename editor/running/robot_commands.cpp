@@ -12,6 +12,7 @@
 #include "editor/running/run_messages.h"
 #include "editor/running/start_poses.h"
 #include "editor/widgets/strings.h"
+#include "model/joined_robots.h"
 #include "project/objects/unplaced_configs.h"
 
 namespace trundle {
@@ -79,9 +80,15 @@ bool RobotCommands::place(const std::string& robot, const Pose& to) {
         return m_messages.refuse(tr("%1 is no robot of this run.").arg(QString::fromStdString(robot)));
     if (const QString why = endedRefusal(robot); !why.isEmpty()) return m_messages.refuse(why);
     if (!to.position.allFinite() || !to.rotation.coeffs().allFinite()) return false;
+    const std::vector<RobotSpec>& robots = m_run.experiment->robots;
+    const JoinedRobots joined(*m_run.experiment);
+    const auto index = static_cast<std::size_t>(m_run.robot(robot) - robots.data());
+    if (const std::string& hold = joined.hold(index); !hold.empty())
+        return m_messages.refuse(tr("%1 cannot be placed: %2.").arg(toQString(robot), toQString(hold)));
     m_run.live->command(PlaceCommand{robot, to});
     if (m_run.state != RunState::Paused || !m_run.snapshot) return true;
-    std::erase_if(m_placed, [&](const PlaceCommand& place) { return place.robot == robot; });
+    for (const std::size_t i : joined.with(index)) // the last placement of what is joined counts
+        std::erase_if(m_placed, [&](const PlaceCommand& place) { return place.robot == robots[i].name; });
     m_placed.push_back({robot, to});
     m_placedTick = m_run.snapshot->tick;
     Q_EMIT placed();

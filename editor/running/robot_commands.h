@@ -30,7 +30,7 @@ public:
     /// paused it starts with the next tick.
     bool push(const std::string& body, const Vec3& force, const Vec3& point);
     void endPush();
-    /// Moves a robot to a pose (world frame), at rest. While paused it is shown there at once.
+    /// Moves a robot to a pose (world frame), at rest, and what is joined to it along. While paused it is shown there at once.
     bool place(const std::string& robot, const Pose& pose);
     /// Drives a robot by its drive, m/s and rad/s. Its controller is not called until stopDriving(); after that the
     /// robot stops until the controller sends a new command.

@@ -192,7 +192,10 @@ void RunSession::runFor(double seconds) {
     const auto experiment = m_active.experiment ? m_active.experiment : m_source->shown();
     const std::uint64_t ticks = experiment ? ticksFor(seconds, experiment->settings.tick) : 0;
     if (state() == RunState::Start) begin(false, ticks);
-    else if (ticks > 0) m_active.live->step(ticks);
+    else if (ticks > 0) {
+        reportWaitingEdits();
+        m_active.live->step(ticks);
+    }
 }
 
 void RunSession::reset() {

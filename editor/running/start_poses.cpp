@@ -8,11 +8,13 @@
 #include "lang/number_text.h"
 #include "model/outline.h"
 #include "model/provenance.h"
+#include "project/objects/written_hpr.h"
 
 namespace trundle {
 namespace {
 
 constexpr double kPosStep = 1e-6, kAngleStep = 1e-4; // m, degrees
+constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// The value as written in the text; empty if it is not set.
 std::string textOf(const LoadedProject& loaded, const std::string& property) {
@@ -27,11 +29,16 @@ std::string kept(const std::string& text, const Vec3& before, Vec3 now, const ch
     return withNumbers(text, {before.data(), 3}, {now.data(), 3}, unit, step);
 }
 
-Vec3 degreesOf(const Pose& pose) { return hprFromRotation(pose.rotation) * (180 / std::numbers::pi); }
+/// HPR as text; what the robot's own text has is kept where it is part of the new rotation.
+std::string turned(const LoadedProject& loaded, const RobotSpec& robot, const Quat& now) {
+    const auto place = placeOf(loaded, robot.name);
+    const Vec3 before = place ? writtenHpr(loaded, *place, robot.pose.rotation) : hprFromRotation(robot.pose.rotation);
+    return kept(textOf(loaded, robot.name + ".HPR"), before * kDegrees, hprLike(before, now) * kDegrees, "deg", kAngleStep);
+}
 
 bool isElsewhere(const Pose& a, const Pose& b) {
     if ((a.position - b.position).cwiseAbs().maxCoeff() > kPosStep / 2) return true;
-    return a.rotation.angularDistance(b.rotation) > kAngleStep / 2 * std::numbers::pi / 180;
+    return a.rotation.angularDistance(b.rotation) > kAngleStep / 2 / kDegrees;
 }
 
 QString trPoses(const char* text) { return QCoreApplication::translate("RunSession", text); }
@@ -67,9 +74,9 @@ StartPoses startPoses(const LoadedProject& loaded, const std::function<std::opti
             all.values.clear();
             return all;
         }
-        const std::string pos = robot.name + ".Pos", hpr = robot.name + ".HPR";
+        const std::string pos = robot.name + ".Pos";
         all.values.push_back({pos, kept(textOf(loaded, pos), robot.pose.position, now->position, "m", kPosStep)});
-        all.values.push_back({hpr, kept(textOf(loaded, hpr), degreesOf(robot.pose), degreesOf(*now), "deg", kAngleStep)});
+        all.values.push_back({robot.name + ".HPR", turned(loaded, robot, now->rotation)});
     }
     all.leftOut = leftOut.join(QStringLiteral(", "));
     if (!all.values.empty()) return all;

@@ -18,11 +18,6 @@
 namespace trundle {
 namespace {
 
-std::string slashed(std::string path) {
-    if (const auto dot = path.find('.'); dot != std::string::npos) path[dot] = '/';
-    return path;
-}
-
 /// The first number of a reading, if it has a value.
 std::optional<double> numberOf(const Reading::Read& read, const LiveSnapshot& snapshot) {
     if (!read) return std::nullopt;
@@ -91,7 +86,7 @@ void SensorCard::addPicture(RenderService* render) {
     case SensorPicture::Dial: picture = m_dial = new HeadingDial(this); break;
     case SensorPicture::Battery: picture = m_gauge = new BatteryGauge(this); break;
     case SensorPicture::Camera:
-        if (render) picture = m_image = new SensorImage(render, slashed(m_device.path), this);
+        if (render) picture = m_image = new SensorImage(render, m_device.component, this);
         break;
     case SensorPicture::None: break;
     }
@@ -123,7 +118,7 @@ void SensorCard::display(const RunResults& run, bool running) {
     const bool measured = !m_device.hasReading || m_device.hasReading(snapshot);
     for (ReadingRow* row : m_rows) row->take(snapshot, measured);
     if (m_polar) {
-        const SignalEntry* ranges = run.layout->find(slashed(m_device.path) + "/ranges");
+        const SignalEntry* ranges = run.layout->find(m_device.component + "/ranges");
         const bool shown = ranges && measured;
         m_polar->setDistances(shown ? snapshot.block->slots().subspan(ranges->offset, ranges->count) : std::span<const double>());
     }

@@ -152,8 +152,10 @@ std::optional<SensorDevice> sensorDeviceAt(const RunResults& run, const std::str
     for (const ComponentSpec& device : robot->config->devices)
         if (device.name == name) spec = &device;
     if (!spec) return std::nullopt;
-    SensorDevice device = deviceOf(run, *robot, *spec, robot->name + "/" + spec->name + "/");
+    const std::string component = robot->name + "/" + spec->name;
+    SensorDevice device = deviceOf(run, *robot, *spec, component + "/");
     device.path = path;
+    device.component = component;
     if (spec->find("Beams"))
         if (const auto fan = rangeModelOf(*spec)) device.fan = std::make_shared<const RangeModel>(*fan);
     device.picture = pictureOf(device, *spec);

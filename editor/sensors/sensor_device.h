@@ -16,7 +16,8 @@ namespace trundle {
 enum class SensorPicture { None, Polar, Dial, Battery, Camera };
 
 struct SensorDevice {
-    std::string path; ///< "robot0.front", as in the selection
+    std::string path;      ///< "robot0.front", as in the selection
+    std::string component; ///< "robot0/front", as in its signals and as a camera
     const Kind* kind = nullptr;
     std::vector<Reading> readings;
     SensorPicture picture = SensorPicture::None;

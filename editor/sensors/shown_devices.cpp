@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
@@ -53,9 +53,10 @@ std::vector<std::string> devicesOf(const ExperimentSpec& experiment, const Regis
         part = withoutFirstWord(part);
     }
     std::vector<std::string> devices;
+    const RobotNames isRobot(experiment.robots);
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
-        const auto rest = ofConfig ? std::optional(part) : restBehind(path, robot.name);
+        const auto rest = ofConfig ? std::optional(part) : restBehind(path, robot.name, isRobot);
         if (!rest || (ofConfig && robot.config->name != first)) continue;
         std::ranges::copy(devicesOf(robot, kinds, *rest), std::back_inserter(devices));
         if (ofConfig) break;

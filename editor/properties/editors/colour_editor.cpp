@@ -62,30 +62,18 @@ void ColourEditor::resizeEvent(QResizeEvent* event) {
 }
 
 void ColourEditor::choose() {
-    m_before.clear();
-    for (const FieldValue& v : m_row.values) m_before[v.path] = v.given() ? v.text : std::string();
     auto* dialog = new QColorDialog(colour().isValid() ? colour() : QColor(Qt::lightGray), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setOption(QColorDialog::DontUseNativeDialog);
     connect(dialog, &QColorDialog::currentColorChanged, this, &ColourEditor::set);
-    connect(dialog, &QColorDialog::rejected, this, &ColourEditor::rollBack);
+    connect(dialog, &QDialog::rejected, this, &RowEditor::scrubCancelled);
     connect(dialog, &QDialog::finished, this, &RowEditor::scrubEnded);
     dialog->open();
 }
 
 void ColourEditor::set(const QColor& colour) {
     const std::string r = share(colour.redF()), g = share(colour.greenF()), b = share(colour.blueF());
-    commit([r, g, b](const FieldValue& v) { return joined({r, g, b}, v.separator); }, "colour " + m_row.first().path);
-}
-
-void ColourEditor::rollBack() {
-    const auto before = m_before;
-    commit(
-        [before](const FieldValue& v) {
-            const auto it = before.find(v.path);
-            return it == before.end() ? v.text : it->second;
-        },
-        "colour " + m_row.first().path);
+    commit([r, g, b](const FieldValue& v) { return joined({r, g, b}, v.separator); }, "scrub " + m_row.first().path);
 }
 
 } // namespace trundle

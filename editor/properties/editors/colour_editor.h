@@ -19,11 +19,9 @@ protected:
 private:
     void choose();
     void set(const QColor& colour);
-    void rollBack();
     [[nodiscard]] QColor colour() const;
 
     QToolButton* m_swatch;
-    std::map<std::string, std::string> m_before; ///< texts by path when the dialog opened; empty: the value was not set
 };
 
 } // namespace trundle

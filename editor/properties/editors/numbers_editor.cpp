@@ -62,7 +62,7 @@ void NumbersEditor::addFields(std::size_t count) {
         connect(field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
         connect(field, &ValueField::stepped, this, [this, i](int steps) {
             scrubField(i, steps);
-            m_start.clear();
+            Q_EMIT scrubEnded();
         });
         if (count == 1) continue;
         auto* label = new ScrubLabel(this);

@@ -39,9 +39,9 @@ namespace {
 enum Column { kRobot, kController, kState, kMean, kWorst, kLastCall, kRestarts }; ///< of the robots
 
 /// As the block of the controller says; the setting of the experiment is not considered.
-bool isIsolated(const ExperimentSpec& experiment, const ControlledRobot& robot) {
-    const auto named = std::ranges::find(experiment.robots, robot.path, &RobotSpec::name);
-    const ControllerSpec* controller = named == experiment.robots.end() ? nullptr : controllerIn(*named, robot);
+bool isIsolated(const LoadedProject& loaded, const ControlledRobot& robot) {
+    const RobotSpec* first = firstRobotOf(*loaded.experiment, *loaded.outline, robot);
+    const ControllerSpec* controller = first ? controllerIn(*first, robot) : nullptr;
     return controller && isolationOf(*controller, {}, Isolation::Module) == Isolation::Robot;
 }
 
@@ -399,7 +399,7 @@ void ControllersPanel::showButtons() {
     const bool runs = state == RunState::Running || state == RunState::Paused;
     for (const char* id : {"controllers.restart", "controllers.stop", "controllers.debug"}) m_actions.at(id).setEnabled(any && runs);
     m_actions.at("controllers.isolate").setEnabled(any);
-    m_actions.at("controllers.isolate").setChecked(chosen && isIsolated(*m_document.loaded()->experiment, *chosen));
+    m_actions.at("controllers.isolate").setChecked(chosen && isIsolated(*m_document.loaded(), *chosen));
     m_details->show(chosen ? *chosen : ControlledRobot());
     if (m_choosing) return;
     const QSignalBlocker quiet(m_robots);

@@ -49,9 +49,15 @@ ControllerState stoppedState(const std::vector<const StoppedController*>& stoppe
 } // namespace
 
 bool isRobotOf(const RunSession& session, const std::string& built, const ControlledRobot& robot) {
-    if (built == robot.path || isNamedBy(built, robot.path)) return true;
-    const Part* layout = session.results().built ? layoutOfMember(*session.results().built->outline, built) : nullptr;
-    return layout && layout->name == robot.path;
+    const auto& project = session.results().built;
+    return built == robot.path || (project && isNamedBy(built, robot.path, IsOwnName{*project->outline}));
+}
+
+const RobotSpec* firstRobotOf(const ExperimentSpec& experiment, const Outline& outline, const ControlledRobot& robot) {
+    const auto isMeant = [&](const RobotSpec& spec) { return isNamedBy(spec.name, robot.path, IsOwnName{outline}); };
+    auto first = std::ranges::find(experiment.robots, robot.path, &RobotSpec::name); // much faster, and most often there
+    if (first == experiment.robots.end()) first = std::ranges::find_if(experiment.robots, isMeant);
+    return first == experiment.robots.end() ? nullptr : &*first;
 }
 
 const ControllerSpec* controllerIn(const RobotSpec& built, const ControlledRobot& robot) {
@@ -63,11 +69,9 @@ const ControllerSpec* controllerIn(const RobotSpec& built, const ControlledRobot
 ControllerState controllerState(const RunSession& session, const ControlledRobot& robot) {
     const auto experiment = session.results().experiment;
     if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
-    const auto& robots = experiment->robots;
-    auto built = std::ranges::find(robots, robot.path, &RobotSpec::name);
-    if (built == robots.end()) // a Grid or Scatter: its first member represents it
-        built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isRobotOf(session, spec.name, robot); });
-    if (built == robots.end()) return {trState("not in this run"), false, false};
+    // A Grid, Scatter or what is in a Repeat is represented by its first member.
+    const RobotSpec* built = firstRobotOf(*experiment, *session.results().built->outline, robot);
+    if (!built) return {trState("not in this run"), false, false};
     if (const std::size_t ended = session.robots().ended().countOf(robot.path); ended > 0)
         return {
             robot.members == 1

@@ -129,7 +129,6 @@ FileId FilePage::id() const {
 void FilePage::setFile(const std::string& file) {
     m_file = file;
     m_typing = TypingMerger(file);
-    m_base = m_document.texts().text(file);
 }
 
 void FilePage::readWays() {

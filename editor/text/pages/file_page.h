@@ -37,7 +37,8 @@ public:
 
     [[nodiscard]] CodeEdit& edit() const { return *m_edit; }
     [[nodiscard]] const std::string& file() const { return m_file; }
-    void setFile(const std::string& file); ///< the file was saved under another name
+    /// The file was saved under another name; follow() shows what that changed in its text.
+    void setFile(const std::string& file);
     [[nodiscard]] FileId id() const;       ///< in the currently loaded project; kNoFile if it is no longer imported
     /// False while a notice is shown instead: see large_text.h.
     [[nodiscard]] bool isTextShown() const { return m_shown; }

@@ -6,7 +6,7 @@
 
 #include "editor/document/document.h"
 #include "editor/running/session.h"
-#include "model/dotted_path.h"
+#include "model/robot_path.h"
 #include "project/objects/object_location.h"
 #include "scene/queries/ghosts.h"
 
@@ -14,18 +14,26 @@ namespace trundle {
 namespace {
 
 /// What `part` has after the words of `name`, of which a member of a Repeat is named by that too: of "roller.rim" it is "rim"
-/// after "roller_3". Empty: what has the name is it, or in it. Nothing if it leads elsewhere.
-std::optional<std::string_view> restInside(std::string_view name, std::string_view part) {
+/// after "roller_3", unless there is an object `roller`. Empty: what has the name is it, or in it. Nothing if it leads elsewhere.
+/// Both are inside `around`.
+std::optional<std::string_view> restInside(const ObjectIndex& objects, std::string_view name, std::string_view part,
+                                           std::string around = {}) {
     for (; !part.empty() && !name.empty(); part = withoutFirstWord(part), name = withoutFirstWord(name)) {
         const std::string_view word = firstWord(name), wanted = firstWord(part);
-        const std::optional<MemberName> member = memberName(word);
-        if (word != wanted && (!member || member->stem != wanted)) return std::nullopt;
+        if (word != wanted && (!isMemberOf(word, wanted) || objects.find(pathInside(around, wanted)))) return std::nullopt;
+        around = pathInside(around, word);
     }
     return part;
 }
 
 /// Whether what has a name is in a Part, a Repeat or one of its members: "roller_3.rim" is in "roller" and in "roller_3".
-bool isNamedInside(std::string_view name, std::string_view part) { return restInside(name, part) == std::string_view(); }
+bool isNamedInside(const ObjectIndex& objects, std::string_view name, std::string_view part, std::string around = {}) {
+    return restInside(objects, name, part, std::move(around)) == std::string_view();
+}
+
+bool isMarked(const ObjectIndex& objects, const std::vector<std::string>& marks, std::string_view path) {
+    return std::ranges::any_of(marks, [&](const std::string& mark) { return isNamedInside(objects, path, mark); });
+}
 
 /// True if the text has syntax errors; missing objects are then no sign of what the author intended.
 bool hasBrokenSyntax(const LoadedProject& loaded) {
@@ -154,9 +162,10 @@ std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
         }
         return objects;
     }
+    const auto isObject = [&](std::string_view name) { return m_objects->find(name).has_value(); };
     const auto addMeant = [&](const std::string& name) { // the path means it, or what is in it, or the Repeat that it is in
-        if (const auto rest = restBehind(path, name)) add(name, *rest);
-        else if (isNamedInside(name, path)) add(name, {});
+        if (const auto rest = restBehind(path, name, isObject)) add(name, *rest);
+        else if (isNamedInside(*m_objects, name, path)) add(name, {});
     };
     for (const RobotSpec& robot : m_objects->experiment().robots)
         if (!robot.scenery) addMeant(robot.name);
@@ -173,14 +182,16 @@ void ViewportScene::addInside(const std::string& instance, std::string_view part
     if (part.empty()) return;
     for (std::uint32_t i = 0; robot && robot->config && i < robot->config->bodies.size(); ++i) {
         const BodySpec& body = robot->config->bodies[i];
-        const std::optional<std::string_view> rest = restInside(body.name, part);
+        const std::optional<std::string_view> rest = restInside(*m_objects, body.name, part, instance);
         if (!rest) continue;
         if (rest->empty()) objects.push_back({ObjectKind::Body, *bodies, i});
         for (std::uint32_t k = 0; !rest->empty() && k < body.geoms.size(); ++k)
-            if (isNamedInside(body.geoms[k].name, *rest)) objects.push_back({ObjectKind::Geom, *bodies, i, k});
+            if (isNamedInside(*m_objects, body.geoms[k].name, *rest, pathInside(instance, body.name)))
+                objects.push_back({ObjectKind::Geom, *bodies, i, k});
     }
     for (std::uint32_t i = 0; fixed && fixed->geoms && i < fixed->geoms->size(); ++i)
-        if (isNamedInside((*fixed->geoms)[i].name, part)) objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
+        if (isNamedInside(*m_objects, (*fixed->geoms)[i].name, part, instance))
+            objects.push_back({ObjectKind::StaticGeom, object->instance, 0, i});
 }
 
 const CameraModel* ViewportScene::camera(const std::string& path) const {
@@ -206,8 +217,8 @@ bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, 
     const auto bodies = object ? m_objects->bodiesOf(*object) : std::nullopt;
     const RobotSpec* spec = bodies ? &m_objects->experiment().robots[*bodies] : nullptr;
     if (!spec || !spec->config) return false;
-    const auto rest = restBehind(path, robot);
-    if (byConfig ? spec->config->name != name : !rest && !isNamedInside(robot, path)) return false;
+    const auto rest = restBehind(path, robot, [&](std::string_view other) { return m_objects->find(other).has_value(); });
+    if (byConfig ? spec->config->name != name : !rest && !isNamedInside(*m_objects, robot, path)) return false;
     const std::string_view which = byConfig ? withoutFirstWord(local) : rest.value_or(std::string_view());
     const std::string inRobot = robot + "/";
     if (which.empty() || (component.starts_with(inRobot) && isNameOf(std::string_view(component).substr(inRobot.size()), which)))
@@ -217,9 +228,7 @@ bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, 
 }
 
 bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {
-    if (marks.empty()) return false;
-    const std::string path = m_objects->pathOf(object);
-    return std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) { return isNamedInside(path, mark); });
+    return !marks.empty() && isMarked(*m_objects, marks, m_objects->pathOf(object));
 }
 
 JointPositions& jointPositions(ViewportScene& scene) { return scene.m_joints; }
@@ -229,6 +238,8 @@ bool isNameOf(std::string_view name, std::string_view path) {
     const std::optional<std::string_view> behind = restBehind(path, name);
     return behind && behind->empty();
 }
+
+bool isLocked(const ViewportScene& scene, const std::string& path) { return isMarked(*scene.m_objects, scene.m_locked, path); }
 
 bool showsModel(const ViewportScene& scene) { return scene.m_document.editedModel().isOpen(); }
 

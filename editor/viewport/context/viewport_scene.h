@@ -74,6 +74,7 @@ Q_SIGNALS:
 private:
     friend bool showsModel(const ViewportScene& scene);
     friend JointPositions& jointPositions(ViewportScene& scene);
+    friend bool isLocked(const ViewportScene& scene, const std::string& path);
     void updateScene();
     void updatePoses();
     [[nodiscard]] std::shared_ptr<const BodyPoses> posesOfText() const;
@@ -104,6 +105,9 @@ private:
 
 /// Whether `path` is that name in a config or robot, or that of all the members it is one of: "row.eye" for "row_3.eye".
 [[nodiscard]] bool isNameOf(std::string_view name, std::string_view path);
+
+/// Whether what a path names is locked, also a Part, Repeat or Region, which is no object of the scene.
+[[nodiscard]] bool isLocked(const ViewportScene& scene, const std::string& path);
 
 /// Whether it shows the edited model alone.
 [[nodiscard]] bool showsModel(const ViewportScene& scene);

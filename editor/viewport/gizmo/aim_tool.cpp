@@ -19,8 +19,9 @@
 #include "editor/viewport/gizmo/direction_drag.h"
 #include "editor/viewport/gizmo/text_in_place.h"
 #include "lang/number_text.h"
-#include "model/shortest_turn.h"
 #include "model/dotted_path.h"
+#include "model/shortest_turn.h"
+#include "project/objects/written_hpr.h"
 #include "scene/queries/range_model.h"
 
 namespace trundle {
@@ -30,6 +31,7 @@ constexpr double kAimPixels = 110, kAimHandle = 7, kRollHandle = 5, kAimReach = 
 constexpr double kRollAlong = 0.55, kRollUp = 0.32;   // where the handle of the roll is, as parts of the line
 constexpr double kLeastReach = 1e-3, kLongestPart = 0.7; // m; of the way to the camera
 constexpr double kAimDegrees = 180 / std::numbers::pi;
+constexpr const char* kAimKeys[] = {"Pos", "HPR"};
 const QColor kAimInk(120, 200, 255), kAimHot(255, 208, 60);
 
 Vec3 tripleOf(const ComponentSpec& device, const char* key) {
@@ -53,6 +55,7 @@ AimTool::AimTool(ToolView& view) : m_view(view) {
         m_view.widget().update();
     };
     connect(&context.world, &ViewportScene::replaced, this, forget);
+    connect(&context.world, &ViewportScene::marked, this, forget);
     connect(&context.world, &ViewportScene::posed, this, [this] { m_known = false; }); // the view repaints with its image
     connect(&context.selection, &Selection::changed, this, forget);
 }
@@ -63,7 +66,8 @@ std::optional<AimTool::Aimed> AimTool::selected() const {
     const std::string path = context.selection.current();
     const auto place = placeOf(*context.document.loaded(), path);
     if (!place || !place->part || !place->part->is(Role::Device) || !place->part->kind) return std::nullopt;
-    if (!place->part->kind->find("HPR") || !place->part->kind->find("Body")) return std::nullopt;
+    if (!place->part->kind->find("HPR") || !place->part->kind->find("Body") || isLocked(context.world, path)) return std::nullopt;
+    std::optional<Aimed> overridden; // a robot that sets the values of a config otherwise
     const auto& robots = context.world.objects()->experiment().robots;
     for (std::uint32_t r = 0; r < robots.size(); ++r) {
         if (!robots[r].config) continue;
@@ -81,6 +85,7 @@ std::optional<AimTool::Aimed> AimTool::selected() const {
         if (body == config.bodies.end()) return std::nullopt;
         Aimed aimed;
         const auto own = placeOf(*context.document.loaded(), before + device->name);
+        const auto inRobot = placeOf(*context.document.loaded(), byRobot + device->name);
         if (!own || !own->part) return std::nullopt;
         aimed.path = isInside ? byRobot + device->name : path; // in the text of a config all members of a Repeat are one
         aimed.shape = byRobot + device->name;
@@ -89,10 +94,17 @@ std::optional<AimTool::Aimed> AimTool::selected() const {
         if (const auto range = rangeModelOf(*device); range && range->ground) aimed.sight = -Vec3::UnitZ();
         aimed.mirror.signs = describedFrame(*context.document.loaded(), *own).signs;
         aimed.described = poseAt(*context.document.loaded(), *own).rotation;
+        aimed.hpr = writtenHpr(*context.document.loaded(), *own, aimed.described);
         aimed.text = textInPlace(*context.document.loaded(), aimed.path + ".HPR");
-        return aimed;
+        if (isInside || hasTextsOf(*context.document.loaded(), path, aimed.shape, kAimKeys)) return aimed;
+        if (overridden || !inRobot) continue;
+        const auto described = [&](const ObjectLocation& at) {
+            return aimed.mirror.mirrored(poseAt(*context.document.loaded(), at));
+        };
+        aimed.X_BD = aimed.X_BD * described(*inRobot).inverse() * described(*own);
+        overridden = aimed;
     }
-    return std::nullopt;
+    return overridden;
 }
 
 const AimTool::Aimed* AimTool::aimed() {
@@ -178,10 +190,10 @@ Quat AimTool::rolledRotation(const Pointer& pointer, bool snaps) const {
     if (std::abs(towards) > 0.05) now = ray.origin + axis.dot(centre - ray.origin) / towards * ray.direction - centre;
     else now = directionsUnder(ray, centre, before.normalized(), before.norm())[0]; // seen from its side
     const double turn = std::atan2(axis.dot(before.cross(now)), before.dot(now));
-    const Vec3 hpr = hprFromRotation(m_start->X_BD.rotation * Quat(Eigen::AngleAxisd(turn, Vec3::UnitX())));
     const double step = snaps ? m_view.context().settings.rotationStep() / kAimDegrees : 0;
     const Vec3 kept = hprFromRotation(m_start->X_BD.rotation);
-    return rotationFromHpr({kept.x(), kept.y(), step > 0 ? step * std::round(hpr.z() / step) : hpr.z()});
+    const double roll = kept.z() + turn;
+    return rotationFromHpr({kept.x(), kept.y(), step > 0 ? step * std::round(roll / step) : roll});
 }
 
 void AimTool::drag(const Pointer& pointer) {
@@ -198,8 +210,9 @@ void AimTool::drag(const Pointer& pointer) {
 Status AimTool::turnTo(const Quat& rotation, double fine) {
     const auto mirrored = [this](const Quat& q) { return m_start->mirror.mirrored({Vec3::Zero(), q}).rotation; };
     const Quat frame = m_start->X_BD.rotation * mirrored(m_start->described).conjugate(); // of what it is in, in the body
-    const Vec3 from = degreesOf(m_start->described), to = degreesOf(mirrored(frame.conjugate() * rotation));
-    const bool isDefault = m_start->text.empty() && to.cwiseAbs().maxCoeff() < 0.5 * fine;
+    const Vec3 from = m_start->hpr * kAimDegrees,
+               to = hprLike(m_start->hpr, mirrored(frame.conjugate() * rotation)) * kAimDegrees;
+    const bool isDefault = m_start->text.empty() && (to - from).cwiseAbs().maxCoeff() < 0.5 * fine; // that of its config
     if (isDefault && !m_wrote) return {};
     const std::string text =
         isDefault ? std::string() : withNumbers(m_start->text, {from.data(), 3}, {to.data(), 3}, "deg", fine);

@@ -38,6 +38,7 @@ private:
         std::string shape;          ///< path of the device itself; of all members of a Repeat, the first one's
         Pose X_WB, X_BD;            ///< of its body, of the device in it
         Quat described;             ///< HPR of the text
+        Vec3 hpr;                   ///< rad, the same as it is written
         Vec3 sight = Vec3::UnitX(); ///< unit vector in the frame of the device
         DescribedFrame mirror;      ///< signs of the Part that it is in
         [[nodiscard]] Vec3 position() const { return X_WB * X_BD.position; }

@@ -18,7 +18,9 @@
 namespace trundle {
 namespace {
 
-constexpr double kAxisFine = 1e-4, kPerRad = 180 / std::numbers::pi;
+constexpr double kAxisFine = 1e-4, kPerRad = 180 / std::numbers::pi, kSquare = 1e-6;
+constexpr const char* kJointKeys[] = {"Anchor",   "Axis",      "Axis2",     "LowStop", "HighStop",
+                                      "LowStop2", "HighStop2", "SwingStop", "Travel"};
 
 std::array<double, 3> numbersOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -44,9 +46,10 @@ std::optional<EditedJoint> EditedJoint::selected(const ViewContext& context) {
     const std::string path = jointPathOf(loaded, context.selection.current());
     if (path.empty()) return std::nullopt;
     EditedJoint joint;
-    joint.find(context, path);
+    joint.find(context, path, true);
+    if (joint.m_path.empty()) joint.find(context, path, false);
     if (joint.m_path.empty()) joint.findLink(context, path);
-    if (joint.m_path.empty()) return std::nullopt;
+    if (joint.m_path.empty() || isLocked(context.world, joint.m_path)) return std::nullopt;
     if (const auto place = placeOf(loaded, joint.m_placePath)) joint.m_described = describedFrame(loaded, *place);
     joint.m_anchorText = textInPlace(loaded, joint.m_path + ".Anchor");
     joint.m_lowText = textInPlace(loaded, joint.m_path + ".LowStop");
@@ -56,7 +59,8 @@ std::optional<EditedJoint> EditedJoint::selected(const ViewContext& context) {
     return joint;
 }
 
-void EditedJoint::find(const ViewContext& context, const std::string& path) {
+/// `asInText`: for a path into a config only in a robot that sets none of the values there.
+void EditedJoint::find(const ViewContext& context, const std::string& path, bool asInText) {
     const ViewportScene& world = context.world;
     const auto& robots = world.objects()->experiment().robots;
     for (std::uint32_t r = 0; r < robots.size(); ++r) {
@@ -70,6 +74,8 @@ void EditedJoint::find(const ViewContext& context, const std::string& path) {
         if (joint == config.joints.end())
             joint = std::ranges::find_if(config.joints, [&](const JointSpec& j) { return isNameOf(j.name, name); });
         if (joint == config.joints.end()) continue;
+        const std::string own = robots[r].name + "." + joint->name;
+        if (asInText && !isInside && !hasTextsOf(*context.document.loaded(), path, own, kJointKeys)) continue;
         m_placePath = (isInside ? robots[r].name : byConfig) + "." + joint->name;
         m_path = isInside ? m_placePath : path; // in the text of a config all members of a Repeat are one
         m_spec = *joint;
@@ -168,13 +174,15 @@ Status EditedJoint::setAnchor(Document& document, const Vec3& anchor, double fin
                                           {{m_path + ".Anchor", withNumbers(m_anchorText, before, after, "m", fine)}}, mergeKey);
 }
 
-Status EditedJoint::setAxis(Document& document, const Vec3& axis, bool second, const std::string& mergeKey) const {
+Status EditedJoint::setAxis(Document& document, const Vec3& axis, bool second, const std::string& mergeKey) {
     std::vector<ValueEdit> edits;
     Vec3 turned = axis.normalized();
     if (m_spec.type == JointType::Universal && second) turned = (turned - turned.dot(m_spec.axis) * m_spec.axis).normalized();
     if (m_spec.type == JointType::Universal && !second) {
-        const Quat turn = shortestTurn(m_spec.axis, turned);
-        edits.push_back({m_path + ".Axis2", axisText(turn * m_spec.axis2)});
+        const bool isSquare = std::abs(turned.dot(m_spec.axis2)) < kSquare;
+        m_axis2Edited |= !isSquare; // once a drag has turned it, it is written even where it is as at the start
+        const Vec3 axis2 = isSquare ? m_spec.axis2 : Vec3(shortestTurn(m_spec.axis, turned) * m_spec.axis2);
+        if (m_axis2Edited) edits.push_back({m_path + ".Axis2", axisText(axis2)});
     }
     edits.push_back({m_path + (second ? ".Axis2" : ".Axis"), axisText(turned)});
     return document.structure().setValues(titleOf("Turn axis of %1", m_path), edits, mergeKey);

@@ -46,14 +46,14 @@ public:
     /// Each writes the value at the joint; calls with one merge key are one entry of the history. Values in C, m and rad; `fine`: m or degrees.
     Status setAnchor(Document& document, const Vec3& anchor, double fine, const std::string& mergeKey) const;
     /// The axes of a Universal stay at a right angle.
-    Status setAxis(Document& document, const Vec3& axis, bool second, const std::string& mergeKey) const;
+    Status setAxis(Document& document, const Vec3& axis, bool second, const std::string& mergeKey);
     Status setStop(Document& document, const JointStop& which, double value, double fine, const std::string& mergeKey) const;
     Status setSwing(Document& document, double value, double fine, const std::string& mergeKey) const;  ///< of a Ball
     Status setTravel(Document& document, double value, double fine, const std::string& mergeKey) const; ///< of a Suspension
 
 private:
     EditedJoint() = default;
-    void find(const ViewContext& context, const std::string& path);
+    void find(const ViewContext& context, const std::string& path, bool asInText);
     void findLink(const ViewContext& context, const std::string& path);
     void addPoints(const BodySpec& body, const Pose& X_CB);
     [[nodiscard]] Vec3 describedPoint(const Vec3& point) const;
@@ -67,6 +67,7 @@ private:
     DescribedFrame m_described;
     std::vector<Vec3> m_points;
     Vec3 m_childCentre = Vec3::Zero();
+    bool m_axis2Edited = false;
     std::string m_anchorText, m_lowText, m_highText, m_swingText,
         m_travelText; ///< as written where they are edited; empty: not written
 };

@@ -55,6 +55,7 @@ JointTool::JointTool(ToolView& view) : m_view(view) {
         m_view.widget().update();
     };
     connect(&context.world, &ViewportScene::replaced, this, forget);
+    connect(&context.world, &ViewportScene::marked, this, forget);
     connect(&context.world, &ViewportScene::posed, this, [this] { m_known = false; }); // the view repaints with its image
     connect(&context.selection, &Selection::changed, this, forget);
 }

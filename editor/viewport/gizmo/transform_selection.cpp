@@ -11,14 +11,13 @@
 #include "editor/viewport/context/view_context.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/text_in_place.h"
-#include "lang/characters.h"
 #include "lang/number_text.h"
 #include "model/dotted_path.h"
-#include "model/provenance.h"
 #include "model/robot_path.h"
 #include "project/objects/moves_with.h"
 #include "project/objects/object_location.h"
 #include "project/objects/part_values.h"
+#include "project/objects/written_hpr.h"
 #include "scene/shapes/extents.h"
 
 namespace trundle {
@@ -26,6 +25,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kLeastLength = 1e-3; // m, minimum size that a drag can reach
+constexpr const char* kEditedKeys[] = {"Pos", "HPR", "Size", "Radius", "Length"};
 
 QString tr(const char* text) { return QCoreApplication::translate("TransformSelection", text); }
 
@@ -81,32 +81,28 @@ Pose movedLocal(const Pose& local, const Pose& frame, const DescribedFrame& desc
 /// Whether what is inside is described in a frame of its own.
 bool holdsFrame(const Part* part) { return part->isPartUse() || part->isRepeat(); }
 
-bool usesIndex(std::string_view text) {
-    for (std::size_t at = 0; (at = text.find("index", at)) != std::string_view::npos; at += 5) {
-        const std::size_t end = at + (text.substr(at + 5).starts_with("2") ? 6 : 5);
-        if ((at == 0 || !isIdent(text[at - 1])) && (end == text.size() || !isIdent(text[end]))) return true;
-    }
-    return false;
-}
-
-/// Whether a pose is worked out from the number of a member of a Repeat in a text that an edit through this path would not
-/// change, so that it would put all members in one place. `place`: of the object; a value that is written for one member is
-/// that one's.
-bool isPlacedByIndex(const LoadedProject& loaded, const std::string& path, const ObjectLocation& place) {
-    const bool isRepeated = place.part->isRepeat() || !place.around.empty() || std::ranges::any_of(place.above, &Part::isRepeat);
-    for (const char* key : {".Pos", ".HPR"}) {
-        if (!isRepeated) return false;
-        const auto from = provenanceOf(*loaded.outline, path + key);
-        const bool isOfAll = place.members.empty() && textInPlace(loaded, path + key).empty();
-        if (from && from->value.known() && isOfAll && usesIndex(loaded.sources.slice(from->value))) return true;
-    }
-    return false;
+/// Where an object is, and its Pos and HPR as described.
+struct DescribedPose {
+    Pose world, frame, local;
+    DescribedFrame described;
+};
+DescribedPose describedPose(const LoadedProject& loaded, const ObjectLocation& place, const ObjectIndex& objects,
+                            const ObjectRef& object, const BodyPoses& poses) {
+    DescribedPose at{objects.poseOf(object, poses), frameAsShown(objects, object, poses), localPose(objects, object), {}};
+    const bool hasIn = valueAt(loaded, place, "In").has_value();
+    if (!hasIn && std::ranges::none_of(place.above, holdsFrame)) return at;
+    at.described = describedFrame(loaded, place);
+    at.frame = at.frame * at.described.pose;
+    at.local = at.described.mirrored(at.described.pose.inverse() * at.local);
+    return at;
 }
 
 QString placedByIndex(const std::string& path) {
     return tr("The members of %1 are each in a place of their own, computed from index. Edit Model (Ctrl+E) moves them all.")
         .arg(QString::fromStdString(path));
 }
+
+QString locked(const std::string& path) { return tr("%1 is locked.").arg(QString::fromStdString(path)); }
 
 } // namespace
 
@@ -115,7 +111,8 @@ TransformSelection::TransformSelection(const ViewContext& context, Operation pur
     const std::vector<std::string>& paths = context.selection.paths();
     for (const std::string& path : paths) {
         if (paths.size() > 1 && m_context.document.isOpen() && movesWith(*m_context.document.loaded(), path, paths)) continue;
-        take(path);
+        if (isLocked(m_context.world, path)) m_refusal = locked(path);
+        else take(path);
         if (purpose == Operation::Scale && !m_running && !m_items.empty() && m_items.back().path == path) addSizes(path);
     }
     if (!m_items.empty()) m_refusal.clear();
@@ -151,17 +148,23 @@ void TransformSelection::take(const std::string& path) {
     if (isAllOfRepeat && place->part->is(Role::Layout)) return take(std::string(memberName(one)->stem));
     if (one != path) return take(one);
     if (place->instance && place->within.empty() && !world.find(path)) return takePart(path, *place, object);
-    if (world.isLocked(object)) return void(m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path)));
-    Item item{path, object, world.poseOf(object), frameAsShown(*m_objects, object, *world.poses()), {}, {}, {}, {}};
-    item.local = localPose(*m_objects, object);
-    const bool hasIn = valueAt(*m_context.document.loaded(), *place, "In").has_value();
-    if (hasIn || std::ranges::any_of(place->above, holdsFrame)) {
-        item.described = describedFrame(*m_context.document.loaded(), *place);
-        item.frame = item.frame * item.described.pose;
-        item.local = item.described.mirrored(item.described.pose.inverse() * item.local);
+    if (world.isLocked(object)) return void(m_refusal = locked(path)); // reached through a config
+    const LoadedProject& loaded = *m_context.document.loaded();
+    const ObjectRef shown = objectWithTexts(loaded, path, *m_objects, objects, kEditedKeys);
+    const DescribedPose at = describedPose(loaded, *place, *m_objects, shown, *world.poses());
+    Item item{path, shown, at.world, at.frame, at.local, at.described};
+    if (!hasTextsOf(loaded, path, m_objects->pathOf(shown), kEditedKeys)) { // every instance has values of its own
+        item.local = poseAt(loaded, *place);
+        item.world = item.frame * item.described.mirrored(item.local);
+        if (const GeomSpec* geom = m_objects->geomOf(shown)) item.shape = sizedByText(loaded, *place, *geom);
     }
-    item.posText = textOf(path + ".Pos");
-    item.hprText = textOf(path + ".HPR");
+    add(std::move(item), *place);
+}
+
+void TransformSelection::add(Item item, const ObjectLocation& place) {
+    item.posText = textOf(item.path + ".Pos");
+    item.hprText = textOf(item.path + ".HPR");
+    item.hpr = writtenHpr(*m_context.document.loaded(), place, item.local.rotation);
     m_items.push_back(std::move(item));
 }
 
@@ -177,12 +180,10 @@ void TransformSelection::takeRegion(const std::string& path) {
     const DescribedFrame described = describedFrame(loaded, *place);
     const Pose local = poseAt(loaded, *place);
     Item item{path, std::nullopt, described.pose * local, described.pose, local, described};
-    item.posText = textOf(path + ".Pos");
-    item.hprText = textOf(path + ".HPR");
-    item.region = GeomSpec{};
-    item.region->shape = GeomShape::Box;
-    item.region->size = {size->numbers[0], size->numbers[1], size->numbers[2]};
-    m_items.push_back(std::move(item));
+    item.shape = GeomSpec{};
+    item.shape->shape = GeomShape::Box;
+    item.shape->size = {size->numbers[0], size->numbers[1], size->numbers[2]};
+    add(std::move(item), *place);
 }
 
 void TransformSelection::addSizes(const std::string& path) {
@@ -209,20 +210,13 @@ void TransformSelection::addSizes(const std::string& path) {
 void TransformSelection::takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside) {
     const LoadedProject& loaded = *m_context.document.loaded();
     const ObjectRef whole = m_objects->wholeOf(inside);
-    Item item{path,
-              std::nullopt,
-              {},
-              {},
-              poseAt(loaded, place),
-              describedFrame(loaded, place),
-              textOf(path + ".Pos"),
-              textOf(path + ".HPR")};
+    Item item{path, std::nullopt, {}, {}, poseAt(loaded, place), describedFrame(loaded, place)};
     const bool isInWorld = place.part->isInWorld || place.part->is(Role::Layout);
     const bool isInBody = std::ranges::any_of(place.above, [](const Part* part) { return part->is(Role::Body); });
     const Pose around = isInBody ? frameAsShown(*m_objects, inside, *m_context.world.poses()) : m_context.world.poseOf(whole);
     item.frame = isInWorld ? item.described.pose : around * item.described.pose;
     item.world = item.frame * item.described.mirrored(item.local);
-    m_items.push_back(std::move(item));
+    add(std::move(item), place);
 }
 
 std::string TransformSelection::textOf(const std::string& property) const {
@@ -242,7 +236,7 @@ std::vector<std::string> TransformSelection::paths() const {
 
 Bounds TransformSelection::boundsOf(std::size_t item) const {
     if (m_items[item].object) return m_objects->boundsOf(*m_items[item].object, *m_context.world.poses());
-    if (const auto& region = m_items[item].region) return trundle::boundsOf(*region, m_items[item].world);
+    if (const auto& region = m_items[item].shape) return trundle::boundsOf(*region, m_items[item].world);
     Bounds all;
     for (const ObjectRef& member : m_context.world.objectsOf(m_items[item].path)) all.add(m_context.world.boundsOf(member));
     return all;
@@ -255,8 +249,7 @@ std::vector<ValueEdit> TransformSelection::editsOf(Item& item, const Pose& local
     item.hprEdited |= item.local.rotation.angularDistance(local.rotation) > 1e-7;
     const auto before = arrayOf(item.local.position), after = arrayOf(local.position);
     if (item.posEdited) edits.push_back({item.path + ".Pos", withNumbers(item.posText, before, after, "m", fineness.lengthM)});
-    const auto from = arrayOf(hprFromRotation(item.local.rotation) * kDegrees),
-               to = arrayOf(hprFromRotation(local.rotation) * kDegrees);
+    const auto from = arrayOf(item.hpr * kDegrees), to = arrayOf(hprLike(item.hpr, local.rotation) * kDegrees);
     if (item.hprEdited) edits.push_back({item.path + ".HPR", withNumbers(item.hprText, from, to, "deg", fineness.degrees)});
     return edits;
 }
@@ -306,7 +299,7 @@ Vec3 TransformSelection::sizeCentre() const {
 }
 
 const GeomSpec* TransformSelection::shapeOf(const Item& item) const {
-    if (item.region) return &*item.region;
+    if (item.shape) return &*item.shape;
     return item.object ? m_objects->geomOf(*item.object) : nullptr;
 }
 

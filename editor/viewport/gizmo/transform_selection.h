@@ -76,15 +76,17 @@ private:
         Pose world, frame, local;        ///< local: Pos and HPR of the text
         DescribedFrame described;        ///< of the Parts that it is in; `frame` has its pose already
         std::string posText, hprText;    ///< as written where they are edited; empty: not written
+        Vec3 hpr = Vec3::Zero();         ///< rad, of the text
         bool posEdited = false, hprEdited = false;
         std::optional<ParamSizes> sizes; ///< only for an instance to be scaled
         int sizedAxis = -1;              ///< axis of the last scaling
-        std::optional<GeomSpec> region;  ///< of a Region: the box that it is
+        std::optional<GeomSpec> shape;   ///< instead of that of `object`: the box of a Region, or with the sizes of its config
     };
     void addSizes(const std::string& path);
     void take(const std::string& path);
     void takePart(const std::string& path, const ObjectLocation& place, const ObjectRef& inside);
     void takeRegion(const std::string& path);
+    void add(Item item, const ObjectLocation& place);              ///< with its texts
     [[nodiscard]] const GeomSpec* shapeOf(const Item& item) const; ///< whose sizes a drag changes; nullptr: it has none
     [[nodiscard]] std::string textOf(const std::string& property) const;
     /// The edits that resize an instance: its Param, and Pos if the opposite side is to stay.

@@ -107,7 +107,7 @@ void paintLinks(QPainter& painter, const ToolView& view, bool all) {
     const ViewportScene& world = view.context().world;
     const ExperimentSpec& experiment = world.objects()->experiment();
     for (const auto& link : experiment.joints) {
-        const bool selected = isSelected(view.context().selection, link.spec.name);
+        const bool selected = isSelected(view.context(), link.spec.name);
         const auto robot = std::uint32_t(link.childRobot), body = std::uint32_t(link.spec.child);
         const bool hasOwnHandles = view.context().selection.contains(link.spec.name) && hasHandles(view);
         if ((!all && !selected) || hasOwnHandles || !experiment.robots[robot].config ||
@@ -133,7 +133,7 @@ void paintJoints(QPainter& painter, const ToolView& view, bool all) {
             // Selected joints are always shown, including those selected in their config.
             const std::string name = robots[r].name + "." + joint.name;
             const bool isChosen = selection.contains(name) || selection.contains("RobotConfig." + config.name + "." + joint.name);
-            const bool selected = isChosen || isSelected(selection, name);
+            const bool selected = isChosen || isSelected(view.context(), name, isNameOfAny(robots[r], config.joints));
             if ((!all && !selected) || (isChosen && hasHandles(view))) continue;
             const auto child = std::uint32_t(joint.child);
             const Pose toWorld =

@@ -64,8 +64,11 @@ std::string regionAt(const ToolView& view, const QPointF& at) {
 
 Bounds boundsOfRegions(const ExperimentSpec& experiment, const std::string& path) {
     Bounds all;
+    const auto isRegion = [&](std::string_view name) {
+        return std::ranges::find(experiment.regions, name, &RegionSpec::name) != experiment.regions.end();
+    };
     for (const RegionSpec& region : experiment.regions) {
-        if (!isNamedBy(region.name, path)) continue;
+        if (!isNamedBy(region.name, path, isRegion)) continue;
         GeomSpec box;
         box.shape = GeomShape::Box;
         box.size = region.size;
@@ -80,7 +83,7 @@ void paintRegions(QPainter& painter, const ToolView& view) {
     for (std::size_t i = 0; i < regions.size() && i < kMostRegions; ++i) {
         const auto corners = cornersOf(view, regions[i]);
         if (!corners) continue;
-        QColor colour = isSelected(view.context().selection, regions[i].name) ? ToolView::outlineColour() : kOpen;
+        QColor colour = isSelected(view.context(), regions[i].name) ? ToolView::outlineColour() : kOpen;
         painter.setPen(QPen(colour, 1.4, Qt::DashLine));
         QColor fill = colour;
         fill.setAlpha(22);

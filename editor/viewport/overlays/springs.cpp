@@ -58,8 +58,7 @@ void paintLinkedSprings(QPainter& painter, const ToolView& view) {
             return world.objects()->poseOf({ObjectKind::Body, r, b}, view.shownPoses()) * (start.inverse() * point);
         };
         paintCoil(painter, view, link.spec, shown(link.parentRobot, link.spec.parent, link.spec.anchor),
-                  shown(link.childRobot, link.spec.child, link.spec.anchor2),
-                  isSelected(view.context().selection, link.spec.name));
+                  shown(link.childRobot, link.spec.child, link.spec.anchor2), isSelected(view.context(), link.spec.name));
     }
 }
 
@@ -81,7 +80,8 @@ void paintSprings(QPainter& painter, const ToolView& view) {
                    (config.bodies[index].pose.inverse() * point);
         };
         for (const SpringSpec& spring : config.springs) {
-            const bool selected = isSelected(selection, robots[r].name + "." + spring.name) ||
+            const std::string name = robots[r].name + "." + spring.name;
+            const bool selected = isSelected(view.context(), name, isNameOfAny(robots[r], config.springs)) ||
                                   selection.contains("RobotConfig." + config.name + "." + spring.name);
             paintCoil(painter, view, spring, shown(spring.parent, spring.anchor), shown(spring.child, spring.anchor2), selected);
         }

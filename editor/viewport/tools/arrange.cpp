@@ -120,6 +120,9 @@ QString gridRefusal(const ViewContext& context) {
     if (!object || !poseInText(*context.world.objects(), *object))
         return trArrange("A Grid is made of one robot or one piece of scenery.");
     const auto place = placeOf(*context.document.loaded(), paths[0]);
+    if (place && !place->around.empty())
+        return trArrange("%1 is in %2, which makes several of it. A Grid is made of one that is in no Repeat.")
+            .arg(QString::fromStdString(paths[0]), QString::fromStdString(place->around.back()->name));
     return !place || place->member || !place->part
                ? trArrange("%1 is part of a Grid already.").arg(QString::fromStdString(paths[0]))
                : QString();

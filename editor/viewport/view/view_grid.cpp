@@ -99,8 +99,12 @@ void ViewGrid::setViewCount(int count) {
         View* view = m_views[std::size_t(i)];
         const bool wasThere = view->isVisibleTo(this), isThere = m_shown == 3 ? i != 2 : i < m_shown; // 3: one left, two right
         view->setVisible(isThere);
-        // A newly shown view is framed after it got its size.
-        if (isThere && !wasThere) QTimer::singleShot(0, view, [this, view] { view->frame(m_context.world.bounds(), false); });
+        // A newly shown view is framed after it got its size, unless it gets a camera before.
+        m_awaitsFraming[std::size_t(i)] = isThere && (!wasThere || m_awaitsFraming[std::size_t(i)]);
+        if (isThere && !wasThere)
+            QTimer::singleShot(0, view, [this, view, i] {
+                if (std::exchange(m_awaitsFraming[std::size_t(i)], false)) view->frame(m_context.world.bounds(), false);
+            });
     }
     m_right->setVisible(m_shown > 1);
     if (m_shown > 1) setSizes({1000, 1000});
@@ -162,6 +166,7 @@ void ViewGrid::setViewStates(const std::vector<ViewState>& viewStates, int shown
     m_toBeFramed = m_frameWhenShown = false;
     setViewCount(shown);
     for (std::size_t i = 0; i < m_views.size() && i < viewStates.size(); ++i) {
+        m_awaitsFraming[i] = false;
         m_views[i]->camera().setView(viewStates[i].camera);
         m_views[i]->camera().setKind(viewStates[i].kind);
     }

@@ -1,6 +1,7 @@
 #pragma once
 // One to four 3D views, side by side. Keys and menus apply to the current one.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -61,7 +62,8 @@ private:
     std::vector<View*> m_views;
     View* m_current = nullptr;
     int m_shown = 1;
-    bool m_awaitsFiles = false; // framed before its meshes were read
+    std::array<bool, 4> m_awaitsFraming{}; // newly shown
+    bool m_awaitsFiles = false;            // framed before its meshes were read
     bool m_toBeFramed = true, m_frameWhenShown = false;
     std::vector<ViewState> m_experimentViews; // while the edited model is shown: the views of the experiment
 };

@@ -76,6 +76,32 @@ private Q_SLOTS:
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }
 
+    /// What is named like a file, and Params that no file has, keep their words.
+    void onlyFileNamesAreRewritten() {
+        m_fixture->write("configs/things/deck.png", "png");
+        const std::string text =
+            "Param picture = deck\nParam paint = deck\n"
+            "Material deck { Texture=deck }\nMaterial board { Texture=$picture }\n"
+            "StaticConfig Floor { Box b { Size=1,1,1 Material=deck } Box c { Size=1,1,1 Material=$paint } }\n"
+            "StaticConfig Thing { Param mesh = \"parts/thing.obj\"  Mesh shape { File=$mesh } }\n"
+            "StaticConfig Twin { Config=Thing shape.Material=deck }\n"
+            "Static a { Config=Floor }\nStatic b { Config=Twin mesh=\"parts/thing.obj\" }\n"
+            "Static c { Config=Thing shape.File=parts/thing.obj }\n";
+        std::string expected = text;
+        for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+                 {"picture = deck", "picture = \"things/deck.png\""},
+                 {"Texture=deck", "Texture=\"things/deck.png\""},
+                 {"mesh = \"parts", "mesh = \"things/parts"},
+                 {"mesh=\"parts", "mesh=\"things/parts"},
+                 {"shape.File=parts/thing.obj", "shape.File=\"things/parts/thing.obj\""}})
+            expected.replace(expected.find(from), from.size(), to);
+        Document d(*m_application);
+        QVERIFY(d.opening().open(m_fixture->write("configs/things/deck.sim", text)).ok());
+        const std::string target = m_fixture->path("configs/deck2.sim");
+        QCOMPARE(why(d.saving().saveAs(target)), "");
+        QCOMPARE(bytesOf(target), expected);
+    }
+
     void copiesMeshesOfImportedText() {
         Document d(*m_application);
         const std::string main = m_fixture->write("configs/main2.sim", "#import things/thing.sim\nTick = 0.01\n");

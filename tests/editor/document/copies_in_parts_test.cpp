@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "editor/document/prepared_edit.h"
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
 #include "sample_document.h"
@@ -264,6 +265,35 @@ private Q_SLOTS:
                      !holds(text, "CarBack2"),
                  text.c_str());
         QCOMPARE(selection.current(), std::string("PartConfig.CarFront2.strut"));
+    }
+
+    /// Of two shipped configs the second cannot be copied, since too many others have it.
+    void aCopyDoesNotStayWithoutItsValue() {
+        std::string shipped = "PartConfig Wheel { Body w { Sphere t { Radius=0.1 Mass=1 } } }\n"
+                              "RobotConfig Plain { Body hull { Box b { Size=0.1,0.1,0.1 Mass=1 } } }\n",
+                    own = "#import robots/many.sim\n\nRobot plain { Config=Plain Pos=0,-1,0 }\n";
+        for (int i = 0; i <= PreparedEdit::kMaxCopies; ++i) {
+            const std::string number = std::to_string(i);
+            shipped += "RobotConfig Cart" + number + " { Part wheel { Config=Wheel } }\n";
+            own += "Robot cart" + number + " { Config=Cart" + number + " Pos=" + number + ",0,0 }\n";
+        }
+        const DocumentFixture fixture;
+        (void)fixture.write("shipped/robots/many.sim", shipped);
+        const std::string file = fixture.write("configs/carts.sim", own);
+        Locations places = findLocations();
+        places.configs = fixture.path("shipped");
+        const std::unique_ptr<Application> application = makeApplication(places);
+        Document d(*application);
+        QVERIFY(d.opening().open(file).ok());
+        QCOMPARE(messages(*d.loaded()), "");
+        const std::vector<ValueEdit> both{{"RobotConfig.Plain.hull.b.Mass", "2"}, {"PartConfig.Wheel.w.t.Mass", "2"}};
+        const std::string refusal = why(d.structure().setValues(u"Set"_qs, both));
+        QVERIFY2(holds(refusal, "too many configs"), refusal.c_str());
+        QCOMPARE(*d.texts().text(file), own);
+        QVERIFY(d.edits().history().entries().empty());
+        QVERIFY(!d.texts().isModified());
+        QVERIFY(d.structure().setValues(u"Set"_qs, {both[0]}).ok()); // alone it can be set
+        QVERIFY(holds(*d.texts().text(file), "Robot plain { Config=Plain2 "));
     }
 
 private:

@@ -61,6 +61,7 @@ private Q_SLOTS:
     void robotsAndArenasGoIn();
     void partsGoIntoTheSelectedRobot_data();
     void partsGoIntoTheSelectedRobot();
+    void partsFitTheOnlyRobotConfig();
     void insertsModuleWithController();
     void aDoubleClickPutsItAtAFreePlace();
     void aDragCarriesKindTextAndImports();
@@ -163,6 +164,24 @@ void LibraryTest::partsGoIntoTheSelectedRobot() {
     QCOMPARE(s.document.loaded()->experiment->robots[0].config->bodies.size(), std::size_t(3));
     s.document.edits().moveTo(0);
     QCOMPARE(s.text(), text);
+}
+
+/// Of several configs with nothing selected none is meant, however many they are.
+void LibraryTest::partsFitTheOnlyRobotConfig() {
+    LibraryFixture s;
+    QVERIFY(s.filled());
+    QByteArray text;
+    for (const char* number : {"1", "2", "3"}) {
+        text += QByteArray("RobotConfig CartN { Body frameN { Box b { Size=0.3,0.2,0.1 Mass=2 } } }\n").replace('N', number);
+        QVERIFY(s.open(text));
+        QVERIFY(s.filled() && s.selection.empty());
+        const QModelIndex wheel = s.row(LibrarySection::RobotParts, "Driven wheel");
+        const std::unique_ptr<QMimeData> mime(wheel.model()->mimeData({wheel}));
+        const QJsonObject json = QJsonDocument::fromJson(mime->data(QStringLiteral("application/x-trundle-library"))).object();
+        const QString dragged = json.value(QStringLiteral("text")).toString();
+        const QString parent = *number == '1' ? QStringLiteral("Parent=frame1") : QStringLiteral("Parent=chassis");
+        QVERIFY2(dragged.contains(parent), qPrintable(dragged));
+    }
 }
 
 void LibraryTest::insertsModuleWithController() {

@@ -12,6 +12,7 @@
 #include "editor/properties/motor_curve.h"
 #include "editor/properties/properties_panel.h"
 #include "editor/running/session.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -155,6 +156,25 @@ private Q_SLOTS:
         QCOMPARE(fixture.massValues().size(), 5);
         fixture.selection.select("cart.axle");
         QVERIFY(fixture.massValues().empty());
+    }
+
+    /// Also of one that a Part of a Part uses.
+    void massFollowsThePartConfigs() {
+        DetailsFixture fixture;
+        const std::string path = fixture.folder.filePath(QStringLiteral("kit.sim")).toStdString();
+        std::ofstream(path, std::ios::binary) << "Robot kit { Config=Kit }\n"
+                                                 "RobotConfig Kit { Body hull { Box box { Size=0.4,0.2,0.1 Mass=2 } }\n"
+                                                 "  Part left { Config=Side Pos=0,0.5,0 }\n"
+                                                 "  Part right { Config=Side Pos=0,-0.5,0 } }\n"
+                                                 "PartConfig Side { Body rail { Box bar { Size=0.2,0.1,0.1 Mass=1 } }\n"
+                                                 "  Part tip { Config=Tip Pos=0.3,0,0 } }\n"
+                                                 "PartConfig Tip { Body ball { Sphere shape { Radius=0.1 Mass=1 } } }\n";
+        QVERIFY(fixture.document.opening().open(path).ok());
+        fixture.selection.select("kit");
+        EVENTUALLY(!fixture.massValues().empty());
+        QCOMPARE(fixture.massValues()[0], QStringLiteral("6 kg"));
+        QVERIFY(fixture.document.structure().setValues(QStringLiteral("set"), {{"PartConfig.Tip.ball.shape.Mass", "3"}}).ok());
+        EVENTUALLY_EQUAL(fixture.massValues().value(0), QStringLiteral("10 kg"));
     }
 };
 

@@ -1,6 +1,8 @@
 // Which rows an object has, what they offer, and how their texts fit into a narrow panel.
 #include "properties_fixture.h"
 
+#include <QColorDialog>
+#include <QMouseEvent>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextLayout>
@@ -226,6 +228,45 @@ private Q_SLOTS:
         choose("right");
         QVERIFY(!fixture.field("NoContact")->refused());
         QVERIFY2(fixture.text().find("right.lamp, hull, right") != std::string::npos, fixture.text().c_str());
+    }
+
+    /// Of two materials one has a colour of its own: neither text changes.
+    void cancellingAColourLeavesNothing() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open("Material green { ColorRGB = 0, 1, 0 }\nMaterial plain { }\n"));
+        const std::string before = fixture.text();
+        fixture.selection.set({"Material.green", "Material.plain"});
+        QTest::mouseClick(fixture.field<QToolButton>("ColorRGB", "swatch"), Qt::LeftButton);
+        auto* dialog = fixture.panel.findChild<QColorDialog*>();
+        QVERIFY(dialog);
+        dialog->setCurrentColor(Qt::blue);
+        dialog->setCurrentColor(Qt::black);
+        QVERIFY2(fixture.text().find("Material plain { ColorRGB") != std::string::npos, fixture.text().c_str());
+        dialog->reject();
+        QCOMPARE(fixture.text(), before);
+        QVERIFY(fixture.document.edits().history().entries().empty());
+    }
+
+    void aCancelledDragLeavesTheStepBefore() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open("Robot robot0 { Config=Rover leftMotor.Resistance=3 }\n"));
+        fixture.selection.select("robot0.leftMotor");
+        QTest::keyClick(fixture.field("Resistance"), Qt::Key_Up);
+        const std::string stepped = fixture.text();
+        QVERIFY2(stepped.find("Resistance=3.1 ") != std::string::npos, stepped.c_str());
+        auto* label = fixture.row("Resistance")->findChild<QWidget*>(QStringLiteral("label"));
+        const QPoint from(4, 6);
+        QTest::mousePress(label, Qt::LeftButton, {}, from);
+        for (const int x : {15, 30}) {
+            QMouseEvent move(QEvent::MouseMove, QPointF(from + QPoint(x, 0)), label->mapToGlobal(QPointF(from + QPoint(x, 0))),
+                             Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(label, &move);
+        }
+        QVERIFY(fixture.text() != stepped);
+        QTest::keyClick(label, Qt::Key_Escape);
+        QTest::mouseRelease(label, Qt::LeftButton, {}, from + QPoint(30, 0));
+        QCOMPARE(fixture.text(), stepped);
+        QCOMPARE(fixture.document.edits().history().entries().size(), 1u);
     }
 
     /// Helps are shown as plain text.

@@ -66,6 +66,32 @@ private Q_SLOTS:
         QVERIFY(std::abs(report().link.distance - (m_window->headless(0).runner->world().medium()->link(3, 0).distance)) < 1e-9);
     }
 
+    /// Radios in Parts, also of robots in a Repeat; of another part of a robot its first radio.
+    void choosesRadiosInParts() {
+        QVERIFY(m_window->open(R"(Tick = 0.01
+PartConfig Mast { Body pole { Box b { Size=0.1,0.1,0.4 Mass=1 } } Transceiver radio { Body=pole Antenna=isotropic } }
+RobotConfig Twin {
+  Body base { Box b { Size=0.4,0.4,0.1 Mass=2 } }
+  Part left { Config=Mast Pos=0,0.1,0.25 }
+  Part right { Config=Mast Pos=0,-0.1,0.25 }
+  Fixed l { Parent=base Child=left.pole }
+  Fixed r { Parent=base Child=right.pole }
+}
+Robot a { Config=Twin }
+Robot b { Config=Twin Pos=3,0,0 }
+Repeat row { Count=2 Robot cart { Config=Twin Pos=$(3*index),5,0 } }
+)"));
+        QVERIFY(m_window->settled());
+        const auto chosen = [&](const std::vector<std::string>& paths) {
+            choose(paths);
+            return budget().from() + u' ' + budget().to();
+        };
+        QCOMPARE(chosen({"a.right.radio", "b.left.radio"}), QStringLiteral("a/right.radio b/left.radio"));
+        QCOMPARE(chosen({"b.right", "a.base"}), QStringLiteral("b/right.radio a/left.radio"));
+        QCOMPARE(chosen({"row_1.cart.right.radio", "row_0.cart.base.b"}),
+                 QStringLiteral("row_1.cart/right.radio row_0.cart/left.radio"));
+    }
+
     void budgetMatchesPacketsOfRun_data() {
         QTest::addColumn<QByteArray>("medium");
         QTest::newRow("ideal") << QByteArray("Model=ideal");

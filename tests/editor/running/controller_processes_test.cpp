@@ -258,6 +258,54 @@ private Q_SLOTS:
         QVERIFY(o.session.endRuns());
     }
 
+    void isolationIsSwitchedOnAndOff_data() {
+        QTest::addColumn<QByteArray>("robots");
+        QTest::addColumn<QString>("path");
+        QTest::newRow("a robot") << QByteArray("Robot one { Config=SimpleRobot LinearMotion brain { } }")
+                                 << QStringLiteral("one");
+        QTest::newRow("a Grid") << QByteArray("Grid swarm { Config=SimpleRobot Count=2 Spacing=1 LinearMotion brain { } }")
+                                << QStringLiteral("swarm");
+        QTest::newRow("in a Repeat") << QByteArray("Repeat row { Count=2 Pos=$index,0,0 Robot cart { Config=SimpleRobot "
+                                                   "LinearMotion brain { } } }")
+                                     << QStringLiteral("row.cart");
+    }
+    void isolationIsSwitchedOnAndOff() {
+        QFETCH(QByteArray, robots);
+        QFETCH(QString, path);
+        SessionFixture o;
+        QVERIFY(o.open("#import robots/simple_robot.sim\n#loadModule controllers/linear_motion\n" + robots + '\n'));
+        QVERIFY(!o.document.loaded()->diagnostics.hasErrors());
+        Selection selection;
+        Actions actions(kRows);
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        selection.select(path.toStdString());
+        QAction& isolate = actions.at("controllers.isolate");
+        const auto isAlone = [&] {
+            const auto text = QString::fromStdString(*o.document.texts().text(o.document.path()));
+            return text.contains(QRegularExpression(QStringLiteral("Isolation *= *robot")));
+        };
+        for (const bool alone : {true, false, true}) {
+            isolate.trigger();
+            QCOMPARE(isolate.isChecked(), alone);
+            QCOMPARE(isAlone(), alone);
+        }
+    }
+
+    /// In the program's own process.
+    void theSecondControllerOfARobotIsNotResponding() {
+        SessionFixture o;
+        QVERIFY(build(o, QStringLiteral("rebuilt/libbefore")));
+        QFile hold(o.path("hold"));
+        QVERIFY(hold.open(QIODevice::WriteOnly));
+        QVERIFY(o.open(text("LinearMotion drive { } Rebuilt brain { Hold=\"" + hold.fileName().toUtf8() + "\" }")
+                           .replace("Isolation = module", "#loadModule controllers/linear_motion")));
+        const ControllerCommands commands(o.document, o.session); // which knows the trusted folders
+        o.session.run();
+        EVENTUALLY_EQUAL(o.session.responses().unresponsiveController(), QStringLiteral("leader's Rebuilt"));
+        QVERIFY(hold.remove());
+        QVERIFY(o.session.endRuns());
+    }
+
     void rebuiltModulesAreUsedAtOnce() {
         SessionFixture o;
         QVERIFY(build(o, QStringLiteral("rebuilt/libbefore")));

@@ -106,6 +106,57 @@ private Q_SLOTS:
         if (result.experiment) QVERIFY(edits(built, *result.experiment, now).commands.empty());
     }
 
+    /// A changed block is looked at for every robot that it concerns.
+    void robotsThatABlockConcerns_data() {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<QStringList>("objects");
+        const auto row = [](const char* name, const char* from, const char* to, const char* objects) {
+            QTest::newRow(name) << QByteArray(from) << QByteArray(to) << QString::fromLatin1(objects).split(QLatin1Char(' '));
+        };
+        row("a config with a variant", "Resistance=2 ", "Resistance=5 ", "heavy/motor robot1/motor");
+        row("a Static with a device", "Resistance=7", "Resistance=5", "door/opener");
+        row("in a Repeat", "Resistance=11", "Resistance=5", "row_0.my_cart/motor row_1.my_cart/motor");
+        row("a Grid in a Repeat", "Resistance=12", "Resistance=5",
+            "row_0.swarm_0/motor row_0.swarm_1/motor row_1.swarm_0/motor row_1.swarm_1/motor");
+        row("in a Repeat in a Repeat", "Resistance=13", "Resistance=5",
+            "row_0.inner_0.cart/motor row_0.inner_1.cart/motor row_1.inner_0.cart/motor row_1.inner_1.cart/motor");
+    }
+    void robotsThatABlockConcerns() {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(QStringList, objects);
+        const QByteArray text = QByteArray::fromStdString(kText) + R"(RobotConfig Heavy { Config=Cart }
+Robot heavy { Config=Heavy Pos=0,9,0 }
+StaticConfig Door {
+  Body leaf { Pos=0,0,1 Box panel { Size=1,0.1,1 Mass=2 Material=red Surface=rubber } }
+  Hinge hinge { Parent=world Child=leaf Axis=0,0,1 }
+  RotaryMotor opener { Joint=hinge TorqueConstant=1 BackEmfConstant=1 Resistance=7 MaxVoltage=12 }
+}
+Static door { Config=Door Pos=0,20,0 }
+Repeat row {
+  Count=2 Pos=0,$(30 + 5*index),0
+  Robot my_cart { Config=Cart motor.Resistance=11 }
+  Grid swarm { Config=Cart Pos=5,0,0 Count=2 Spacing=1 motor.Resistance=12 }
+  Repeat inner { Count=2 Pos=$(9 + index),0,0 Robot cart { Config=Cart motor.Resistance=13 } }
+}
+)";
+        PlanFixture fixture;
+        const auto built = fixture.open(text.toStdString()), now = fixture.open(QByteArray(text).replace(from, to).toStdString());
+        QVERIFY2(!built->diagnostics.hasErrors(), sample::messages(*built).c_str());
+        const ChangeSet changes(built, now);
+        QVERIFY(changes.isLocal());
+        RunComparison comparison;
+        comparison.begin(built);
+        const LiveEdits result = comparison.follow(changes, *built->experiment);
+        QStringList sent;
+        for (const auto& what : result.commands) sent << QString::fromStdString(commandText(what));
+        sent.sort();
+        for (QString& object : objects) object += QStringLiteral(".Resistance=5");
+        QCOMPARE(sent, objects);
+        QVERIFY(result.waiting.empty());
+    }
+
     void controllersAreReplaced_data() {
         QTest::addColumn<QString>("from");
         QTest::addColumn<QString>("to");
@@ -137,6 +188,11 @@ private Q_SLOTS:
         row("one of two", "Walker legs { }", "LinearMotion legs { }", "two: legs becomes LinearMotion legs of a module");
         row("of a Grid", "Walker each { }", "LinearMotion each { }",
             "g_0: each becomes LinearMotion each of a module|g_1: each becomes LinearMotion each of a module");
+        row("of a Repeat", "Walker lead { }", "LinearMotion lead { }",
+            "row_0.cart: lead becomes LinearMotion lead of a module|row_1.cart: lead becomes LinearMotion lead of a module");
+        row("of a Grid in a Repeat", "Walker hive { }", "LinearMotion hive { }",
+            "row_0.swarm_0: hive becomes LinearMotion hive of a module|row_1.swarm_0: hive becomes LinearMotion hive of a "
+            "module");
         row("a value that is not live", "Speed=1", "Speed=2", "", "w.brain.Speed");
         row("another kind and a pose", "Pos=9,0,0 Walker brain { Speed=1 }", "Pos=9,1,0 LinearMotion brain { }",
             "w: brain becomes LinearMotion brain of a module", "w.Pos");
@@ -146,10 +202,14 @@ private Q_SLOTS:
         QFETCH(QString, to);
         QFETCH(QStringList, commands);
         QFETCH(QStringList, waiting);
-        const QString text = QString::fromStdString("#loadModule walker\n#loadModule controllers/linear_motion\n" + kText +
-                                                    "Robot w { Config=Cart Pos=9,0,0 Walker brain { Speed=1 } }\n"
-                                                    "Robot two { Config=Cart Pos=9,5,0 Walker arm { } Walker legs { } }\n"
-                                                    "Grid g { Config=Cart Pos=0,5,0 Count=2 Spacing=1 Walker each { } }\n");
+        const QString text =
+            QString::fromStdString("#loadModule walker\n#loadModule controllers/linear_motion\n" + kText +
+                                   "Robot w { Config=Cart Pos=9,0,0 Walker brain { Speed=1 } }\n"
+                                   "Robot two { Config=Cart Pos=9,5,0 Walker arm { } Walker legs { } }\n"
+                                   "Grid g { Config=Cart Pos=0,5,0 Count=2 Spacing=1 Walker each { } }\n"
+                                   "Repeat row { Count=2 Pos=0,$(20 + 3*index),0\n"
+                                   "  Robot cart { Config=Cart Walker lead { } }\n"
+                                   "  Grid swarm { Config=Cart Pos=5,0,0 Count=1 Spacing=1 Walker hive { } } }\n");
         PlanFixture fixture;
         const auto built = fixture.open(text.toStdString()), now = fixture.open(QString(text).replace(from, to).toStdString());
         QVERIFY2(!built->diagnostics.hasErrors(), sample::messages(*built).c_str());

@@ -76,6 +76,25 @@ private Q_SLOTS:
         EVENTUALLY(o.tick() > 5);
     }
 
+    /// As a run that is resumed without an end.
+    void runForReportsEditsThatWait() {
+        SessionFixture o;
+        QVERIFY(o.open(kStandingRobot));
+        QStringList notices;
+        connect(&o.document, &Document::notice, &o.session, [&](const QString& text) { notices.append(text); });
+        o.session.runFor(0.05);
+        EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 5);
+        o.session.runFor(0.05);
+        EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 10);
+        QVERIFY(notices.empty());
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Set"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(o.session.edits().needsReset());
+        o.session.runFor(0.05);
+        EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 15);
+        QCOMPARE(notices.size(), 1);
+        QVERIFY2(notices[0].contains(QStringLiteral("without the edits of robot0.Pos")), qPrintable(notices[0]));
+    }
+
     void twoExperimentsThatAreInNoFileHaveTwoLogFolders() {
         QStandardPaths::setTestModeEnabled(true);
         const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });

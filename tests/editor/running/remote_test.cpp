@@ -172,6 +172,25 @@ private Q_SLOTS:
         QVERIFY(remote().token() != token);
     }
 
+    void switchingOffReleasesTheRobotsOfPrograms() {
+        QCOMPARE(remote().start(0), QString());
+        EVENTUALLY(session().state() == RunState::Paused);
+        Program program(remote(), "import sys\nrun.hold('robot0')\nrun.step(1)\nprint('ready', flush=True)\n"
+                                  "sys.stdin.readline()\n");
+        EVENTUALLY(program.printed() == "ready");
+        EVENTUALLY(remote().clientCount() == 1);
+        remote().stop();
+        EVENTUALLY(remote().clientCount() == 0);
+        session().step();
+        EVENTUALLY(m_fixture->tick() == 2);
+        std::vector<HoldCommand> holds;
+        for (const Command& command : session().robots().all())
+            if (const auto* hold = std::get_if<HoldCommand>(&command.what)) holds.push_back(*hold);
+        QCOMPARE(holds.size(), std::size_t(2));
+        QVERIFY(holds[0].held && !holds[1].held && holds[1].robot == "robot0");
+        QVERIFY(holds[0].holder == Holder::Guest && holds[1].holder == Holder::Guest);
+    }
+
     void aTakenPortIsSaid() {
         QCOMPARE(remote().start(0), QString());
         SessionFixture other;

@@ -41,6 +41,40 @@ private Q_SLOTS:
         QVERIFY2(text.find("SimpleRobot " + line.toStdString() + " }") != std::string::npos, text.c_str());
         QCOMPARE(found.refusal, expected.isEmpty() ? QStringLiteral("Every robot is at its start pose.") : QString());
     }
+
+    /// Of the triples that mean the new rotation the one with the most written angles: pitch beyond 90 degrees, a roll beside a pitch
+    /// of 90 degrees.
+    void aTurnKeepsTheAnglesThatAreWritten_data() {
+        QTest::addColumn<Vec3>("written"); // degrees
+        QTest::addColumn<double>("by");    // degrees, about z
+        QTest::addColumn<QByteArray>("expected");
+        QTest::newRow("upright") << Vec3(0, 30, 20) << 10.0 << QByteArray("10,30,20");
+        QTest::newRow("pitch beyond 90") << Vec3(0, 170, 0) << 10.0 << QByteArray("10,170,0");
+        QTest::newRow("pitch of 90") << Vec3(0, 90, 30) << 20.0 << QByteArray("20,90,30");
+        QTest::newRow("pitch of -90") << Vec3(0, -90, 30) << 20.0 << QByteArray("20,-90,30");
+        QTest::newRow("more than half a turn") << Vec3(190, 15, 0) << 20.0 << QByteArray("-150,15,0");
+        QTest::newRow("not turned") << Vec3(190, 170, 200) << 0.0 << QByteArray("190,170,200");
+    }
+    void aTurnKeepsTheAnglesThatAreWritten() {
+        QFETCH(Vec3, written);
+        QFETCH(double, by);
+        QFETCH(QByteArray, expected);
+        constexpr double kRadians = M_PI / 180;
+        SessionFixture o;
+        const QByteArray triple =
+            QByteArray::number(written.x()) + ',' + QByteArray::number(written.y()) + ',' + QByteArray::number(written.z());
+        QVERIFY(o.open(QByteArray(kStandingRobot).replace("HPR=0,0,0", "HPR=" + triple)));
+        const Quat before = rotationFromHpr(written * kRadians);
+        QVERIFY(o.document.loaded()->experiment->robots[0].pose.rotation.angularDistance(before) < 1e-9);
+        const Quat now = (rotationFromHpr({by * kRadians, 0, 0}) * before).normalized();
+        const StartPoses found = startPoses(*o.document.loaded(), [&](const std::string&) {
+            return std::optional(Pose{Vec3(1, 0, 0), now});
+        });
+        QVERIFY(o.document.structure().setValues(QStringLiteral("Keep"), found.values).ok());
+        const std::string text = *o.document.texts().text(o.document.texts().files().front());
+        QVERIFY2(text.find("Pos=1,0,0 HPR=" + expected.toStdString() + " }") != std::string::npos, text.c_str());
+        QVERIFY(o.document.loaded()->experiment->robots[0].pose.rotation.angularDistance(now) < 1e-6);
+    }
 };
 
 QTEST_GUILESS_MAIN(StartPosesTest)

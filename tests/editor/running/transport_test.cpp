@@ -61,6 +61,38 @@ private Q_SLOTS:
         QVERIFY((o.document.loaded()->experiment->robots[0].pose.position - Vec3(2, 3, 0)).norm() < 1e-9);
     }
 
+    /// What is joined is shown where the next tick has it, and what a joint holds to the world is refused at once.
+    void placesAPausedTrain() {
+        SessionFixture o;
+        QVERIFY(o.open("Tick=0.01 Gravity=0,0,0\nRobotConfig Car { Body body { Sphere s { Radius=0.1 Mass=1 } } }\n"
+                       "Robot a { Config=Car Pos=0,0,0 }\nRobot b { Config=Car Pos=1,0,0 }\n"
+                       "Ball hitch { Parent=a.body Child=b.body }\nRobot c { Config=Car Pos=0,5,0 }\nFixed hold { Parent=world "
+                       "Child=c.body }\n"));
+        o.session.step();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
+        const auto isAt = [&](const char* robot, double x) {
+            const auto& shot = *o.session.results().snapshot;
+            for (const char* signal : {"/pose", "/body/pose"}) {
+                const SignalEntry* entry = o.session.results().layout->find(std::string(robot) + signal);
+                if (!entry || std::abs(shot.block->slots()[entry->offset] - x) > 1e-6) return false;
+            }
+            return std::abs(o.session.robots().pose(robot)->position.x() - x) < 1e-6;
+        };
+        QVERIFY(isAt("a", 0) && isAt("b", 1));
+        QVERIFY(o.session.robots().place("a", {{2, 0, 0}, Quat::Identity()}));
+        QVERIFY(isAt("a", 2) && isAt("b", 3));
+        QVERIFY(o.session.robots().place("b", {{3, 0, 0}, Quat::Identity()}));
+        QVERIFY(isAt("a", 2) && isAt("b", 3));
+        QVERIFY(o.session.robots().place("a", {{4, 0, 0}, Quat::Identity()}));
+        QVERIFY(isAt("a", 4) && isAt("b", 5));
+        QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
+        QVERIFY(!o.session.robots().place("c", {{3, 0, 0}, Quat::Identity()}));
+        QCOMPARE(refused[0][0].toString(), QStringLiteral("c cannot be placed: hold holds c to the world."));
+        o.session.step();
+        EVENTUALLY_EQUAL(o.tick(), 2u);
+        QVERIFY(isAt("a", 4) && isAt("b", 5) && isAt("c", 0));
+    }
+
     void buttonsRunPauseStepAndReset() {
         SessionFixture o;
         QVERIFY(o.open(kStandingRobot));

@@ -85,6 +85,16 @@ struct SensorsFixture : SessionFixture {
     SensorsPanel panel{document, selection, session, nullptr};
 };
 
+/// Whether a polar plot has a dot at this part of its radius above its middle.
+bool hasDot(PolarPlot& polar, double up) {
+    const QImage plot = polar.grab().toImage();
+    const int radius = std::min(plot.width(), plot.height()) / 2 - 3, dy = -int(up * radius);
+    for (int y = -3; y <= 3; ++y)
+        for (int x = -3; x <= 3; ++x)
+            if (plot.pixelColor(plot.width() / 2 + x, plot.height() / 2 + dy + y) == ink(Ink::Accent)) return true;
+    return false;
+}
+
 /// The first number of a signal.
 double numberOf(const SensorsFixture& f, const char* signal) {
     const RunResults& run = f.session.results();
@@ -117,6 +127,17 @@ private Q_SLOTS:
         f.session.reset();
         EVENTUALLY(f.hint().startsWith(QStringLiteral("Run the experiment")));
         QVERIFY(f.panel.cards().empty());
+    }
+
+    /// A robot cart_2 is no member of a robot cart.
+    void devicesOfARobotAreItsOwn() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(QByteArray(kStation).replace("Robot one", "Robot cart").replace("Robot two", "Robot cart_2")));
+        const LoadedProject& loaded = *f.document.loaded();
+        const auto devices = devicesOf(*loaded.experiment, *loaded.registry, std::string("cart"));
+        QVERIFY(!devices.empty());
+        for (const std::string& device : devices) QVERIFY2(device.starts_with("cart."), device.c_str());
+        QCOMPARE(devicesOf(*loaded.experiment, *loaded.registry, std::string("cart.eye")), std::vector<std::string>{"cart.eye"});
     }
 
     void showsWhatIsSelected() {
@@ -362,16 +383,27 @@ private Q_SLOTS:
         QVERIFY(!isAccent(bar.width() / 2));
         // The wall is 1 m ahead: a dot above the middle, none behind it.
         auto* polar = f.card("one.scan")->findChild<PolarPlot*>();
-        const QImage plot = polar->grab().toImage();
-        const int radius = std::min(plot.width(), plot.height()) / 2 - 3;
-        const auto hasDot = [&](int dy) {
-            for (int y = -3; y <= 3; ++y)
-                for (int x = -3; x <= 3; ++x)
-                    if (plot.pixelColor(plot.width() / 2 + x, plot.height() / 2 + dy + y) == ink(Ink::Accent)) return true;
-            return false;
-        };
-        QVERIFY(hasDot(-radius / 4));
-        QVERIFY(!hasDot(radius / 4));
+        QVERIFY(hasDot(*polar, 0.25));
+        QVERIFY(!hasDot(*polar, -0.25));
+    }
+
+    /// The name of a robot in a Repeat has several words, that of a device in a Part too.
+    void membersOfARepeatHaveTheirPictures() {
+        SensorsFixture& f = *m_fixture;
+        const QByteArray robots = kStation.mid(kStation.indexOf("Robot one"));
+        QVERIFY(f.open(QByteArray(kStation)
+                           .replace(robots, "Repeat row { Count=2 Pos=0,$index,0 Robot cart { Config=Station } }\n"
+                                            "PartConfig Head {\n"
+                                            "  Lidar scan { Body=$carrier Pos=0,0,0.3 Beams=8 MaxRange=4 UpdatePeriod=0.05 }\n"
+                                            "}\n")
+                           .replace("  Battery pack", "  Part head { Config=Head carrier=box }\n  Battery pack")));
+        f.selection.set({"row_1.cart.scan", "row_1.cart.head.scan", "row_1.cart.eye"});
+        QVERIFY(f.runFor(0.3));
+        QCOMPARE(f.panel.cards().size(), std::size_t(3));
+        for (const char* path : {"row_1.cart.scan", "row_1.cart.head.scan"})
+            QVERIFY2(hasDot(*f.card(path)->findChild<PolarPlot*>(), 0.25), path);
+        QCOMPARE(f.card("row_1.cart.head.scan")->device().component, std::string("row_1.cart/head.scan"));
+        QCOMPARE(f.card("row_1.cart.eye")->device().component, std::string("row_1.cart/eye"));
     }
 };
 

@@ -1,6 +1,7 @@
 // Tabs, breadcrumbs and the selection of the text editor.
 
 #include <QApplication>
+#include <QDir>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
@@ -16,6 +17,7 @@ class TabsTest final : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void tabsFollowTheDocument();
+    void importsThatSaveAsRewritesAreShown();
     void namesOfFilesAreShownAsTheyAre();
     void closesTabsOfRemovedFiles();
     void closesTabsOfFilesThatUndoRemoves();
@@ -78,6 +80,22 @@ void TabsTest::tabsFollowTheDocument() {
     w.panel.flush();
     QVERIFY(w.text(w.document.path()).contains("xTick"));
     QVERIFY(w.document.path() != drive);
+}
+
+void TabsTest::importsThatSaveAsRewritesAreShown() {
+    TextFixture w;
+    const QDir folder(w.folder.path());
+    QVERIFY(folder.mkpath(QStringLiteral("configs/deep")) && folder.mkpath(QStringLiteral("other")));
+    (void)w.write("configs/parts.sim", kParts);
+    w.open(w.write("configs/deep/drive.sim", QByteArray(kDrive).replace("parts.sim", "../parts.sim")));
+    QVERIFY(w.document.saving().saveAs(folder.filePath(QStringLiteral("other/drive.sim")).toStdString()));
+    const QByteArray saved = QByteArray(kDrive).replace("parts.sim", "\"parts.sim\"");
+    QCOMPARE(w.text(w.document.path()), saved);
+    QCOMPARE(w.shown(), saved);
+    w.caretAt("Tick");
+    w.keys("x");
+    w.panel.flush();
+    QCOMPARE(w.text(w.document.path()), QByteArray(saved).replace("Tick", "xTick"));
 }
 
 /// `&` is not a mnemonic.

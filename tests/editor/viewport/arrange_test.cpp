@@ -184,6 +184,18 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), text);
     }
 
+    /// Its pose is that of all members, computed from index: the numbers of one would replace it.
+    void aRobotOfARepeatBecomesNoGrid() {
+        const QByteArray text = "RobotConfig Kit { Body c { Box b { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                                "Repeat row { Count=2 Robot cart { Config=Kit Pos=$(0.5*index),0,0 } }\n";
+        QVERIFY(m_window->open(text));
+        m_window->selection.select("row_1.cart");
+        QVERIFY(gridRefusal(viewContext()).startsWith(QStringLiteral("row_1.cart is in row")));
+        copyInRows(viewContext(), {{3, 2, 1}, {0.5, 0.6, 1}, true});
+        QCOMPARE(m_window->text(), text);
+        QCOMPARE(m_window->refusals.size(), std::size_t(1));
+    }
+
     void announcesRotatedGrid() {
         m_window->selection.select("robot0");
         QVERIFY(!gridIsTurned(viewContext()));

@@ -175,6 +175,31 @@ private Q_SLOTS:
         QVERIFY(!m_window->panel->views().view(1).isVisible() && !m_window->panel->views().view(3).isVisible());
     }
 
+    /// Views that get cameras as they are first shown are not framed; one that the user adds is.
+    void savedCamerasOfAllViewsAreRestored() {
+        ViewGrid& views = m_window->panel->views();
+        std::vector<ViewState> saved(4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            saved[i].camera.eye = {2.0 + double(i), -20, 3};
+            saved[i].camera.target = {0, double(i), 0};
+        }
+        const auto isSaved = [&](std::size_t i) {
+            return (views.viewStates()[i].camera.eye - saved[i].camera.eye).norm() < 1e-6;
+        };
+        const auto handleEvents = [&] {
+            bool handled = false; // after what was queued before
+            QTimer::singleShot(0, &views, [&] { handled = true; });
+            EVENTUALLY(handled);
+        };
+        views.setViewStates(saved, 4);
+        handleEvents();
+        for (std::size_t i = 0; i < 4; ++i) QVERIFY2(isSaved(i), qPrintable(QString::number(i)));
+        views.setViewCount(1);
+        views.setViewCount(2);
+        handleEvents();
+        QVERIFY(isSaved(0) && !isSaved(1));
+    }
+
     void framingShowsTheSelection() {
         m_window->selection.select("robot1");
         m_window->trigger("view.frame");

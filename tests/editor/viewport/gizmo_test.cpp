@@ -52,7 +52,17 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=-0.3,-0.3,0"), m_window->text().constData());
     }
 
+    void turningWritesDegrees_data() {
+        QTest::addColumn<QByteArray>("before");
+        QTest::addColumn<QByteArray>("after");
+        QTest::newRow("upright") << QByteArray("HPR=0,0,0") << QByteArray("HPR=45,0,0");
+        QTest::newRow("pitch beyond 90 degrees") << QByteArray("HPR=0,170,0") << QByteArray("HPR=45,170,0");
+        QTest::newRow("pitch of 90 degrees and a roll") << QByteArray("HPR=0,90,30") << QByteArray("HPR=45,90,30");
+    }
     void turningWritesDegrees() {
+        QFETCH(QByteArray, before);
+        QFETCH(QByteArray, after);
+        open(QByteArray(kRoom).replace("HPR=0,0,0 } // the first", before + " } // the first"));
         take("robot0", "tool.rotate");
         View& view = m_window->view();
         // From a point on the ring to the one 45 degrees further, seen from above.
@@ -66,7 +76,7 @@ private Q_SLOTS:
         m_window->press(on(10));
         for (int i = 1; i <= 9; ++i) m_window->move(on(10 + 5 * i), {}, Qt::LeftButton);
         m_window->release(on(55));
-        QVERIFY2(m_window->text().contains("Pos=-0.5,0,0 HPR=45,0,0 } // the first"), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Pos=-0.5,0,0 " + after + " } // the first"), m_window->text().constData());
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
     }
 

@@ -81,6 +81,24 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), replaced("Axis=0,1,0 High", "Axis=0,-1,0 High"));
     }
 
+    /// Axis2 changes only where the new axis is not at a right angle to it, and by the end of a drag it is that of the start again.
+    void secondAxisStaysWhereItIsSquare() {
+        const QByteArray axes = "Universal elbow { Parent=post Child=link Anchor=0,0,0.4 Axis=0,1,0 Axis2=1,0,0 }";
+        const QByteArray text =
+            replaced("Hinge elbow { Parent=post Child=link Anchor=0,0,0.4 Axis=0,1,0 HighStop=90 }", axes.constData());
+        QVERIFY(m_window->open(text));
+        m_window->selection.select("RobotConfig.Arm.elbow");
+        std::optional<EditedJoint> joint = EditedJoint::selected(m_window->view().context());
+        QVERIFY(joint);
+        QVERIFY(joint->setAxis(m_window->document, -joint->axis(false), false, {}));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("Axis=0,1,0 ", "Axis=0,-1,0 "));
+        m_window->document.edits().undo();
+        QVERIFY(joint->setAxis(m_window->document, {1, 0, 0}, false, "drag"));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("Axis=0,1,0 Axis2=1,0,0", "Axis=1,0,0 Axis2=0,-1,0"));
+        QVERIFY(joint->setAxis(m_window->document, {0, 0, 1}, false, "drag"));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("Axis=0,1,0 ", "Axis=0,0,1 "));
+    }
+
     void stopsAreDraggedOnTheirArc() {
         m_window->selection.select("arm.elbow");
         dragTo(kHigh, onArc(45));
@@ -228,6 +246,19 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kArm);
     }
 
+    /// Through one robot of two: the HPR of their config is another one.
+    void cameraIsAimedBackToZero() {
+        const QByteArray text =
+            replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=180,0,0 }") + "Robot other { Config=Arm Pos=9,9,0 }\n";
+        QVERIFY(m_window->open(text));
+        m_window->look({0.45, -0.01, 2.5}, {0.45, 0, 0.4}); // from above
+        m_window->selection.select("arm.eye");
+        const QPointF from = *m_window->view().tools().aim().spot(), at = m_window->at({0.48, 0, 0.4});
+        const QPointF way = QPointF(m_window->at({1.48, 0, 0.4})) - at;
+        m_window->drag(from, at + way * (QLineF(at, from).length() / std::hypot(way.x(), way.y())));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("{ Config=Arm }", "{ Config=Arm eye.HPR=0,0,0 }"));
+    }
+
     void devicesAreAimedByTheirShape_data() {
         QTest::addColumn<QByteArray>("device");
         QTest::newRow("frustum of a camera") << QByteArray("Camera eye { Body=tip Pos=0.03,0,0 }");
@@ -276,6 +307,30 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
         m_window->document.edits().undo();
         QCOMPARE(m_window->text(), kArm);
+    }
+
+    /// Its heading turns about the line of sight as its roll does.
+    void cameraThatLooksDownIsRolled() {
+        QVERIFY(m_window->open(replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=0,90,0 }")));
+        m_window->look({0.48, -0.01, 2.5}, {0.48, 0, 0.4}); // from above
+        m_window->selection.select("RobotConfig.Arm.eye");
+        const auto from = m_window->view().tools().aim().rollSpot();
+        QVERIFY(from);
+        const QPointF centre = m_window->at({0.48, 0, 0.4}), up = *from - centre;
+        m_window->drag(*from, centre + QPointF(-up.y(), up.x())); // a quarter turn
+        QVERIFY2(m_window->text().contains("HPR=90,90,0") || m_window->text().contains("HPR=-90,90,0"),
+                 m_window->text().constData());
+    }
+
+    /// With its pitch beyond 90 degrees, which stays.
+    void cameraThatIsUpsideDownIsAimed() {
+        QVERIFY(m_window->open(replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=0,180,0 }")));
+        m_window->look({0.45, -0.01, 2.5}, {0.45, 0, 0.4}); // from above
+        m_window->selection.select("RobotConfig.Arm.eye");
+        const QPointF at = m_window->at({0.48, 0, 0.4}), from = *m_window->view().tools().aim().spot();
+        const QPointF way = QPointF(m_window->at(Vec3(0.48, 0, 0.4) - Vec3(std::cos(M_PI / 6), std::sin(M_PI / 6), 0))) - at;
+        m_window->drag(from, at + way * (QLineF(at, from).length() / std::hypot(way.x(), way.y())));
+        QCOMPARE(m_window->text(), replaced("Pos=0.03,0,0 }", "Pos=0.03,0,0 HPR=30,180,0 }"));
     }
 
     /// In the text of a config all members of a Repeat are one: the handles are at the first one, what they write is for all.

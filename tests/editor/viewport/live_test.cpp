@@ -217,6 +217,16 @@ private Q_SLOTS:
         QVERIFY(!m_window->view().tools().gizmo().spot({GizmoHandle::Kind::Axis, 0}));
     }
 
+    void lockedRobotsAreNotMovedInARun() {
+        step();
+        m_window->selection.select("robot0");
+        m_window->trigger("tool.move");
+        const GizmoHandle x{GizmoHandle::Kind::Axis, 0};
+        QVERIFY(m_window->view().tools().gizmo().spot(x));
+        m_window->panel->world().setLocked({"robot0"});
+        QVERIFY(!m_window->view().tools().gizmo().spot(x));
+    }
+
     void ctrlAndADragPushesABody() {
         m_window->session.run();
         EVENTUALLY(m_window->panel->world().isRunning());

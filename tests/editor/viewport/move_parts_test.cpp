@@ -2,6 +2,8 @@
 #include <QLabel>
 #include <QtTest>
 
+#include "editor/viewport/gizmo/aim_tool.h"
+#include "editor/viewport/gizmo/joint_tool.h"
 #include "editor/viewport/gizmo/transform_selection.h"
 #include "editor/viewport/gizmo_hand.h"
 
@@ -10,6 +12,7 @@ using namespace trundle;
 namespace {
 
 constexpr GizmoHandle kMoveZ{GizmoHandle::Kind::Axis, 2};
+constexpr JointHandle kAnchor{JointHandle::Kind::Anchor, {}};
 
 } // namespace
 
@@ -233,6 +236,105 @@ private Q_SLOTS:
         QVERIFY(held.move({{0.1, 0, 0}, Quat::Identity()}, QStringLiteral("Move"), {}));
         QVERIFY2(m_window->text().contains("robot0 { Config=Kit Pos=0,0,0.2 rim_1.disc.Pos=0.4,-0.8,0 }"),
                  m_window->text().constData());
+    }
+
+    void whatIsLockedIsNotMoved_data() {
+        QTest::addColumn<std::string>("path");
+        QTest::addColumn<std::string>("locked");
+        const auto row = [](const char* path, std::string locked) { QTest::newRow(path) << std::string(path) << locked; };
+        row("swarm", "swarm");
+        row("fence", "fence");
+        row("goal", "goal");
+        row("robot0.left", "robot0.left");
+        row("robot0.arm", "robot0");
+        row("RobotConfig.Kit.chassis", "RobotConfig.Kit");
+        row("RobotConfig.Kit.left", "RobotConfig.Kit.left");
+    }
+    void whatIsLockedIsNotMoved() {
+        QFETCH(std::string, path);
+        QFETCH(std::string, locked);
+        open("PartConfig Wheel { Body wheel { Box tyre { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+             "RobotConfig Kit { Body chassis { Box hull { Size=0.1,0.1,0.1 Mass=1 } } Part left { Config=Wheel Pos=0,0.5,0 }\n"
+             "  Ring arm { Count=4 Radius=0.5 Body tip { Box b { Size=0.2,0.2,0.2 Mass=1 } } } }\n"
+             "Robot robot0 { Config=Kit Pos=0,0,0.2 }\nRobot robot1 { Config=Kit Pos=0,3,0.2 }\n"
+             "Grid swarm { Config=Kit Pos=0,6,0.2 Count=2 Spacing=2 }\nRegion goal { Pos=0,-3,0.5 Size=1,1,1 }\n"
+             "Ring fence { Count=4 Radius=2 Pos=0,12,0.2 Robot cart { Config=Kit } }\n");
+        m_window->selection.select(path);
+        QVERIFY(!TransformSelection(m_window->view().context()).empty());
+        m_window->panel->world().setLocked({locked});
+        const TransformSelection held(m_window->view().context());
+        QVERIFY(held.empty());
+        QCOMPARE(held.refusal(), QString::fromStdString(path) + QStringLiteral(" is locked."));
+    }
+
+    void lockedJointsAndDevicesHaveNoHandles() {
+        open("RobotConfig Kit { Body base { Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+             "  Body arm { Pos=0,0,0.3 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+             "  Hinge elbow { Parent=base Child=arm Axis=0,1,0 } Camera eye { Body=arm } }\nRobot robot0 { Config=Kit }\n");
+        JointTool& joint = m_window->view().tools().joint();
+        AimTool& aim = m_window->view().tools().aim();
+        m_window->selection.select("robot0.elbow");
+        QVERIFY(joint.spot(kAnchor));
+        m_window->panel->world().setLocked({"robot0.elbow"});
+        QVERIFY(!joint.spot(kAnchor));
+        m_window->selection.select("robot0.eye");
+        QVERIFY(aim.spot());
+        m_window->panel->world().setLocked({"robot0"});
+        QVERIFY(!aim.spot());
+        m_window->panel->world().setLocked({});
+        QVERIFY(aim.spot());
+    }
+
+    /// An edit of a config starts from the numbers of the config, whatever its first robot sets.
+    void configsAreEditedFromTheirOwnNumbers_data() {
+        QTest::addColumn<bool>("hasOther"); ///< a robot that sets nothing
+        QTest::newRow("as in another robot") << true;
+        QTest::newRow("as in none") << false;
+    }
+    void configsAreEditedFromTheirOwnNumbers() {
+        QFETCH(bool, hasOther);
+        const QByteArray text =
+            "RobotConfig Rover { Body base { Box b { Size=0.4,0.4,0.1 Mass=1 } }\n"
+            "  Body mast { Pos=0,0,0.2 Box pole { Size=0.1,0.1,0.4 Mass=1 } } Fixed f { Parent=base Child=mast } }\n"
+            "Robot a { Config=Rover mast.Pos=0.5,0,0.2 mast.pole.Size=0.2,0.2,0.8 }\n" +
+            QByteArray(hasOther ? "Robot b { Config=Rover Pos=0,2,0 }\n" : "");
+        open(text);
+        m_window->selection.select("RobotConfig.Rover.mast");
+        TransformSelection held(m_window->view().context());
+        QVERIFY(!held.empty() && held.pivot().position.isApprox(Vec3(0, hasOther ? 2 : 0, 0.2), 1e-9));
+        QVERIFY(held.move({{0.05, 0, 0}, Quat::Identity()}, QStringLiteral("Move"), {}));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("Pos=0,0,0.2", "Pos=0.05,0,0.2"));
+        open(text);
+        m_window->selection.select("RobotConfig.Rover.mast.pole");
+        TransformSelection sized(m_window->view().context(), TransformSelection::Operation::Scale);
+        QVERIFY(sized.resize({0.05, 0, 0}, 0, QStringLiteral("Scale"), {}, {}));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("Size=0.1,0.1,0.4", "Size=0.2,0.1,0.4"));
+    }
+
+    void jointsAndDevicesOfConfigsToo_data() { configsAreEditedFromTheirOwnNumbers_data(); }
+    void jointsAndDevicesOfConfigsToo() {
+        QFETCH(bool, hasOther);
+        const QByteArray text = "RobotConfig Kit { Body base { Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+                                "  Body arm { Pos=0,0,0.3 Box b { Size=0.2,0.2,0.2 Mass=1 } }\n"
+                                "  Hinge elbow { Parent=base Child=arm Anchor=0,0,0.2 Axis=0,1,0 }\n"
+                                "  Camera eye { Body=arm HPR=10,0,0 } }\n"
+                                "Robot a { Config=Kit eye.HPR=90,0,0 elbow.Anchor=0.1,0,0.2 }\n" +
+                                QByteArray(hasOther ? "Robot b { Config=Kit Pos=0,2,0 }\n" : "");
+        open(text);
+        if (hasOther) {
+            m_window->selection.select("RobotConfig.Kit.elbow");
+            const std::optional<EditedJoint> joint = EditedJoint::selected(m_window->view().context());
+            QVERIFY(joint && joint->setAnchor(m_window->document, joint->spec().anchor + Vec3(0.05, 0, 0), 1e-4, {}));
+            QCOMPARE(m_window->text(), QByteArray(text).replace("Anchor=0,0,0.2", "Anchor=0.05,0,0.2"));
+            m_window->document.edits().undo();
+        }
+        const Vec3 eye(0, hasOther ? 2 : 0, 0.3);
+        m_window->look(eye + Vec3(0, -0.01, 2), eye); // from above
+        m_window->selection.select("RobotConfig.Kit.eye");
+        const QPointF from = *m_window->view().tools().aim().spot(), at = m_window->at(eye);
+        const QPointF way = QPointF(m_window->at(eye + Vec3(std::cos(M_PI / 6), std::sin(M_PI / 6), 0))) - at;
+        m_window->drag(from, at + way * (QLineF(at, from).length() / std::hypot(way.x(), way.y())));
+        QCOMPARE(m_window->text(), QByteArray(text).replace("HPR=10,0,0", "HPR=30,0,0"));
     }
 
 private:

@@ -8,6 +8,8 @@
 #include "editor/viewport/context/view_hints.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/gizmo/gizmo_tool.h"
+#include "editor/viewport/overlays/regions.h"
+#include "editor/viewport/overlays/selected_names.h"
 #include "editor/viewport/view/view.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
@@ -228,6 +230,26 @@ private Q_SLOTS:
                     if (qAlpha(hint.pixel(x, row)) > 0) QCOMPARE(both.pixel(x, row), hint.pixel(x, row));
             QVERIFY(both != hint);
         }
+    }
+
+    /// cart_2, hull_1 and goal_1 are things of their own, and no members of cart, hull and goal.
+    void aNameThatIsAlikeIsNotMeant() {
+        QVERIFY(m_window->open("RobotConfig Cart { Body b { Box hull { Size=0.2,0.2,0.1 Mass=1 }\n"
+                               "  Box hull_1 { Size=0.1,0.1,0.3 Mass=1 } }\n"
+                               "  Camera eye { Body=b Resolution=32,24 } }\n"
+                               "Robot cart { Config=Cart } Robot cart_2 { Config=Cart Pos=1,0,0 }\n"
+                               "Region goal { Size=1,1,1 } Region goal_1 { Size=1,1,1 Pos=5,0,0 }\n"));
+        const ViewContext& context = m_window->view().context();
+        QCOMPARE(context.world.camerasOf("cart").size(), std::size_t(1));
+        QCOMPARE(context.world.camerasOf("cart_2").size(), std::size_t(1));
+        context.world.setHidden({"cart", "cart_2.b.hull"});
+        const auto isHidden = [&](const char* path) { return context.world.isHidden(*context.world.find(path)); };
+        QVERIFY(isHidden("cart") && isHidden("cart.b.hull_1") && !isHidden("cart_2"));
+        QVERIFY(isHidden("cart_2.b.hull") && !isHidden("cart_2.b.hull_1"));
+        m_window->selection.select("goal");
+        QVERIFY(isSelected(context, "goal") && !isSelected(context, "goal_1"));
+        const ExperimentSpec& experiment = context.world.objects()->experiment();
+        QVERIFY(boundsOfRegions(experiment, "goal").high.x() < 1 && boundsOfRegions(experiment, "goal_1").high.x() > 5);
     }
 
     void nothingToPickInAnEmptyText() {
