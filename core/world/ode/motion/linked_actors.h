@@ -16,7 +16,7 @@ public:
     [[nodiscard]] bool isJointed(std::uint32_t actor) const { return m_jointed[actor]; }
     /// Of its group, in the order of actors.
     [[nodiscard]] bool isFirst(std::uint32_t actor) const { return m_first.empty() || m_first[actor] == actor; }
-    /// The next one of its group; kNone: there is none.
+    /// The next one of its group; kNone after the last.
     [[nodiscard]] std::uint32_t next(std::uint32_t actor) const { return m_next.empty() ? kNone : m_next[actor]; }
 
 private:
