@@ -1,8 +1,8 @@
 #include "signals/layout.h"
 
 #include <algorithm>
-
-#include "base/rng.h"
+#include <cstring>
+#include <functional>
 
 namespace trundle {
 
@@ -10,15 +10,23 @@ namespace {
 
 constexpr std::uint32_t kGap = 0xffffffffu;
 
-/// Continues an FNV hash with a number, independently of the machine's byte order.
+/// Continues a hash with a number, each bit of which may change half of the bits.
 std::uint64_t hashNumber(std::uint64_t value, std::uint64_t start) {
-    char bytes[8];
-    for (int i = 0; i < 8; ++i) bytes[i] = static_cast<char>(value >> (8 * i));
-    return fnv1a64({bytes, 8}, start);
+    const std::uint64_t h = (start ^ value) * 0x9e3779b97f4a7c15ull; // odd, with as many ones as zeros
+    return h ^ (h >> 32);
 }
 
-/// Continues an FNV hash with a text and its length, so that "ab","c" differs from "a","bc".
-std::uint64_t hashText(std::string_view text, std::uint64_t start) { return fnv1a64(text, hashNumber(text.size(), start)); }
+/// Continues a hash with a text and its length, so that "ab","c" differs from "a","bc": eight characters at a time, as the names of all
+/// signals of a large world are long.
+std::uint64_t hashText(std::string_view text, std::uint64_t start) {
+    std::uint64_t h = hashNumber(text.size(), start);
+    for (; !text.empty(); text.remove_prefix(std::min<std::size_t>(8, text.size()))) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, text.data(), std::min<std::size_t>(8, text.size()));
+        h = hashNumber(word, h);
+    }
+    return h;
+}
 
 } // namespace
 
@@ -45,7 +53,7 @@ const SignalEntry* SignalLayout::find(std::string_view path) const {
 /// Where the path is in the index, or the gap where it would be: from its hash on, one place after the other.
 std::size_t SignalLayout::placeOf(std::string_view path) const {
     const std::size_t mask = m_index.size() - 1;
-    std::size_t at = fnv1a64(path) & mask;
+    std::size_t at = std::hash<std::string_view>{}(path)&mask;
     while (m_index[at] != kGap && m_entries[m_index[at]].path != path) at = (at + 1) & mask;
     return at;
 }

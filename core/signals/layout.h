@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const std::vector<SignalEntry>& entries() const { return m_entries; }
     [[nodiscard]] const std::vector<ImageSpan>& images() const { return m_images; }
     [[nodiscard]] std::uint32_t slotCount() const { return m_slots; }
-    /// FNV-1a 64 over all entries: two blocks with the same hash have the same layout.
+    /// Over all entries: two blocks with the same hash have the same layout. Differs between machines of different byte order.
     [[nodiscard]] std::uint64_t hash() const;
 
 private:

@@ -1,6 +1,7 @@
 #include "world/world_devices.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "base/rng.h"
 #include "world/device_mount.h"
@@ -11,11 +12,34 @@
 
 namespace trundle {
 
+/// What a text says of a field of a kind.
+struct GivenField {
+    std::uint32_t index = 0; ///< of the field
+    const ResolvedValue* given = nullptr;
+    std::vector<const char*> texts;
+    std::uint32_t count = 0; ///< of elements
+};
+
 namespace {
 
 constexpr std::size_t kMaxNames = 200;            // bytes of the devices that a message names
 constexpr std::size_t kAhead = 3;                 // calls: by that the memory of a device is asked for before it is called
 constexpr std::uint64_t kMaxNumbers = 20'000'000; // in the signals of all devices: 160 MB
+
+/// Values whose key is not a field of the kind (the module may be newer or older than its text) are ignored.
+std::vector<GivenField> givenFields(const WorldDevice& device) {
+    std::vector<GivenField> fields;
+    for (std::uint32_t i = 0; device.kind->set && i < device.kind->fieldCount; ++i) {
+        const TrundleField& field = device.kind->fields[i];
+        const ResolvedValue* given = device.spec->find(field.name);
+        if (!given) continue;
+        GivenField& g = fields.emplace_back(GivenField{i, given, {}, 0});
+        for (const std::string& t : given->value.texts) g.texts.push_back(t.c_str());
+        const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
+        g.count = static_cast<std::uint32_t>(numeric ? given->value.numbers.size() : g.texts.size());
+    }
+    return fields;
+}
 
 /// The devices of a large world do not fit the caches.
 void prefetch(const void* instance) {
@@ -34,8 +58,13 @@ void WorldDevices::create(std::span<const BuiltRobot> robots, const DeviceCode& 
     }
     m_devices.firstOf.push_back(static_cast<std::uint32_t>(m_devices.all.size()));
     for (const auto& device : m_devices.all) instantiate(*device, diagnostics);
-    for (const auto& device : m_devices.all)
-        if (device->instance && giveFields(*device, diagnostics)) (void)hasRoom(*device, diagnostics);
+    std::unordered_map<const ComponentSpec*, std::vector<GivenField>> given; // robots of one config share their specs
+    for (const auto& device : m_devices.all) {
+        if (!device->instance) continue;
+        const auto [place, isNew] = given.try_emplace(device->spec);
+        if (isNew) place->second = givenFields(*device);
+        if (giveFields(*device, place->second, diagnostics)) (void)hasRoom(*device, diagnostics);
+    }
 }
 
 std::unique_ptr<WorldDevice> WorldDevices::made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
@@ -84,22 +113,14 @@ bool WorldDevices::hasRoom(const WorldDevice& device, Diagnostics& diagnostics) 
     return true;
 }
 
-/// Values whose key is not a field of the kind (the module may be newer or older than its text) are ignored.
-bool WorldDevices::giveFields(WorldDevice& device, Diagnostics& diagnostics) {
-    const TrundleKind& kind = *device.kind;
-    for (std::uint32_t i = 0; i < kind.fieldCount; ++i) {
-        const ResolvedValue* given = device.spec->find(kind.fields[i].name);
-        if (!given || !kind.set) continue;
-        std::vector<const char*> texts;
-        for (const std::string& t : given->value.texts) texts.push_back(t.c_str());
-        const TrundleField& field = kind.fields[i];
-        const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
-        const TrundleValue value{given->value.numbers.data(), texts.data(),
-                                 static_cast<std::uint32_t>(numeric ? given->value.numbers.size() : texts.size())};
+bool WorldDevices::giveFields(WorldDevice& device, std::span<const GivenField> fields, Diagnostics& diagnostics) {
+    for (const GivenField& g : fields) {
+        const TrundleField& field = device.kind->fields[g.index];
+        const TrundleValue value{g.given->value.numbers.data(), g.texts.data(), g.count};
         // The class reads as many elements as its member has: an outdated description must not make it read out of bounds.
         const bool fits = value.count >= field.minCount && value.count <= field.maxCount;
-        if (fits && kind.set(device.instance, i, &value) == 0) continue;
-        diagnostics.error(Code::DeviceSetup, given->range.known() ? given->range : device.spec->nameRange,
+        if (fits && device.kind->set(device.instance, g.index, &value) == 0) continue;
+        diagnostics.error(Code::DeviceSetup, g.given->range.known() ? g.given->range : device.spec->nameRange,
                           device.path + ": " + field.name +
                               " was refused: " + (fits ? device.lastError() : "wrong count of elements"));
         return false;

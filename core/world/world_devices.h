@@ -12,6 +12,7 @@
 namespace trundle {
 
 struct BuiltRobot;
+struct GivenField;
 
 class WorldDevices {
 public:
@@ -46,7 +47,7 @@ private:
     [[nodiscard]] std::unique_ptr<WorldDevice> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
                                                     const DeviceCode& code, Diagnostics& diagnostics);
     void instantiate(WorldDevice& device, Diagnostics& diagnostics);
-    [[nodiscard]] static bool giveFields(WorldDevice& device, Diagnostics& diagnostics);
+    [[nodiscard]] static bool giveFields(WorldDevice& device, std::span<const GivenField> fields, Diagnostics& diagnostics);
     [[nodiscard]] bool hasRoom(const WorldDevice& device, Diagnostics& diagnostics);
     void addSupplies(std::vector<std::vector<std::uint32_t>>& next) const;
     void reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const;

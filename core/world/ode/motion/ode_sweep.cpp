@@ -223,9 +223,31 @@ void OdeSweep::findPassages(std::uint32_t geom, double h) {
     }
 }
 
+/// Of a push along what a free body touches, the share that stops it; the rest turns it.
+double OdeSweep::borneShare(std::uint32_t index) {
+    const OdeBody& b = m_objects.bodies[index];
+    m_contacts.clear();
+    for (std::uint32_t k = b.geoms.begin; k < b.geoms.end; ++k) {
+        for (const GroundPlane& plane : m_objects.planes) m_collider.meetPlane(k, plane, m_contacts);
+        m_search.staticsNear(m_objects.boxes[k], m_found);
+        for (const std::uint32_t i : m_found) m_collider.meet(k, m_objects.statics[i], m_contacts);
+    }
+    Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+    for (const OdeContact& c : m_contacts) {
+        point += vec(c.position) / static_cast<double>(m_contacts.size());
+        normal += vec(c.normal);
+    }
+    if (normal.isZero(1e-6)) return 1; // between two walls
+    const Vec3 turning = quat(b.q).conjugate() * (point - vec(b.p)).cross(normal.normalized());
+    dMass mass;
+    dBodyGetMass(b.id, &mass);
+    return 1 / (1 + mass.mass * turning.dot(m_objects.inertias[index].inverse() * turning));
+}
+
 /// The whole actor, so that its joints stay closed. What flew has the velocity of that moment; what touches something only loses what
-/// it fell faster than that, as a contact has already carried the weight of what rests. Where it does not bounce, the contact of the next tick bears what the rest
-/// of this one would have added.
+/// it fell faster than that, as a contact has already carried the weight of what rests. Where it does not bounce, the contact of the next
+/// tick bears what one would have borne in the rest of this one: all of it under the centre of mass, little at a corner aside of it, where
+/// more would turn the body faster than its fall does.
 void OdeSweep::stopAt(std::uint32_t actor, double t, double h, std::span<const OdeContact> contacts) {
     const OdeActor& a = m_objects.actors[actor];
     const bool jointed = m_links.isJointed(actor);
@@ -244,7 +266,7 @@ void OdeSweep::stopAt(std::uint32_t actor, double t, double h, std::span<const O
         if (!flies || m_bounces) continue;
         dMass mass;
         dBodyGetMass(b.id, &mass);
-        const Vec3 force = mass.mass / h * owed;
+        const Vec3 force = borneShare(i) * mass.mass / h * owed;
         dBodyAddForce(b.id, force.x(), force.y(), force.z());
     }
 }

@@ -53,6 +53,7 @@ private:
     [[nodiscard]] double touch(std::uint32_t first, std::uint32_t second, const Vec3& way, bool& ahead);
     void findPassages(std::uint32_t geom, double h);
     [[nodiscard]] double shareOf(std::uint32_t actor, double h);
+    [[nodiscard]] double borneShare(std::uint32_t body);
     void stopAt(std::uint32_t actor, double t, double h, std::span<const OdeContact> contacts);
 
     const EngineSettings& m_settings;
