@@ -80,6 +80,29 @@ private Q_SLOTS:
         QVERIFY(off < 0.02);
     }
 
+    void spinsUpOnABox_data() {
+        QTest::addColumn<double>("h");
+        for (const double h : {0.002, 0.005, 0.01}) QTest::addRow("%g ms", 1e3 * h) << h;
+    }
+    /// A ball that bounces rolls on: of its speed along 5/7 are left, on a box as on a plane.
+    void spinsUpOnABox() {
+        QFETCH(double, h);
+        for (int phase = 0; phase < 5; ++phase) {
+            Scene scene(h);
+            scene.spec->settings.gravity = Vec3::Zero();
+            const auto s = scene.surface(0.5, 0.5);
+            scene.scenery({box("floor", {4, 4, 1}, at(0, 0, -0.5), s)});
+            scene.ball("b", {0, 0, 0.05 + 0.0023 * phase}, 0.3, 0.02, s);
+            auto world = scene.build();
+            QVERIFY(world->push("b/body", Vec3(0.3, 0, -0.45) / h, position(*world, "b/body")).ok());
+            QVERIFY(run(*world, 0.1));
+            QVERIFY(velocity(*world, "b/body").z() > 0.7);
+            QVERIFY2(std::abs(velocity(*world, "b/body").x() - 5 / 7.0) < 0.004,
+                     qPrintable(QString::number(velocity(*world, "b/body").x())));
+            QVERIFY(std::abs(spin(*world, "b/body").y() - 5 / 7.0 / 0.02) < 0.2);
+        }
+    }
+
     void energyNeverRises_data() {
         QTest::addColumn<QString>("with");
         QTest::addColumn<double>("e");

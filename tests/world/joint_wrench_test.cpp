@@ -46,20 +46,47 @@ class JointWrenchTest : public QObject {
         auto& probe = m_bench.probes["probe"];
         probe.setup = [](const TrundleMount& m) {
             std::uint32_t wrist = 0, none = 0;
-            return m.measureJoint(m.context, "wrist", &wrist) == 0 && wrist == 1 && m.joint(m.context, "pivot", &none) == 0 ? 0 : 1;
+            return m.measureJoint(m.context, "wrist", &wrist) == 0 && wrist == 1 && m.joint(m.context, "pivot", &none) == 0 ? 0
+                                                                                                                            : 1;
         };
         probe.act = [rate](const TrundleServices& s) {
             const TrundleJointDrive drive{sizeof drive, 0, rate, 0, 1e4, 0, 0, 0};
             s.joints->drive(s.context, 0, &drive);
             return 0;
         };
-        probe.sense = [this](const TrundleServices& s) { return s.joints->wrench(s.context, 1, m_force.data(), m_torque.data()); };
+        probe.sense = [this](const TrundleServices& s) {
+            return s.joints->wrench(s.context, 1, m_force.data(), m_torque.data());
+        };
     }
 
 private Q_SLOTS:
     void init() {
         m_bench = {};
         bench = &m_bench;
+    }
+
+    void spinsWithoutTorque_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.005, 0.01, 0.03}) QTest::addRow("%g ms", 1e3 * tick) << tick;
+    }
+    /// An arm that turns at a steady rate needs a force towards the axle, m w^2 r, and no torque of the motor that turns it.
+    void spinsWithoutTorque() {
+        QFETCH(double, tick);
+        Scene scene(tick);
+        scene.spec->settings.gravity = Vec3::Zero();
+        scene.robot("r", {}, armOn(JointType::Fixed, {0.3, 0, 1}, 0.5));
+        JointReadings pivot;
+        measure(12);
+        const auto sense = m_bench.probes["probe"].sense;
+        m_bench.probes["probe"].sense = [&](const TrundleServices& s) {
+            pivot = readingsOf(s, 0);
+            return sense(s);
+        };
+        auto world = scene.build(code);
+        QVERIFY(world);
+        QVERIFY(run(*world, 0.9));
+        QVERIFY(m_force.norm() > 20);
+        QVERIFY2(std::abs(pivot.effort) < 1e-4, qPrintable(QString::number(pivot.effort)));
     }
 
     void aWeightHangs_data() {
@@ -100,7 +127,8 @@ private Q_SLOTS:
         QVERIFY(run(*world, 2));
         const double angle = value(*world, "r/pivot/position");
         const Vec3 out(std::cos(angle), std::sin(angle), 0);
-        QVERIFY2(std::abs(m_force.dot(out) + mass * 9 * 0.4) < 0.01 * mass * 9 * 0.4, qPrintable(QString::number(m_force.dot(out))));
+        QVERIFY2(std::abs(m_force.dot(out) + mass * 9 * 0.4) < 0.01 * mass * 9 * 0.4,
+                 qPrintable(QString::number(m_force.dot(out))));
         QVERIFY(std::abs(m_force.z() - mass * 9.81) < 1e-3 * mass * 9.81);
         QVERIFY((m_torque - (0.3 * out).cross(Vec3(0, 0, mass * 9.81))).norm() < 0.01 * 0.3 * mass * 9.81);
     }

@@ -226,6 +226,26 @@ private Q_SLOTS:
         QCOMPARE(value(*world, "r/motor/saturated"), 0.0);
     }
 
+    /// Turned much faster than its no-load rate, a servo brakes with its limit, and says so.
+    void brakesWithItsLimit_data() { addTicks(); }
+    void brakesWithItsLimit() {
+        QFETCH(double, tick);
+        const Motor m;
+        const double inertia = 0.2, limit = m.stall(), fast = 5 * m.noLoad(m.maxVoltage), arm = 0.1;
+        Scene scene = flywheel(tick, inertia, Vec3::UnitZ(), m.spec());
+        auto world = scene.build(findBuiltInDevice);
+        QVERIFY(world);
+        *slot(*world, "r/motor/servo") = 1;
+        QVERIFY(world->push("r/wheel", Vec3(0, inertia * fast / (arm * tick), 0), Vec3(arm, 0, 1)).ok());
+        QVERIFY(world->tick().ok());
+        const double before = value(*world, "r/axle/rate");
+        QVERIFY(before > 4 * m.noLoad(m.maxVoltage));
+        QVERIFY(run(*world, 0.3));
+        const double torque = inertia * (value(*world, "r/axle/rate") - before) / 0.3;
+        QVERIFY2(std::abs(torque / -limit - 1) < 0.002, qPrintable(QString("%1 of %2").arg(torque).arg(-limit)));
+        QVERIFY(std::abs(value(*world, "r/motor/torque") / -limit - 1) < 0.002);
+    }
+
     void servoFollowsItsLine_data() {
         QTest::addColumn<double>("tick");
         QTest::addColumn<double>("share"); // of the no-load rate

@@ -384,20 +384,45 @@ private Q_SLOTS:
         QVERIFY(std::abs(end.kinetic + end.potential - start.potential) < 0.01 * end.kinetic);
     }
 
-    /// Rolling friction slows a ball by (5/7) g rho / r.
+    void rollingFriction_data() {
+        QTest::addColumn<double>("heading");
+        for (const double heading : {0., 15., 45., 100.}) QTest::addRow("heading %g", heading) << heading;
+    }
+    /// Rolling friction slows a ball by (5/7) g rho / r wherever it rolls to, and does not turn it.
     void rollingFriction() {
+        QFETCH(double, heading);
+        const Vec3 way(std::cos(heading * kPi / 180), std::sin(heading * kPi / 180), 0);
         Scene scene(0.01);
         const auto s = scene.surface(1, 0, 0.005);
         scene.scenery({plane("floor", {}, s)}).ball("ball", {0, 0, 0.1 - 4.905e-5}, 1, 0.1, s);
         auto world = scene.build();
         QVERIFY(
-            world->push("ball/body", {100, 0, 0}, {0, 0, 0.14}).ok()); // through the centre of percussion: rolls without sliding
+            world->push("ball/body", 100 * way, {0, 0, 0.14}).ok()); // through the centre of percussion: rolls without sliding
         QVERIFY(run(*world, 0.2));
-        const double v0 = velocity(*world, "ball/body").x();
+        const double v0 = velocity(*world, "ball/body").dot(way);
         QVERIFY(run(*world, 1));
-        const double a = velocity(*world, "ball/body").x() - v0, expected = -5.0 / 7 * g * 0.005 / 0.1;
+        const double a = velocity(*world, "ball/body").dot(way) - v0, expected = -5.0 / 7 * g * 0.005 / 0.1;
         qInfo("%.4f, expected %.4f", a, expected);
         QVERIFY(std::abs(a / expected - 1) < 0.01);
+        QVERIFY(std::abs(velocity(*world, "ball/body").cross(way).z()) < 0.005);
+    }
+
+    /// A ball stays on a slope up to the angle whose tangent is rho / r, whatever the way down.
+    void rollingFrictionHolds() {
+        for (const double heading : {0., 20., 45., 80.})
+            for (const double share : {0.9, 1.1}) {
+                Scene scene(0.01);
+                const auto s = scene.surface(1, 0, 0.005);
+                const double angle = std::atan(share * 0.05), turned = heading * kPi / 180;
+                scene.spec->settings.gravity =
+                    g * Vec3(std::sin(angle) * std::cos(turned), std::sin(angle) * std::sin(turned), -std::cos(angle));
+                scene.scenery({plane("floor", {}, s)}).ball("ball", {0, 0, 0.1 - 4.905e-5}, 1, 0.1, s);
+                auto world = scene.build();
+                QVERIFY(run(*world, 2));
+                const double moved = position(*world, "ball/body").head<2>().norm();
+                QVERIFY2(share < 1 ? moved < 1e-3 : moved > 0.03,
+                         qPrintable(QString("%1 deg, %2: %3 m").arg(heading).arg(share).arg(moved)));
+            }
     }
 };
 

@@ -53,7 +53,8 @@ inline Lanes solveAlong(const VehicleSupportRow& row, const VehicleWheelRow* whe
 
 inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o, const VehicleModel::Support& s, Lanes* v) {
     const Lanes limit = s.friction * load(row.normal + o), before = load(row.alongImpulse + o);
-    Lanes inverse, along = solveAlong(row, wheel, o, s.lever, speed(row.way, o, v), inverse), across = all(0);
+    const Lanes free = speed(row.way, o, v);
+    Lanes inverse, along = solveAlong(row, wheel, o, s.lever, free, inverse), across = all(0);
     if (s.round) {
         const Lanes slip = speed(row.across, o, v), beforeAcross = load(row.acrossImpulse + o);
         const Lanes inverseAcross = load(row.across.inverse + o);
@@ -61,6 +62,12 @@ inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o
         const Lanes x = before + along, y = beforeAcross + across;
         if (const Mask slips = x * x + y * y > limit * limit; any(slips)) {
             Lanes to = x, toAcross = beforeAcross - slip * inverseAcross, add = load(row.cone + o);
+            if (wheel) { // the motor answers as it does at what the wheel carries, not at what would end the slip
+                const Lanes momentum = load(wheel->momentum + o);
+                const Piece now = pieceAt(*wheel, o, momentum);
+                inverse = select(slips, now.inverse, inverse);
+                to = select(slips, before + (s.lever * now.spin(momentum) - free) * now.inverse, to);
+            }
             ontoCone(to, toAcross, add, inverse, inverseAcross, limit);
             store(row.cone + o, select(slips, add, load(row.cone + o)));
             along = select(slips, to - before, along);

@@ -7,13 +7,14 @@
 
 #include "world/ode/collision/contact_choice.h"
 #include "world/ode/collision/cylinder_on_box.h"
+#include "world/ode/collision/line_contacts.h"
 
 namespace trundle {
 
 namespace {
 
 constexpr int kMaxKept = 4;           // per pair and direction
-constexpr int kMaxOfRobots = 2;       // per pair of jointed actors
+constexpr int kMaxOfRobots = 2;       // per pair of jointed actors, which rest on neither
 constexpr double kSurelyClear = 1e-6; // m
 constexpr double kUpright = 0.9;      // cosine of an axle to the z axis: 26 degrees
 
@@ -150,7 +151,7 @@ int GeomCollider::collide(std::uint32_t first, std::uint32_t second, dContactGeo
     const std::uint32_t cylinder = cylinderFirst ? first : second, box = cylinderFirst ? second : first;
     const OdeGeom &c = m_objects.geoms[cylinder], &o = m_objects.geoms[box];
     (void)cylinderOnBox({m_objects.centres[cylinder], m_objects.axesOf(c), c.radius, c.half.z()},
-                                    {m_objects.centres[box], m_objects.axesOf(o), o.half}, m_flat);
+                        {m_objects.centres[box], m_objects.axesOf(o), o.half}, m_flat);
     FlatTouch& touch = m_flat.touch;
     std::ranges::sort(touch.contacts, std::greater(), &FlatContact::depth);
     const auto most = std::min<std::size_t>(touch.contacts.size(), kMaxFound);
@@ -172,16 +173,53 @@ int GeomCollider::mostContacts(std::uint32_t first, std::uint32_t second) const 
     return robots ? kMaxOfRobots : kMaxKept;
 }
 
+/// What touches a ball does so at its radius, as on a plane.
+void GeomCollider::atRadius(std::uint32_t index, double side, dContactGeom* found, int count) const {
+    const OdeGeom& g = m_objects.geoms[index];
+    if (g.shape != GeomShape::Sphere) return;
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k) found[i].pos[k] = m_objects.centres[index][k] - side * g.radius * found[i].normal[k];
+}
+
+/// Fills `m_onHulls` where ODE has one point for a line. `normal`: towards the first.
+bool GeomCollider::lineContacts(std::uint32_t first, std::uint32_t second, const Vec3& normal) {
+    const auto isRound = [this](std::uint32_t i) {
+        return m_objects.geoms[i].shape == GeomShape::Cylinder || m_objects.geoms[i].shape == GeomShape::Capsule;
+    };
+    const auto side = [this](std::uint32_t i) {
+        const OdeGeom& g = m_objects.geoms[i];
+        const bool isCapsule = g.shape == GeomShape::Capsule;
+        return RoundSide{m_objects.centres[i], m_objects.axesOf(g).col(2), g.radius, g.half.z() - (isCapsule ? g.radius : 0),
+                         isCapsule};
+    };
+    m_onHulls.clear();
+    if (isRound(first) && isRound(second) && sideOnSide(side(first), side(second), normal, m_onHulls)) return true;
+    if (isRound(first) && m_hulls.setFaces(second, normal) && sideOnFace(side(first), m_hulls.faces(), normal, m_onHulls))
+        return true;
+    if (!isRound(second) || !m_hulls.setFaces(first, normal) || !sideOnFace(side(second), m_hulls.faces(), -normal, m_onHulls))
+        return false;
+    for (SurfaceContact& c : m_onHulls) c.normal = -c.normal;
+    return true;
+}
+
 void GeomCollider::genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts) {
     const int most = mostContacts(first, second);
     m_onHulls.clear();
     if (m_hulls.meet(first, second, most, m_onHulls)) {
-        for (const SurfaceContact& c : m_onHulls) addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
+        for (const SurfaceContact& c : m_onHulls)
+            addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
         return;
     }
     dContactGeom found[kMaxFound];
     const int count = collide(first, second, found);
     if (count == 0) return;
+    if (count == 1 && most > kMaxOfRobots && lineContacts(first, second, vec(found[0].normal))) {
+        for (const SurfaceContact& c : m_onHulls)
+            addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
+        return;
+    }
+    atRadius(first, 1, found, count);
+    atRadius(second, -1, found, count);
     UsedPoints used{};
     for (int round = 0; round < kMaxDirections; ++round) {
         PointGroup group{};

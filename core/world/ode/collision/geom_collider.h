@@ -27,6 +27,8 @@ private:
     void sphereOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
     void boxOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
     void genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts);
+    void atRadius(std::uint32_t geom, double side, dContactGeom* found, int count) const;
+    [[nodiscard]] bool lineContacts(std::uint32_t first, std::uint32_t second, const Vec3& normal);
     [[nodiscard]] int collide(std::uint32_t first, std::uint32_t second, dContactGeom* found) const;
     [[nodiscard]] int mostContacts(std::uint32_t first, std::uint32_t second) const;
     OdeContact& addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal, double depth,

@@ -78,6 +78,14 @@ void HullCollider::setBody(std::uint32_t index, FlatBody& body) const {
     }
 }
 
+bool HullCollider::setFaces(std::uint32_t index, const Vec3& normal) {
+    const OdeGeom& g = m_objects.geoms[index];
+    const bool isEnd = g.shape == GeomShape::Cylinder && std::abs(m_objects.axesOf(g).col(2).dot(normal)) > kOnEnd;
+    if (!isEnd && g.shape != GeomShape::Box && g.shape != GeomShape::Convex) return false;
+    setBody(index, m_pair.first);
+    return true;
+}
+
 bool HullCollider::meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts) {
     return hullContacts(first, second, most, contacts) || hullOnMesh(first, second, most, contacts);
 }

@@ -18,6 +18,10 @@ public:
     /// such a shape, if only edges cross, or if a cylinder's lateral surface touches; the single contact of ODE is used then.
     [[nodiscard]] bool meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts);
 
+    /// Fills `faces` with those of a geom that has flat ones to which `normal` is across. False if it has none.
+    [[nodiscard]] bool setFaces(std::uint32_t geom, const Vec3& normal);
+    [[nodiscard]] const FlatBody& faces() const { return m_pair.first; }
+
 private:
     [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
     [[nodiscard]] bool hullOnMesh(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);

@@ -8,6 +8,8 @@ namespace trundle {
 
 namespace {
 
+constexpr double kAtRest = 1e-4;    // rad/s: what rolls more slowly has no direction of its own
+constexpr double kSlope = 1e-6;     // sine of the angle of what is not level
 constexpr double kSlipSpeed = 1e-7; // m/s: below it friction's axes are ODE's own choice
 constexpr double kQuiet = 0.4;      // share of the limit
 constexpr double kLevel = 0.8;      // square of the cosine between normal and gravity
@@ -167,9 +169,24 @@ void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3&
         std::max(m_settings.surfaces[g1.surface].rollingFriction, m_settings.surfaces[g2.surface].rollingFriction);
     if (rolling > 0) {
         s.mode |= dContactRolling;
-        s.rho = s.rho2 = rolling;
+        const Vec3 axis = rollingAxis(c, normal);
+        const bool known = !axis.isZero(0);
+        s.rho = rolling * (known ? std::abs(axis.dot(rows.axis)) : 1);
+        s.rho2 = rolling * (known ? std::abs(axis.dot(normal.cross(rows.axis))) : 1);
         s.rhoN = 0;
     }
+}
+
+/// What resistance to rolling acts about: the axis that the two bodies roll about, at rest the one that gravity turns them about, zero:
+/// none. ODE has a row for each of two axes; their shares of this one make the resistance equal in all directions.
+Vec3 ContactRows::rollingAxis(const OdeContact& c, const Vec3& normal) const {
+    const std::uint32_t first = m_geoms[c.first].body, second = m_geoms[c.second].body;
+    Vec3 spin = vec(m_bodies[first].w);
+    if (second != kNone) spin -= vec(m_bodies[second].w);
+    spin -= spin.dot(normal) * normal;
+    if (spin.norm() > kAtRest) return spin.normalized();
+    const Vec3 load = normal.cross(m_settings.gravity);
+    return load.norm() > kSlope * m_settings.gravity.norm() ? Vec3(load.normalized()) : Vec3(Vec3::Zero());
 }
 
 } // namespace trundle

@@ -32,6 +32,7 @@ private:
     void fillSpring(const OdeContact& contact, double h, dContact& out) const; // contact_spring.cpp
     [[nodiscard]] double mobility(std::uint32_t geom, const Vec3& point, const Vec3& way) const;
     [[nodiscard]] FrictionLaw ownFriction(std::uint32_t geom, const Vec3& outward) const;
+    [[nodiscard]] Vec3 rollingAxis(const OdeContact& contact, const Vec3& normal) const;
     [[nodiscard]] Vec3 restAxis(const OdeContact& contact, const Vec3& normal, const Vec3& slip, double h) const;
     [[nodiscard]] bool restsQuietly(const OdeContact& contact, const FrictionLaw& law) const;
     void fillFriction(const OdeContact& contact, FrictionLaw law, const Vec3& speed, double h, dContact& out) const;

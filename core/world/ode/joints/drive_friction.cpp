@@ -32,10 +32,10 @@ void setFrictionRows(const OdeJoint& joint, const SpringRow& viscous) {
     setRow(joint.losses, joint.type, 1, dParamCFM, 1 / viscous.give);
 }
 
-double frictionEffortOf(const OdeJoint& joint, const std::vector<OdeBody>& bodies) {
+double frictionEffortOf(const OdeJoint& joint) {
     if (!joint.losses) return 0;
     const dJointFeedback& f = *dJointGetFeedback(joint.losses);
-    return axisNow(joint, bodies).dot(vec(joint.type == JointType::Slider ? f.f1 : f.t1));
+    return joint.startAxis.dot(vec(joint.type == JointType::Slider ? f.f1 : f.t1));
 }
 
 } // namespace trundle

@@ -18,6 +18,6 @@ void addFrictionRows(OdeJoint& joint, const std::vector<OdeBody>& bodies, dJoint
 /// For a step, by the joint's motor; `viscous`: its damper.
 void setFrictionRows(const OdeJoint& joint, const SpringRow& viscous);
 /// In the last step, N m or N.
-[[nodiscard]] double frictionEffortOf(const OdeJoint& joint, const std::vector<OdeBody>& bodies);
+[[nodiscard]] double frictionEffortOf(const OdeJoint& joint);
 
 } // namespace trundle

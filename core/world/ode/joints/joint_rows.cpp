@@ -159,9 +159,11 @@ void JointRows::update(double h, std::span<const OdeContact> contacts, std::span
     for (const std::uint32_t index : m_driven) {
         OdeJoint& joint = m_joints[index];
         const bool damped = joint.motor.damping > 0 || joint.motor.softness > 0 || joint.motor.viscousFriction > 0;
-        if (!joint.motorChanged && !damped) continue;
         if (damped && !m_touched[joint.child]) updateInertia(index);
-        updateMotor(joint, h);
+        if (joint.motorChanged || damped) updateMotor(joint, h);
+        if (joint.feedback == kNone && !joint.losses) continue;
+        joint.startAxis = axisNow(joint, m_bodies);
+        joint.startArm = turn(m_bodies[joint.child].r, joint.childAnchor);
     }
     ++m_ticks;
 }
@@ -303,7 +305,7 @@ void JointRows::measure(OdeJoint& joint, double h) const {
     }
     if (!joint.driven) return;
     joint.effort = effortOf(joint);
-    joint.frictionEffort = frictionEffortOf(joint, m_bodies);
+    joint.frictionEffort = frictionEffortOf(joint);
 }
 
 } // namespace trundle

@@ -62,6 +62,12 @@ void JointRows::updateServo(OdeJoint& joint, double h) {
         joint.damperGive = 0;
         return writeMotor(joint, rate, kWorldCfm, joint.effort * joint.rate >= 0 ? reserve : limit);
     }
+    const bool brakes = joint.rate * rate >= 0 && damping * (now - std::abs(rate)) > kSmallChange * limit;
+    if (brakes || damping * now / 2 >= limit) { // its whole limit, or its line lies below -limit, which is all that is left
+        if (joint.damper) setRow(joint.damper, joint.type, 0, dParamFMax, 0);
+        joint.damperGive = 0;
+        return writeMotor(joint, rate, kWorldCfm, limit);
+    }
     SpringRow row{damping, 0};
     if (!m_touched[joint.child]) row = damperRow(joint, damping, damping + dampingOf(joint), h);
     if (!joint.damper) {
@@ -127,12 +133,11 @@ double JointRows::effortOf(const OdeJoint& joint) const {
     if (motor.damping == 0 && (motor.softness >= kSoftEnough || joint.feedback == kNone))
         return std::clamp((motor.rate - joint.rate) / std::max(motor.softness, kWorldCfm), -limit, limit);
     const dJointFeedback& f = *m_feedbacks[joint.feedback];
-    const OdeBody& c = m_bodies[joint.child];
-    const Vec3 axis = axisNow(joint, m_bodies), force = vec(f.f1);
+    const Vec3 &axis = joint.startAxis, force = vec(f.f1);
     double effort = 0;
     if (joint.type == JointType::Slider) effort = axis.dot(force);
     else if (joint.drive) effort = axis.dot(vec(f.t1));
-    else effort = axis.dot(vec(f.t1) - turn(c.r, joint.childAnchor).cross(force)); // the hinge force acts at the anchor
+    else effort = axis.dot(vec(f.t1) - joint.startArm.cross(force)); // the hinge force acts at the anchor
     if (motor.damping == 0) return effort;
     effort += joint.damperGive * (joint.damperRate - joint.rate);
     const double most = std::max(-limit, limit - motor.damping * std::abs(joint.rate));

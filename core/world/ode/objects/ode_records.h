@@ -97,12 +97,14 @@ struct OdeJoint {
     MotorConstraint motor;
     dJointID id = nullptr, drive = nullptr;
     dJointID spring = nullptr, friction = nullptr, stop = nullptr, damper = nullptr;
-    dJointID losses = nullptr; ///< dry and viscous friction of the drive
-    double frictionEffort = 0; ///< of these
+    dJointID losses = nullptr;             ///< dry and viscous friction of the drive
+    double frictionEffort = 0;             ///< of these
     double damperRate = 0, damperGive = 0; ///< of a servo's damper in this step; give 0: none
-    double lowStop = 0, highStop = 0;      ///< of a ball: how far `childAxis` tilts from `parentAxis`
-    Vec3 slideAxis = Vec3::UnitZ();        ///< of a suspension, in the parent's axes
-    Vec3 secondAxis = Vec3::UnitZ();       ///< of a universal joint, in the child's axes
+    // Of a motor whose effort is measured, at the start of the step, as its forces are: the axis, and the anchor from the child's centre.
+    Vec3 startAxis = Vec3::UnitZ(), startArm = Vec3::Zero();
+    double lowStop = 0, highStop = 0; ///< of a ball: how far `childAxis` tilts from `parentAxis`
+    Vec3 slideAxis = Vec3::UnitZ();   ///< of a suspension, in the parent's axes
+    Vec3 secondAxis = Vec3::UnitZ();  ///< of a universal joint, in the child's axes
     double stiffness = 0, damping = 0, travel = 0, rest = 0;
     // Of a universal joint about its second axis:
     double stiffness2 = 0, damping2 = 0, lowStop2 = 0, highStop2 = 0, position2 = 0, rate2 = 0, lastRate2 = 0;
@@ -136,7 +138,7 @@ struct OdeCoupling {
 
 /// Holds a body rigidly to another one, of any actor, from a command to the next.
 struct OdeLatch {
-    std::uint32_t number = 0; ///< by which its owner calls it
+    std::uint32_t number = 0;                                 ///< by which its owner calls it
     std::uint32_t body = kNone, held = kNone, wanted = kNone; ///< held: kNone is the world; wanted: from the next step on
     bool holds = false, wants = false;
     bool isApart = false; ///< the two bodies do not touch each other because of it
