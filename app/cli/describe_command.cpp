@@ -73,9 +73,13 @@ ExitCode describeKinds(Application& application, const DescribeArguments& argume
         names.push_back(kind->name);
     }
     const std::vector<std::string> near = nearestWords(arguments.kind, names, 1);
-    const std::string why = "there is no kind " + arguments.kind + (near.empty() ? "" : "; did you mean " + near[0] + "?") +
-                            " (`trundle-cli describe` lists all)";
+    std::string why = "there is no kind " + arguments.kind + (near.empty() ? "" : "; did you mean " + near[0] + "?") +
+                      " (`trundle-cli describe` lists all)";
     printProblem(why);
+    for (const Error& fault : application.moduleFaults(arguments.open)) { // of a file that may have it
+        printProblem(fault.message);
+        why += "; " + fault.message;
+    }
     if (arguments.json) writeOut(usageJson("describe", why));
     return kExitUsage;
 }

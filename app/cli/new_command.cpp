@@ -16,7 +16,23 @@ struct NewArguments {
     bool python = false;
     RobotArguments robot;
     ArenaArguments arena;
+    std::vector<const CLI::Option*> robotOptions, arenaOptions;
 };
+
+/// Those that `add` adds.
+template <class Add> std::vector<const CLI::Option*> optionsOf(const CLI::App& command, const Add& add) {
+    const std::size_t before = command.get_options().size();
+    add();
+    const std::vector<const CLI::Option*> all = command.get_options();
+    return {all.begin() + static_cast<std::ptrdiff_t>(before), all.end()};
+}
+
+/// What is given for something else than `what` would have no effect.
+void refuseOthers(const std::vector<const CLI::Option*>& options, const std::string& owner, const std::string& what) {
+    const auto given = std::ranges::find_if(options, [](const CLI::Option* option) { return option->count() > 0; });
+    if (owner != what && given != options.end())
+        throw CLI::ValidationError((*given)->get_name(), "it is for `new " + owner + "`, not for `new " + what + "`");
+}
 
 bool isTaken(const Application& application, const std::string& kind) {
     const std::vector<Kind> fromModules = application.moduleKinds({});
@@ -80,12 +96,14 @@ void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand&
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
     command->add_flag("--python", arguments->python, "A controller or component in Python, not in C++");
-    addRobotOptions(*command, arguments->robot);
-    addArenaOptions(*command, arguments->arena);
+    arguments->robotOptions = optionsOf(*command, [&] { addRobotOptions(*command, arguments->robot); });
+    arguments->arenaOptions = optionsOf(*command, [&] { addArenaOptions(*command, arguments->arena); });
     command->footer(kNewExamples);
     command->callback([arguments, &application, &chosen] {
         if (arguments->python && arguments->what != "controller" && arguments->what != "component")
             throw CLI::ValidationError("--python", "only controllers and components can be in Python");
+        refuseOthers(arguments->robotOptions, "robot", arguments->what);
+        refuseOthers(arguments->arenaOptions, "arena", arguments->what);
         if (arguments->what == "robot") {
             chosen = [arguments] { return makeNewRobot(arguments->robot, arguments->kind, arguments->parent); };
             return;

@@ -1,6 +1,7 @@
 #include "cli/new_robot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <utility>
@@ -70,7 +71,7 @@ ExitCode makeNewRobot(const RobotArguments& arguments, const std::string& name, 
     for (const std::string& file : robot.files) text += ' ' + cleanLine(robot.folder) + '/' + file;
     char reached[160];
     std::snprintf(reached, sizeof reached, ": %.2f m/s with a reserve of 20 %%, slopes of up to %.0f degrees",
-                  robot.choice.topSpeed, robot.choice.slope * 180 / std::numbers::pi);
+                  robot.choice.topSpeed, std::floor(robot.choice.slope * 180 / std::numbers::pi));
     text += "\nmotors: " + std::string(robot.choice.motor.name) + reached +
             "\n\nTo drive a square with it:\n  trundle-cli run --trust " + cleanLine(robot.experiment) + "\n";
     return writeOut(text) ? kExitDone : kExitText;

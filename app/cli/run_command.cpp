@@ -62,7 +62,7 @@ private:
     ExitCode printResults(ExitCode code);
     RunOptions runOptions();
     void warn(const Diagnostic& warning);
-    void showBacktrace(const SourceRange& block);
+    void showBacktrace(const StoppedController& stopped);
     void reportNothingPlaced() const;
     bool checkStart();
 
@@ -211,20 +211,14 @@ void RunCommand::report(const Diagnostic& diagnostic) {
 
 void RunCommand::warn(const Diagnostic& warning) {
     m_progress->line(render(warning, m_report.sources));
-    if (warning.code == Code::ControllerFailed && warning.severity == Severity::Error) showBacktrace(warning.range);
+    if (const StoppedController* stopped = stoppedBy(warning, m_runner->stoppedControllers())) showBacktrace(*stopped);
     report(warning);
 }
 
-/// Of the controller in this block that was stopped last.
-void RunCommand::showBacktrace(const SourceRange& block) {
-    const std::vector<RobotSpec>& robots = m_loaded->experiment->robots;
-    const auto& stopped = m_runner->stoppedControllers();
-    const auto found = std::find_if(stopped.rbegin(), stopped.rend(), [&](const StoppedController& controller) {
-        return controller.place == block;
-    });
-    if (found == stopped.rend()) return;
-    for (const std::string& line : found->fault.backtrace)
-        m_progress->line(consoleLines(found->time, robots[found->robot].name, TRUNDLE_ERROR, "  " + line));
+void RunCommand::showBacktrace(const StoppedController& stopped) {
+    const RobotSpec& robot = m_loaded->experiment->robots[stopped.robot];
+    for (const std::string& line : stopped.fault.backtrace)
+        m_progress->line(consoleLines(stopped.time, robot.name, TRUNDLE_ERROR, "  " + line));
 }
 
 /// Saves what would be lost in a crash, and restores process state that modules may have changed.

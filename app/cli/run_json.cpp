@@ -77,7 +77,7 @@ Json endsJson(const World& world) {
 /// Controllers that a fault stopped while the run continued.
 Json stoppedJson(const Runner& runner, const ExperimentSpec& experiment) {
     Json list = Json::array();
-    for (const auto& [robot, controller, place, time, fault, byCommand] : runner.stoppedControllers())
+    for (const auto& [robot, controller, time, fault, byCommand] : runner.stoppedControllers())
         list.push_back({{"robot", experiment.robots[robot].name},
                         {"controller", controller},
                         {"reason", fault.reason},

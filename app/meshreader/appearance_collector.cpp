@@ -40,11 +40,11 @@ std::array<float, 2> onPictureAt(const aiMesh& mesh, unsigned corner, const Text
 
 } // namespace
 
-void AppearanceCollector::add(const aiMesh& mesh, const aiFace& face) {
+void AppearanceCollector::add(const aiMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
     const std::uint16_t number = numberOf(mesh.mMaterialIndex);
     m_look.material.push_back(number);
     std::array<std::array<float, 2>, 3> corners{};
-    for (unsigned i = 0; i < 3; ++i) corners[i] = onPictureAt(mesh, face.mIndices[i], m_placements[number]);
+    for (unsigned i = 0; i < 3; ++i) corners[i] = onPictureAt(mesh, triangle[i], m_placements[number]);
     m_look.onPicture.push_back(corners);
 }
 

@@ -20,8 +20,8 @@ public:
     AppearanceCollector(const aiScene& scene, const RestrictedIOSystem& files, Colours colours)
         : m_scene(scene), m_files(files), m_colours(colours) {}
 
-    /// Adds the triangles one by one, in order.
-    void add(const aiMesh& mesh, const aiFace& face);
+    /// Adds the triangles one by one, in order. `triangle`: numbers of vertices of `mesh`.
+    void add(const aiMesh& mesh, const std::array<std::uint32_t, 3>& triangle);
     void addWarning(const std::string& words);
     /// Null if the file has no appearance.
     [[nodiscard]] std::shared_ptr<const MeshAppearance> take();

@@ -1,8 +1,8 @@
 // Needs: a file. Assumes: it may be hostile; the parent process has set resource limits, and a crash of assimp ends only this
 // process.
 // Method: only the importers of the five formats stay registered, so that the file's first bytes cannot select another; assimp
-// triangulates, then the nodes are traversed without recursion, equal points are merged and every number is checked. Data:
-// metres, z up.
+// triangulates, then the nodes are traversed without recursion, equal points are merged and every number is checked, and closed
+// surfaces that are wound inside out are reversed. Data: metres, z up.
 #include "meshreader/mesh_file.h"
 
 #include <algorithm>
@@ -23,6 +23,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "assets/mesh_orientation.h"
 #include "assets/mesh_stream.h"
 #include "meshreader/appearance_collector.h"
 #include "meshreader/restricted_io_system.h"
@@ -109,12 +110,14 @@ private:
     Status addMesh(const aiMesh& mesh, const aiMatrix4x4& toWorld) {
         // Only points used by a triangle are added.
         std::vector<std::uint32_t> places(mesh.mNumVertices, kUnplaced);
+        const bool isMirrored = aiMatrix3x3(toWorld).Determinant() < 0; // the other side of its triangles is outside
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
             const aiFace& face = mesh.mFaces[i];
             if (face.mNumIndices != 3) continue;
-            std::array<std::uint32_t, 3> triangle{};
+            std::array<std::uint32_t, 3> triangle{}, corners{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
+            if (isMirrored) std::swap(corners[1], corners[2]);
             for (unsigned corner = 0; corner < 3; ++corner) {
-                const unsigned index = face.mIndices[corner];
+                const unsigned index = corners[corner];
                 if (index >= mesh.mNumVertices) return failure("it is damaged: a triangle names a point that is not there");
                 if (places[index] == kUnplaced) {
                     const Result<std::uint32_t> place = addPoint(toWorld * mesh.mVertices[index]);
@@ -126,7 +129,7 @@ private:
             if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
             if (!isNew(triangle)) continue;
             m_mesh.triangles.push_back(triangle);
-            m_look.add(mesh, face);
+            m_look.add(mesh, corners);
             if (m_mesh.triangles.size() > kMaxMeshTriangles)
                 return failure("it has more than " + std::to_string(kMaxMeshTriangles) +
                                " triangles, the most that a mesh may have");
@@ -209,6 +212,7 @@ Result<TriangleMesh> readMeshFile(const std::string& path) {
     TriangleMesh mesh = collector.take();
     if (mesh.triangles.empty()) return failure("it holds no triangle");
     if (ending != ".stl") mesh.look = look.take();
+    orientOutwards(mesh);
     return mesh;
 }
 

@@ -135,12 +135,18 @@ public:
     std::shared_ptr<const Registry> builtIn() const override { return m_builtIn; }
     Isolation isolation() const override { return m_isolation; }
     const Locations& locations() const override { return m_locations; }
-    std::vector<Kind> moduleKinds(const OpenOptions& options) const override;
+    std::vector<Kind> moduleKinds(const OpenOptions& options) const override { return readModules(options).kinds; }
+    std::vector<Error> moduleFaults(const OpenOptions& options) const override { return readModules(options).faults; }
     Result<std::shared_ptr<const LoadedProject>> open(const std::string& path, const OpenOptions& options) override;
     std::unique_ptr<Runner> makeRunner(const LoadedProject& loaded, RunOptions options, Diagnostics& diagnostics) override;
 
 private:
-    void addPythonKinds(const std::vector<std::string>& folders, std::vector<Kind>& kinds) const;
+    struct ReadModules {
+        std::vector<Kind> kinds;
+        std::vector<Error> faults;
+    };
+    ReadModules readModules(const OpenOptions& options) const;
+    void addPythonKinds(const std::vector<std::string>& folders, ReadModules& modules) const;
 
     Locations m_locations;
     Isolation m_isolation;
@@ -149,7 +155,7 @@ private:
     mutable PythonDescriber m_python;
 };
 
-std::vector<Kind> TrundleApplication::moduleKinds(const OpenOptions& options) const {
+TrundleApplication::ReadModules TrundleApplication::readModules(const OpenOptions& options) const {
     std::vector<std::string> descriptions;
     std::vector<std::string> folders = options.modules;
     folders.push_back(m_locations.modules);
@@ -159,21 +165,24 @@ std::vector<Kind> TrundleApplication::moduleKinds(const OpenOptions& options) co
             if (at->path().string().ends_with(".kinds.json")) descriptions.push_back(at->path().string());
     }
     std::ranges::sort(descriptions);
-    std::vector<Kind> kinds;
+    ReadModules modules;
     for (const std::string& path : descriptions) {
         const Result<std::string> text = readRegularFile(path);
-        if (!text) continue;
         Result<std::vector<Kind>> read =
-            kindsFromJson(text.value(), path.substr(0, path.size() - std::string_view(".kinds.json").size()));
-        if (!read) continue;
-        for (Kind& kind : std::move(read).value()) kinds.push_back(std::move(kind));
+            text ? kindsFromJson(text.value(), path.substr(0, path.size() - std::string_view(".kinds.json").size()))
+                 : text.error();
+        if (!read) {
+            modules.faults.push_back(read.error());
+            continue;
+        }
+        for (Kind& kind : std::move(read).value()) modules.kinds.push_back(std::move(kind));
     }
-    addPythonKinds(options.modules, kinds); // those that come with the program have the kinds of its libraries
-    return kinds;
+    addPythonKinds(options.modules, modules); // those that come with the program have the kinds of its libraries
+    return modules;
 }
 
 /// Of the files that import the package; others may be programs. A kind that a library has too is that of the library.
-void TrundleApplication::addPythonKinds(const std::vector<std::string>& folders, std::vector<Kind>& kinds) const {
+void TrundleApplication::addPythonKinds(const std::vector<std::string>& folders, ReadModules& modules) const {
     static const std::regex import("(^|\\n)[ \\t]*(import|from)[ \\t]+trundle\\b");
     std::vector<std::string> files;
     for (const std::string& folder : folders) {
@@ -186,9 +195,13 @@ void TrundleApplication::addPythonKinds(const std::vector<std::string>& folders,
         const Result<std::string> text = readRegularFile(file);
         if (!text || !std::regex_search(text.value(), import)) continue;
         Result<std::vector<Kind>> read = m_python.kinds(file);
-        if (!read) continue;
+        if (!read) {
+            modules.faults.push_back(read.error());
+            continue;
+        }
         for (Kind& kind : std::move(read).value())
-            if (std::ranges::find(kinds, kind.name, &Kind::name) == kinds.end()) kinds.push_back(std::move(kind));
+            if (std::ranges::find(modules.kinds, kind.name, &Kind::name) == modules.kinds.end())
+                modules.kinds.push_back(std::move(kind));
     }
 }
 

@@ -23,6 +23,8 @@ public:
     /// Kinds declared by the manifests of the modules in the program's and the given folders. Runs no code of libraries; Python files of the
     /// given folders are loaded in another process if they changed.
     [[nodiscard]] virtual std::vector<Kind> moduleKinds(const OpenOptions& options) const = 0;
+    /// Why modules of these folders have no kinds there: descriptions that cannot be read, Python files that cannot be loaded.
+    [[nodiscard]] virtual std::vector<Error> moduleFaults(const OpenOptions&) const { return {}; }
     /// Which controllers have a process of their own where the experiment does not say it.
     [[nodiscard]] virtual Isolation isolation() const { return Isolation::None; }
     /// Paths of the program's own files.

@@ -44,13 +44,9 @@ Result<NewArena> writeArena(const std::string& name, const std::string& parent, 
     return made;
 }
 
-std::optional<Error> nameFault(const std::string& name) {
-    if (kindNameFault(name).empty()) return std::nullopt;
-    return Error{Code::OutOfRange, "an arena cannot be named " + cleanLine(name) +
-                                       ": its name is a capital letter and then letters and digits, like Office"};
-}
-
 } // namespace
+
+std::string arenaNameFault(const std::string& name) { return configNameFault("an arena", name, "Office", "SimpleRobot"); }
 
 Result<std::shared_ptr<const HeightMap>> readPlanPicture(const std::string& picture, const Locations& locations) {
     return AssetReader(locations.meshReader).heightMap(fs::absolute(picture).string());
@@ -64,7 +60,7 @@ Result<FloorPlan> readFloorPlan(const std::string& picture, const FloorPlanOptio
 
 Result<NewArena> makePlanArena(const std::string& name, const FloorPlan& plan, double height, const std::string& picture,
                                const std::string& parent) {
-    if (auto fault = nameFault(name)) return *fault;
+    if (const std::string fault = arenaNameFault(name); !fault.empty()) return Error{Code::OutOfRange, fault};
     if (!(height >= 0.01 && height <= 100)) return Error{Code::OutOfRange, "The height of the walls must be from 0.01 to 100 m."};
     if (plan.room < kRobot)
         return Error{Code::OutOfRange, "No robot fits between the walls: make the plan wider, or check the threshold."};
@@ -74,7 +70,7 @@ Result<NewArena> makePlanArena(const std::string& name, const FloorPlan& plan, d
 }
 
 Result<NewArena> makeObstacleArena(const std::string& name, const ObstacleField& field, const std::string& parent) {
-    if (auto fault = nameFault(name)) return *fault;
+    if (const std::string fault = arenaNameFault(name); !fault.empty()) return Error{Code::OutOfRange, fault};
     const Result<std::string> text = obstacleText(name, field);
     if (!text) return text.error();
     return writeArena(name, parent, text.value(),
@@ -83,7 +79,7 @@ Result<NewArena> makeObstacleArena(const std::string& name, const ObstacleField&
 
 Result<NewArena> makeRoomArena(const std::string& name, const RoomPlan& plan, const std::string& comment,
                                const std::string& parent) {
-    if (auto fault = nameFault(name)) return *fault;
+    if (const std::string fault = arenaNameFault(name); !fault.empty()) return Error{Code::OutOfRange, fault};
     return writeArena(
         name, parent, roomText(name, plan, comment),
         arenaExperimentText(name, moduleNameFor(name), {plan.startX, plan.startY}, std::max(plan.length, plan.width)));
@@ -91,7 +87,7 @@ Result<NewArena> makeRoomArena(const std::string& name, const RoomPlan& plan, co
 
 Result<NewArena> makeHeightsArena(const std::string& name, const std::string& picture, const std::array<double, 3>& size,
                                   const std::string& parent, const Locations& locations) {
-    if (auto fault = nameFault(name)) return *fault;
+    if (const std::string fault = arenaNameFault(name); !fault.empty()) return Error{Code::OutOfRange, fault};
     const auto read = readPlanPicture(picture, locations);
     if (!read) return read.error();
     const Result<std::string> ground = heightsText(fs::path(picture).filename().string(), size);

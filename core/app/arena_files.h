@@ -26,6 +26,9 @@ struct NewArena {
 [[nodiscard]] Result<FloorPlan> readFloorPlan(const std::string& picture, const FloorPlanOptions& options,
                                               const Locations& locations);
 
+/// Why an arena cannot have this name; empty if it can.
+[[nodiscard]] std::string arenaNameFault(const std::string& name);
+
 /// Writes an arena and an experiment with a robot in it into a new folder below `parent`: Office becomes office/office.sim and
 /// office/office_drive.sim. `height`: of the walls, m. Fails, and writes nothing, if the name cannot be a config's, if that folder exists, or
 /// if it cannot be written.

@@ -7,6 +7,7 @@
 #include "base/clean_text.h"
 #include "base/platform/atomic_file.h"
 #include "base/platform/read_file.h"
+#include "base/units.h"
 #include "lang/characters.h"
 
 namespace trundle {
@@ -16,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 60;
+constexpr const char* kNameRule = "a capital letter and then letters, digits and _, like ";
 
 struct Template {
     const char *folder, *kind, *module;
@@ -59,7 +61,27 @@ Error failure(const std::string& path, const std::string& why) {
 
 std::string kindNameFault(const std::string& kind) {
     if (isKindName(kind)) return {};
-    return "a kind cannot be named " + cleanLine(kind) + ": its name is a capital letter and then letters and digits, like WallFollow";
+    return "a kind cannot be named " + cleanLine(kind) + ": its name is " + kNameRule + "WallFollow";
+}
+
+std::string kindNameFault(ModuleTemplate what, const std::string& kind) {
+    if (std::string fault = kindNameFault(kind); !fault.empty()) return fault;
+    const bool isKeyword = isPython(what) && (kind == "None" || kind == "True" || kind == "False"); // those with a capital letter
+    const char* const meaning = findUnit(kind)    ? "a unit"
+                                : kind == "Param" ? "a reserved word"
+                                : isKeyword       ? "a word of Python"
+                                                  : nullptr;
+    return meaning ? "a kind cannot be named " + kind + ": that is " + meaning + ", choose another name" : std::string();
+}
+
+std::string configNameFault(const std::string& what, const std::string& name, const std::string& like,
+                            const std::string& imported) {
+    if (name.empty()) return what + " needs a name: " + kNameRule + like;
+    const std::string start = what + " cannot be named " + cleanLine(name) + ": ";
+    if (!isKindName(name)) return start + "its name is " + kNameRule + like;
+    if (name == "Param") return start + "that is a reserved word, choose another name";
+    if (name == imported) return start + "its experiment imports a config of that name, choose another name";
+    return {};
 }
 
 std::string moduleNameFor(const std::string& kind) {
@@ -75,7 +97,7 @@ std::string moduleNameFor(const std::string& kind) {
 
 Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const std::string& parent,
                              const Locations& locations) {
-    if (const std::string fault = kindNameFault(kind); !fault.empty()) return Error{Code::FileUnreadable, fault};
+    if (const std::string fault = kindNameFault(what, kind); !fault.empty()) return Error{Code::FileUnreadable, fault};
     const Template from = templateOf(what);
     const std::string module = moduleNameFor(kind);
     const fs::path source = fs::path(locations.templates) / from.folder, folder = fs::path(parent) / module;

@@ -26,6 +26,12 @@ struct NewModule {
 
 /// Why a kind cannot have this name; empty if it can.
 [[nodiscard]] std::string kindNameFault(const std::string& kind);
+/// The same for a kind of a module, whose code and blocks begin with it: also if it is a word of their languages.
+[[nodiscard]] std::string kindNameFault(ModuleTemplate what, const std::string& kind);
+/// Why `what`, "a robot", cannot have this name for its config; empty if it can. `like`: a name that it can have, `imported`: that
+/// of a config which the experiment written with it imports.
+[[nodiscard]] std::string configNameFault(const std::string& what, const std::string& name, const std::string& like,
+                                          const std::string& imported);
 /// The name of a module with this kind: "wall_follow" for "WallFollow", "led_ring" for "LEDRing".
 [[nodiscard]] std::string moduleNameFor(const std::string& kind);
 

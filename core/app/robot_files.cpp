@@ -10,11 +10,11 @@
 
 namespace trundle {
 
+std::string robotNameFault(const std::string& name) { return configNameFault("a robot", name, "Rover", "OpenFloor"); }
+
 Result<NewRobot> makeRobot(const RobotDesign& design, const std::string& parent) {
     namespace fs = std::filesystem;
-    if (!kindNameFault(design.name).empty())
-        return Error{Code::FileUnreadable, "a robot cannot be named " + cleanLine(design.name) +
-                                               ": its name is a capital letter and then letters and digits, like Rover"};
+    if (const std::string fault = robotNameFault(design.name); !fault.empty()) return Error{Code::FileUnreadable, fault};
     const Result<MotorChoice> choice = chooseMotor(design);
     if (!choice) return choice.error();
     const std::string file = moduleNameFor(design.name);

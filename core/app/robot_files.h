@@ -17,6 +17,9 @@ struct NewRobot {
     MotorChoice choice;
 };
 
+/// Why a robot cannot have this name; empty if it can.
+[[nodiscard]] std::string robotNameFault(const std::string& name);
+
 /// Writes a robot, an experiment in which it drives a square and the controller that does so into a new folder below `parent`: Rover becomes
 /// rover/rover.sim, rover/rover_square.sim and rover/rover_square.py. Fails, and writes nothing, if no motor fits, if the name cannot be
 /// a config's, if that folder exists, or if it cannot be written.

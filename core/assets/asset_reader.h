@@ -29,8 +29,8 @@ public:
     /// `program` is the path of trundle-meshreader.
     explicit AssetReader(std::string program, AssetLimits limits = {});
 
-    /// OBJ, STL, DAE, glTF or GLB; node transforms applied, duplicate points merged, z up. A MeshUnreadable error names the path
-    /// and the reason.
+    /// OBJ, STL, DAE, glTF or GLB; node transforms applied, duplicate points merged, z up, closed surfaces counter-clockwise seen
+    /// from outside. A MeshUnreadable error names the path and the reason.
     [[nodiscard]] Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path);
     /// PNG, JPEG, BMP, PGM or PPM (8 or 16 bit), converted to grey.
     [[nodiscard]] Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path);

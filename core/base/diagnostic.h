@@ -2,6 +2,7 @@
 // Diagnostics: severity, code, message, source range and, where the correction is obvious, a fix.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -31,6 +32,9 @@ struct Diagnostic {
     std::vector<std::pair<std::string, SourceRange>> notes; ///< "first defined here"
     std::uint64_t more = 0; ///< how many omitted diagnostics this one stands for; see Diagnostics::summarize()
     std::uint64_t followUps = 0; ///< further places with the same mistake that are not reported
+    // Of a run, the robot that it is about, and which of its controllers: the range is the same for all robots of one block.
+    std::optional<std::size_t> robot = {}; ///< index in the experiment
+    std::string controller = {};           ///< its name; empty: the robot itself
 };
 
 /// Collects diagnostics; passed through every stage from text to model. Per file it keeps at most kMaxOfOneFile errors and as

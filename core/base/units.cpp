@@ -84,6 +84,7 @@ constexpr UnitInfo kUnits[] = {
     {"rpm/V", "speed constant", kPi / 30},
     {"Vs/rad", "back-EMF constant", 1},
     {"V/rpm", "back-EMF constant", 30 / kPi},
+    {"V/rad", "voltage per angle", 1},
     {"kgm^2", "inertia", 1},
     {"gcm^2", "inertia", 1e-7},
     {"kg/m^3", "density", 1},
@@ -97,6 +98,9 @@ constexpr UnitInfo kUnits[] = {
     {"bit/s", "bit rate", 1},
     {"kbit/s", "bit rate", 1e3},
     {"Mbit/s", "bit rate", 1e6},
+    {"cd", "luminous intensity", 1},
+    {"lx", "illuminance", 1},
+    {"ppm", "share in ppm", 1},
     {"%", "fraction", 0.01},
 };
 

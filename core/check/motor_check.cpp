@@ -153,10 +153,10 @@ void checkConstants(const RobotConfigSpec& config, Diagnostics& diagnostics) {
         if (!(power > 0) || (power >= kLeastPower && power <= kMostPower)) continue;
         const ResolvedValue* value = motor.find("TorqueConstant");
         const std::string other = motor.find("SpeedConstant") ? "SpeedConstant, " + figureText(perVolt) + " rad/s/V"
-                                                              : "BackEmfConstant, " + figureText(bemf) + " V s/rad";
+                                                              : "BackEmfConstant, " + figureText(bemf) + " Vs/rad";
         diagnostics.warning(
             Code::WeakMotor, value && value->range.known() ? value->range : motor.nameRange,
-            "TorqueConstant of " + motor.name + ", " + figureText(motor.number("TorqueConstant")) + " N m/A, does not fit its " +
+            "TorqueConstant of " + motor.name + ", " + figureText(motor.number("TorqueConstant")) + " Nm/A, does not fit its " +
                 other + ": it would give " + figureText(power) +
                 " times the power that it takes; in these units each is 1 divided by the other, or both are equal");
     }

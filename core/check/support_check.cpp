@@ -52,6 +52,14 @@ private:
         std::size_t others = 0;
     };
 
+    /// How high robots of one block in the text start, as the members of a Grid.
+    struct Heights {
+        std::ptrdiff_t pieces = 0;                 ///< in the air
+        double least = HUGE_VAL, most = -HUGE_VAL; ///< m, of those that were measured
+
+        void add(double height) { least = std::min(least, height), most = std::max(most, height); }
+    };
+
     /// Without scenery everything falls that no joint holds: one finding for all robots, at the first.
     void reportNoScenery() {
         const RobotSpec* first = nullptr;
@@ -119,7 +127,10 @@ private:
     }
 
     void measure(const Piece& piece) {
-        const RobotConfigSpec* config = m_experiment.robots[piece.robot].config.get();
+        const RobotSpec& robot = m_experiment.robots[piece.robot];
+        Heights& heights = m_heights[robot.nameRange];
+        ++heights.pieces;
+        const RobotConfigSpec* config = robot.config.get();
         const Block block{config->name, config->bodies[piece.bodies.front()].nameRange};
         const auto known = m_byConfig.find(block);
         if (m_measured >= kMaxMeasured) {
@@ -129,7 +140,9 @@ private:
         ++m_measured;
         SupportFinding finding{piece, std::nullopt, {}, 0};
         const double high = piece.bodies.size() > 1 ? highFor(piece) : kHigh;
-        if (!fall(finding) || (finding.height && *finding.height <= high)) return;
+        if (!fall(finding)) return;
+        heights.add(finding.height.value_or(HUGE_VAL));
+        if (finding.height && *finding.height <= high) return;
         if (known != m_byConfig.end()) {
             ++m_findings[known->second].others;
             return;
@@ -178,6 +191,13 @@ private:
         return {middle, middle + dx, middle - dx, middle + dy, middle - dy};
     }
 
+    /// A Grid is moved as a whole: whether all robots of the block are in the air by the same amount.
+    [[nodiscard]] bool areAllAsHigh(const RobotSpec& robot) const {
+        const Heights& heights = m_heights.at(robot.nameRange);
+        const auto all = std::ranges::count(m_experiment.robots, robot.nameRange, &RobotSpec::nameRange);
+        return heights.pieces == all && heights.most - heights.least <= kLeave;
+    }
+
     void report(const SupportFinding& f) {
         const RobotSpec& robot = m_experiment.robots[f.piece.robot];
         const bool whole = f.piece.bodies.size() == robot.config->bodies.size();
@@ -189,7 +209,8 @@ private:
                                            who + " starts " + lengthText(*f.height) + " above " + f.ground +
                                                " and falls onto it; to start there, lower it" + more);
         if (!whole) d.notes.push_back({"of this robot", robot.nameRange});
-        if (auto fix = moveFix(m_loaded, robot, -(*f.height - kLeave) * m_up); fix && whole) d.fixes.push_back(std::move(*fix));
+        if (!whole || !areAllAsHigh(robot)) return;
+        if (auto fix = moveFix(m_loaded, robot, -(*f.height - kLeave) * m_up)) d.fixes.push_back(std::move(*fix));
     }
 
     /// Reports a piece without ground below: it is either below the scenery or beside it.
@@ -223,6 +244,7 @@ private:
     std::vector<SupportFinding> m_findings;
     using Block = std::pair<std::string, SourceRange>; ///< a config and the place of the block of the piece's first body
     std::map<Block, std::size_t> m_byConfig;
+    std::map<SourceRange, Heights> m_heights; ///< by the name of the block of the robots
     std::size_t m_measured = 0;
 };
 

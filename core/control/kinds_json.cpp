@@ -144,7 +144,9 @@ std::string kindsToJson(const std::vector<Kind>& kinds) {
 
 Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::string& library) {
     const auto fault = [&](const std::string& why) {
-        return Error{Code::ModuleUndescribed, kindsJsonPath(library) + " cannot be used (" + why + "); build the module again"};
+        const bool isPython = library.ends_with(".py"); // which has no such file, and is not built
+        return Error{Code::ModuleUndescribed, (isPython ? library : kindsJsonPath(library)) + " cannot be used (" + why + "); " +
+                                                  (isPython ? "correct the class in this file" : "build the module again")};
     };
     try { // the JSON library reports errors by exceptions
         const Json j = Json::parse(text);

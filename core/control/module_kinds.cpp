@@ -8,6 +8,7 @@
 
 #include "base/clean_text.h"
 #include "base/platform/module_text.h"
+#include "base/units.h"
 #include "model/component_spec.h"
 
 namespace trundle {
@@ -29,6 +30,11 @@ struct CommonFields {
                 "Time an update may take before it is reported as slow; 0: any.");
     }
 };
+
+bool isCommonField(const std::string& name) {
+    return std::ranges::any_of(descriptionOf<CommonFields>().fields(),
+                               [&](const FieldInfo& field) { return field.name == name; });
+}
 
 /// Reports what is wrong with a descriptor as a whole.
 Status checkDescriptor(const TrundleModule* module, const std::string& library) {
@@ -210,9 +216,13 @@ std::string alternativesFault(const Kind& kind, const Alternatives& alternatives
 
 std::string kindFault(const Kind& kind) {
     if (!isName(kind.name)) return "is no name";
+    if (findUnit(kind.name))
+        return "has the name of a unit, so it could be read as that of the number before it: choose another name";
     std::set<std::string> names;
     for (const Property& p : kind.properties) {
         if (auto fault = propertyFault(p); !fault.empty()) return fault;
+        if (kind.role == Role::Controller && isCommonField(p.name))
+            return "has a field " + p.name + ", which every controller has already: choose another name";
         if (!names.insert(p.name).second) return "has two fields named " + p.name;
     }
     for (const Alternatives& a : kind.alternatives)

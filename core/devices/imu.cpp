@@ -1,5 +1,8 @@
 #include "devices/imu.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace trundle {
 
 namespace {
@@ -13,14 +16,33 @@ double squareTerm(double angle) {
     return 1 / a2 - std::cos(angle / 2) / std::sin(angle / 2) / (2 * angle);
 }
 
-constexpr double kMostTurn = 3; // rad in a tick; beyond it the directions within the tick are unknown
+constexpr double kMostTurn = 3;    // rad in a tick; beyond it the directions within the tick are unknown
+constexpr double kLongestArm = 10; // m, from a centre of mass to a sensor: one that seems longer is of a robot that was placed
+
+/// What half a tick of the turn adds to a vector that is constant in the turning frame, by its mean over the tick.
+Vec3 halfTurned(const Vec3& turn, const Vec3& mean) {
+    const Vec3 across = turn.cross(mean);
+    return 0.5 * across + squareTerm(turn.norm()) * turn.cross(across);
+}
+
+/// The mean acceleration of an arm that turns steadily, whose velocity at the end of the tick is `ahead` of its mean: it solves
+/// halfTurned(turn, x) = turn.cross(ahead / tick).
+Vec3 swingOf(const Vec3& ahead, const Vec3& turn, double tick) {
+    const double share = 2 * squareTerm(turn.norm());
+    return 2 / tick / (1 + share * share * turn.squaredNorm()) * (ahead - share * turn.cross(ahead));
+}
 
 } // namespace
 
-Vec3 specificForce(const Vec3& change, const Vec3& gravity, const Quat& rotation, const Vec3& rate, double tick) {
-    const Vec3 mean = rotation.conjugate() * (change / tick - gravity), turn = rate * tick;
+Vec3 specificForce(const Vec3& change, const Vec3& ahead, const Vec3& gravity, const Quat& rotation, const Vec3& rate,
+                   double tick) {
+    const Quat back = rotation.conjugate();
+    const Vec3 mean = back * (change / tick - gravity), turn = rate * tick;
     if (turn.norm() > kMostTurn) return mean;
-    return mean + 0.5 * turn.cross(mean) + squareTerm(turn.norm()) * turn.cross(turn.cross(mean));
+    const Vec3 whole = back * (change / tick), down = back * gravity, centre = whole - swingOf(back * ahead, turn, tick);
+    const double share = gravity.isZero(0) ? 0 : std::clamp(centre.dot(down) / down.squaredNorm(), 0., 1.);
+    const Vec3 fall = share * down, led = centre - fall;
+    return mean + halfTurned(turn, whole - fall) + halfTurned(turn, led + halfTurned(turn, led));
 }
 
 void Imu::describe(Describe<Imu>& d) {
@@ -52,12 +74,16 @@ void Imu::begin(Mount& mount) {
 
 void Imu::follow(Sensing& world) {
     const TrundleBodyState state = world.bodyState(body());
-    const Quat turned = poseOf(state).rotation;
-    const Vec3 rate(state.angular), velocity = Vec3(state.linear) + rate.cross(turned * mounting().position);
-    m_rotation = (turned * mounting().rotation).normalized();
+    const Pose at = poseOf(state);
+    const Vec3 arm = at.rotation * mounting().position, place = at.position + arm, rate(state.angular);
+    const Vec3 velocity = Vec3(state.linear) + rate.cross(arm);
+    Vec3 ahead = velocity - (place - m_place) / world.tick();
+    if (ahead.norm() > 0.5 * world.tick() * rate.squaredNorm() * kLongestArm) ahead.setZero();
+    m_rotation = (at.rotation * mounting().rotation).normalized();
     m_rate = m_rotation.conjugate() * rate;
-    m_force = specificForce(velocity - m_velocity, m_gravity, m_rotation, m_rate, world.tick());
+    m_force = specificForce(velocity - m_velocity, ahead, m_gravity, m_rotation, m_rate, world.tick());
     m_velocity = velocity;
+    m_place = place;
 }
 
 void Imu::measure(Sensing& world, std::vector<double>& reading) {

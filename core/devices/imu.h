@@ -6,8 +6,8 @@ namespace trundle {
 
 /// Gyroscope and accelerometer at a place on a body. The acceleration is the specific force at that place, without gravity, along
 /// the sensor's own axes at the end of the tick. It is found from the change of velocity in the last tick by taking it as
-/// constant in the turning body: exact in free fall, at constant acceleration and in a steady turn, which a plain difference of
-/// velocities is not. The robot starts at rest.
+/// constant in the turning body, but for what gravity does: exact in free fall, at constant acceleration and in a steady turn
+/// about the vertical, which a plain difference of velocities is not. The robot starts at rest.
 class Imu final : public Sensor, public ImuSignals {
 public:
     static void describe(Describe<Imu>& d);
@@ -25,16 +25,22 @@ private:
     std::array<double, 3> m_gyroscopeBias{0, 0, 0}, m_accelerometerBias{0, 0, 0};
     bool m_orientation = false;
 
-    Vec3 m_gravity = Vec3::Zero(), m_velocity = Vec3::Zero(); ///< world; of the sensor after the last tick
-    Vec3 m_rate = Vec3::Zero(), m_force = Vec3::Zero();       ///< in its own frame, without errors
-    Quat m_rotation = Quat::Identity();                       ///< in the world
-    std::array<Vec3, 2> m_bias;                               ///< now
+    Vec3 m_gravity = Vec3::Zero();                          ///< in the world
+    Vec3 m_velocity = Vec3::Zero(), m_place = Vec3::Zero(); ///< of the sensor after the last tick, in the world
+    Vec3 m_rate = Vec3::Zero(), m_force = Vec3::Zero();     ///< in its own frame, without errors
+    Quat m_rotation = Quat::Identity();                     ///< in the world
+    std::array<Vec3, 2> m_bias;                             ///< now
 };
 
 /// The specific force (m/s^2, own frame) of a sensor that ended a tick of `tick` s with the rotation and the angular rate (rad/s,
-/// own frame), whose velocity in the world changed by `change` (m/s): the vector that is constant in the turning frame and gives
-/// this change together with gravity. It inverts the left Jacobian of SO(3) (Sola, Deray, Atchuthan: A micro Lie theory, 2018,
-/// eq. 146).
-[[nodiscard]] Vec3 specificForce(const Vec3& change, const Vec3& gravity, const Quat& rotation, const Vec3& rate, double tick);
+/// own frame), whose velocity in the world changed by `change` and is `ahead` of its mean velocity in the tick (m/s).
+///
+/// A centre of mass has one velocity for the whole tick, along a chord of its path; the arm from there to the sensor turns, with
+/// the velocity of the end. So the change is a whole tick old for the one and half a tick for the other, and `ahead`, which only
+/// the arm has, separates them. Both turn with the sensor, but for what the centre of mass falls and what carries it against
+/// gravity. The inverse left Jacobian of SO(3) turns them on to the end (Sola, Deray, Atchuthan: A micro Lie theory, 2018, eq.
+/// 146).
+[[nodiscard]] Vec3 specificForce(const Vec3& change, const Vec3& ahead, const Vec3& gravity, const Quat& rotation,
+                                 const Vec3& rate, double tick);
 
 } // namespace trundle

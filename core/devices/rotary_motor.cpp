@@ -25,11 +25,11 @@ VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage,
 void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.help("A direct-current motor with a gear that turns a joint.");
     d.field("Joint", &RotaryMotor::m_jointName, reference("Hinge|Suspension").required(), "The joint it turns.");
-    d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("N m/A").within(1e-9, 1e6).required().live(),
+    d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("Nm/A").within(1e-9, 1e6).required().live(),
             "Torque per current, before the gear.");
     d.field("SpeedConstant", &RotaryMotor::m_speedConstant, unitOf("rad/s/V").within(1e-6, 1e6),
             "Speed without load per voltage: 1 / BackEmfConstant.");
-    d.field("BackEmfConstant", &RotaryMotor::m_backEmfConstant, unitOf("V s/rad").within(1e-6, 1e6),
+    d.field("BackEmfConstant", &RotaryMotor::m_backEmfConstant, unitOf("Vs/rad").within(1e-6, 1e6),
             "Voltage induced per speed: 1 / SpeedConstant.");
     d.exactlyOneOf("SpeedConstant|BackEmfConstant", "TorqueConstant"); // without losses they are equal: k_e = k_t in SI units
     d.field("Resistance", &RotaryMotor::m_resistance, ohms().within(1e-6, 1e9).required().live(), "Of the winding.");
@@ -57,7 +57,7 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
             "Steps of the driver's duty cycle from 0 to full, 255 for 8 bits; 0: continuous.");
     d.field("Backlash", &RotaryMotor::m_backlash, degrees().within(0, 90),
             "Play of the gear, at the joint: on its way from one flank to the other the motor moves nothing.");
-    d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
+    d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kgm^2").within(0, 1e3), "Of the rotor, before the gear.");
     describeHeat(d);
     RotaryMotorSignals::describe(d);
 }

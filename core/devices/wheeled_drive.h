@@ -78,7 +78,7 @@ protected:
     template <class T> static void describeControl(Describe<T>& d) {
         d.field("Control", &WheeledDrive::m_controlName, oneOf("servo|pi|voltage"),
                 "servo: wheels hold their rate; pi: a speed controller sets the voltage; voltage: open loop.");
-        d.field("Kp", &WheeledDrive::m_kp, unitOf("V s/rad").within(0, 1e6).live(), "Of Control = pi.");
+        d.field("Kp", &WheeledDrive::m_kp, unitOf("Vs/rad").within(0, 1e6).live(), "Of Control = pi.");
         d.field("Ki", &WheeledDrive::m_ki, unitOf("V/rad").within(0, 1e6).live(), "Of Control = pi.");
         describeAcceleration(d);
     }

@@ -23,6 +23,8 @@ bool usesIndex(const Element& e) {
     return e.kind == Element::Kind::Expression && e.expression && usesIndex(*e.expression);
 }
 
+bool isFormula(const Element& e) { return e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression; }
+
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
     while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
@@ -94,6 +96,16 @@ std::string withNumbers(const std::string& text, std::span<const double> before,
         done = range.end;
     }
     return result + text.substr(done);
+}
+
+std::vector<std::string> replacedFormulas(const std::string& before, const std::string& after) {
+    const ParsedValue old(before), now(after);
+    const std::vector<Element>&from = old.value().elements, &to = now.value().elements;
+    std::vector<std::string> formulas;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        if (isFormula(from[i]) && (from.size() != to.size() || !isFormula(to[i])))
+            formulas.push_back(before.substr(from[i].range.begin, from[i].range.size()));
+    return formulas;
 }
 
 } // namespace trundle

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 namespace trundle {
 
@@ -13,5 +14,7 @@ namespace trundle {
 /// the result is plain numbers.
 [[nodiscard]] std::string withNumbers(const std::string& text, std::span<const double> before, std::span<const double> after,
                                       const char* unit, double step);
+/// The formulas of a value, "$gap", "$(2*gap)", that are numbers in the new text of it.
+[[nodiscard]] std::vector<std::string> replacedFormulas(const std::string& before, const std::string& after);
 
 } // namespace trundle

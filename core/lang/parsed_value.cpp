@@ -18,7 +18,9 @@ std::shared_ptr<const ParsedValue::Parsed> ParsedValue::parse(std::string_view t
     const auto tree = trundle::parse(std::make_shared<const SourceText>("value", std::string(kKey) + parsed->text + "\n"), 0);
     for (const Diagnostic& d : tree->diagnostics()) {
         if (d.severity != Severity::Error) continue;
-        parsed->status = Error{d.code, d.message};
+        // Before the value is the key, which only this text has.
+        const bool isOfKey = d.range.range.begin < kKey.size(), isNone = d.code == Code::MissingValue;
+        parsed->status = Error{d.code, !isOfKey ? d.message : isNone ? "a value is missing" : "a block is not a value"};
         return parsed;
     }
     const auto* a = tree->items().size() == 1 ? tree->items()[0].as<AssignmentItem>() : nullptr;

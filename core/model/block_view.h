@@ -65,7 +65,8 @@ struct BlockView {
 };
 
 /// Expands imports. A file imported a second time in one block has no effect; the same key twice in one file is E210; the
-/// importing file's assignment overrides an imported one; if two imported files disagree, the later one is used, with E215.
+/// importing file's assignment overrides an imported one; if two imported files disagree on another key, the later one is used,
+/// with E215.
 [[nodiscard]] BlockView viewOf(const TextSet& texts, const std::vector<Item>& items, FileId file, Diagnostics& diagnostics);
 
 /// The number of blocks in the full expansion, counted up to `limit` without building it.

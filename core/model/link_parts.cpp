@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/spelling.h"
+#include "model/config_blocks.h"
 #include "model/outline.h"
 #include "model/params.h"
 #include "model/part_depth.h"
@@ -52,7 +54,10 @@ public:
             add(const_cast<Part&>(*config.config));
             inheritParams(m_outline, config);
         }
-        if (config.kind->name == "PartConfig") searchIn(config, config);
+        if (config.kind->name != "PartConfig") return;
+        std::vector<const Part*> around = std::exchange(m_holders, {}); // what uses it has names of its own
+        searchIn(config, config);
+        m_holders = std::move(around);
     }
 
 private:
@@ -214,6 +219,13 @@ private:
     std::vector<const Part*> m_chain;
 };
 
+/// The names of the Parts whose config blocks around them exchange: `left.Config=BigWheel`.
+void collectExchanged(const Part& part, std::unordered_set<std::string>& names) {
+    for (const SourceAssignment& a : part.assignments.all())
+        if (a.path.size() > 1 && a.path.back().text == "Config") names.insert(a.path[a.path.size() - 2].text);
+    for (const Part& inner : part.parts) collectExchanged(inner, names);
+}
+
 } // namespace
 
 void Outline::linkPart(Part& part, const Part* owner, bool isMisplaced) {
@@ -250,6 +262,12 @@ void Outline::linkParts() {
     ImpliedParams implied(*this);
     for (const auto& part : parts)
         if (part->is(Role::Config)) implied.add(*part);
+    m_exchanged.clear();
+    for (const auto& part : parts) collectExchanged(*part, m_exchanged);
+}
+
+bool Outline::hasVaryingConfig(const Part& part) const {
+    return part.isPartUse() && (isConfigComputed(part) || m_exchanged.contains(part.name));
 }
 
 bool Outline::isInCircle(const Part& config) const {

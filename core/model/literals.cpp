@@ -1,8 +1,22 @@
 #include "model/literals.h"
 
+#include <cmath>
+
 #include "base/units.h"
 
 namespace trundle {
+namespace {
+
+using ElementKind = GivenElement::Kind;
+
+bool areSameNumbers(const GivenElement& a, const GivenElement& b) {
+    const UnitInfo *unit = findUnit(a.unit), *other = findUnit(b.unit);
+    if (unit && other && unit->dimension != other->dimension) return false;
+    const auto first = plainNumber(a), second = plainNumber(b);
+    return first && second && std::abs(*first - *second) <= kUnitRounding * std::abs(*first);
+}
+
+} // namespace
 
 GivenElement literalOf(const Element& element, FileId file) {
     GivenElement given;
@@ -45,6 +59,17 @@ std::string plainUnit(std::string_view dimension) {
         if (unit->dimension == dimension && unit->factor == 1) return name;
     }
     return {};
+}
+
+std::optional<double> plainNumber(const GivenElement& element) {
+    const UnitInfo* unit = findUnit(element.unit);
+    return unit ? convertUnit(element.number, element.unit, plainUnit(unit->dimension)) : element.number;
+}
+
+bool areEqual(const GivenElement& a, const GivenElement& b) {
+    if (a.kind == ElementKind::Number || b.kind == ElementKind::Number) return a.kind == b.kind && areSameNumbers(a, b);
+    if (a.kind == ElementKind::Boolean || b.kind == ElementKind::Boolean) return a.kind == b.kind && a.boolean == b.boolean;
+    return a.text == b.text;
 }
 
 } // namespace trundle

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/mesh_appearance.h"
 #include "model/convex_hull.h"
 #include "model/mass_properties.h"
 
@@ -10,16 +9,6 @@ namespace trundle {
 
 namespace {
 constexpr std::size_t kMaxForgotten = 64; ///< cached meshes before expired ones are removed
-
-/// Exchanges two corners of every triangle, so that those of a mirror image are counter-clockwise seen from outside again.
-void turnInsideOut(TriangleMesh& mesh) {
-    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-    if (!mesh.look || mesh.look->onPicture.empty()) return;
-    auto look = std::make_shared<MeshAppearance>(*mesh.look);
-    for (auto& corners : look->onPicture) std::swap(corners[1], corners[2]);
-    mesh.look = std::move(look);
-}
-
 } // namespace
 
 MeshShapes::CachedShape& MeshShapes::known(const Mesh& mesh) {
@@ -40,7 +29,8 @@ MeshShapes::Mesh MeshShapes::scaled(const Mesh& mesh, const std::array<double, 3
     auto made = std::make_shared<TriangleMesh>(*mesh);
     for (auto& p : made->points)
         for (std::size_t i = 0; i < 3; ++i) p[i] *= scale[i];
-    if (scale[0] * scale[1] * scale[2] < 0) turnInsideOut(*made);
+    if (scale[0] * scale[1] * scale[2] < 0) // or the image would be inside out
+        reverseTriangles(*made, std::vector<bool>(made->triangles.size(), true));
     all[scale] = made;
     return made;
 }

@@ -41,12 +41,15 @@ public:
     };
     [[nodiscard]] const std::vector<PartCircle>& partCircles() const { return m_circles; }
     [[nodiscard]] bool isInCircle(const Part& config) const;
+    /// Whether it is a Part whose config may be another one in each instance: it is computed, or a block around it may exchange it.
+    [[nodiscard]] bool hasVaryingConfig(const Part& part) const;
 
 private:
     void linkPart(Part& part, const Part* owner, bool isMisplaced);
     std::vector<PartCircle> m_circles;
     std::shared_ptr<const TextSet> m_texts;
     std::shared_ptr<const Registry> m_registry;
+    std::unordered_set<std::string> m_exchanged; ///< names of Parts
 };
 
 /// Calls `visit(part, path)` for each block of the world; of a Repeat also, behind it, for those in it: "row.cart".

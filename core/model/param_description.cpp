@@ -17,14 +17,10 @@ using ElementKind = GivenElement::Kind;
 
 constexpr std::uint32_t kMostElements = 100000; ///< of a Param that is a list
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-12; ///< of a conversion between units, relative
 
 /// The number in `unit`; a plain one counts in the unit of plain numbers of its dimension. Nothing where the dimensions differ.
 std::optional<double> numberIn(const std::string& unit, const GivenElement& element) {
-    if (unit.empty()) {
-        const UnitInfo* own = findUnit(element.unit);
-        return own ? convertUnit(element.number, element.unit, plainUnit(own->dimension)) : element.number;
-    }
+    if (unit.empty()) return plainNumber(element);
     const UnitInfo* wanted = findUnit(unit);
     return convertUnit(element.number, element.unit.empty() && wanted ? plainUnit(wanted->dimension) : element.unit, unit);
 }
@@ -185,23 +181,12 @@ public:
 
 private:
     bool isChoice(const GivenElement& element) {
-        const bool known = std::ranges::any_of(m_description.choices, [&](const GivenElement& choice) {
-            if (choice.kind == ElementKind::Number || element.kind == ElementKind::Number)
-                return choice.kind == element.kind && areEqual(choice, element);
-            if (choice.kind == ElementKind::Boolean || element.kind == ElementKind::Boolean)
-                return choice.kind == element.kind && choice.boolean == element.boolean;
-            return choice.text == element.text;
-        });
-        if (known) return true;
+        if (std::ranges::any_of(m_description.choices, [&](const GivenElement& choice) { return areEqual(choice, element); }))
+            return true;
         const std::vector<std::string>& words = m_description.property.choices;
         Diagnostic& d = report(Code::UnknownChoice, element, "must be " + listText(words));
         suggest(d, element.text, words, element.literal ? element.range : SourceRange{});
         return false;
-    }
-
-    static bool areEqual(const GivenElement& a, const GivenElement& b) {
-        const auto first = numberIn({}, a), second = numberIn({}, b);
-        return first && second && std::abs(*first - *second) <= kRounding * std::abs(*first);
     }
 
     bool isWithin(const GivenElement& element) {
@@ -215,16 +200,27 @@ private:
             report(Code::WrongDimension, element, "must be in " + property.unit);
             return false;
         }
-        const double play = kRounding * std::abs(*number);
+        const double play = kUnitRounding * std::abs(*number);
         if (*number >= property.minimum - play && *number <= property.maximum + play) return true;
         report(Code::OutOfRange, element, "must be " + brokenLimitText(property, *number));
         return false;
     }
 
+    /// A number without a unit has the one in which it is read: "5 m" beside limits in mm.
+    std::string shown(const GivenElement& element) const {
+        std::string unit = m_description.property.unit;
+        for (const GivenElement& choice : m_description.choices)
+            if (unit.empty()) unit = choice.unit;
+        const UnitInfo* info = findUnit(unit);
+        const bool isPlain = element.kind == ElementKind::Number && element.unit.empty();
+        const std::string plain = info && isPlain ? plainUnit(info->dimension) : std::string();
+        return elementText(element) + (plain.empty() ? "" : " " + plain);
+    }
+
     Diagnostic& report(Code code, const GivenElement& element, const std::string& needed) {
         const bool isPassedOn = element.source.known(); // by one Param after another, from where it is given
         Diagnostic& d = m_diagnostics.error(code, isPassedOn ? element.source : m_value.range,
-                                            m_description.property.name + " is " + elementText(element) + ", it " + needed);
+                                            m_description.property.name + " is " + shown(element) + ", it " + needed);
         if (isPassedOn) d.notes.push_back({kUsedHere, m_value.range});
         d.notes.push_back({kDescribedHere, m_description.range});
         return d;

@@ -34,6 +34,20 @@ void reportNoRobot(ResolveContext& context, const Property& property, const std:
     suggest(d, name, robotNames(context, property), isLiteral ? place : SourceRange{});
 }
 
+/// Whether a name is that of a robot in a member that a Repeat, Grid or Scatter does not have; reports it.
+bool isMissingMember(ResolveContext& context, const Property& property, const std::string& name, SourceRange place,
+                     bool isLiteral) {
+    const std::optional<MissingMember> missing = missingMember(context.out.robots, name);
+    const Part* block = missing ? context.outline.world.find(missing->all) : nullptr;
+    if (!block) return false;
+    Diagnostic& d = context.diagnostics.error(Code::UnknownReference, place,
+                                              property.name + " names " + name + ", but " + block->title() + " has no member " +
+                                                  missing->name + "; the last one is " + missing->last);
+    const bool isWritten = isLiteral && context.texts.slice(place) == name; // in a member of a Repeat it may be `cart_2`
+    suggestWords(d, {missing->inLast}, isWritten ? place : SourceRange{});
+    return true;
+}
+
 /// Whether a Grid or Scatter has put scenery into the world.
 bool isScenery(const ResolveContext& context, const Part& layout) {
     return std::ranges::find(context.out.statics, layout.range, &StaticSpec::range) != context.out.statics.end();
@@ -57,7 +71,8 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
             });
             if (!there && context.isFailedRobot(name)) return false;
             if (!there && !context.out.robots.empty()) {
-                context.unknownReference(property.name, "robot", name, place, false, robotNames(context, property));
+                if (!isMissingMember(context, property, name, place, isLiteral))
+                    context.unknownReference(property.name, "robot", name, place, false, robotNames(context, property));
                 return false;
             }
         } else if (!part && !context.outline.unknown.count(name)) {

@@ -2,9 +2,11 @@
 // Robots in paths: the name of a member of a Repeat in the world has several words, "row_3.cart".
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 #include "model/dotted_path.h"
 #include "model/experiment_spec.h"
@@ -94,6 +96,15 @@ struct IsOwnName {
         return part && !part->isRepeat() && !part->is(Role::Layout);
     }
 };
+
+/// A member that a Repeat, Grid or Scatter does not have, as a path names it.
+struct MissingMember {
+    std::string all;        ///< "row"; in another Repeat "lane_0.row"
+    std::string name, last; ///< "row_9", and the last one that there is, "row_1"
+    std::string inLast;     ///< the path with that one: "row_1.cart" for "row_9.cart"
+};
+/// Nothing if a path leads to no such member, or if no robot shows that there are others.
+[[nodiscard]] std::optional<MissingMember> missingMember(const std::vector<RobotSpec>& robots, std::string_view path);
 
 /// Whether a robot has a name.
 class RobotNames {

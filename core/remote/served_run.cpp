@@ -1,6 +1,7 @@
 #include "remote/served_run.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "base/spelling.h"
 #include "model/joined_robots.h"
@@ -154,7 +155,9 @@ Status ServedRun::push(const std::string& body, const Vec3& force, const Vec3& p
                            return body == owner->name + "/" + each.name;
                        });
     if (!known) return Error{Code::NoSuchPath, "there is no body " + shortenedMessage(body)};
-    m_commands["push " + body] = PushCommand{body, force, point};
+    char key[32]; // of its own: all pushes act, in the order in which they came
+    std::snprintf(key, sizeof key, "push %020llu", static_cast<unsigned long long>(m_pushes++));
+    m_commands[key] = PushCommand{body, force, point};
     return {};
 }
 

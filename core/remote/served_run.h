@@ -62,7 +62,7 @@ public:
     /// It has just paused at the text's Duration.
     [[nodiscard]] bool isAtDuration() const { return m_atDuration; }
 
-    // Commands for the coming tick: of several that set the same, the last counts. They fail without effect.
+    // Commands for the coming tick: of several that set the same, the last counts; all pushes act. They fail without effect.
     /// Fails for the robot of a controller that is not held: that writes the commands of its robot.
     [[nodiscard]] Status setSignal(const std::string& path, const std::vector<double>& values);
     /// Fails if the robot of a path "other/radio" has a controller that is not held.
@@ -82,7 +82,8 @@ private:
     double m_speed = 1;
     std::uint64_t m_durationTicks = 0;
     bool m_atDuration = false;
-    std::map<std::string, decltype(Command::what)> m_commands; ///< for the coming tick, by what they set
+    std::map<std::string, decltype(Command::what)> m_commands; ///< for the coming tick, by what they set; pushes by their number
+    std::uint64_t m_pushes = 0;                                ///< so far
     std::set<std::string> m_held;
 };
 

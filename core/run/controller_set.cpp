@@ -18,8 +18,12 @@ CallTarget targetOf(const RobotSpec& robot, const ControllerSpec& controller, st
     return {controllerTitle(robot, controller), robot.name, controller.kind, {}, static_cast<std::uint32_t>(index)};
 }
 
-Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, SourceRange range) {
-    return {severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, range, {}, {}, {}};
+Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, const RunningController& controller) {
+    const ControllerSpec& spec = controller.spec();
+    Diagnostic d{severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, spec.nameRange, {}, {}, {}};
+    d.robot = controller.robot;
+    d.controller = spec.name;
+    return d;
 }
 
 std::string slowText(const ControllerSpec& controller, double seconds, double budget) {
@@ -197,7 +201,7 @@ Status ControllerSet::apply(const RestartCommand& restart) {
 Status ControllerSet::apply(const StopCommand& stop) {
     for (const RunningController* controller : controllersOf(stop.robot, stop.controller)) {
         if (isStopped(*controller)) continue;
-        m_stopped.push_back({controller->robot, controller->spec().name, controller->spec().nameRange, m_context.world.time(), {}, true});
+        m_stopped.push_back({controller->robot, controller->spec().name, m_context.world.time(), {}, true});
         m_context.say(stop.robot, TRUNDLE_INFO, "the controller " + controller->spec().name + " was stopped");
         setItsCommandsToZero(*controller);
     }
@@ -220,7 +224,8 @@ bool ControllerSet::startAgain(RunningController& controller) {
         for (const Error& refused : controller.setLiveValues(m_context.calls))
             m_context.say({}, TRUNDLE_ERROR, "command refused: " + refused.message);
     if (started || controller.backend->fault()) return !controller.backend->fault(); // which is reported by stopFaulty()
-    m_stopped.push_back({controller.robot, controller.spec().name, controller.spec().nameRange, m_context.world.time(), {started.error().message, {}, {}, true}});
+    m_stopped.push_back(
+        {controller.robot, controller.spec().name, m_context.world.time(), {started.error().message, {}, {}, true}});
     m_context.say(controller.view->name, TRUNDLE_ERROR, started.error().message);
     setItsCommandsToZero(controller);
     return false;
@@ -323,16 +328,15 @@ void ControllerSet::goOnInNewProcess(RunningController& controller) {
     if (!startAgain(controller)) return;
     m_context.warnings.push_back(faultDiagnostic(Severity::Warning, m_context.world.time(),
                                                  reason + "; it was started again in a new process, without what it had stored",
-                                                 controller.spec().nameRange));
+                                                 controller));
 }
 
 void ControllerSet::reportFault(const RunningController& controller) {
     const ControllerFault& fault = *controller.backend->fault();
     const double time = tickTime(m_context.world.ticks(), experiment().settings.tick);
-    m_stopped.push_back({controller.robot, controller.spec().name, controller.spec().nameRange, time, fault});
-    const SourceRange range = controller.spec().nameRange;
+    m_stopped.push_back({controller.robot, controller.spec().name, time, fault});
     m_context.warnings.push_back(
-        faultDiagnostic(Severity::Error, time, fault.reason + (m_ending ? "" : "; the run continues without it"), range));
+        faultDiagnostic(Severity::Error, time, fault.reason + (m_ending ? "" : "; the run continues without it"), controller));
 }
 
 /// A destructor may have a fault too.

@@ -228,6 +228,14 @@ Status ExperimentRunner::finish() {
 
 std::vector<std::string> ExperimentRunner::logFiles() const { return writtenFiles(m_folder); }
 
+const StoppedController* stoppedBy(const Diagnostic& problem, const std::vector<StoppedController>& stopped) {
+    if (problem.severity != Severity::Error) return nullptr; // one that was started again in a new process
+    const auto found = std::ranges::find_if(stopped, [&](const StoppedController& each) {
+        return problem.robot == each.robot && problem.controller == each.controller;
+    });
+    return found == stopped.end() ? nullptr : &*found;
+}
+
 std::unique_ptr<Runner> Runner::create(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
                                        const BackendFactory& backends, RunOptions options, Diagnostics& diagnostics) {
     const std::size_t errorsBefore = diagnostics.errorCount();

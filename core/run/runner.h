@@ -52,11 +52,13 @@ struct RunFinish {
 struct StoppedController {
     std::size_t robot = 0;  ///< index in the experiment
     std::string controller; ///< its name
-    SourceRange place;      ///< of that
     double time = 0;        ///< s, simulated
     ControllerFault fault;
     bool byCommand = false; ///< a StopCommand; there was no fault
 };
+
+/// The one that the fault which a diagnostic of the run reports has stopped; nullptr: it reports something else.
+[[nodiscard]] const StoppedController* stoppedBy(const Diagnostic& problem, const std::vector<StoppedController>& stopped);
 
 /// What a controller cost since the start of the run. The wall times depend on the machine and affect nothing.
 struct ControllerCost {

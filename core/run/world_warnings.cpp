@@ -70,6 +70,7 @@ void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings
                                          (world.fault() ? "" : ", all others continue") + ": at t = " + timeOf(fault) + " s " +
                                          fault.body + " stopped: " + fault.reason,
                                      fault.range));
+        warnings.back().robot = robot;
     }
 }
 

@@ -70,7 +70,7 @@ SignalLayout RobotSignals::layOut(const ExperimentSpec& experiment, const WorldO
     for (const BuiltRobot& robot : objects.robots()) {
         const auto index = static_cast<std::uint32_t>(m_images.size());
         m_images.push_back(planRobot(layout, *robot.spec));
-        devices.layOut(index, layout);
+        devices.layOut(index, *robot.spec->config, layout);
         planControllers(layout, *robot.spec);
     }
     m_between = planBetweenRobots(layout, experiment);

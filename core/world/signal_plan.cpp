@@ -1,7 +1,6 @@
 #include "world/signal_plan.h"
 
 #include <algorithm>
-#include <set>
 
 #include <trundle/describe.h>
 #include <trundle/device_signals.h>
@@ -41,6 +40,16 @@ std::uint64_t times(std::uint64_t count, double value) {
     if (!(value >= 1)) return count;
     return static_cast<double>(count) * value > 1e15 ? std::uint64_t{1000000000000000}
                                                      : count * static_cast<std::uint64_t>(value);
+}
+
+bool isTarget(const ComponentSpec& device, std::string_view signal) {
+    return signal == "target" && (device.kind == ServoSignals::kKind || device.kind == LinearMotorSignals::kKind);
+}
+
+bool isOnSlider(const RobotConfigSpec& config, const ComponentSpec& device) {
+    const std::string joint = device.text("Joint");
+    const auto isIt = [&joint](const JointSpec& each) { return each.type == JointType::Slider && each.name == joint; };
+    return !joint.empty() && std::any_of(config.joints.begin(), config.joints.end(), isIt);
 }
 
 } // namespace
@@ -100,25 +109,24 @@ void planControllers(SignalLayout& layout, const RobotSpec& robot) {
                            SignalDirection::Output, signalCount(s, controller));
 }
 
-/// On a Slider what is an angle elsewhere is a way.
-const char* unitOn(bool slider, const std::string& unit) {
-    return slider && unit == "rad" ? "m" : slider && unit == "rad/s" ? "m/s" : unit.c_str();
+std::string signalUnit(const RobotConfigSpec& config, const ComponentSpec& device, std::string_view signal,
+                       std::string_view unit) {
+    if (isTarget(device, signal)) unit = device.text("Mode") == "speed" ? "rad/s" : "rad";
+    const bool isRate = unit == "rad/s";
+    if ((isRate || unit == "rad") && isOnSlider(config, device)) return isRate ? "m/s" : "m";
+    return std::string(unit);
 }
 
 SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry) {
     SignalLayout layout;
     for (const RobotSpec& robot : experiment.robots) {
         planRobot(layout, robot);
-        std::set<std::string, std::less<>> sliders;
-        for (const JointSpec& joint : robot.config->joints)
-            if (joint.type == JointType::Slider) sliders.insert(joint.name);
         for (const ComponentSpec& device : robot.config->devices) {
             const Kind* kind = registry.find(device.kind);
             if (!kind) continue;
-            const bool slider = sliders.contains(device.text("Joint"));
             for (const SignalDescription& s : kind->signals)
-                layout.add(robot.name + "/" + device.name + "/" + s.name, unitOn(slider, s.unit), static_cast<SignalType>(s.type),
-                           static_cast<SignalDirection>(s.direction), signalCount(s, device));
+                layout.add(robot.name + "/" + device.name + "/" + s.name, signalUnit(*robot.config, device, s.name, s.unit),
+                           static_cast<SignalType>(s.type), static_cast<SignalDirection>(s.direction), signalCount(s, device));
         }
         planControllers(layout, robot);
     }

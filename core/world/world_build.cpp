@@ -77,7 +77,9 @@ bool BuiltWorld::build(const DeviceCode& code, Diagnostics& diagnostics) {
     if (failed()) return false;
     publish();
     m_radio.place();
-    if (const WorldDevice* device = m_devices.sense(0)) { // so that sensor signals are valid at tick 0
+    const WorldDevice* device = m_devices.shine();
+    if (!device) device = m_devices.sense(0); // so that sensor signals are valid at tick 0
+    if (device) {
         diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
         return false;
     }

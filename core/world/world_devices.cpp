@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include <trundle/device_signals.h>
+
 #include "base/rng.h"
 #include "world/device_mount.h"
 #include "world/device_order.h"
@@ -128,13 +130,14 @@ bool WorldDevices::giveFields(WorldDevice& device, std::span<const GivenField> f
     return true;
 }
 
-void WorldDevices::layOut(std::uint32_t robot, SignalLayout& layout) {
+void WorldDevices::layOut(std::uint32_t robot, const RobotConfigSpec& config, SignalLayout& layout) {
     for (std::uint32_t d = m_devices.firstOf[robot]; d < m_devices.firstOf[robot + 1]; ++d) {
         WorldDevice& device = *m_devices.all[d];
         for (std::uint32_t i = 0; i < device.kind->signalCount; ++i) {
             const TrundleSignal& s = device.kind->signals[i];
-            device.slots.push_back(layout.add(device.path + "/" + s.name, s.unit ? s.unit : "", static_cast<SignalType>(s.type),
-                                              static_cast<SignalDirection>(s.direction),
+            device.slots.push_back(layout.add(device.path + "/" + s.name,
+                                              signalUnit(config, *device.spec, s.name, s.unit ? s.unit : ""),
+                                              static_cast<SignalType>(s.type), static_cast<SignalDirection>(s.direction),
                                               static_cast<std::uint32_t>(signalCount(*device.kind, s, *device.spec))));
         }
     }
@@ -167,8 +170,10 @@ void WorldDevices::order(Diagnostics& diagnostics) {
     addSupplies(users);
     const std::vector<std::uint32_t> acting = actingOrder(peers), sensing = actingOrder(users);
     for (const std::uint32_t i : acting)
-        if (WorldDevice& d = *m_devices.all[i]; d.kind->act)
+        if (WorldDevice& d = *m_devices.all[i]; d.kind->act) {
             m_acting.push_back({d.kind->act, d.instance, &m_contexts[i], d.target});
+            if (d.spec->kind == LedSignals::kKind) m_leds.push_back(m_acting.back());
+        }
     for (const std::uint32_t i : sensing)
         if (WorldDevice& d = *m_devices.all[i]; d.kind->sense)
             m_sensing.push_back({d.kind->sense, d.instance, &m_contexts[i], d.target});
@@ -202,13 +207,12 @@ void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagno
     diagnostics.error(Code::DeviceSetup, first->spec->nameRange, "these devices drive each other in a circle: " + names);
 }
 
-const WorldDevice* WorldDevices::callAll(std::uint64_t ticks, bool acting) {
+const WorldDevice* WorldDevices::callAll(std::uint64_t ticks, DevicePhase::Calls phase, std::span<const Call> calls) {
     m_phase.ticks = ticks;
-    m_phase.calls = acting ? DevicePhase::Calls::Act : DevicePhase::Calls::Sense;
+    m_phase.calls = phase;
     m_services.time = static_cast<double>(ticks) * m_tick;
     const WorldDevice* failed = nullptr;
-    const std::span<const Call> calls = acting ? m_acting : m_sensing;
-    MonitoredCalls monitored(m_calls, acting ? "act" : "sense");
+    MonitoredCalls monitored(m_calls, phase == DevicePhase::Calls::Act ? "act" : "sense");
     for (std::size_t i = 0; i < calls.size(); ++i) {
         const Call& call = calls[i];
         if (i + kAhead < calls.size()) prefetch(calls[i + kAhead].instance);

@@ -22,14 +22,17 @@ public:
     // Building, in this order. What fails is reported.
     void create(std::span<const BuiltRobot> robots, const DeviceCode& code, Diagnostics& diagnostics);
     /// Adds the signals of one robot's devices.
-    void layOut(std::uint32_t robot, SignalLayout& layout);
+    void layOut(std::uint32_t robot, const RobotConfigSpec& config, SignalLayout& layout);
     void setup(const DeviceHost& host, Diagnostics& diagnostics);
     /// Devices act before the peers whose signals they bound, and sense after them.
     void order(Diagnostics& diagnostics);
 
-    // The calls of a tick, after `ticks` of them. The device that failed, nullptr if none: its `failure` says why.
-    [[nodiscard]] const WorldDevice* act(std::uint64_t ticks) { return callAll(ticks, true); }
-    [[nodiscard]] const WorldDevice* sense(std::uint64_t ticks) { return callAll(ticks, false); }
+    // The device that failed, nullptr if none: its `failure` says why.
+    /// Before the first sense: Leds shine from the start, so that the first reading of a light sensor is that of their light.
+    [[nodiscard]] const WorldDevice* shine() { return callAll(0, DevicePhase::Calls::Act, m_leds); }
+    // The calls of a tick, after `ticks` of them.
+    [[nodiscard]] const WorldDevice* act(std::uint64_t ticks) { return callAll(ticks, DevicePhase::Calls::Act, m_acting); }
+    [[nodiscard]] const WorldDevice* sense(std::uint64_t ticks) { return callAll(ticks, DevicePhase::Calls::Sense, m_sensing); }
 
     /// The devices of a robot are not called any more.
     void end(std::uint32_t robot);
@@ -51,13 +54,14 @@ private:
     [[nodiscard]] bool hasRoom(const WorldDevice& device, Diagnostics& diagnostics);
     void addSupplies(std::vector<std::vector<std::uint32_t>>& next) const;
     void reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const;
-    [[nodiscard]] const WorldDevice* callAll(std::uint64_t ticks, bool acting);
+    [[nodiscard]] const WorldDevice* callAll(std::uint64_t ticks, DevicePhase::Calls phase, std::span<const Call> calls);
 
     CallMonitor& m_calls;
     DevicePhase m_phase; ///< outlives the devices
     DeviceList m_devices;
     std::vector<ServiceContext> m_contexts; ///< by device
     std::vector<Call> m_acting, m_sensing;  ///< in calling order; without devices that lack the function
+    std::vector<Call> m_leds;               ///< of m_acting
     TrundleServices m_services{};           ///< one table for all, which stays in the cache
     double m_tick = 0;                      ///< s
     std::uint64_t m_numbers = 0;            ///< in the signals of all devices

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lang/number_text.h"
+#include "project/edits/plan_targets.h"
 #include "project/objects/part_values.h"
 #include "scene/queries/drop_placement.h"
 
@@ -12,13 +13,13 @@ namespace {
 
 constexpr double kGridStep = 0.05, kLevel = 1e-5; ///< m; a smaller vertical way is ignored
 
-/// The inserted instances and layouts, with the shapes of all of them.
+/// The inserted instances, layouts and Repeats, with the shapes of all of them.
 class Inserted {
 public:
     Inserted(const LoadedProject& before, const LoadedProject& now)
         : m_now(now), m_objects(now.experiment), m_poses(startPoses(*now.experiment)) {
         for (const Part* part : now.outline->world.all())
-            if (isPlaced(*part) && !before.outline->world.find(part->name)) m_parts.push_back(part);
+            if ((isPlaced(*part) || part->isRepeat()) && !before.outline->world.find(part->name)) m_parts.push_back(part);
         if (m_parts.empty()) return;
         m_from = positionOf(*m_parts.front());
         const ExperimentSpec& e = *now.experiment;
@@ -49,10 +50,10 @@ public:
     [[nodiscard]] std::vector<ValueEdit> movedBy(const Vec3& way) const {
         std::vector<ValueEdit> edits;
         for (const Part* part : m_parts) {
-            const Vec3 to = positionOf(*part) + way;
-            std::string text;
-            for (int k = 0; k < 3; ++k) text += (k ? "," : "") + steppedNumber(to[k], 1e-6);
-            edits.push_back({part->name + ".Pos", text});
+            const Vec3 from = positionOf(*part), to = from + way;
+            const SourceAssignment* written = part->assignments.find("Pos");
+            const std::string text(written ? m_now.outline->texts().slice(written->valueRange()) : std::string_view());
+            edits.push_back({part->name + ".Pos", withNumbers(text, {from.data(), 3}, {to.data(), 3}, "m", 1e-6)});
         }
         return edits;
     }
@@ -61,10 +62,8 @@ private:
     [[nodiscard]] Vec3 positionOf(const Part& part) const { return poseAt(m_now, *placeOf(m_now, part.name)).position; }
     [[nodiscard]] bool isNew(const ObjectRef& object) const {
         const RobotSpec* robot = m_objects.robotOf(object);
-        const std::string& name = robot ? robot->name : m_objects.staticOf(object)->name;
-        const Part* part = m_now.outline->world.find(name);
-        if (!part) part = layoutOfMember(*m_now.outline, name);
-        return std::find(m_parts.begin(), m_parts.end(), part) != m_parts.end();
+        const SourceRange& block = robot ? robot->range : m_objects.staticOf(object)->range;
+        return std::ranges::any_of(m_parts, [&](const Part* part) { return isWithin(block, part->range); });
     }
     [[nodiscard]] bool isGround(const ObjectRef& object) const {
         const GeomSpec* geom = m_objects.geomOf(object);

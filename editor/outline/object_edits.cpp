@@ -38,6 +38,14 @@ QString named(const Blocks& blocks) {
     return toQString(blocks.names[0].empty() ? blocks.kinds[0] : blocks.kinds[0] + " " + blocks.names[0]);
 }
 
+/// The first five, and how many more: "Region goal, PoseLog way, 2 more".
+QString someOf(const QStringList& names) {
+    constexpr qsizetype kMaxNamed = 5;
+    const QStringList shown = names.mid(0, kMaxNamed);
+    return (names.size() > kMaxNamed ? shown + QStringList(ObjectEdits::tr("%1 more").arg(names.size() - kMaxNamed)) : shown)
+        .join(QStringLiteral(", "));
+}
+
 std::string blankless(std::string text) {
     std::erase_if(text, [](char c) { return isBlank(c) || c == '\n' || c == '\r'; });
     return text;
@@ -296,26 +304,30 @@ void ObjectEdits::removeObjects(const QString& verb, const QString& title, const
                                 Status (ObjectEdits::*take)(const std::vector<std::string>&)) {
     const std::vector<std::string> paths = objectsOf(m_selection.paths());
     if (!checkChangeable(paths, verb)) return;
-    const std::vector<std::string> users = dependentsOf(*m_document.loaded(), paths);
-    if (users.empty()) return (void)(this->*take)(paths);
-    constexpr std::size_t kMaxNamed = 5;
-    QStringList names;
-    for (const std::string& user : users)
+    const Dependents users = dependentsOf(*m_document.loaded(), paths);
+    if (users.removed.empty() && users.shortened.empty()) return (void)(this->*take)(paths);
+    QStringList removed;
+    for (const std::string& user : users.removed)
         if (const auto place = placeOf(*m_document.loaded(), user); place && place->part)
-            names.append(toQString(place->part->title()));
-    if (users.size() > kMaxNamed) names = names.mid(0, kMaxNamed) << tr("%1 more").arg(users.size() - kMaxNamed);
-    auto* question = new QMessageBox(QMessageBox::Question, title,
-                                     (paths.size() == 1 ? tr("%1 is used by %2.") : tr("%1 are used by %2."))
-                                         .arg(named(paths), names.join(QStringLiteral(", "))),
-                                     QMessageBox::Cancel, QApplication::activeWindow());
+            removed.append(toQString(place->part->title()));
+    QStringList shortened;
+    for (const std::string& user : users.shortened) shortened.append(toQString(user));
+    auto* question = new QMessageBox(
+        QMessageBox::Question, title,
+        (paths.size() == 1 ? tr("%1 is used by %2.") : tr("%1 are used by %2.")).arg(named(paths), someOf(removed + shortened)),
+        QMessageBox::Cancel, QApplication::activeWindow());
     question->setObjectName(QStringLiteral("deleteQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("They can only be %1 together. Undo restores all of them.").arg(done));
-    QPushButton* together = question->addButton(all, QMessageBox::AcceptRole);
+    question->setInformativeText(
+        shortened.empty() ? tr("They can only be %1 together. Undo restores all of them.").arg(done)
+        : removed.empty() ? tr("Others are named there too: these lists are only shortened. Undo restores them.")
+                          : tr("Also %1: %2. Only shortened, since others are named there too: %3. Undo restores all of them.")
+                                .arg(done, someOf(removed), someOf(shortened)));
+    QPushButton* together = question->addButton(removed.empty() ? title : all, QMessageBox::AcceptRole);
     question->setDefaultButton(together);
     connect(together, &QPushButton::clicked, this, [this, paths, users, take] {
         std::vector<std::string> both = paths;
-        both.insert(both.end(), users.begin(), users.end());
+        both.insert(both.end(), users.removed.begin(), users.removed.end());
         (void)(this->*take)(both);
     });
     question->open();
@@ -323,6 +335,15 @@ void ObjectEdits::removeObjects(const QString& verb, const QString& title, const
 
 void ObjectEdits::duplicateSelected() { (void)duplicate(m_selection.paths()); }
 void ObjectEdits::copySelected() { (void)copy(m_selection.paths()); }
-void ObjectEdits::pasteAtSelected() { (void)paste(m_document.editedModel().insertionPlace(m_selection)); }
+
+void ObjectEdits::pasteAtSelected() {
+    std::string place = m_document.editedModel().insertionPlace(m_selection);
+    const QMimeData* mime = QGuiApplication::clipboard()->mimeData();
+    const Kind* kind = m_document.isOpen() ? kindAt(*m_document.loaded(), place) : nullptr;
+    if (mime && kind && kind->role == Role::Repeat) // it may hold its like; what is pasted most likely is a copy of it
+        if (const auto blocks = read(*mime); blocks && std::ranges::count(blocks.value().kinds, kind->name) > 0)
+            place = parentOf(*m_document.loaded(), place);
+    (void)paste(place);
+}
 
 } // namespace trundle

@@ -46,8 +46,8 @@ public:
     /// Objects moved within `parent` stay in their files unless `file` is another one.
     Status move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
                 FileId file = kNoFile);
-    // New robots and statics that would stand inside something move to the nearest free place on the floor, in the same edit. Those
-    // inserted without a position of their own are put near the insertion point.
+    // New robots and statics, also those of a Repeat, that would stand inside something move to the nearest free place on the
+    // floor, in the same edit. Those inserted without a position of their own are put near the insertion point.
     using InsertionPoint = std::function<std::optional<Vec3>()>; ///< in W
     void setInsertionPoint(InsertionPoint point) { m_insertionPoint = std::move(point); }
     /// Inserts a new block of a kind in or around `place`.
@@ -60,11 +60,11 @@ public:
     Status replaceBySingles(const std::string& path);
 
     // The same for the selected objects.
-    void removeSelected(); ///< asks first if other blocks refer to them and would be removed too
+    void removeSelected(); ///< asks first if other blocks refer to them and would be removed or changed too
     void cutSelected();    ///< also asks
     void duplicateSelected();
     void copySelected();
-    void pasteAtSelected();
+    void pasteAtSelected(); ///< a Repeat or Ring beside a selected one
 
 private:
     [[nodiscard]] Result<Blocks> read(const QMimeData& mime) const;
@@ -77,7 +77,7 @@ private:
     Status insertFree(const QString& name, const std::optional<Vec3>& near,
                       const std::function<Status(const std::string& mergeKey)>& insert);
     Status remove(const QString& name, const std::vector<std::string>& objects);
-    /// Removes the selected objects; asks first if blocks that refer to them would be removed too.
+    /// Removes the selected objects; asks first if blocks that refer to them would be removed or changed too.
     void removeObjects(const QString& verb, const QString& title, const QString& all, const QString& done,
                        Status (ObjectEdits::*take)(const std::vector<std::string>&));
 

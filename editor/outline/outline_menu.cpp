@@ -13,6 +13,7 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
 #include "editor/widgets/theme.h"
+#include "project/edits/plans.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -59,8 +60,8 @@ void OutlinePanel::addObjectActions(QMenu& menu, const std::string& path) {
     if (place && place->instance && configOf(*m_document.loaded(), *place->instance))
         add(menu, "outline.config", QStringLiteral("kind-robotconfig"), tr("&Edit Its Config"),
             [this, path] { editConfig(path); });
-    if (place && place->instance && place->instance->is(Role::Layout) && place->around.empty())
-        add(menu, "outline.singles", QStringLiteral("array"), tr("Replace by &Single Robots"),
+    if (canReplaceBySingles(*m_document.loaded(), path))
+        add(menu, "outline.singles", QStringLiteral("array"), tr("Replace by &Single Instances"),
             [this, path] { (void)m_edits.replaceBySingles(path); });
     if (place && place->part && place->part->kind && place->part->kind->name == "Camera")
         add(menu, "outline.through", QStringLiteral("kind-camera"), tr("&Look Through It"),

@@ -49,16 +49,10 @@ private:
 
 } // namespace
 
-const StoppedController* stoppedBy(const Diagnostic& problem, const LiveSnapshot* snapshot) {
-    if (!snapshot || problem.code != Code::ControllerFailed) return nullptr;
-    const auto found = std::ranges::find(snapshot->stopped, problem.range, &StoppedController::place);
-    return found == snapshot->stopped.end() ? nullptr : &*found;
-}
-
 std::vector<CodePlace> codePlacesOf(const std::vector<Diagnostic>& problems, const LiveSnapshot* snapshot) {
     std::vector<CodePlace> places(problems.size());
-    for (std::size_t i = 0; i < problems.size(); ++i)
-        if (const StoppedController* stopped = stoppedBy(problems[i], snapshot); stopped && problems[i].severity == Severity::Error)
+    for (std::size_t i = 0; snapshot && i < problems.size(); ++i)
+        if (const StoppedController* stopped = stoppedBy(problems[i], snapshot->stopped))
             places[i] = {stopped->fault.file, stopped->fault.line};
     return places;
 }

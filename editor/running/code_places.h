@@ -9,7 +9,6 @@
 namespace trundle {
 
 struct LiveSnapshot;
-struct StoppedController;
 
 /// A place in the source of a controller.
 struct CodePlace {
@@ -17,8 +16,6 @@ struct CodePlace {
     int line = 0;     ///< from 1
 };
 
-/// The controller whose fault a problem of a run is; nullptr: it is something else.
-[[nodiscard]] const StoppedController* stoppedBy(const Diagnostic& problem, const LiveSnapshot* snapshot);
 /// Of each problem, where the controller's code has the fault.
 [[nodiscard]] std::vector<CodePlace> codePlacesOf(const std::vector<Diagnostic>& problems, const LiveSnapshot* snapshot);
 

@@ -19,20 +19,19 @@ constexpr std::chrono::milliseconds kLastWait(2000);
 /// Console lines for robots that ended and joints that were closed again; a warning of pictures has a line of its own.
 LiveLines faultLines(const std::vector<Diagnostic>& warnings, const LiveSnapshot* snapshot, const ExperimentSpec& experiment) {
     LiveLines lines;
+    static const LiveSnapshot kNone;
+    const LiveSnapshot& shown = snapshot ? *snapshot : kNone;
     for (const Diagnostic& warning : warnings) {
         if (warning.code != Code::BlowUp && warning.code != Code::ControllerFailed) continue;
         const int severity = warning.severity == Severity::Error ? TRUNDLE_ERROR : TRUNDLE_WARNING;
         std::vector<std::string> backtrace;
-        LiveLine line{snapshot ? snapshot->time : 0, {}, severity, codeName(warning.code) + ": " + warning.message};
-        for (const RobotEnd& end : snapshot ? snapshot->ended : std::vector<RobotEnd>())
-            if (end.fault.range == warning.range) {
-                line.time = end.fault.time;
-                line.who = experiment.robots[end.robot].name;
-            }
-        if (const StoppedController* stopped = stoppedBy(warning, snapshot)) {
+        LiveLine line{shown.time, {}, severity, codeName(warning.code) + ": " + warning.message};
+        if (warning.robot) line.who = experiment.robots[*warning.robot].name;
+        for (const RobotEnd& end : shown.ended)
+            if (warning.code == Code::BlowUp && warning.robot == end.robot) line.time = end.fault.time;
+        if (const StoppedController* stopped = stoppedBy(warning, shown.stopped)) {
             line.time = stopped->time;
-            line.who = experiment.robots[stopped->robot].name;
-            if (warning.severity == Severity::Error) backtrace = stopped->fault.backtrace;
+            backtrace = stopped->fault.backtrace;
         }
         lines.lines.push_back(line);
         for (const std::string& frame : backtrace)

@@ -26,6 +26,7 @@ static constexpr ActionRow kTable[] = {
     {"edit.delete",    "Edit",        "&Delete",                 "delete",      "Del",            "Remove the selected objects."},
     {"edit.duplicate", "Edit",        "Dup&licate",              "duplicate",   "Ctrl+D",         "Copy the selected objects beside themselves."},
     {"edit.group",     "Edit",        "&Group into Piece…",      "",            "Ctrl+G",         "Make one piece of the selected scenery or movable objects, in a file of its own, to be placed again."},
+    {"edit.singles",   "Edit",        "Replace &by Single Instances", "array",  "",               "Write each member of the selected Grid or Scatter as an instance of its own, at the same pose."},
     {"model.edit",     "Edit",        "Edit Model",              "kind-robotconfig", "Ctrl+E",    "Show and edit the model of the selected robot or scenery alone; again: back to the experiment.", true},
     {"parts.make",     "Edit/Parts",  "&Make Part of Selection", "kind-part",   "",               "The selected bodies, joints and devices become a part with a definition of its own, to be used again."},
     {"parts.mirrorY",  "|Edit/Parts", "Mirror &Left to Right",   "",            "",               "Add the mirror image of the selected parts on the other side, along Y."},

@@ -107,6 +107,15 @@ private Q_SLOTS:
         QCOMPARE(moduleNameFor("LEDRing"), std::string("led_ring"));
         for (const char* bad : {"", "wall", "2D", "Wall Follow", "Wänd", "A/B"}) QVERIFY2(!kindNameFault(bad).empty(), bad);
         QVERIFY(kindNameFault("WallFollow2").empty());
+        QVERIFY(kindNameFault("Wall_Run2").empty());
+        QVERIFY(kindNameFault("wall").find("letters, digits and _") != std::string::npos);
+        for (const ModuleTemplate what : {ModuleTemplate::Controller, ModuleTemplate::PythonComponent}) {
+            for (const char* word : {"V", "Hz", "Param"}) QVERIFY2(!kindNameFault(what, word).empty(), word);
+            QCOMPARE(kindNameFault(what, "None").empty(), !isPython(what));
+            QVERIFY(kindNameFault(what, "Volt").empty() && !kindNameFault(what, "wall").empty());
+        }
+        QVERIFY(!makeModule(ModuleTemplate::Controller, "V", path(""), findLocations()).ok());
+        QVERIFY(!QFile::exists(QString::fromStdString(path("v"))));
         const auto made = makeModule(ModuleTemplate::PythonController, "Wander", path(""), findLocations());
         QVERIFY(made.ok() && made.value().source == path("wander/wander.py") && QFile::exists(QString::fromStdString(made.value().source)));
         QVERIFY(!makeModule(ModuleTemplate::Controller, "Wander", path(""), findLocations()).ok()); // nothing is replaced

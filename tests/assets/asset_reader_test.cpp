@@ -85,6 +85,42 @@ private Q_SLOTS:
         QCOMPARE(mesh.value()->triangles.size(), std::size_t(1));
     }
 
+    /// An STL repeats its corners in each triangle.
+    void aClosedMeshThatIsInsideOutIsReversed() {
+        const std::array<std::array<float, 3>, 4> points{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}};
+        const auto read = [&](std::initializer_list<std::array<std::size_t, 3>> faces) {
+            std::vector<float> corners;
+            for (const auto& face : faces)
+                for (const std::size_t i : face) corners.insert(corners.end(), points[i].begin(), points[i].end());
+            return m_reader->mesh(sample("solid.stl", binaryStl(std::uint32_t(faces.size()), corners)));
+        };
+        const std::vector<std::array<std::uint32_t, 3>> outwards{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+        const auto inside = read({{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
+        QVERIFY2(inside.ok(), inside.ok() ? "" : inside.error().message.c_str());
+        QCOMPARE(inside.value()->points.size(), std::size_t(4));
+        QCOMPARE(inside.value()->points[3], (Point{0, 0, 3}));
+        QCOMPARE(inside.value()->triangles, outwards);
+        const auto open = read({{0, 1, 2}, {0, 3, 1}, {0, 2, 3}});
+        QVERIFY(open.ok());
+        QCOMPARE(open.value()->triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}}));
+    }
+
+    /// A node that mirrors does not exchange the sides of its triangles.
+    void mirroredNodesKeepTheirOutside() {
+        sample("triangle.bin", gltfBuffer());
+        const auto normalOf = [&](const QByteArray& node) {
+            const auto mesh = m_reader->mesh(sample("a.gltf", gltf("triangle.bin").replace("\"translation\":[0,5,0]", node)));
+            if (!mesh.ok() || mesh.value()->triangles.size() != 1) return std::nan("");
+            const auto& t = mesh.value()->triangles[0];
+            const Point &a = mesh.value()->points[t[0]], &b = mesh.value()->points[t[1]], &c = mesh.value()->points[t[2]];
+            return (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]); // along y
+        };
+        QCOMPARE(normalOf("\"scale\":[1,1,1]"), -2.0); // z of the file
+        QCOMPARE(normalOf("\"scale\":[-1,1,1]"), -2.0);
+        QCOMPARE(normalOf("\"scale\":[1,1,-1]"), 2.0);
+        QCOMPARE(normalOf("\"scale\":[-1,-1,1]"), -2.0);
+    }
+
     // z is up in the result, whichever axis is up in the file.
     void convertsColladaUpAxis_data() {
         QTest::addColumn<QByteArray>("upAxis");

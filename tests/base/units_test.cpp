@@ -11,10 +11,10 @@ using namespace trundle;
 
 namespace {
 
-/// What a unit measures: its factor to SI, and the exponents of m, kg, s, A, rad, bit and K.
+/// What a unit measures: its factor to SI, and the exponents of m, kg, s, A, rad, bit, K and cd.
 struct Measure {
     double factor = 1;
-    std::array<int, 7> exponents{};
+    std::array<int, 8> exponents{};
 };
 
 struct Symbol {
@@ -41,7 +41,9 @@ const Symbol kSymbols[] = {{"rpm", {2 * M_PI / 60, {0, 0, -1, 0, 1, 0}}},
                            {"W", {1, {2, 1, -3, 0, 0, 0}}},
                            {"J", {1, {2, 1, -2, 0, 0, 0}}},
                            {"C", {1, {0, 0, 1, 1, 0, 0}}},
-                           {"K", {1, {0, 0, 0, 0, 0, 0, 1}}}};
+                           {"K", {1, {0, 0, 0, 0, 0, 0, 1}}},
+                           {"cd", {1, {0, 0, 0, 0, 0, 0, 0, 1}}},
+                           {"lx", {1, {-2, 0, 0, 0, 0, 0, 0, 1}}}};
 
 /// Multiplies out "kgm^2" or "rad/s/V"; empty for a name that it cannot read. A prefix stands before the first symbol of a factor.
 std::optional<Measure> measureOf(std::string_view name) {
@@ -77,7 +79,7 @@ std::optional<Measure> measureOf(std::string_view name) {
             name.remove_prefix(2);
         }
         measure.factor *= std::pow(prefix * symbol->measure.factor, power);
-        for (std::size_t i = 0; i < 7; ++i) measure.exponents[i] += power * symbol->measure.exponents[i];
+        for (std::size_t i = 0; i < 8; ++i) measure.exponents[i] += power * symbol->measure.exponents[i];
     }
     return measure;
 }
@@ -131,7 +133,7 @@ private Q_SLOTS:
         std::map<std::string, Measure> dimensions;
         int checked = 0;
         for (const std::string& name : allUnitNames()) {
-            if (name.starts_with("dB") || name == "%" || name == "degC") continue; // scales of their own
+            if (name.starts_with("dB") || name == "%" || name == "ppm" || name == "degC") continue; // scales of their own
             const std::optional<Measure> measure = measureOf(name);
             QVERIFY2(measure, name.c_str());
             const UnitInfo* unit = findUnit(name);

@@ -217,6 +217,45 @@ private Q_SLOTS:
         QVERIFY2(after.all().empty(), CheckFixture::shown(*again, after).c_str());
     }
 
+    /// The shortest way out of a block of 1 m is down, through the floor: the fix goes to the nearest side.
+    void insideAMeshNearItsBottom() {
+        const auto loaded = m_fixture.open(kThings + "StaticConfig Block { Mesh m { File=block.obj Scale=10 } }\n"
+                                                     "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.1,0,0.102 }\n");
+        QVERIFY(loaded);
+        const Diagnostics found = CheckFixture::check(*loaded);
+        const std::string story = CheckFixture::shown(*loaded, found);
+        QVERIFY2(found.all().size() == 1 && found.all()[0].code == Code::StartOverlap, story.c_str());
+        QVERIFY2(found.all()[0].fixes.size() == 1, story.c_str());
+        const auto again = m_fixture.open(CheckFixture::applied(*loaded, found.all()[0].fixes[0]));
+        QVERIFY(again && again->experiment->robots.size() == 1);
+        const Vec3 place = again->experiment->robots[0].pose.position;
+        QVERIFY2(place.x() > 0.6 - 1e-6 && place.z() > 0.1, qPrintable(QString("%1 %2").arg(place.x()).arg(place.z())));
+    }
+
+    /// A track is as high as the lowest of its geoms, whichever is written first.
+    void tracksOfTwoGeomsInTheAir_data() {
+        QTest::addColumn<std::string>("geoms");
+        const std::string low = "  Box low { Pos=0,0.14,0.06 Size=0.4,0.06,0.08 Mass=1 }\n";
+        const std::string high = "  Box high { Pos=0,0.14,0.13 Size=0.3,0.06,0.04 Mass=0.2 }\n";
+        QTest::newRow("the lower first") << low + high;
+        QTest::newRow("the higher first") << high + low;
+    }
+    void tracksOfTwoGeomsInTheAir() {
+        QFETCH(std::string, geoms);
+        const auto loaded = m_fixture.open(
+            kThings + "RobotConfig B { Body hull { Box deck { Pos=0,0,0.06 Size=0.4,0.2,0.12 Mass=6 }\n" + geoms +
+            "  Box onRight { Pos=0,-0.14,0.06 Size=0.4,0.06,0.08 Mass=1 } }\n"
+            "  Track left { Geom=hull.low,hull.high MaxSpeed=0.5 } Track right { Geom=hull.onRight MaxSpeed=0.5 }\n"
+            "  TrackDrive base { LeftTrack=left RightTrack=right TrackSeparation=0.28 SkidFactor=3 }\n" +
+            kRobot);
+        QVERIFY(loaded);
+        const Diagnostics found = CheckFixture::check(*loaded);
+        const std::string story = CheckFixture::shown(*loaded, found);
+        QVERIFY2(!loaded->diagnostics.hasErrors() && found.all().size() == 1, story.c_str());
+        QCOMPARE(found.all()[0].code, Code::WheelOffGround);
+        QVERIFY2(found.all()[0].message.starts_with("left of B is 20 mm above the ground when deck touches it"), story.c_str());
+    }
+
     /// Bodies in the air at the same place of two files are two findings.
     void bodiesOfTwoFilesInTheAir() {
         const auto folder = std::filesystem::path(m_fixture.folder.path().toStdString()) / "configs";

@@ -60,7 +60,7 @@ private Q_SLOTS:
             "Mass=0.01 } Capsule b { Radius=0.005 Length=0.09 Mass=0.01 HPR=0,90,0 }";
         row("a wheel of spokes", changed(kit, "Cylinder tyre { Radius=$r Length=0.03 HPR=0,0,90 Mass=0.15 }", spokes), "", false);
         row("a torque constant in mN m", changed(kit, "TorqueConstant=0.02", "TorqueConstant=20"),
-            "TorqueConstant of fl.motor, 20 N m/A, does not fit its SpeedConstant, 50 rad/s/V: it would give 1000 times the "
+            "TorqueConstant of fl.motor, 20 Nm/A, does not fit its SpeedConstant, 50 rad/s/V: it would give 1000 times the "
             "power",
             false);
         row("an anchor in millimetres", changed(kit, "Child=wheel Axis=0,1,0", "Child=wheel Anchor=0,0,50 Axis=0,1,0"),
@@ -85,6 +85,13 @@ private Q_SLOTS:
         row("a crawler", crawler, "", false);
         row("a crawler with another TrackSeparation", changed(crawler, "TrackSeparation=0.2", "TrackSeparation=0.1"),
             "TrackSeparation of base is 100 mm, but the middles of its tracks are apart by 200 mm", true);
+        const std::string table =
+            "StaticConfig Table { Box top { Size=0.6,0.6,0.4 Pos=0,0,0.2 } }\nStatic table { Config=Table }\n";
+        const std::string grid = "Grid g { Config=Crate Count=3 Spacing=1 Pos=0,0,0.4999 }\n";
+        row("a Grid in the air", grid, "g_0 starts 400 mm above floor/ground", true);
+        row("a Grid with one member on a table", table + grid, "starts 400 mm above floor/ground", false);
+        row("a Grid with one member above a table", table + changed(grid, "0.4999", "0.8"),
+            "g_0 starts 700 mm above floor/ground", false);
         row("a small robot in the air", kit + "Robot s { Config=Kit Pos=1,0,0.34 }\n", "s starts 340 mm above floor/ground",
             true);
     }

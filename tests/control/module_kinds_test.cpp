@@ -72,6 +72,8 @@ private Q_SLOTS:
         row("no name", "E404 lib.so cannot be used: its kind number 1 has no name or no end",
             [](Tables& t) { t.kind.name = nullptr; });
         row("odd name", "E404 lib.so cannot be used: its kind '2nd' is no name", [](Tables& t) { t.kind.name = "2nd"; });
+        row("the name of a unit", "E404 lib.so cannot be used: its kind 'Nm' has the name of a unit",
+            [](Tables& t) { t.kind.name = "Nm"; });
         row("role", own("is neither a controller nor a device"), [](Tables& t) { t.kind.role = 3; });
         row("no create", own("lacks one of its functions"), [](Tables& t) { t.kind.create = nullptr; });
         row("no destroy", own("lacks one of its functions"), [](Tables& t) { t.kind.destroy = nullptr; });
@@ -120,6 +122,12 @@ private Q_SLOTS:
         row("default no choice", own("has a field Mood whose default is none of its choices"),
             [](Tables& t) { t.texts[0] = "slo"; });
         row("a field twice", own("has two fields named Speed"), [](Tables& t) { t.fields[2].name = "Speed"; });
+        row("a field that every controller has", own("has a field Budget, which every controller has already"),
+            [](Tables& t) { t.fields[0].name = "Budget"; });
+        row("a device's field that every controller has", fine, [](Tables& t) {
+            t.makeDevice();
+            t.fields[0].name = "UpdatePeriod";
+        });
         row("a signal twice", own("has two signals named where"), [](Tables& t) { t.signals[1].name = "where"; });
         row("a signal and a field of one name", fine, [](Tables& t) { t.signals[1].name = "Speed"; });
         row("signal name", own("has a signal whose name 'a/b' is no name"), [](Tables& t) { t.signals[1].name = "a/b"; });

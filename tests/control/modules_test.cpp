@@ -148,16 +148,16 @@ private Q_SLOTS:
 
     void brokenDescriptionsAreRefused_data() {
         QTest::addColumn<QString>("text");
-        const auto good = QString::fromStdString(kindsToJson({Kind{"A", "", Role::Controller, {}, false, {}, {}, {}}}));
+        const auto good = QString::fromStdString(kindsToJson({Kind{"Walker", "", Role::Controller, {}, false, {}, {}, {}}}));
         QTest::newRow("empty") << "";
         QTest::newRow("no JSON") << "kinds";
         QTest::newRow("no object") << "[1, 2]";
         QTest::newRow("other format") << QString(good).replace("\"format\": 1", "\"format\": 2");
-        QTest::newRow("no name") << QString(good).replace("\"A\"", "\"\"");
+        QTest::newRow("no name") << QString(good).replace("\"Walker\"", "\"\"");
         QTest::newRow("strange role") << QString(good).replace("controller", "king");
         QTest::newRow("cut") << good.left(good.size() / 2);
         QTest::newRow("field without anything") << QString(good).replace("\"fields\": []", "\"fields\": [{}]");
-        Kind choosing{"A", "", Role::Device, {}, false, {Property{"B"}, Property{"C"}}, {}, {}, {{{"B", "C"}, ""}}};
+        Kind choosing{"Chooser", "", Role::Device, {}, false, {Property{"B"}, Property{"C"}}, {}, {}, {{{"B", "C"}, ""}}};
         const auto choice = QString::fromStdString(kindsToJson({choosing}));
         QTest::newRow("a choice of one") << QString(choice).replace(QRegularExpression("\"B\",\\s*\"C\"\\s*\\]"), "\"B\"]");
         QTest::newRow("a choice of nothing it has") << QString(choice).replace(QRegularExpression("\"C\"\\s*\\]"), "\"D\"]");
@@ -166,6 +166,7 @@ private Q_SLOTS:
         choosing.properties[1].required = false;
         choosing.alternatives[0].likely = "D";
         QTest::newRow("like nothing it has") << QString::fromStdString(kindsToJson({choosing}));
+        QTest::newRow("the name of a unit") << QString(good).replace("Walker", "Hz");
         QTest::newRow("deep") << QString(100000, '[');
     }
     void brokenDescriptionsAreRefused() {
@@ -173,6 +174,15 @@ private Q_SLOTS:
         const auto kinds = kindsFromJson(text.toStdString(), "libx.so");
         QVERIFY(!kinds.ok());
         QCOMPARE(kinds.error().code, Code::ModuleUndescribed);
+    }
+
+    /// A file in Python has no description beside it, and is not built.
+    void aDescriptionThatIsRefusedSaysWhatHelps() {
+        const Kind walker{"Walker", "", Role::Controller, {}, false, {Property{"B"}, Property{"B"}}, {}, {}};
+        const std::string twice = kindsToJson({walker});
+        const std::string why = " cannot be used ('Walker' has two fields named B); ";
+        QCOMPARE(kindsFromJson(twice, "/p/walk.py").error().message, "/p/walk.py" + why + "correct the class in this file");
+        QCOMPARE(kindsFromJson(twice, "/p/libx.so").error().message, "/p/libx.so.kinds.json" + why + "build the module again");
     }
 
     void staleDescriptionIsAWarningAtTheDirective() {

@@ -160,6 +160,25 @@ private Q_SLOTS:
         QVERIFY(low.value("r/battery/charge") == 18); // its voltage is too low
     }
 
+    /// With an InternalResistance or without: current does not flow into a higher voltage.
+    void aChargerBelowTheBatteryGivesNothing() {
+        for (const char* more : {"", " InternalResistance=0.5"}) {
+            const std::string battery = std::string("Capacity=0.01 Voltage=12 StartLevel=0.5") + more;
+            for (const char* volts : {"5", "11.9"}) {
+                SensorWorld w(docked({battery}, std::string("Voltage=") + volts + " MaxCurrent=1"));
+                QVERIFY2(w.ok(), w.failure().c_str());
+                QVERIFY(w.run(100));
+                QCOMPARE(w.value("r/battery/charge"), 18.);
+                QVERIFY(w.value("r/battery/chargeCurrent") == 0 && w.value("station/charger/energy") == 0);
+                QCOMPARE(w.value("station/charger/connected"), 0.);
+            }
+        }
+        SensorWorld equal(docked({"Capacity=0.01 Voltage=12 StartLevel=0.5"}, "Voltage=12 MaxCurrent=1"));
+        QVERIFY2(equal.ok(), equal.failure().c_str());
+        QVERIFY(equal.run(100));
+        QVERIFY(isNear(equal.value("r/battery/chargeCurrent"), 1, 1e-9));
+    }
+
     /// The station is there before or after the robot in the text: the same numbers.
     void theOrderInTheTextDoesNotMatter() {
         const std::string text = docked({"Capacity=0.01 Cells=2 Chemistry=NiMH InternalResistance=0.2 StartLevel=0.3 BaseLoad=1"},

@@ -107,6 +107,21 @@ private Q_SLOTS:
         QVERIFY(w.value("r/eye/illuminance") == 0 && w.value("a/led/lit") == 0);
     }
 
+    /// The first reading is that of the start, with the light that On, ColorRGB and the battery give then.
+    void itShinesFromTheStart() {
+        const auto atStart = [](const std::string& fields, const std::string& more = "") {
+            SensorWorld w(kDark + kEye + lamp("a", "Intensity=10 " + fields, "Pos=1,0,0", more));
+            if (!w.ok()) qWarning("%s", w.failure().c_str());
+            return w.ok() ? std::pair(w.value("r/eye/illuminance"), w.value("a/led/lit")) : std::pair(-1.0, -1.0);
+        };
+        const auto [white, lit] = atStart("");
+        QVERIFY(std::abs(white - 10) < 1e-9 && lit == 1);
+        QVERIFY(std::abs(atStart("ColorRGB=1,0,0").first - 2.126) < 1e-9);
+        QVERIFY(std::abs(atStart("Power=0.5", "Battery cell { Capacity=1 Voltage=1 }").first - 10) < 1e-9);
+        QCOMPARE(atStart("On=false"), std::pair(0.0, 0.0));
+        QCOMPARE(atStart("", "Battery cell { Capacity=1 Voltage=1 StartLevel=0 }"), std::pair(0.0, 0.0));
+    }
+
     void whatIsInBetweenHidesIt() {
         const std::string wall = "StaticConfig W { Box wall { Size=0.1,0.4,0.4 } }\n";
         const std::string led = lamp("a", "Intensity=4 Diameter=0.02", "Pos=2,0,0");

@@ -36,6 +36,29 @@ std::string turntable(double tick, const std::string& sensor, double height = 1)
            sensor + "\n}\nRobot r { Config=Table Pos=0,0," + std::to_string(height) + " }\n";
 }
 
+/// A robot of two wheels with its centre of mass ahead of the axle, on a floor.
+std::string circling(const std::string& engine, double tick) {
+    const std::string wheel = " Cylinder tyre { Radius=0.05 Length=0.03 HPR=0,0,90 Mass=0.2 Surface=grip } }\n",
+                      motor = " TorqueConstant=0.02 SpeedConstant=50 Resistance=2 GearRatio=30 MaxVoltage=12 }\n";
+    return "Engine=" + engine + " Tick=" + std::to_string(tick) +
+           "\nSurface grip { Friction=1 Restitution=0 }\nSurface slick { Friction=0 Restitution=0 }\nRobotConfig Cart {\n"
+           "  Body base { Box hull { Size=0.3,0.2,0.1 Pos=0.02,0,0.1 Mass=2 Surface=grip }\n"
+           "    Sphere front { Radius=0.02 Pos=0.14,0,0.02 Mass=0.02 Surface=slick }\n"
+           "    Sphere back { Radius=0.02 Pos=-0.1,0,0.02 Mass=0.02 Surface=slick } }\n"
+           "  Body left { Pos=0,0.13,0.05" +
+           wheel + "  Body right { Pos=0,-0.13,0.05" + wheel +
+           "  Hinge leftAxle { Parent=base Child=left Axis=0,1,0 }\n  Hinge rightAxle { Parent=base Child=right Axis=0,1,0 }\n"
+           "  RotaryMotor leftMotor { Joint=leftAxle" +
+           motor + "  RotaryMotor rightMotor { Joint=rightAxle" + motor +
+           "  Imu middle { Body=base }\n  Imu away { Body=base Pos=0.3,0.1,0 }\n  Imu rolling { Body=right }\n}\n"
+           "StaticConfig F { Plane floor { Surface=grip } }\nStatic floor { Config=F }\nRobot r { Config=Cart }\n";
+}
+
+void ticks() {
+    QTest::addColumn<double>("tick");
+    for (const double tick : {0.002, 0.01, 0.03}) QTest::addRow("%g s", tick) << tick;
+}
+
 } // namespace
 
 class MotionTest : public QObject {
@@ -97,6 +120,53 @@ private Q_SLOTS:
         QVERIFY2(isNear(w.vector("r/imu/acceleration"), expected, 1e-6 * expected.norm()),
                  shown(w.vector("r/imu/acceleration") - expected));
         QVERIFY(isNear(w.vector("r/imu/angularVelocity"), inBody.conjugate() * Vec3(0, 0, rate), 1e-9));
+    }
+
+    void aSensorOnAnArmFeelsItsCentripetalAcceleration_data() { ticks(); }
+    /// The centre of mass is 0.3 m off the axis.
+    void aSensorOnAnArmFeelsItsCentripetalAcceleration() {
+        QFETCH(double, tick);
+        SensorWorld w("Tick=" + std::to_string(tick) +
+                      "\nRobotConfig Arm {\n  Body arm { Box beam { Size=0.4,0.05,0.05 Pos=0.3,0,0 Mass=1 } }\n"
+                      "  Hinge axle { Parent=world Child=arm Axis=0,0,1 }\n"
+                      "  Servo servo { Joint=axle MaxTorque=1e4 MaxSpeed=400 TimeConstant=0.1 Mode=speed }\n"
+                      "  Imu imu { Body=arm Pos=0.5,0,0 }\n}\nRobot r { Config=Arm Pos=0,0,1 }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        w.world().block().slots()[w.world().layout().find("r/servo/target")->offset] = 10;
+        QVERIFY(w.run(int(4 / tick)));
+        const double rate = w.value("r/axle/rate");
+        QVERIFY(std::abs(rate - 10) < 1e-3);
+        const Vec3 read = w.vector("r/imu/acceleration");
+        QVERIFY2(isNear(read, {-0.5 * rate * rate, 0, kGravity}, 1e-3), shown(read));
+    }
+
+    void aSensorOnACircleFeelsItsCentripetalAcceleration_data() {
+        QTest::addColumn<QString>("engine");
+        QTest::addColumn<double>("tick");
+        for (const char* engine : {"general", "wheeled", "planar"})
+            for (const double tick : {0.002, 0.01, 0.03}) QTest::addRow("%s, %g s", engine, tick) << engine << tick;
+    }
+    /// 0.5 m/s about a point beside the axle; in a wheel the weight stays upright.
+    void aSensorOnACircleFeelsItsCentripetalAcceleration() {
+        QFETCH(QString, engine);
+        QFETCH(double, tick);
+        SensorWorld w(circling(engine.toStdString(), tick));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        for (const auto& [motor, speed] : {std::pair("left", 4.), std::pair("right", 16.)}) {
+            const std::string path = std::string("r/") + motor + "Motor/";
+            w.world().block().slots()[w.world().layout().find(path + "servo")->offset] = 1;
+            w.world().block().slots()[w.world().layout().find(path + "targetRate")->offset] = speed;
+        }
+        QVERIFY(w.run(int(3 / tick)));
+        const double rate = w.value("r/base/velocity", 5), speed = w.vector("r/base/velocity").norm();
+        QVERIFY(std::abs(rate - 12 * 0.05 / 0.26) < 0.01 && std::abs(speed - 0.5) < 0.01);
+        const double tolerance = 0.2 * rate * tick * speed * rate; // half a tick late is 0.5 of that product
+        const Vec3 middle(0, speed * rate, kGravity), away = middle - rate * rate * Vec3(0.3, 0.1, 0);
+        QVERIFY2(isNear(w.vector("r/middle/acceleration"), middle, tolerance), shown(w.vector("r/middle/acceleration") - middle));
+        QVERIFY2(isNear(w.vector("r/away/acceleration"), away, tolerance), shown(w.vector("r/away/acceleration") - away));
+        const Vec3 inWheel = w.pose("r/right").rotation * w.vector("r/rolling/acceleration");
+        const Vec3 ofWheel = w.pose("r/base").rotation * Vec3(0, rate * (speed + 0.13 * rate), kGravity);
+        QVERIFY2(isNear(inWheel, ofWheel, 0.05), shown(inWheel - ofWheel));
     }
 
     void aSensorOnASlopeFeelsTheSlope_data() {
@@ -260,21 +330,46 @@ private Q_SLOTS:
                      qPrintable(QString::number(lag)));
     }
 
-    void specificForceIsExactInASteadyTurn() {
-        // Constant in a frame that turns by any angle in a tick: the change of velocity is its integral.
-        for (const double angle : {1e-6, 0.01, 0.4, 0.6, 2.5}) {
-            const double tick = 0.02;
-            const Vec3 axis = Vec3(1, 2, 3).normalized(), rate = axis * angle / tick, force(3, -1, 2), gravity(0, 0, -9.81);
-            const Quat end = rotationFromHpr({0.3, 0.4, 0.5});
-            Vec3 change = gravity * tick;
-            const int steps = 20000;
-            for (int i = 0; i < steps; ++i) {
-                const double back = angle * (1 - (i + 0.5) / steps);
-                change += tick / steps * (end * (Quat(Eigen::AngleAxisd(-back, axis)) * force));
+    void specificForceIsExactForASteadyTurn_data() {
+        QTest::addColumn<Vec3>("axis");
+        QTest::addColumn<double>("gravity");
+        QTest::addColumn<bool>("falls");
+        QTest::addColumn<double>("radius"); // of the circle of the centre of mass
+        QTest::newRow("a level circle") << Vec3(0, 0, 1) << kGravity << false << 0.7;
+        QTest::newRow("a tilted circle without gravity") << Vec3(1, 2, 3) << 0. << false << 0.7;
+        QTest::newRow("tumbling in free fall") << Vec3(1, 2, 3) << kGravity << true << 0.;
+        QTest::newRow("rolling at a constant speed") << Vec3(0, 1, 0) << kGravity << false << 0.;
+    }
+    /// Of a body that an engine moves: its centre of mass by one velocity for each tick, to where it is at the end.
+    void specificForceIsExactForASteadyTurn() {
+        QFETCH(Vec3, axis);
+        QFETCH(double, gravity);
+        QFETCH(bool, falls);
+        QFETCH(double, radius);
+        axis.normalize();
+        const double tick = 0.02;
+        const Vec3 weight(0, 0, -gravity), lever = radius * axis.unitOrthogonal();
+        const Quat mounting = rotationFromHpr({0.3, 0.4, 0.5});
+        for (const double angle : {1e-6, 0.01, 0.4, 0.6, 2.5})
+            for (const Vec3& arm : {Vec3(0, 0, 0), Vec3(0.4, -0.3, 0.1)}) {
+                const Vec3 rate = axis * angle / tick;
+                const auto turned = [&](int n) { return Quat(Eigen::AngleAxisd(n * angle, axis)); };
+                Vec3 centre(1, 2, 3), place(0, 0, 0), velocity(0, 0, 0), read(0, 0, 0), expected(0, 0, 0);
+                for (int n = 1; n < 10; ++n) {
+                    const Quat now = turned(n), sensor = now * mounting;
+                    const Vec3 chord = (now * lever - turned(n - 1) * lever) / tick;
+                    const Vec3 moves = Vec3(0.5, 0.2, 0) + chord + (falls ? Vec3(n * tick * weight) : Vec3(0, 0, 0));
+                    const Vec3 before = place, velocityBefore = velocity;
+                    centre += tick * moves;
+                    place = centre + now * arm;
+                    velocity = moves + rate.cross(now * arm);
+                    read = specificForce(velocity - velocityBefore, velocity - (place - before) / tick, weight, sensor,
+                                         sensor.conjugate() * rate, tick);
+                    const Vec3 fall = falls ? weight : Vec3(0, 0, 0);
+                    expected = sensor.conjugate() * (rate.cross(rate.cross(now * (lever + arm))) + fall - weight);
+                }
+                QVERIFY2(isNear(read, expected, 1e-9 * std::max(1., expected.norm())), shown(read - expected));
             }
-            const Vec3 found = specificForce(change, gravity, end, rate, tick);
-            QVERIFY2(isNear(found, force, 1e-7), shown(found));
-        }
     }
 
     void aReceiverNeedsItsShareOfTheSky_data() {

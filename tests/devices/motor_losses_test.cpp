@@ -282,6 +282,27 @@ private Q_SLOTS:
         QCOMPARE(w.value("r/motor/saturated"), 1.);
     }
 
+    /// In each unit and as an expression: the same motor.
+    void constantsAreInTheUnitsOfDataSheets() {
+        const auto rateWith = [](const std::string& from, const std::string& to) {
+            std::string text = spinner(0.01, "");
+            text.replace(text.find(from), from.size(), to);
+            SensorWorld w(text);
+            if (!w.ok()) qWarning("%s", w.failure().c_str());
+            if (w.ok()) command(w, "r/motor/voltage", 6);
+            return w.ok() && w.run(5) ? w.value("r/axle/rate") : -1;
+        };
+        const double expected = rateWith("Mass=2", "Mass=2");
+        QVERIFY(expected > 0);
+        for (const char* constant : {"22 mNm/A", "0.022 Nm/A", "$(22 mNm/A)", "$(2.2 Nm / 100 A)"})
+            QVERIFY2(isNear(rateWith("TorqueConstant=0.02 ", std::string("TorqueConstant=") + constant + " "),
+                            rateWith("TorqueConstant=0.02 ", "TorqueConstant=0.022 "), 1e-9),
+                     constant);
+        for (const char* constant : {"0.02 Vs/rad", "0.0020943951023932 V/rpm", "$(20 mV * 1 s / 1 rad)"})
+            QVERIFY2(isNear(rateWith("SpeedConstant=50 ", std::string("BackEmfConstant=") + constant + " "), expected, 1e-9),
+                     constant);
+    }
+
     void refusesHalfOfAThermalModel() {
         SensorWorld w(spinner(0.01, "ThermalResistanceWinding=2"));
         QVERIFY(!w.ok() && w.failure().find("together") != std::string::npos);

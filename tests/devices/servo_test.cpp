@@ -1,6 +1,10 @@
 // Servos and linear motors against closed forms.
 #include "sensor_world.h"
 
+#include "devices/builtin.h"
+#include "run/logs/signal_columns.h"
+#include "world/signal_plan.h"
+
 using namespace trundle;
 using namespace trundle::test;
 
@@ -57,6 +61,42 @@ private Q_SLOTS:
         } else {
             QVERIFY2(at < -0.05, qPrintable(QString::number(at)));
         }
+    }
+
+    void unitsAreThoseOfJointAndMode_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<std::string>("signal");
+        QTest::addColumn<std::string>("unit");
+        QTest::addColumn<std::string>("column");
+        const auto row = [](const char* name, const std::string& text, std::string signal, std::string unit, std::string column) {
+            QTest::newRow(name) << text << std::move(signal) << std::move(unit) << std::move(column);
+        };
+        const std::string slides = "MaxForce=60 MaxSpeed=1", turns = "MaxTorque=5 MaxSpeed=5";
+        const std::string counted = lift(slides + " }\n  Encoder e { Joint=rail Pitch=1mm CountsPerRevolution=1");
+        row("a position of a slider", lift(slides), "r/motor/target", "m", "m");
+        row("a speed of a slider", lift(slides + " Mode=speed"), "r/motor/target", "m/s", "m/s");
+        row("an angle", arm(turns), "r/servo/target", "rad", "deg");
+        row("a rate", arm(turns + " Mode=speed"), "r/servo/target", "rad/s", "rad/s");
+        row("the way of an encoder", counted, "r/e/angle", "m", "m");
+        row("the speed of an encoder", counted, "r/e/rate", "m/s", "m/s");
+        row("a signal without a unit", counted, "r/e/count", "", "");
+    }
+    /// In the world, in its logs, and in the plan that is made of a text without a world.
+    void unitsAreThoseOfJointAndMode() {
+        QFETCH(std::string, text);
+        QFETCH(std::string, signal);
+        QFETCH(std::string, unit);
+        QFETCH(std::string, column);
+        SensorWorld w(text);
+        QVERIFY2(w.ok(), w.failure().c_str());
+        const SignalLayout& layout = w.world().layout();
+        const SignalEntry* entry = layout.find(signal);
+        QVERIFY(entry);
+        QCOMPARE(entry->unit, unit);
+        QCOMPARE(SignalColumns(*entry).names(), std::vector<std::string>{signal + (column.empty() ? "" : " [" + column + "]")});
+        Registry registry;
+        QVERIFY(addDeviceKinds(registry).ok());
+        QCOMPARE(plannedLayout(w.world().experiment(), registry).hash(), layout.hash());
     }
 
     void goesToItsTarget_data() {

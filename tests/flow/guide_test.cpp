@@ -198,6 +198,19 @@ private Q_SLOTS:
         }
     }
 
+    /// The unit of a property, as help and messages name it, is written behind numbers.
+    void everyUnitOfAPropertyIsOneOfThem() {
+        int units = 0;
+        for (const QJsonValue& kind : QJsonDocument::fromJson(cli({"describe", "--json"}).out).array())
+            for (const QJsonValue& property : kind["properties"].toArray()) {
+                const QString unit = property["unit"].toString();
+                const QString shown = kind["name"].toString() + "." + property["name"].toString() + ": " + unit;
+                QVERIFY2(unit.isEmpty() || trundle::findUnit(unit.toStdString()), qPrintable(shown));
+                units += !unit.isEmpty();
+            }
+        QVERIFY(units > 300);
+    }
+
     void everyColumnOfTheRadioLogsIsInIt() {
         QTemporaryDir folder;
         QVERIFY(writeFile(folder.filePath("my.sim"), textsOf("radios.md")[0].text.toUtf8()));

@@ -168,7 +168,10 @@ private Q_SLOTS:
                           "import trundle\n\n\nclass Mine(trundle.Controller):\n    go = trundle.command('go', '', 'x')\n\n"
                           "    def update(self, since_last):\n        pass\n"));
         const Outcome outcome = cli({"describe", "Mine", "--modules", m_folder.path()});
-        QVERIFY2(outcome.code != 0, shown(outcome));
+        const QByteArray why = "mine.py cannot be loaded: TypeError: the command go is in the controller Mine";
+        QVERIFY2(outcome.code != 0 && outcome.err.contains(why), shown(outcome));
+        const Outcome asked = cli({"describe", "Mine", "--json", "--modules", m_folder.path()});
+        QVERIFY2(asked.out.contains(why), shown(asked));
         const Outcome used = run("#loadModule mine.py\n");
         QVERIFY2(used.err.contains("TypeError: the command go is in the controller Mine: only devices have some"), shown(used));
     }

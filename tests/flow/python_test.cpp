@@ -157,6 +157,22 @@ private Q_SLOTS:
     void everyFaultStaysInItsProcess_data();
     void everyFaultStaysInItsProcess();
 
+    /// They have one block, and fail in the same tick.
+    void membersOfAGridHaveTheirOwnCalls() {
+        QVERIFY(writeFile(at("mine.py"), "import trundle\nclass Mine(trundle.Controller):\n"
+                                         "    number = trundle.field('Number', 0, trundle.number(), 'x')\n"
+                                         "    def update(self, t):\n        self.second() if self.number else self.first()\n"
+                                         "    def first(self):\n        raise ValueError('one')\n"
+                                         "    def second(self):\n        raise ValueError('two')\n"));
+        QVERIFY(writeFile(at("mine.sim"), "Duration = 0.1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                          "#loadModule mine.py\nStatic floor { Config=OpenFloor }\n"
+                                          "Grid row { Config=SimpleRobot Count=2 Spacing=1 Mine brain { Number=$index } }\n"));
+        const Outcome outcome = run(at("mine.sim"), {"--modules", m_folder.path()});
+        QVERIFY2(outcome.code == 4, shown(outcome));
+        QVERIFY2(outcome.err.contains("[0 row_0] error:   first at "), shown(outcome));
+        QVERIFY2(outcome.err.contains("[0 row_1] error:   second at "), shown(outcome));
+    }
+
     void aFaultInSetupIsAnErrorOfTheText() {
         const Outcome outcome = run(experiment("Phase=setup Action=divide"));
         QVERIFY2(outcome.code == 4, shown(outcome));

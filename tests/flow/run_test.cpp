@@ -26,6 +26,7 @@ private Q_SLOTS:
     void logsChangeNothing();
     void ctrlCEndsWithEverythingComplete();
     void manyRobotsAreSummedUp();
+    void errorsOfSeveralTurnsAreSummedUp();
     void quietRunPrintsNothing();
     void leavesNoProcess();
     void seedAndSetReachTheExperiment();
@@ -168,6 +169,33 @@ void RunFlowTest::manyRobotsAreSummedUp() {
                  .match(run.out)
                  .hasMatch(),
              shown(run));
+}
+
+/// Each turn is compared with its own amount, not with those before.
+void RunFlowTest::errorsOfSeveralTurnsAreSummedUp() {
+    const QString path = m_folder.filePath("turns.sim");
+    QVERIFY(writeFile(m_folder.filePath("turner.py"), "import trundle\nclass Turner(trundle.Controller):\n"
+                                                      "    def setup(self, robot):\n"
+                                                      "        self.drive = robot.differential_drive('base')\n"
+                                                      "        self.angles, self.turning = [1.5, -1.0, 0.7], False\n"
+                                                      "    def update(self, since_last):\n"
+                                                      "        if self.turning and not self.drive.done():\n"
+                                                      "            return\n"
+                                                      "        self.turning = bool(self.angles)\n"
+                                                      "        if self.angles:\n"
+                                                      "            self.drive.turn(2.0, self.angles.pop(0))\n"));
+    QVERIFY(writeFile(
+        path,
+        "Duration = 5\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
+        "#loadModule turner.py\nStatic floor { Config=OpenFloor }\n"
+        "Grid g { Config=SimpleRobot Count=4,2 Spacing=1 LinearMotion brain { Distance=0.2 } }\n"
+        "Robot turner { Config=SimpleRobot Pos=0,5,0 Turner brain { } }\n"));
+    const Outcome run = cli({"run", path, "--modules", m_folder.path()});
+    QVERIFY2(run.code == 0, shown(run));
+    const QRegularExpressionMatch off =
+        QRegularExpression("9 drives with commanded amounts: at most [0-9.]+ mm off \\([a-z0-9_]+\\), ([0-9.]+) deg off")
+            .match(run.out);
+    QVERIFY2(off.hasMatch() && off.captured(1).toDouble() < 5, shown(run));
 }
 
 /// The process that passes on what modules print has ended before the run does.

@@ -37,6 +37,9 @@ private Q_SLOTS:
         const Outcome made = cli(QStringList{"new", "robot", name, "--in", m_folder.path()} + options);
         QVERIFY2(made.code == 0, shown(made));
         const QString file = name.toLower(), at = m_folder.filePath(file), experiment = at + "/" + file + "_square.sim";
+        const QRegularExpression slope("slopes of up to [0-9]+ degrees");
+        const QString climbed = slope.match(made.out).captured();
+        QVERIFY2(!climbed.isEmpty() && contentOf(at + "/" + file + ".sim").contains(climbed.toUtf8()), shown(made));
         const Outcome checked = cli({"check", "--trust", experiment});
         QVERIFY2(checked.code == 0 && !checked.err.contains("warning"), shown(checked));
         for (const char* end : {".sim", "_square.sim"}) {
@@ -60,6 +63,49 @@ private Q_SLOTS:
         const Outcome again = cli({"new", "robot", "Twin", "--in", m_folder.path(), "--mass", "9"});
         QVERIFY2(again.code == 2 && again.err.contains("it exists"), shown(again));
         QCOMPARE(contentOf(m_folder.filePath("twin/twin.sim")), before);
+    }
+
+    /// The robot of the experiment has another name where its own is a word of the language or used in the experiment.
+    void namesThatTheExperimentUses_data() {
+        QTest::addColumn<QString>("robot");
+        for (const char* name : {"Floor", "Overview", "Path", "World", "True", "False"}) QTest::newRow(name) << "robot0";
+        QTest::newRow("My_Rover") << "my_Rover";
+    }
+    void namesThatTheExperimentUses() {
+        QFETCH(QString, robot);
+        const QString name = QTest::currentDataTag(), file = name.toLower();
+        const Outcome made = cli({"new", "robot", name, "--in", m_folder.path()});
+        QVERIFY2(made.code == 0, shown(made));
+        const QString experiment = m_folder.filePath(file + "/" + file + "_square.sim");
+        const Outcome checked = cli({"check", "--trust", experiment});
+        QVERIFY2(checked.code == 0 && !checked.err.contains("warning"), shown(checked));
+        QVERIFY2(contentOf(experiment).contains("\nRobot " + robot.toUtf8() + " {"), contentOf(experiment));
+    }
+
+    void refusedNamesAndOptions_data() {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QByteArray>("why");
+        const auto row = [](const char* name, const QStringList& words, const char* why) {
+            QTest::newRow(name) << words << QByteArray(why);
+        };
+        row("the floor of a robot", {"robot", "OpenFloor"}, "its experiment imports a config of that name");
+        row("the robot of an arena", {"arena", "SimpleRobot"}, "its experiment imports a config of that name");
+        row("the robot of a maze", {"arena", "SimpleRobot", "--maze", "3", "3"}, "its experiment imports a config of that name");
+        row("reserved, of a robot", {"robot", "Param"}, "a reserved word");
+        row("reserved, of an arena", {"arena", "Param"}, "a reserved word");
+        row("a sign", {"arena", "My-Room"}, "letters, digits and _, like Office");
+        row("a maze of a robot", {"robot", "Never", "--maze", "3", "3"}, "--maze: it is for `new arena`, not for `new robot`");
+        row("a wheel of an arena", {"arena", "Never", "--wheel-radius", "0.1"}, "it is for `new robot`, not for `new arena`");
+        row("walls of a controller", {"controller", "Never", "--light-walls"}, "it is for `new arena`, not for `new controller`");
+        row("a base of a component", {"component", "Never", "--base", "omni"}, "it is for `new robot`, not for `new component`");
+    }
+    void refusedNamesAndOptions() {
+        QFETCH(QStringList, words);
+        QFETCH(QByteArray, why);
+        const QTemporaryDir folder;
+        const Outcome refused = cli(QStringList{"new"} + words + QStringList{"--in", folder.path()});
+        QVERIFY2(refused.code == 2 && refused.err.contains(why), shown(refused));
+        QVERIFY(QDir(folder.path()).isEmpty());
     }
 
     void nothingIsWrittenWithoutAMotor() {

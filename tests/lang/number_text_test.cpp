@@ -94,6 +94,15 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(withNumbers(text.toStdString(), was, now, unit.toLatin1(), 0.01)), result);
     }
 
+    void formulasThatBecomeNumbers() {
+        using Texts = std::vector<std::string>;
+        QCOMPARE(replacedFormulas("$gap, 0.6, $(2*gap)", "1, 0.7, $(2*gap)"), Texts{"$gap"});
+        QCOMPARE(replacedFormulas("$gap,$(2*gap)", "1,2"), (Texts{"$gap", "$(2*gap)"}));
+        QCOMPARE(replacedFormulas("$place", "1,2,3"), Texts{"$place"}); // of three numbers
+        QCOMPARE(replacedFormulas("$(0.1*index),1", "$(0.1*index + 0.05),2"), Texts());
+        QCOMPARE(replacedFormulas("", "1,2,3"), Texts());
+    }
+
     /// With a fine step, a change below a millionth still is one.
     void fineSteps() {
         const double before[] = {1}, after[] = {1.0000001};

@@ -243,6 +243,11 @@ private Q_SLOTS:
         row("lines whose last one closes several", "Body c {\n    A=1\n}\n", "c", "Box b { X=1\n    Y { Z=2 } }",
             "Body c {\n    A=1\n    Box b { X=1\n        Y { Z=2 } }\n}\n");
         row("a directive into one line", "Static s { A=1 }\n", "s", "#import a.sim", "Static s { A=1\n  #import a.sim\n}\n");
+        row("a line comment into one line", "Body c { A=1 }\n", "c", "Box b { } // note",
+            "Body c { A=1\n  Box b { } // note\n}\n");
+        row("a line comment into an empty block", "Body c { }\n", "c", "Box b { X=1 } //", "Body c {\n  Box b { X=1 } //\n}\n");
+        row("a line comment into an inner block", "Robot r {\n  Body c { A=1 }\n}\n", "c", "Box b { } // note",
+            "Robot r {\n  Body c { A=1\n    Box b { } // note\n  }\n}\n");
         row("into the file", "A = 1 // c", "", "Box b { }", "A = 1 // c\nBox b { }\n");
         row("behind a comment", "Body c { // c\n}", "c", "Box b { }", "Body c { // c\n  Box b { }\n}");
     }

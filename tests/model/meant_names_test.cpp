@@ -67,6 +67,10 @@ private Q_SLOTS:
             "E314 RobotConfig R has no m1; it has c and m | m1 | fix m_1");
         row("a value for a block", members + "}\nRobot r { Config=R m=2 }\n",
             "E314 Repeat m takes no value itself; set one of its properties, m. ... | m");
+        row("a controller with a capital letter", members + "}\nRobot r { Config=R Brain.Speed=1 Walker brain { } }\n",
+            "E314 Robot r has no Brain; it has brain, c and m | Brain | fix brain");
+        row("a value for a controller", members + "}\nRobot r { Config=R brain=1 Walker brain { } }\n",
+            "E314 Walker brain takes no value itself; set one of its properties, brain. ... | brain");
         row("an element by its axis", members + "}\nRobot r { Config=R m.Pos.x=2 }\n",
             "E314 Pos of Repeat m has nothing in it; it is set as a whole, Pos=... | x");
         row("a body in itself", kHead + "RobotConfig R { Body c { " + kBox + " } Body d { In=dd " + kBox + " } }\n",

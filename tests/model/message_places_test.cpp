@@ -1,4 +1,6 @@
 // A mistake is reported once, at the value that is wrong: at that of an instance rather than in the config that it uses.
+#include <set>
+
 #include <QTest>
 
 #include "reported.h"
@@ -12,6 +14,9 @@ namespace {
 
 const std::string kHead = "Material g { } Surface s { }\n";
 const std::string kBox = "Box h { Size=0.1,0.1,0.1 Mass=1 Material=g Surface=s }";
+const std::string kLook = "Material red { }\nRobotConfig A { Param m = red Body b { "
+                          "Box h { Size=1,1,1 Mass=1 Material=$m Surface=s } "
+                          "Box k { Size=1,1,1 Mass=1 Material=$m Surface=s } } }\n";
 
 } // namespace
 
@@ -116,6 +121,21 @@ private Q_SLOTS:
             "E208 Robots names outt, but there is no such robot | outt | fix out");
         const std::string two =
             "RobotConfig A { Body b { " + kBox + " } }\nRobot r { Config=A }\nRobot q { Config=A Pos=9,9,9 }\n";
+        const char* const noLook =
+            "E208 Material names redd, but there is no such Material | redd | it is used here: $m | fix red";
+        row("a Material of a robot by a Param", kLook + "Robot n { Config=A m=redd }\n", noLook);
+        row("a Material of a variant by a Param", kLook + "RobotConfig B { Config=A m=redd }\nRobot n { Config=B }\n", noLook);
+        row("a Material by a default", sample::with(kLook, "m = red", "m = redd"), noLook);
+        row("a Surface of a part by a Param",
+            "Surface ice { }\nPartConfig P { Param m = ice Box b { Size=1,1,1 Material=g Surface=$m } }\n"
+            "StaticConfig A { Part p { Config=P m=icce } }\nStatic n { Config=A }\n",
+            "E208 Surface names icce, but there is no such Surface | icce | it is used here: $m | fix ice");
+        const std::string wheels = "PartConfig Wheel { Body w { " + kBox + " } }\nRobotConfig A { Param kind = Wheel Body b { " +
+                                   kBox + " } Part l { Config=$kind } }\n";
+        row("a Config of a variant by a Param", wheels + "RobotConfig B { Config=A kind=Wheal }\nRobot n { Config=B }\n",
+            "E208 Config names Wheal, but there is no such PartConfig | Wheal | it is used here: $kind | fix Wheel");
+        row("a Config of another kind by a Param", wheels + "Robot n { Config=A kind=A }\n",
+            "E208 Config names A, a RobotConfig; a Part takes a PartConfig | A | it is used here: $kind");
         row("one name of two", two + "Region n { Size=1,1,1 Robots=r, qq }\n",
             "E208 Robots names qq, but there is no such robot | qq | fix q");
         row("robots apart", two + "NoContact=r, s\n",
@@ -155,6 +175,13 @@ private Q_SLOTS:
                 "RobotConfig n { Body hull { " +
                 kBox + " } Part leg { Config=A Pos=1,0,0 } }\n",
             "E208 Parent names hul, but there is no such Body | hul | it is used here: $on | fix hull");
+        const char* const noMember = "but Repeat lane has no member lane_2; the last one is lane_1 | lane_2.r | fix lane_1.r";
+        row("a region with a member that there is not", lane + "}\nRegion n { Size=1,1,1 Robots=out,lane_2.r }\n",
+            (std::string("E208 Robots names lane_2.r, ") + noMember).c_str());
+        row("a log of a member that there is not", lane + "}\nPoseLog n { Robot=lane_2.r }\n",
+            (std::string("E208 Robot names lane_2.r, ") + noMember).c_str());
+        row("members apart that there are not", lane + "}\nNoContact=out,lane_2.r\n",
+            (std::string("E208 NoContact names lane_2.r, ") + noMember).c_str());
         row("all robots of a Repeat", lane + "}\nRegion n { Size=1,1,1 Robots=lane.rr }\n",
             "E208 Robots names lane.rr, but there is no such robot | lane.rr | fix lane.r");
         row("a Repeat for its robots", lane + "}\nRegion n { Size=1,1,1 Robots=lane }\n",
@@ -288,6 +315,27 @@ private Q_SLOTS:
     void messages() {
         QFETCH(QString, text);
         QTEST(reported(sample::resolved(text.toStdString())), "message");
+    }
+
+    /// Each robot that gives it is named, however often its config uses it.
+    void aWrongNameOfSeveralRobots() {
+        const Resolved r = sample::resolved(kHead + kLook +
+                                            "Robot n { Config=A m=redd }\nRobot o { Config=A m=redd }\n"
+                                            "Grid p { Config=A m=redd Count=2 Spacing=9 }\n");
+        std::set<SourceRange> places;
+        for (const Diagnostic& d : r.diagnostics.all()) places.insert(d.range);
+        QVERIFY2(places.size() == 3 && r.diagnostics.all().size() == 3, r.messages().c_str());
+        for (const SourceRange& place : places) QCOMPARE(r.slice(place), std::string("redd"));
+    }
+
+    void aNameOnTheCommandLine() {
+        const Resolved r = sample::resolved(kHead + "RobotConfig A { Param m = g Body b { Box h { Size=1,1,1 Mass=1 Material=$m "
+                                                    "Surface=s } } }\nRobot a { Config=A }\n",
+                                            {"a.m=grass"});
+        QCOMPARE(reported(r),
+                 QStringLiteral("E208 Material names grass, but there is no such Material; there are g and default | "
+                                "grass | it is used here: $m"));
+        QVERIFY(r.texts->commandLine(r.diagnostics.all().at(0).range.file));
     }
 
     /// All members of a Grid are there, those behind a wrong one too.

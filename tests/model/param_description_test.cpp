@@ -44,14 +44,14 @@ private Q_SLOTS:
         row("m=4", "");
         row("m=4 r=0.07", "");
         row("r=$(0.1+0.1)", "");
-        row("r=0.2001", "E203 r is 0.2001, it must be from 2 to 20 cm");
+        row("r=0.2001", "E203 r is 0.2001 m, it must be from 2 to 20 cm");
         row("r=1.9 cm", "E203 r is 1.9 cm, it must be from 2 to 20 cm");
         row("r=-5 cm", "E203 r is -5 cm, it must be from 2 to 20 cm");
         row("r=5 kg", "E206 r is 5 kg, it must be in cm");
         row("r=red", "E202 r is red, it must be a number");
         row("m=3", "E207 m is 3, it must be 1, 2 or 4");
         row("m=two", "E207 m is two, it must be 1, 2 or 4");
-        row("r=1 m=3", "E207 m is 3, it must be 1, 2 or 4\nE203 r is 1, it must be from 2 to 20 cm");
+        row("r=1 m=3", "E207 m is 3, it must be 1, 2 or 4\nE203 r is 1 m, it must be from 2 to 20 cm");
     }
     void values() {
         QFETCH(QString, value);
@@ -68,7 +68,7 @@ private Q_SLOTS:
                                               "Pos=0,0,1 r=$(0.15+0.1*index) }");
         const Resolved read = resolved(text);
         QCOMPARE(messagesOf(read),
-                 QStringLiteral("E203 r is 0.3, it must be from 2 to 20 cm\nE203 r is 0.25, it must be from 2 to 20 cm"));
+                 QStringLiteral("E203 r is 0.3 m, it must be from 2 to 20 cm\nE203 r is 0.25 m, it must be from 2 to 20 cm"));
     }
 
     void ownValuesAreCompared() {
@@ -83,9 +83,16 @@ private Q_SLOTS:
         const auto row = [](const char* param, const char* said) { QTest::newRow(param) << param << said; };
         row("30 cm { Min=0.2 Max=0.4 }", "");
         row("50 cm { Min=0.2 Max=0.4 }", "E203 n is 50 cm, it must be from 20 to 40 cm");
-        row("0.5 { Min=0.2 Max=40 cm }", "E203 n is 0.5, it must be from 20 to 40 cm");
-        row("0.5 { Min=200 mm Max=40 cm }", "E203 n is 0.5, it must be from 200 to 400 mm");
+        row("0.5 { Min=0.2 Max=40 cm }", "E203 n is 0.5 m, it must be from 20 to 40 cm");
+        row("0.5 { Min=200 mm Max=40 cm }", "E203 n is 0.5 m, it must be from 200 to 400 mm");
         row("5 % { Max=0.04 }", "E203 n is 5 %, it must be at most 0.04");
+        row("5 { Max=4 }", "E203 n is 5, it must be at most 4");
+        row("5 { Max=4 % }", "E203 n is 5, it must be at most 0.04");
+        row("400 { Max=1 rad }", "E203 n is 400 deg, it must be at most 1 rad");
+        row("5 { Choices=5 mm,10 mm }", "E207 n is 5 m, it must be 5 mm or 10 mm");
+        row("5 kg { Choices=5,10 }", "");
+        row("5 kg { Choices=5 m,10 m }", "E207 n is 5 kg, it must be 5 m or 10 m");
+        row("5 { Choices=5 %,10 % }", "E207 n is 5, it must be 5 % or 10 %");
     }
     void limitsWithoutAUnit() {
         QFETCH(QString, param);

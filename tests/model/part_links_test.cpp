@@ -21,6 +21,37 @@ QString messagesOf(const Resolved& r) { return QString::fromStdString(r.messages
 class PartLinksTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// What a PartConfig is joined to has no other meaning by the names of what uses it, whichever of them is first in the text.
+    void impliedParamsOfNestedParts_data() {
+        QTest::addColumn<QString>("arm");
+        QTest::addColumn<bool>("isFirst");
+        for (const bool isFirst : {true, false}) {
+            const QByteArray order = isFirst ? ", first" : ", last";
+            QTest::newRow(("the same Param" + order).constData())
+                << "Body q { BOX } Fixed f { Parent=$on Child=q } Part sub { Config=Hand on=q }" << isFirst;
+            QTest::newRow(("passed on" + order).constData())
+                << "Body q { BOX } Fixed f { Parent=$on Child=q } Part sub { Config=Hand on=$on }" << isFirst;
+            QTest::newRow(("a body" + order).constData())
+                << "Body on { BOX } Fixed f { Parent=hull Child=on } Body hull { BOX } Part sub { Config=Hand on=on }" << isFirst;
+            QTest::newRow(("in a Repeat" + order).constData())
+                << "Body q { BOX } Fixed f { Parent=$on Child=q } Repeat on2 { Count=1 Part on { Config=Hand on=q } }" << isFirst;
+        }
+    }
+    void impliedParamsOfNestedParts() {
+        QFETCH(QString, arm);
+        QFETCH(bool, isFirst);
+        const std::string box = "Box x { Size=1,1,1 Mass=1 Material=g Surface=s }";
+        const std::string outer = "PartConfig Arm { " + arm.replace("BOX", QString::fromStdString(box)).toStdString() + " }\n";
+        const std::string inner = "PartConfig Hand { Body z { " + box + " } Fixed g { Parent=$on Child=z } }\n";
+        const std::string given = arm.contains("$on") ? " on=b" : "";
+        const Resolved r = resolved(kHead + (isFirst ? outer + inner : inner + outer) + "RobotConfig K { Body b { " + box +
+                                    " } Part p { Config=Arm" + given + " } }\nRobot a { Config=K }\n");
+        QVERIFY2(!r.diagnostics.hasErrors(), r.messages().c_str());
+        const std::vector<JointSpec>& joints = r.config().joints;
+        QCOMPARE(joints.size(), std::size_t(2));
+        QCOMPARE(joints.back().parent, arm.contains("on=$on") ? 0 : 1);
+    }
+
     /// A config within a config, as a comment that hides a `}` makes one, does not lead back to the one around it: what lists its content
     /// ends.
     void misplacedConfigsLeadNowhere() {

@@ -138,7 +138,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("said");
         const auto row = [](const char* set, const char* said) { QTest::newRow(set) << set << said; };
         row("robot2.Config=Rover", "E314 nothing in the world is named robot2");
-        row("robot1.leftMotr.Resistance=1", "E314 RobotConfig Rover has no leftMotr");
+        row("robot1.leftMotr.Resistance=1", "E314 Robot robot1 has no leftMotr");
         row("robot1.leftMotor.Resistence=1", "E314 RotaryMotor leftMotor has no Resistence");
         row("Surface.ruber.Friction=1", "E314 there is no Surface ruber");
         row("Surface.rubber=1", "E314 a path into a Surface is Surface.name.property");

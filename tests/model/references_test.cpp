@@ -174,7 +174,8 @@ private Q_SLOTS:
         row("Robot r { Config=robot1 }", "E208 Config names robot1, but there is no such RobotConfig; there is Rover\n");
         row("PoseLog p { Robot=robot1, robot10, swarm }");
         row("PoseLog p { Robot=swarm_0, swarm_2 }");
-        row("PoseLog p { Robot=swarm_3 }", "E208 Robot names swarm_3, but there is no such robot\n");
+        row("PoseLog p { Robot=swarm_3 }",
+            "E208 Robot names swarm_3, but Grid swarm has no member swarm_3; the last one is swarm_2\n");
         row("PoseLog p { Robot=robot }", "E208 Robot names robot, but there is no such robot\n");
         row("PoseLog p { Robot=robot100 }", "E208 Robot names robot100, but there is no such robot\n");
         row("PoseLog p { Robot=slab }", "E208 Robot names slab, a Static; it takes a robot\n");

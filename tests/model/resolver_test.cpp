@@ -1,6 +1,7 @@
 // The typed model: each value of the text reaches its field, in SI units, with its sign and its axis.
 #include <QTest>
 
+#include <algorithm>
 #include <numbers>
 
 #include "model/mass_properties.h"
@@ -330,6 +331,44 @@ private Q_SLOTS:
         QCOMPARE(reach(2), 1.0);
     }
 
+    /// Only where the value is that of one of them.
+    void importedFilesDisagree_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("later");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char* name, const char* text, const char* later, const char* said) {
+            QTest::newRow(name) << text << later << said;
+        };
+        row("on a value", "", "Tick = 0.005",
+            "E215 imported files disagree: Tick is 0.01 in inner.sim and 0.005 here; the later one holds\n");
+        row("on a value with a unit", "", "Tick = 5 ms",
+            "E215 imported files disagree: Tick is 0.01 in inner.sim and 5 ms here; the later one holds\n");
+        row("on one of their own", "Tick = 0.02\n", "Tick = 0.005", "");
+        row("not, in another unit", "", "Tick = 10 ms", "");
+        row("not, with more digits", "", "Tick = 0.010", "");
+    }
+    void importedFilesDisagree() {
+        QFETCH(QString, text);
+        QFETCH(QString, later);
+        const Resolved r = imported(text.toStdString(), "Tick = 0.01", later.toStdString());
+        QTEST(QString::fromStdString(r.messages()), "said");
+    }
+
+    void aDisagreementFurtherInIsDecidedByTheImportingFile() {
+        Resolved r;
+        addText(r, "main.sim", "#import both.sim\nTick = 0.02\n");
+        addText(r, "both.sim", "#import a.sim\n#import b.sim\n");
+        addText(r, "a.sim", "Tick = 0.01");
+        addText(r, "b.sim", "Tick = 0.005");
+        r.texts->imports[r.texts->trees[0]->items()[0].as<ImportItem>()] = 1;
+        for (const FileId file : {2, 3}) r.texts->imports[r.texts->trees[1]->items().at(file - 2).as<ImportItem>()] = file;
+        r.texts->firstSet = 4;
+        r.outline = Outline::build(r.texts, sample::kindsWithWalker(), r.diagnostics);
+        SAYS(r, "");
+        r.experiment = resolve(*r.outline, sample::assets(), r.diagnostics);
+        QCOMPARE(r.experiment->settings.tick, 0.02);
+    }
+
     /// Also those that are at the same place in two files.
     void everyLooseBodyOfAStaticIsReported() {
         const auto part = [](const char* name) {
@@ -339,6 +378,42 @@ private Q_SLOTS:
                                     part("K"), part("L"));
         const QString all = QString::fromStdString(r.messages());
         QVERIFY2(all.contains(u"no joint holds Body k.b") && all.contains(u"no joint holds Body l.b"), qPrintable(all));
+    }
+
+    /// In whatever order: each of them once in the thirteenth place.
+    void everySettingOfALongBlockCounts() {
+        struct Setting {
+            std::string key;
+            double MediumSettings::*field;
+            double number;
+        };
+        std::vector<Setting> all{{"Frequency", &MediumSettings::frequency, 900000000},
+                                 {"Exponent", &MediumSettings::exponent, 2.5},
+                                 {"Shadowing", &MediumSettings::shadowing, 3},
+                                 {"CorrelationDistance", &MediumSettings::correlation, 4},
+                                 {"GroundPermittivity", &MediumSettings::permittivity, 5},
+                                 {"WallLoss", &MediumSettings::wallLoss, 6},
+                                 {"NoiseFloor", &MediumSettings::noiseFloor, -97},
+                                 {"ImplementationLoss", &MediumSettings::implementationLoss, 8},
+                                 {"CaptureMargin", &MediumSettings::captureMargin, 9},
+                                 {"CarrierSense", &MediumSettings::carrierSense, -70},
+                                 {"Offsets", &MediumSettings::offsets, 11},
+                                 {"ClockDrift", &MediumSettings::clockDrift, 12}};
+        for (std::size_t round = 0; round < all.size(); ++round) {
+            std::string text = "RadioMedium air { Model=log_distance Mac=csma PacketErrors=true Collisions=true";
+            const auto add = [&](const Setting& s) {
+                text += " " + s.key + "=" + QByteArray::number(s.number, 'f', 1).toStdString();
+            };
+            for (const Setting& s : all) add(s);
+            const Resolved once = sample::resolved(text + " }\n");
+            QVERIFY2(once.diagnostics.errorCount() == 0, once.messages().c_str());
+            for (const Setting& s : all) QVERIFY2(once.experiment->medium.*s.field == s.number, s.key.c_str());
+            const Setting& thirteenth = all[8];
+            add(thirteenth);
+            const std::string twice = sample::resolved(text + " }\n").messages();
+            QVERIFY2(twice.find("E210 " + thirteenth.key + " is set twice in one block") != std::string::npos, twice.c_str());
+            std::rotate(all.begin(), all.begin() + 1, all.end());
+        }
     }
 
     /// Overrides of geoms, bodies, joints and devices reach exactly the part that they name.

@@ -19,6 +19,26 @@ std::string passedOn(const std::string& described, const std::string& given, con
            rest;
 }
 
+/// Parts of W, which variants and Parts around them exchange for Other.
+std::string exchanged(const std::string& rest) {
+    const std::string box = "{ Box x { Size=0.2,0.2,0.1 Mass=3 Material=g Surface=s } }";
+    const auto arm = [&](const std::string& name, const std::string& tip) {
+        return "PartConfig " + name + " { Body elbow " + box + " Fixed f { Parent=$to Child=elbow } Part tip { Config=" + tip +
+               " to=elbow } }\n";
+    };
+    return "Material g { } Surface s { }\n"
+           "PartConfig W { Param r = 5 cm Body wheel { Sphere tyre { Radius=$r Mass=1 Material=g Surface=s } } "
+           "Fixed f { Parent=$to Child=wheel } }\n"
+           "PartConfig Other { Param q = 3 cm Body ball { Sphere skin { Radius=$q Mass=1 Material=g Surface=s } } "
+           "Fixed f { Parent=$to Child=ball } }\n" +
+           arm("Arm", "W") + arm("Hook", "Other") + "RobotConfig A { Body b " + box +
+           " Part l { Config=W to=b } Repeat few { Count=2 Part l { Config=W to=b } } }\n"
+           "RobotConfig D { Config=A l.Config=Other }\n"
+           "RobotConfig K { Body b " +
+           box + " Part m { Config=Arm to=b tip.r=0.2 } }\nRobotConfig N { Body b " + box +
+           " Part m { Config=Arm to=b tip.Config=Other } }\n" + rest;
+}
+
 } // namespace
 
 class ValuesPassedOnTest : public QObject {
@@ -124,6 +144,53 @@ private Q_SLOTS:
         QCOMPARE(r.config().bodies.at(0).mass.mass, 7.0);
         const QString wrong = reported(with("kind=Cube w.t.ball.Mass=7"));
         QVERIFY2(wrong.startsWith(u"E314 Body t has no ball; it has cube | ball"), qPrintable(wrong));
+    }
+
+    /// What a path leads to where a block further in has exchanged the config of a Part.
+    void intoAnExchangedConfig_data() {
+        QTest::addColumn<QString>("rest");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char* name, const char* rest, const char* message) { QTest::newRow(name) << rest << message; };
+        row("a Param", "Robot a { Config=D l.q=0.3 }", "");
+        row("a body", "Robot a { Config=D l.ball.Pos=3,0,0 }", "");
+        row("of a variant", "RobotConfig E { Config=D l.q=0.2 l.ball.skin.Mass=2 }\nRobot a { Config=E }", "");
+        row("of a grid", "Grid a { Config=D Count=2 Spacing=9 l.ball.Pos=0,0,3 }", "");
+        row("of a Part in a Part", "Robot a { Config=N m.tip.q=0.2 m.tip.ball.skin.Mass=2 }", "");
+        row("of one member", "RobotConfig E { Config=A few_1.l.Config=Other }\nRobot a { Config=E few_1.l.q=0.2 few_0.l.r=0.2 }",
+            "");
+        row("a Param of the first config", "Robot a { Config=D l.r=7 }", "E314 PartConfig Other has no r; it has q and to | r");
+        row("a body of the first config", "Robot a { Config=D l.wheel.tyre.Radius=3 }",
+            "E314 PartConfig Other has no wheel; it has ball and f | wheel");
+        row("of a variant, for the first config", "RobotConfig E { Config=D l.r=0.2 }",
+            "E314 PartConfig Other has no r; it has q and to | r");
+        row("of a Part in a Part, for the first config", "Robot a { Config=N m.tip.r=0.2 }",
+            "E314 PartConfig Other has no r; it has q and to | r | used here by Part m: m");
+        row("of one member, for the other ones",
+            "RobotConfig E { Config=A few_1.l.Config=Other }\nRobot a { Config=E few_0.l.q=1 }",
+            "E314 PartConfig W has no q; it has r and to | q");
+        row("of one that is not exchanged", "Robot a { Config=A l.q=0.3 }", "E314 PartConfig W has no q; it has r and to | q");
+        row("in a body of one that is not exchanged", "Robot a { Config=A l.wheel.skin.Mass=1 }",
+            "E314 Body wheel has no skin; it has tyre | skin");
+        row("exchanged once more further out", "RobotConfig E { Config=D l.q=0.2 }\nRobot a { Config=E l.Config=W l.r=0.1 }", "");
+        row("exchanged further out than a variant", "RobotConfig E { Config=A l.r=0.2 }\nRobot a { Config=E l.Config=Other }",
+            "");
+        row("exchanged further out than a Part", "Robot a { Config=K m.tip.Config=Other m.tip.q=0.1 }", "");
+        row("in what is exchanged around it", "Robot a { Config=K m.Config=Hook }", "");
+    }
+    void intoAnExchangedConfig() {
+        QFETCH(QString, rest);
+        QTEST(reported(sample::resolved(exchanged(rest.toStdString()))), "message");
+    }
+
+    void valuesOfAnExchangedConfigHold() {
+        const auto radius = [](const sample::Resolved& r) { return r.config().bodies.at(1).geoms.at(0).radius; };
+        QCOMPARE(radius(sample::resolved(exchanged("Robot a { Config=D l.q=0.3 }"))), 0.3);
+        const sample::Resolved set = sample::resolved(exchanged("Robot a { Config=D }"), {"a.l.ball.skin.Radius=0.4"});
+        QCOMPARE(reported(set), QString());
+        QCOMPARE(radius(set), 0.4);
+        const sample::Resolved one = sample::resolved(exchanged("Robot a { Config=A }"), {"a.l.Config=Other", "a.l.q=0.5"});
+        QCOMPARE(reported(one), QString());
+        QCOMPARE(radius(one), 0.5);
     }
 
     /// What a variant gives is from outside also where an expression uses it.

@@ -113,6 +113,11 @@ private Q_SLOTS:
         row("path", "RobotConfig A { Config=Kit moter.Resistance=4 }\n",
             "E314 RobotConfig Kit has no moter; it has chassis, wheel, axle, motor and pin\n");
         row("property", "RobotConfig A { Config=Kit rr=4 }\n", "E201 RobotConfig A has no property rr\n");
+        row("controller", "RobotConfig A { Config=Kit }\nRobot a { Config=A Walker motor { } }\n",
+            "E303 the name motor is taken by RotaryMotor motor of RobotConfig A\n");
+        row("controller named like a member",
+            "RobotConfig A { Config=Kit }\nGrid a { Config=A Count=2 Spacing=3 Walker pin_1 { } }\n",
+            "E303 the name pin_1 is taken by Repeat pin of RobotConfig A\n");
         row("value", "RobotConfig A { Config=Kit r=-1 }\n", "E203 Radius is -1, it must be above 0\n");
     }
     void reportsWhatIsWrong() {

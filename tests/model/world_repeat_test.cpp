@@ -249,7 +249,10 @@ private Q_SLOTS:
             "Robot c { Config=Cart } Repeat row { Count=2 Robot cart { Config=Cart } Fixed f { Parent=c.b Child=cart.c } }\n",
             "E208 Child names cart.c, but there is no such body of a robot (robot.body); there is cart.b\n", "cart.c");
         row("no robot", "Repeat row { Count=2 Robot cart { Config=Cart } Region r { Size=1,1,1 Robots=row_2.cart } }\n",
-            "E208 Robots names row_2.cart, but there is no such robot\n", "row_2.cart");
+            "E208 Robots names row_2.cart, but Repeat row has no member row_2; the last one is row_1\n", "row_2.cart");
+        row("no robot of a grid",
+            "Repeat row { Count=2 Grid g { Config=Cart Count=3 Spacing=2 } Region r { Size=1,1,1 Robots=g_3 } }\n",
+            "E208 Robots names row_0.g_3, but Grid g has no member g_3; the last one is g_2\n", "g_3");
         row("scenery in a region",
             "Grid posts { Config=Post Count=2 Spacing=1 } Robot c { Config=Cart } Region r { Size=1,1,1 Robots=posts }\n",
             "E208 Robots names posts, a Grid of scenery; it takes a robot\n", "posts");

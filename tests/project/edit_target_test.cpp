@@ -230,6 +230,21 @@ Robot s { Pos=1,0,0 Config = Rover2 }
         QCOMPARE(after->experiment->robots[0].config->name, "Rover2");
     }
 
+    /// Of robots in a Repeat or Ring of the world: the copy is above that, at the top level.
+    void copiesAreAboveRepeats() {
+        PlanFixture fixture;
+        const std::string row = "#import rover.sim\n// The row.\nRepeat row { Count=2 Pos=0,$(9*index),0\n"
+                                "  Ring circle { Count=2 Radius=3 Axis=0,0,1 Robot r { Config=Rover } }\n}\n";
+        const auto loaded = fixture.open({{"main.sim", row}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        const auto plan = planCopyConfig(*loaded, config(*loaded), instancesOf(*loaded, config(*loaded)));
+        const std::string text = fixture.text(loaded, plan);
+        QVERIFY2(text.find("\n}\n\n// The row.\nRepeat row {") != std::string::npos, text.c_str());
+        const auto after = fixture.apply(loaded, plan);
+        QVERIFY2(after && !after->diagnostics.hasErrors(), text.c_str());
+        QCOMPARE(after->experiment->robots.size(), std::size_t(4));
+        for (const RobotSpec& robot : after->experiment->robots) QCOMPARE(robot.config->name, "Rover2");
+    }
+
     /// A robot in its own folder with a mesh beside it, and an experiment with Windows line ends.
     void copiesFindTheirFiles() {
         PlanFixture fixture;

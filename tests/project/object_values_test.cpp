@@ -262,6 +262,23 @@ private Q_SLOTS:
         QCOMPARE(offset({}), Vec3(0, 0.1, 0));
     }
 
+    /// Copies of a Repeat, Ring or Grid are beside all of its members.
+    void offsetsOfCopiesWithMembers() {
+        const auto loaded = m_fixture.open(
+            "RobotConfig W { Body b { Sphere s { Radius=0.1 Mass=1 } } }\nStaticConfig P { Box b { Size=0.2,0.2,1 } }\n"
+            "Repeat lane { Count=3 Pos=0,$(0.6*index),0 Robot cart { Config=W } }\n"
+            "Grid herd { Config=W Count=1,3 Spacing=1 Pos=9,0,0 }\n"
+            "Ring circle { Count=4 Radius=1 Axis=0,0,1 Pos=20,0,0 Robot cart { Config=W } }\n"
+            "Repeat row { Count=2 Pos=30,$(2*index),0 Repeat pair { Count=2 Pos=$index,0,0 Static post { Config=P } } }\n");
+        QVERIFY(loaded && !loaded->diagnostics.hasErrors());
+        const std::map<std::string, double> steps{{"lane", 1.5}, {"herd", 2.3}, {"circle", 2.3}, {"row", 2.3}};
+        for (const auto& [path, step] : steps) {
+            const Vec3 offset = duplicateOffset(*loaded, {path});
+            QVERIFY2(offset.x() == 0 && offset.z() == 0 && std::abs(offset.y() - step) < 1e-9,
+                     (path + " " + std::to_string(offset.y())).c_str());
+        }
+    }
+
     void configsThatNothingPlaces() {
         QVERIFY(configsWithoutInstances(*m_loaded).empty());
         const auto parts =

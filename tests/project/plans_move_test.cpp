@@ -1,7 +1,8 @@
-// Moves blocks: their order in the text, and their pose in the world.
+// Moves blocks: their order in the text, and their pose in the world. Removes names of removed blocks from lists.
 #include <QTest>
 
 #include "plan_fixture.h"
+#include "project/edits/plan_dependents.h"
 #include "project/objects/part_values.h"
 
 using namespace trundle;
@@ -331,6 +332,70 @@ private Q_SLOTS:
                                            scene("Robot r { Config=Cart Walker brain { Speed=1 } }\nRobot s { Config=Cart }\n"));
         QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"r.brain"}, "s", "")),
                  "#loadModule walker\n" + scene("Robot r { Config=Cart }\nRobot s { Config=Cart Walker brain { Speed=1 } }\n"));
+    }
+
+    /// A list that names others too loses the removed name, NoContact the pair; a block goes with its last name.
+    void removalsShortenLists_data() {
+        QTest::addColumn<QString>("uses");
+        QTest::addColumn<QString>("after");
+        QTest::addColumn<QString>("removed");
+        QTest::addColumn<QString>("shortened");
+        const auto row = [](const char* name, const char* uses, const char* after, const char* removed, const char* shortened) {
+            QTest::newRow(name) << uses << after << removed << shortened;
+        };
+        row("region", "Region goal { Size=1,1,1 Robots=a, b,c }\n", "Region goal { Size=1,1,1 Robots=a, c }\n", "",
+            "Region goal");
+        row("last one", "PoseLog way { Robot=a, b }\n", "PoseLog way { Robot=a }\n", "", "PoseLog way");
+        row("first two", "SignalLog s { Signals=\"b/b/pose\", b/b/pose,\n  \"a/b/pose\" }\n",
+            "SignalLog s { Signals=\"a/b/pose\" }\n", "", "SignalLog s");
+        row("pairs", "NoContact=a,b, b,c, a,c\n", "NoContact=a,c\n", "", "NoContact");
+        row("pair in front", "NoContact=a,c, c,b\n", "NoContact=a,c\n", "", "NoContact");
+        row("the only pair", "NoContact=a,b\n", "", "", "NoContact");
+        row("comments of others stay", "PoseLog way {\n  Robot=a, // 1\n    b, // 2\n    c // 3\n}\n",
+            "PoseLog way {\n  Robot=a, // 1\n    c // 3\n}\n", "", "PoseLog way");
+        row("both kinds", "NoContact=a,b\nPoseLog way { Robot=b }\nPoseLog all { Robot=c,b }\n", "PoseLog all { Robot=c }\n",
+            "way", "NoContact, PoseLog all");
+        row("beside members", "Repeat lane { Count=2 Pos=9,$index,0 Robot d { Config=C } }\nPoseLog way { Robot=lane.d,b }\n",
+            "Repeat lane { Count=2 Pos=9,$index,0 Robot d { Config=C } }\nPoseLog way { Robot=lane.d }\n", "", "PoseLog way");
+    }
+    void removalsShortenLists() {
+        QFETCH(QString, uses);
+        QFETCH(QString, after);
+        QFETCH(QString, removed);
+        QFETCH(QString, shortened);
+        const QString robots = "RobotConfig C { Body b { Sphere s { Radius=0.1 Mass=1 } } }\nRobot a { Config=C }\n",
+                      b = "Robot b { Config=C Pos=0,1,0 }\n", c = "Robot c { Config=C Pos=0,2,0 }\n";
+        const auto loaded = m_fixture.open((robots + b + c + uses).toStdString());
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+        const Dependents users = dependentsOf(*loaded, {"b"});
+        const auto joined = [](const std::vector<std::string>& texts) {
+            QStringList all;
+            for (const std::string& text : texts) all << QString::fromStdString(text);
+            return all.join(", ");
+        };
+        QCOMPARE(joined(users.removed), removed);
+        QCOMPARE(joined(users.shortened), shortened);
+        std::vector<std::string> all = users.removed;
+        all.push_back("b");
+        QCOMPARE(QString::fromStdString(m_fixture.text(loaded, planRemove(*loaded, all))), robots + c + after);
+    }
+
+    /// A drive whose motors have angles in the same order is removed with one of them; without angles it keeps the others.
+    void listsWithValuesInTheSameOrderStay() {
+        for (const bool hasAngles : {true, false}) {
+            std::string text = "RobotConfig C {\n  Body b { Sphere s { Radius=0.1 Mass=1 } }\n";
+            for (const std::string i : {"0", "1", "2", "3"})
+                text += "  Body w" + i + " { Pos=" + i + ",1,0 Sphere s { Radius=0.1 Mass=1 } }\n  Hinge j" + i +
+                        " { Parent=b Child=w" + i + " }\n  RotaryMotor m" + i + " { Joint=j" + i +
+                        " TorqueConstant=1 SpeedConstant=1 Resistance=1 MaxVoltage=12 }\n";
+            const std::string angles = hasAngles ? " WheelAngles=0,90,180,270" : "";
+            text += "  OmniDrive drive { Motors=m0,m1,m2,m3 WheelRadius=0.1 WheelDistance=1" + angles + " }\n}\n";
+            const auto loaded = m_fixture.open(text);
+            QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+            const Dependents users = dependentsOf(*loaded, {"RobotConfig.C.m3"});
+            QCOMPARE(users.removed, hasAngles ? std::vector<std::string>{"RobotConfig.C.drive"} : std::vector<std::string>());
+            QCOMPARE(users.shortened, hasAngles ? std::vector<std::string>() : std::vector<std::string>{"OmniDrive drive"});
+        }
     }
 
 private:

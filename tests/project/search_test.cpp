@@ -8,6 +8,7 @@
 #include "model/kinds/model_kinds.h"
 #include "project/loading/search.h"
 #include "project/saving/named_files.h"
+#include "sample_project.h"
 
 using namespace trundle;
 
@@ -59,6 +60,29 @@ private Q_SLOTS:
         QVERIFY(!isInside(file, {""}));
         QCOMPARE(shownPath(other, path("project")), other);
         QCOMPARE(shownPath(other, path("project2")), std::string("a.sim"));
+    }
+
+    /// The file is not found, and the one with the ending of a text is offered, also for names too short to be a misspelling.
+    void aFolderWithTheNameOfAFile() {
+        write("arms/arm.sim");
+        write("arms/arm.obj");
+        write("arms/sub/r.sim");
+        QDir(m_folder.path()).mkpath(QStringLiteral("arms/arm"));
+        const std::string arms = path("arms");
+        const FileSearch search({});
+        const Result<std::string> found = search.find("arm", arms);
+        QVERIFY(!found && found.error().code == Code::ImportNotFound);
+        QCOMPARE(found.error().message,
+                 "arm is not found: " + shownPath(arms + "/arm") + " is a folder; looked in " + shownPath(arms));
+        QCOMPARE(search.nearest("arm", arms, "sim").front(), std::string("arm.sim"));
+        QCOMPARE(search.nearest("sub/r", arms, "sim"), std::vector<std::string>{"sub/r.sim"});
+        QVERIFY(search.nearest("sub/r", arms).empty());
+
+        sample::ProjectFixture fixture;
+        fixture.write("arm/hand.sim", "");
+        fixture.write("arm.sim", "");
+        const auto loaded = fixture.open("#import arm\n");
+        QCOMPARE(loaded->diagnostics.all().at(0).fixes.at(0).title, std::string("arm.sim"));
     }
 
     /// Where texts name a file: in properties that are files, also by override, and in the Params that these have, through others;

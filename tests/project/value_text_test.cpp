@@ -114,6 +114,16 @@ private Q_SLOTS:
             QVERIFY2(ParsedValue(text).status().ok(), text);
     }
 
+    void messagesNameOnlyWhatIsInTheText() {
+        for (const auto& [text, message] : {std::pair{"}", "a value is missing"},
+                                            {"// x", "a value is missing"},
+                                            {"#import a.sim", "a value is missing"},
+                                            {"1,", "an element is missing after this comma"},
+                                            {"= 3", "one `=` is enough"},
+                                            {"Box {", "a block is not a value"}})
+            QCOMPARE(ParsedValue(text).status().error().message, std::string(message));
+    }
+
     void arithmeticGetsItsBrackets() {
         const auto with = [](const char* text, bool onlyNumbers) {
             return QString::fromStdString(withArithmetic(text, onlyNumbers).text());

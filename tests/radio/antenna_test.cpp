@@ -171,6 +171,21 @@ private Q_SLOTS:
         QCOMPARE(mirrored.peak(), plain.peak());
     }
 
+    /// Between the last azimuth and the first one they are interpolated across 0, whether a line has that azimuth or not.
+    void tablesWithoutTheAzimuthZero() {
+        const AntennaPattern p = AntennaPattern::fromCuts({{30 * kDegree, 3}, {150 * kDegree, -5}, {250 * kDegree, 1}}, {});
+        const Result<AntennaPattern> file = AntennaPattern::fromCsv("30,0,3\n150,0,-5\n250,0,1\n");
+        QVERIFY(file.ok());
+        const AntennaPattern mirrored = p.mirrored();
+        const std::pair<double, double> gains[] = {{30, 3},  {90, -1},   {150, -5},    {200, -2},    {250, 1},  {285, 1.5},
+                                                   {320, 2}, {355, 2.5}, {0, 18. / 7}, {12.5, 2.75}, {-5, 2.5}, {372.5, 2.75}};
+        for (const auto& [azimuth, gain] : gains) {
+            QVERIFY2(near(p.gain(azimuth * kDegree, 0), gain, 1e-9), qPrintable(QString::number(azimuth)));
+            QVERIFY2(near(file.value().gain(azimuth * kDegree, 0), gain, 1e-9), qPrintable(QString::number(azimuth)));
+            QVERIFY2(near(mirrored.gain(-azimuth * kDegree, 0), gain, 1e-9), qPrintable(QString::number(azimuth)));
+        }
+    }
+
     void reportsBadFilesWithPosition_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("words");

@@ -168,6 +168,28 @@ private Q_SLOTS:
         QVERIFY(isConserved(medium));
     }
 
+    /// What found no room is no duplicate when it is sent again.
+    void aRepetitionAfterAFullBufferArrives() {
+        Medium medium(csma());
+        RadioDefinition small = radioNamed("b");
+        small.bufferLimit = 1;
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, small, {1, 0, 0});
+        QVERIFY(send(medium, a, 4, medium.radio(b).address) && send(medium, a, 9, medium.radio(b).address));
+        std::int64_t us = 0;
+        while (us < 1000000 && count(medium, ReceptionOutcome::BufferFull) == 0) medium.advance(us += 100);
+        QCOMPARE(count(medium, ReceptionOutcome::BufferFull), std::uint64_t{1});
+        RadioPacket packet;
+        QVERIFY(medium.receive(b, packet));
+        QCOMPARE(packet.bytes.size(), std::size_t{4});
+        medium.advance(us + 1000000);
+        QVERIFY(medium.receive(b, packet));
+        QCOMPARE(packet.bytes.size(), std::size_t{9});
+        QVERIFY(!medium.receive(b, packet));
+        QCOMPARE(count(medium, ReceptionOutcome::Duplicate), std::uint64_t{0});
+        QCOMPARE(medium.counts(a).acknowledged, 2u);
+        QVERIFY(medium.counts(a).noAck == 0 && medium.counts(b).dropped == 1 && isConserved(medium));
+    }
+
     /// Two senders share an address: an acknowledgement for the packet of one does not count for that of the other.
     void onlyItsOwnAcknowledgementCounts() {
         Medium medium(csma());

@@ -340,6 +340,23 @@ private Q_SLOTS:
         m_loaded = others;
     }
 
+    /// Also those on one body and of several clients, in the order in which they came, once each.
+    void allPushesOfATickAct() {
+        Peer one = connect(), other = connect();
+        std::vector<double> forces, acted;
+        for (int i = 0; i < 12; ++i) {
+            forces.push_back(i % 2 == 0 ? 1 + i : -1 - i);
+            const Json push{
+                {"op", "push"}, {"body", "r/chassis"}, {"force", {0, forces.back(), 0}}, {"point", {0.01 * i, 0, 0.05}}};
+            QCOMPARE(call(i % 3 == 0 ? other : one, push)["ok"], Json(true));
+        }
+        QCOMPARE(call(one, {{"op", "step"}, {"ticks", 2}})["ok"], Json(true));
+        for (const Command& each : m_run->runner().commands())
+            if (const auto* push = std::get_if<PushCommand>(&each.what); push && each.tick == 0) acted.push_back(push->force.y());
+        QCOMPARE(acted, forces);
+        QCOMPARE(m_run->runner().commands().size(), forces.size());
+    }
+
     /// The commands are those of the controllers that the robot has now, not at the start of the run.
     void aSwapChangesWhoOwnsTheCommands() {
         std::string story;

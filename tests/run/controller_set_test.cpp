@@ -142,6 +142,66 @@ private Q_SLOTS:
         QCOMPARE(m_script.values["Speed"], 0.7);
     }
 
+    /// Others of its robot, and those of the same name on other robots, stay stopped.
+    void oneControllerIsStartedAgain() {
+        command(SwapCommand{"robot0", "", controller("second"), "live.so"});
+        command(SwapCommand{"robot1", "", controller("brain"), "live.so"});
+        command(StopCommand{"robot0", "brain"});
+        command(StopCommand{"robot0", "second"});
+        command(StopCommand{"robot1", "brain"});
+        const auto stopped = [this] {
+            std::string all;
+            for (const StoppedController& each : m_runner->stoppedControllers())
+                all += std::to_string(each.robot) + " " + each.controller + ", ";
+            return all;
+        };
+        const auto called = [this] {
+            const int before = m_script.updates;
+            return m_runner->tick().ok() ? m_script.updates - before : -1;
+        };
+        QCOMPARE(stopped(), std::string("0 brain, 0 second, 1 brain, "));
+        QCOMPARE(called(), 0);
+        command(RestartCommand{"robot0", "second"});
+        QCOMPARE(stopped(), std::string("0 brain, 1 brain, "));
+        QCOMPARE(called(), 1);
+        command(RestartCommand{"robot1", "brain"});
+        QCOMPARE(stopped(), std::string("0 brain, "));
+        QCOMPARE(called(), 2);
+        command(RestartCommand{"robot0", "brain"});
+        QCOMPARE(stopped(), std::string());
+        QCOMPARE(called(), 3);
+    }
+
+    /// Those of a Grid have one block, and so one place.
+    void aFaultBelongsToOneOfTheRobotsOfABlock() {
+        command(SwapCommand{"robot1", "", controller("brain"), "live.so"});
+        set("Speed", -1); // of both
+        const std::vector<Diagnostic>& warnings = m_runner->warnings();
+        QCOMPARE(warnings.size(), std::size_t(2));
+        QVERIFY(warnings[0].range == warnings[1].range);
+        for (const std::size_t robot : {std::size_t(0), std::size_t(1)}) {
+            const StoppedController* stopped = stoppedBy(warnings[robot], m_runner->stoppedControllers());
+            QVERIFY(stopped && stopped->robot == robot && stopped->controller == "brain");
+        }
+        auto& world = static_cast<FakeWorld&>(m_runner->world());
+        world.faults.ends = {{1, {"robot1/chassis", 0, "too fast", {}}}, {0, {"robot0/chassis", 0, "too fast", {}}}};
+        QVERIFY(m_runner->tick().ok());
+        QCOMPARE(warnings.size(), std::size_t(4));
+        QVERIFY(warnings[2].robot == 1u && warnings[3].robot == 0u);
+        QVERIFY(!stoppedBy(warnings[2], m_runner->stoppedControllers()));
+    }
+
+    /// Nothing has stopped it.
+    void aControllerThatIsStartedAgainHasNoFault() {
+        m_script.breaks = true;
+        QVERIFY(m_runner->tick().ok());
+        QCOMPARE(m_runner->warnings().size(), std::size_t(1));
+        QVERIFY(m_runner->warnings()[0].robot == 0u);
+        set("Speed", -1);
+        QVERIFY(!stoppedBy(m_runner->warnings()[0], m_runner->stoppedControllers()));
+        QVERIFY(stoppedBy(m_runner->warnings()[1], m_runner->stoppedControllers()));
+    }
+
     void aValueThatTheNewCodeRefusesIsReported() {
         set("Speed", 0.5);
         set("Gain", 2);

@@ -295,6 +295,22 @@ private Q_SLOTS:
         QVERIFY(wrong.all()[2].message.starts_with("no robot is called 'robbot0'"));
     }
 
+    void aFileThatIsTheFolderOfAnother() {
+        for (const auto& [first, second, fault] :
+             {std::array{"sub", "sub/x.csv", "sub cannot be both a log file and the folder of sub/x.csv"},
+              {"a/b/c/x.csv", "a\\b", "a/b cannot be both a log file and the folder of a/b/c/x.csv"},
+              {"sub", "sub2/x.csv", ""}}) {
+            ExperimentSpec experiment;
+            for (const char* file : {first, second})
+                experiment.logs.push_back(logSpec("EnergyLog", file, {{"File", textValue({file})}}));
+            experiment.logs[0].nameRange = {0, {1, 2}};
+            Diagnostics said;
+            checkLogs(experiment, said);
+            QCOMPARE(said.all().empty() ? std::string() : said.all()[0].message, std::string(fault));
+            if (!said.all().empty()) QCOMPARE(said.all()[0].notes.at(0).second.range.begin, 1u);
+        }
+    }
+
     void signalsThatLogsName() {
         FakeWorld world(experimentOf({"robot0"}));
         ExperimentSpec experiment = world.experiment();

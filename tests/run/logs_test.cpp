@@ -60,6 +60,16 @@ private Q_SLOTS:
         (void)makeLog(logSpec("PoseLog", "path", {{"Robot", textValue({"robbot0"})}}), world, diagnostics);
         QCOMPARE(diagnostics.all()[0].suggestions.at(0), std::string("robot0"));
     }
+    void aMemberThatThereIsNot() {
+        const std::vector<RobotSpec> robots = experimentOf({"cart_0", "cart_1", "row_0.cart", "row_1.cart"})->robots;
+        Diagnostics diagnostics;
+        (void)chooseRobots(logSpec("PoseLog", "path", {{"Robot", textValue({"row_2.cart", "cart_2"})}}), robots, diagnostics);
+        QCOMPARE(diagnostics.all().at(0).message,
+                 std::string("no robot is called 'row_2.cart'; row has no member row_2, the last one is row_1"));
+        QCOMPARE(diagnostics.all()[0].suggestions, std::vector<std::string>{"row_1.cart"});
+        QCOMPARE(diagnostics.all().at(1).message, // they have names of their own
+                 std::string("no robot is called 'cart_2'; there are cart_0, cart_1, row.cart"));
+    }
     void anEnergyLog() {
         FakeWorld world(experimentOf({"robot0"}));
         QCOMPARE(csvOf(world, logSpec("EnergyLog", "e", {})),

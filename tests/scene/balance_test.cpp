@@ -124,6 +124,22 @@ private Q_SLOTS:
         const auto balance = balanceOf(experimentOf({boxBody({0.1, 0.2, 0.1}, {0, 0, 0.1}, 1), wheel(0.12), wheel(-0.12)}));
         QVERIFY(balance && !balance->isStable());
         QCOMPARE(balance->polygon.size(), std::size_t(2));
+        QCOMPARE(balanceText(*balance), std::string("Falls over: it rests on a line"));
+    }
+
+    /// A ball does not fall over; a box on its corner does.
+    void whatRestsOnAPointMayRollOrTip() {
+        BodySpec ball = boxBody(Vec3::Constant(0.1), {0, 0, 0.05}, 1);
+        ball.geoms[0].shape = GeomShape::Sphere;
+        ball.geoms[0].radius = 0.05;
+        BodySpec corner = boxBody(Vec3::Constant(0.1), {0, 0, 0.1}, 1);
+        corner.pose.rotation = rotationFromHpr({0.3, 0.5, 0.7});
+        for (const BodySpec& body : {ball, corner}) {
+            const auto balance = balanceOf(experimentOf({body}));
+            QVERIFY(balance && !balance->isStable());
+            QCOMPARE(balance->polygon.size(), std::size_t(1));
+            QCOMPARE(balanceText(*balance), std::string("Rests on a point: it may roll or tip"));
+        }
     }
 
     void whatIsHeldByTheWorldNeedsNoSupport() {

@@ -61,6 +61,17 @@ private Q_SLOTS:
         QCOMPARE(snap.guides.size(), std::size_t(2));
         QVERIFY(snap.guides[0][0].isApprox(Vec3(0.013, -0.08, 0.14)) && snap.guides[0][1].isApprox(Vec3(0.013, 0.12, 0.14)));
     }
+    /// A plate whose origin is 1 cm left of its middle along x, and as far beyond it along y: its middle snaps, not its origin.
+    void middleOfAThingBesideItsOrigin() {
+        const Bounds plate{{-0.03, -0.02, 0}, {0.05, 0, 0.03}};
+        FaceSnapOptions o = options(0, 0.008, plate);
+        o.origin = {5, 5, 5};
+        const FaceSnap snap = onTop(0.005, 0.034, o);
+        QVERIFY(isAt(snap, {0.003, 0.03, 0.14}));
+        QCOMPARE(snap.guides.size(), std::size_t(2)); // through the middle of the face
+        QVERIFY(snap.guides[0][0].isApprox(Vec3(0.013, -0.08, 0.14)) && snap.guides[0][1].isApprox(Vec3(0.013, 0.12, 0.14)));
+        QVERIFY(isAt(onTop(0.023, 0.01, o), {0.023, 0.01, 0.14})); // the mirrored place is none
+    }
     void stepsFartherAway() {
         const FaceSnap snap = onTop(0.092, 0.044, options(0.05, 0.01));
         QVERIFY(isAt(snap, {0.1, 0.05, 0.14}));

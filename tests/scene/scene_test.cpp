@@ -111,6 +111,28 @@ private Q_SLOTS:
         QCOMPARE(store->made(), made + 1); // the body with the red bumper
     }
 
+    /// Balls that differ in one value of their materials share no shape; those of equal materials do.
+    void whatDiffersInAMaterialIsDrawnApart() {
+        std::vector<MaterialSpec> materials(9);
+        for (std::size_t k = 0; k < 3; ++k) materials[1 + k].colour[k] = 0.3, materials[4 + k].emission[k] = 0.3;
+        materials[7].opacity = 0.5;
+        materials[8].shininess = 0.5;
+        ShapeStore store;
+        std::vector<osg::ref_ptr<osg::Group>> kept;
+        for (int round = 0; round < 2; ++round)
+            for (std::uint32_t m = 0; m < materials.size(); ++m) {
+                GeomSpec ball;
+                ball.shape = GeomShape::Sphere;
+                ball.radius = 0.1;
+                ball.material = m;
+                kept.push_back(store.nodeOf(std::span(&ball, 1), materials));
+            }
+        QCOMPARE(store.made(), materials.size());
+        std::set<osg::Group*> shapes;
+        for (const auto& shape : kept) shapes.insert(shape.get());
+        QCOMPARE(shapes.size(), materials.size());
+    }
+
     void releasesUnusedPictures() {
         auto store = std::make_shared<ShapeStore>();
         auto scene = std::make_unique<Scene>(*sampleExperiment({2}), store);

@@ -274,6 +274,9 @@ private Q_SLOTS:
         base.turn(0.7, -2);
         QVERIFY(at("linearVelocity") == 0 && at("angularVelocity") == -0.7 && at("angularAmount") == -2 && at("sequence") == 2 &&
                 !base.done());
+        base.turn(0.7, 0); // no turn, where an amount of 0 would have no end
+        QVERIFY(at("angularVelocity") == 0 && at("angularAmount") == 0 && at("sequence") == 3);
+        base.move(0, 1);
         base.stop();
         QVERIFY(at("angularVelocity") == 0 && at("angularAmount") == 0);
         QVERIFY(base.odometry().x == 1 && base.odometry().y == 2 && base.odometry().heading == 3);

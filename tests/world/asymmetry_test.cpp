@@ -367,6 +367,41 @@ private Q_SLOTS:
     }
 
     /// A servo that holds an arm: the torque of its weight about the axis, wherever anchor, frame and centre of mass are.
+    /// More columns than rows and the reverse: each quarter is level and has a height of its own.
+    void ballsRestOnAHeightfieldThatIsNotSquare() {
+        for (const bool isWide : {true, false}) {
+            const std::uint32_t columns = isWide ? 6 : 4, rows = isWide ? 4 : 6; // 1 m apart
+            const auto heightOf = [](bool isEast, bool isSouth) { return (isEast ? 0.2 : 0) + (isSouth ? 0.4 : 0) + 0.2; };
+            auto map = std::make_shared<HeightMap>();
+            map->columns = columns;
+            map->rows = rows;
+            for (std::uint32_t row = 0; row < rows; ++row)
+                for (std::uint32_t column = 0; column < columns; ++column)
+                    map->heights.push_back(static_cast<float>(heightOf(2 * column >= columns, 2 * row >= rows)));
+            GeomSpec hills = plane("hills");
+            hills.shape = GeomShape::Heightfield;
+            hills.size = {columns - 1., rows - 1., 1};
+            hills.heightMap = map;
+            Scene scene;
+            scene.scenery({hills});
+            const double x = isWide ? 1.7 : 1.1, y = isWide ? 1.1 : 1.7; // the first row is at +y
+            for (const bool isEast : {false, true})
+                for (const bool isSouth : {false, true}) {
+                    const std::string name = std::string("b") + (isSouth ? "South" : "North") + (isEast ? "East" : "West");
+                    scene.ball(name, {isEast ? x : -x, isSouth ? -y : y, heightOf(isEast, isSouth) + 0.12}, 1, 0.1);
+                }
+            auto world = scene.build();
+            QVERIFY(world && run(*world, 1));
+            for (const bool isEast : {false, true})
+                for (const bool isSouth : {false, true}) {
+                    const std::string name = std::string("b") + (isSouth ? "South" : "North") + (isEast ? "East" : "West");
+                    const Vec3 found = position(*world, name + "/body");
+                    const Vec3 expected(isEast ? x : -x, isSouth ? -y : y, heightOf(isEast, isSouth) + 0.1);
+                    QVERIFY2((found - expected).norm() < 0.01, (name + " is at " + std::to_string(found.z())).c_str());
+                }
+        }
+    }
+
     void effortOfAHeldArm_data() {
         QTest::addColumn<double>("softness");
         QTest::addColumn<double>("tilt");

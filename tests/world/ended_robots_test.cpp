@@ -136,6 +136,29 @@ private Q_SLOTS:
         QVERIFY(ends[0] == ends[1]);
     }
 
+    /// A ball lies beside a beam, within the bounds of it, which is first in the text or second: when the beam has ended, a crate
+    /// is still held by the one below it.
+    void othersMeetBesideOneThatEnded() {
+        for (const bool isFirst : {true, false}) {
+            Scene scene;
+            const Vec3 cube(0.2, 0.2, 0.2), beam(1, 0.1, 0.1);
+            scene.scenery({plane()});
+            if (!isFirst) scene.ball("ball", {0.25, -0.25, 0.1}, 1, 0.1);
+            scene.loose("beam", at(0, 0, 0.05, degrees(45, 0, 0)), massOfBox(1, beam), {box("b", beam)});
+            if (isFirst) scene.ball("ball", {0.25, -0.25, 0.1}, 1, 0.1);
+            scene.loose("lower", at(3, 0, 0.1), massOfBox(1, cube), {box("c", cube)});
+            scene.loose("upper", at(3, 0, 0.3), massOfBox(1, cube), {box("c", cube)});
+            auto world = scene.build();
+            QVERIFY(world && run(*world, 0.2));
+            QVERIFY(world->push("beam/body", {0, 0, 1e7}, {0, 0, 0.05}).ok());
+            QVERIFY(run(*world, 1));
+            QCOMPARE(world->robotFaults().ends.size(), std::size_t(1));
+            QVERIFY(std::abs(position(*world, "ball/body").z() - 0.1) < 0.01);
+            QVERIFY(std::abs(position(*world, "lower/body").z() - 0.1) < 0.01);
+            QVERIFY(std::abs(position(*world, "upper/body").z() - 0.3) < 0.01);
+        }
+    }
+
     /// The run ends with the last robot, although the crate could continue.
     void theLastRobotEndsTheRun() {
         auto world = three().build();

@@ -319,6 +319,31 @@ private Q_SLOTS:
         QFETCH(int, solver);
         check(cases()[static_cast<std::size_t>(index)], {tick, static_cast<SolverChoice>(solver)});
     }
+
+    /// Two blocks on a slope, on a surface and its mirror image, which has the same name. Its heading changes in the run: each
+    /// slides aside as far as the other, to the other side.
+    void aChangedHeadingIsMirrored() {
+        Scene scene(0.005);
+        const auto own = surfaceOf(scene, 0.05, 1), mirrored = surfaceOf(scene, 0.05, 1), floor = scene.surface(100);
+        scene.spec->surfaces[own].frictionHeading = rad(10);
+        scene.spec->surfaces[mirrored] = scene.spec->surfaces[own];
+        scene.spec->surfaces[mirrored].frictionHeading = rad(-10);
+        scene.spec->settings.gravity = slopeGravity(20, 90);
+        scene.scenery({plane("floor", {}, floor)});
+        const Vec3 size(0.4, 0.4, 0.06);
+        scene.loose("right", at(1, 0, 0.03), massOfBox(1, size), {box("b", size, {}, own)});
+        scene.loose("left", at(-1, 0, 0.03), massOfBox(1, size), {box("b", size, {}, mirrored)});
+        auto world = scene.build();
+        QVERIFY(world);
+        SurfaceSpec changed = scene.spec->surfaces[own];
+        changed.frictionHeading = rad(60);
+        QVERIFY(world->setSurface(changed).ok());
+        QVERIFY(run(*world, 0.5));
+        const Vec3 right = position(*world, "right/body") - Vec3(1, 0, 0), left = position(*world, "left/body") + Vec3(1, 0, 0);
+        QVERIFY2(std::abs(right.x()) > 0.05 && right.y() > 0.1, qPrintable(QString("%1 %2").arg(right.x()).arg(right.y())));
+        QVERIFY2(std::abs(right.x() + left.x()) < 0.2 * std::abs(right.x()), qPrintable(QString("%1").arg(left.x())));
+        QVERIFY2(std::abs(right.y() - left.y()) < 0.2 * right.y(), qPrintable(QString("%1").arg(left.y())));
+    }
 };
 
 QTEST_APPLESS_MAIN(FrictionTest)

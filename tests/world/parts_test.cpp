@@ -138,6 +138,34 @@ private Q_SLOTS:
         QVERIFY(measured > 1000);
     }
 
+    /// Such a pair is pushed apart, whichever of the two is the first.
+    void barAndCanPartAgain() {
+        const Quat lying = rotationFromHpr(degrees(0, 0, 90));
+        const Vec3 size(0.02, 0.3, 0.04);
+        for (const bool barFirst : {true, false})
+            for (const double side : {1., -1.})
+                for (const double height : {0.025, -0.025}) {
+                    Scene scene;
+                    scene.spec->settings.gravity = Vec3::Zero();
+                    const double start = 0.01 + std::sqrt(0.05 * 0.05 - 0.005 * 0.005) - 0.003; // 3 mm into the bar's edge
+                    const auto add = [&](bool isBar) {
+                        if (isBar) scene.loose("bar", {}, massOfBox(1, size), {box("b", size)});
+                        else
+                            scene.loose("can", at(side * start, 0, height), massOfCylinder(1, 0.05, 0.03, lying),
+                                        {cylinder("c", 0.05, 0.03, {Vec3::Zero(), lying})});
+                    };
+                    add(barFirst);
+                    add(!barFirst);
+                    auto world = scene.build();
+                    QVERIFY(world && world->tick().ok());
+                    QVERIFY(!world->contacts().empty());
+                    for (const WorldContact& c : world->contacts())
+                        QVERIFY((c.first.starts_with("bar/") ? -side : side) * c.normal.x() > 0.9); // towards the first
+                    QVERIFY(run(*world, 0.1));
+                    QVERIFY(side * (position(*world, "can/body") - position(*world, "bar/body")).x() > start + 5e-4);
+                }
+    }
+
     /// Of any orientation, against random points of the cylinder.
     void cylinderOverlapsBox() {
         std::mt19937 rng(9);

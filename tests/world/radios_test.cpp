@@ -110,6 +110,36 @@ private Q_SLOTS:
         for (int i = 0; i < kRobots; ++i) QVERIFY(std::abs(value(*world, "r" + std::to_string(i) + "/motor/position")) > 0.5);
     }
 
+    /// Whatever it is called: a name may begin as that of one of the two.
+    void aRobotBetweenTwoOthersWeakensTheirLink() {
+        const char* const cases[][3] = {{"r1", "r10", "r2"}, {"r2", "r10", "r1"}, {"r1", "q", "r2"}, {"r10", "r1", "r100"}};
+        for (const auto& names : cases) {
+            auto config = std::make_shared<RobotConfigSpec>();
+            config->bodies.push_back(body("base", {}, massOfBox(1, {0.2, 0.3, 0.4}), {box("hull", {0.2, 0.3, 0.4})}));
+            ComponentSpec radio;
+            radio.kind = "Transceiver";
+            radio.name = "radio";
+            radio.values["Body"] = textValue("base");
+            config->devices.push_back(radio);
+            Scene scene;
+            scene.spec->settings.gravity = Vec3::Zero();
+            scene.spec->medium.wallLoss = 5;
+            for (int i = 0; i < 3; ++i) scene.robot(names[i], at(2. * i, 0, 0), config);
+            scene.robot("aside", at(2, 3, 0), config);
+            Diagnostics diagnostics;
+            const auto world = scene.build(code, diagnostics);
+            QVERIFY(world && world->tick().ok());
+            const Medium& medium = *world->medium();
+            const auto idOf = [&](const std::string& robot) { return *medium.find(robot + "/radio"); };
+            const auto lost = [&](const char* from, const char* to) { return medium.link(idOf(from), idOf(to)).wallLoss; };
+            QCOMPARE(lost(names[0], names[2]), 5.);
+            QCOMPARE(lost(names[2], names[0]), 5.);
+            QCOMPARE(lost(names[0], names[1]), 0.); // their own bodies do not count
+            QCOMPARE(lost(names[2], names[1]), 0.);
+            QCOMPARE(lost("aside", names[0]), 0.);
+        }
+    }
+
     /// Each field of a Transceiver is the one of its radio, and each output the one that the medium counts.
     void fieldsAndOutputsOfATransceiver() {
         auto config = std::make_shared<RobotConfigSpec>();

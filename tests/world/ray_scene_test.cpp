@@ -187,6 +187,42 @@ private Q_SLOTS:
         }
     }
 
+    /// Small and large ones alike, and no longer where they were.
+    void whatMovesIsHitWhereItIs() {
+        const double halves[] = {0.1, 0.9, 4};
+        const double flat[1] = {0};
+        RayScene scene;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            RayGeom g;
+            g.half.setConstant(halves[i]);
+            for (double& h : g.shape.half) h = halves[i];
+            g.bound = g.half.norm();
+            g.actor = i;
+            scene.add(std::move(g));
+        }
+        for (const Vec3& place : {Vec3(0, 0, 0), Vec3(0, 30, 0), Vec3(-7, -40, 25)}) {
+            const Vec3 before = scene.geom(0).centre - Vec3(20, 0, 0);
+            for (std::uint32_t i = 0; i < 3; ++i) scene.geom(i).centre = place + Vec3(20. * (i + 1), 0, 0);
+            scene.update();
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const Vec3 centre = scene.geom(i).centre, over = centre + Vec3(0, 0, 10), left = centre - Vec3(10, 0, 0);
+                double distance = 0;
+                std::uint32_t geom = 0;
+                scene.castRay({over, {0, 0, -1}, 12}, kNoGeom, {&distance, &geom});
+                QCOMPARE(geom, i);
+                QVERIFY(std::abs(distance - (10 - halves[i])) < 1e-9);
+                RayBuffers found(1);
+                scene.castFan({left, Mat3::Identity(), 12, 0, 0.1, 1, flat}, kNoGeom, found.hits());
+                QCOMPARE(found.geoms[0], i);
+                QVERIFY(std::abs(found.distances[0] - (10 - halves[i])) < 1e-9);
+                if (place == Vec3::Zero()) continue;
+                const Vec3 overThePlaceBefore = before + Vec3(20. * (i + 1), 0, 10);
+                scene.castRay({overThePlaceBefore, {0, 0, -1}, 12}, kNoGeom, {&distance, &geom});
+                QCOMPARE(geom, kNoGeom);
+            }
+        }
+    }
+
     void cosinesAndSines() {
         long double most = 0;
         std::uint64_t hash = 0;

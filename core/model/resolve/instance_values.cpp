@@ -46,7 +46,8 @@ public:
         std::vector<const SourceAssignment*> taken;
         extra.take = [&](const SourceAssignment& a) {
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
-                const Part* block = likely ? likely->find(a.key) : nullptr;
+                const Part* block = ownBlock(a.key);
+                if (!block && likely) block = likely->find(a.key);
                 if (block && block->kind) return takesNoValue(*block, a.keyRange()), true;
                 const std::vector<std::string> own = propertyNames(*m_part.kind);
                 const bool isUnknown = !likely || likely->kind->name != kind || isBaseMissing(*likely);
@@ -70,6 +71,10 @@ public:
     }
 
 private:
+    /// Whether it has blocks beside those of its config: controllers.
+    bool hasOwnBlocks() const { return !m_part.isPartUse() && !m_part.is(Role::Config); }
+    const Part* ownBlock(const std::string& name) const { return hasOwnBlocks() ? m_part.find(name) : nullptr; }
+
     /// The config that an instance probably names; reports no errors.
     const Part* likelyConfig() {
         const SourceAssignment* a = m_part.assignments.find("Config");
@@ -98,8 +103,7 @@ private:
     void takeValue(const Part& config, const SourceAssignment& a) {
         const bool param = a.path.size() == 1 && config.param(a.key);
         if (m_isExchanged && !param && !PathWalk(*this, config, a).leads) return; // it is for the config in the text
-        const bool hasBlocks = !m_part.isPartUse() && !m_part.is(Role::Config);
-        const Part* own = hasBlocks ? m_part.find(a.path[0].text) : nullptr;
+        const Part* own = ownBlock(a.path[0].text);
         if (!param && a.path.size() > 1 && own) {
             m_context.diagnostics.error(Code::NoSuchPath, a.keyRange(),
                                         "set " + a.key.substr(a.path[0].text.size() + 1) + " inside the block of " +
@@ -122,12 +126,12 @@ private:
         }
         node->origin = Origin::Instance;
         node->value = std::make_shared<const GivenValue>(std::move(*value));
-        node->assignment = &a;
+        node->assignment = m_isExchanged ? nullptr : &a; // which may be for the config in the text
         node->writer = &m_part;
     }
 
     /// The way of a path into a config; through a Part whose config this instance exchanges, `left.Config=Other`, into that one. It
-    /// ends at a Part whose config is computed: checkOverrides() walks on from there.
+    /// ends at a Part whose config may vary: checkOverrides() walks on from there.
     struct PathWalk {
         const Part* at; ///< where it ends
         const Part* exchanged;
@@ -144,7 +148,7 @@ private:
                 if (isRaw) return;
                 at = next;
                 exchanged = next->isPartUse() ? reader.exchangedConfig(a, word) : nullptr;
-                leads = !exchanged && isConfigComputed(*next);
+                leads = !exchanged && reader.m_context.outline.hasVaryingConfig(*next);
                 if (leads) return;
             }
             const std::string& key = a.path.back().text;
@@ -176,8 +180,13 @@ private:
             return false; // what is unknown there is reported
         std::vector<std::string> words;
         std::string member;
-        eachBlock(part, [&](const Part& inner) {
+        const bool isOfInstance = i == 0 && hasOwnBlocks() && !m_part.parts.empty();
+        const auto add = [&](const Part& inner) {
             if (!inner.name.empty()) words.push_back(inner.name);
+        };
+        if (isOfInstance) std::ranges::for_each(m_part.parts, add);
+        eachBlock(part, [&](const Part& inner) {
+            add(inner);
             const std::string& word = a.path[i].text; // `m0` for `m_0`
             if (inner.isRepeat() && word.size() > inner.name.size() && word.starts_with(inner.name) &&
                 word.find_first_not_of("0123456789", inner.name.size()) == std::string::npos)
@@ -196,7 +205,8 @@ private:
                                                a.path[i].text + " of " + part.title() +
                                                    " has nothing in it; it is set as a whole, " + a.path[i].text + "=..."),
                    false;
-        Diagnostic& d = m_context.diagnostics.error(Code::NoSuchPath, place, part.title() + " has no " + a.path[i].text);
+        Diagnostic& d = m_context.diagnostics.error(Code::NoSuchPath, place,
+                                                    (isOfInstance ? m_part : part).title() + " has no " + a.path[i].text);
         if (words.empty()) return false;
         d.message += "; it has " + listText(words, "and", 20);
         if (manyAlready(m_context.diagnostics)) return false;
@@ -220,6 +230,39 @@ private:
     ParamScope& m_scope;
     InstanceValues& m_given;
     bool m_isExchanged = false; ///< an override names another config
+};
+
+class OverrideCheck {
+public:
+    OverrideCheck(ResolveContext& context, const Part& use, const Part& config, const std::vector<const Part*>& writers,
+                  std::set<const SourceAssignment*>& reported)
+        : m_context(context), m_use(use), m_config(config), m_writers(writers), m_reported(reported) {}
+
+    void run(const OverrideNode& outside) {
+        const OverrideNode* other = below(&outside, "Config");
+        m_first = other && other->writer ? placeOf(other->writer) : 0;
+        check(outside, 0);
+    }
+
+private:
+    std::ptrdiff_t placeOf(const Part* writer) const { return std::ranges::find(m_writers, writer) - m_writers.begin(); }
+
+    void check(const OverrideNode& node, std::size_t depth) {
+        for (const auto& [name, inner] : node.children) check(inner, depth + 1);
+        const SourceAssignment* a = node.assignment;
+        if (!a || depth == 0 || m_reported.contains(a)) return;
+        if (placeOf(node.writer) < m_first) return; // it is for a config that another block further out exchanges
+        ParamScope none;
+        InstanceValues given;
+        if (!InstanceReader(m_context, *node.writer, none, given).checkRest(m_use, m_config, *a, a->path.size() - depth))
+            m_reported.insert(a);
+    }
+
+    ResolveContext& m_context;
+    const Part &m_use, &m_config;
+    const std::vector<const Part*>& m_writers; ///< innermost first
+    std::set<const SourceAssignment*>& m_reported;
+    std::ptrdiff_t m_first = 0; ///< the place of the block that names the config
 };
 
 bool inside(const SourceRange& a, const SourceRange& b) {
@@ -267,20 +310,9 @@ Record readInstance(ResolveContext& context, const Part& part, ParamScope& scope
     return InstanceReader(context, part, scope, given).read(config, kind, outer, member);
 }
 
-static void checkOverrides(ResolveContext& context, const Part& use, const Part& config, const OverrideNode& node,
-                           std::size_t depth, std::set<const SourceAssignment*>& reported) {
-    for (const auto& [name, inner] : node.children) checkOverrides(context, use, config, inner, depth + 1, reported);
-    const SourceAssignment* a = node.assignment;
-    if (!a || depth == 0 || reported.contains(a)) return;
-    ParamScope none;
-    InstanceValues given;
-    if (!InstanceReader(context, *node.writer, none, given).checkRest(use, config, *a, a->path.size() - depth))
-        reported.insert(a);
-}
-
 void checkOverrides(ResolveContext& context, const Part& use, const Part& config, const OverrideNode& outside,
-                    std::set<const SourceAssignment*>& reported) {
-    checkOverrides(context, use, config, outside, 0, reported);
+                    const std::vector<const Part*>& writers, std::set<const SourceAssignment*>& reported) {
+    OverrideCheck(context, use, config, writers, reported).run(outside);
 }
 
 void nameInstance(ResolveContext& context, std::size_t first, const InstanceValues& given, const Part* instance,

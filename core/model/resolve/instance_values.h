@@ -16,9 +16,10 @@ struct InstanceValues {
 };
 
 /// Reports overrides from outside that lead nowhere in the config of a Part, which is known with the values of an instance only;
-/// each once, since they are in all members of a Repeat.
+/// each once, since they are in all members of a Repeat. `writers`: the blocks around the Part that may set values in it, innermost
+/// first, without the instance. What one inside of the block that names the config sets is for another config, and is not reported.
 void checkOverrides(ResolveContext& context, const Part& use, const Part& config, const OverrideNode& outside,
-                    std::set<const SourceAssignment*>& reported);
+                    const std::vector<const Part*>& writers, std::set<const SourceAssignment*>& reported);
 
 /// Reads the values of an instance's own block, sorted into properties of its kind, Params of its config and overrides by path.
 /// `outer` overrides its own properties; null: nothing does. `config` becomes the config that it names, nullptr with a diagnostic

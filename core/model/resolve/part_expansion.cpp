@@ -259,7 +259,8 @@ void PartExpansion::expandUse(const Part& use, PartFrame& outer) {
     own.declare(use.params);
     m_context.evaluator.checkAll(own);
     const Record record = readInstance(m_context, use, own, frame.given, frame.config, "PartConfig", outside);
-    if (frame.config && outside && isConfigComputed(use)) checkOverrides(m_context, use, *frame.config, *outside, m_astray);
+    if (frame.config && outside && m_context.outline.hasVaryingConfig(use))
+        checkOverrides(m_context, use, *frame.config, *outside, outer.writers(), m_astray);
     if (outer.use) nameUses(first, outer);
     if (!frame.config) return;
     placeLater(frame, record);

@@ -64,7 +64,7 @@ private:
     std::deque<OverrideNode> m_overrides;
     std::vector<ExpandedPart> m_parts;
     std::vector<std::pair<PartFrame*, Record>> m_toPlace; ///< that have an In
-    std::set<const SourceAssignment*> m_astray; ///< overrides that lead nowhere in what a computed Config names; reported
+    std::set<const SourceAssignment*> m_astray;           ///< overrides that lead nowhere in a config that may vary; reported
     std::set<const Part*> m_faulty; ///< blocks of Repeats with errors: the other members would repeat them
 };
 

@@ -41,4 +41,14 @@ const PartFrame& PartFrame::frameOf(std::string_view name) const {
     return at->find(name) ? *at : *this;
 }
 
+std::vector<const Part*> PartFrame::writers() const {
+    std::vector<const Part*> all;
+    for (const PartFrame* at = &holder(); at; at = at->outer ? &at->outer->holder() : nullptr) {
+        const auto first = static_cast<std::ptrdiff_t>(all.size());
+        for (const Part* config = at->config; config; config = config->config) all.insert(all.begin() + first, config);
+        if (at->use) all.push_back(at->use);
+    }
+    return all;
+}
+
 } // namespace trundle

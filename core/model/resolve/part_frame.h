@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "model/resolve/instance_values.h"
 #include "model/resolve/mirror.h"
@@ -37,6 +38,9 @@ struct PartFrame {
     [[nodiscard]] const PartFrame& holder() const;
     /// The frame in which a name written in it is found: itself, or one around a member of a Repeat.
     [[nodiscard]] const PartFrame& frameOf(std::string_view name) const;
+    /// The blocks that may set values for what is in it, but for the instance, which is around them: a config after what it is a
+    /// variant of, a Part after its PartConfig.
+    [[nodiscard]] std::vector<const Part*> writers() const;
     [[nodiscard]] bool isRepeated() const { return member || (outer && outer->isRepeated()); }
 };
 

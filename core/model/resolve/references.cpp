@@ -23,6 +23,17 @@ SourceRange sourceOf(const Record& record, std::string_view property) {
     return {};
 }
 
+/// Where a name is reported: one that a Param has brought in where that is written.
+SourceRange placeOfName(const Record& record, std::string_view property, const ResolvedValue& value) {
+    const SourceRange source = sourceOf(record, property);
+    return source.known() ? source : value.range;
+}
+
+/// Where it is used, for the diagnostic with index `at` if that has been kept.
+void addUseNote(Diagnostics& diagnostics, std::size_t at, const SourceRange& place, const ResolvedValue& value) {
+    if (place != value.range && diagnostics.all().size() > at) diagnostics.at(at).notes.emplace_back(kUsedHere, value.range);
+}
+
 /// How far from a block's own text a value comes: what is nearest to it was right before the other one was given.
 int distanceOf(const ResolveContext& context, const Record& record, const Part& part, const char* property) {
     const ResolvedValue* value = record.find(property);
@@ -99,10 +110,12 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
         if (unknown.last) ++diagnostics.at(unknown.last - 1).followUps;
         return;
     }
-    ++unknown.reports;
+    const std::size_t at = diagnostics.all().size();
     Diagnostic& d =
         diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
-    if (&d == &diagnostics.all().back()) unknown.last = diagnostics.all().size();
+    if (diagnostics.all().size() == at) return; // that place is reported already
+    ++unknown.reports;
+    unknown.last = diagnostics.all().size();
     if (manyAlready(diagnostics)) return;
     if (name.starts_with('$')) { // `Material="$look"`
         d.message = property + " names \"" + name + "\", a text; a Param is written without quotes, " + name;
@@ -182,8 +195,11 @@ std::uint32_t ResolveContext::lookUp(const Record& record, const Part& user, con
     if (isReported(name) || space.find(name)) return 0; // it exists but has errors of its own
     std::vector<std::string> names = manyAlready(diagnostics) ? std::vector<std::string>() : space.names();
     if (std::find(names.begin(), names.end(), "default") == names.end()) names.push_back("default");
-    const bool literal = value->origin != Origin::Param;
-    unknownReference(key, key, name, value->range, literal, names);
+    const SourceRange place = placeOfName(record, key, *value);
+    const bool literal = value->origin != Origin::Param || place != value->range;
+    const std::size_t at = diagnostics.all().size();
+    unknownReference(key, key, name, place, literal, names);
+    addUseNote(diagnostics, at, place, *value);
     return 0;
 }
 
@@ -199,7 +215,9 @@ const Part* ResolveContext::configOf(const Record& record, const Part& user, std
     const ResolvedValue* value = record.find("Config");
     if (!value || value->value.texts.empty()) return nullptr;
     const std::string& name = value->value.texts[0];
-    const bool literal = value->origin != Origin::Param;
+    const SourceRange place = placeOfName(record, "Config", *value);
+    const bool literal = value->origin != Origin::Param || place != value->range;
+    const std::size_t at = diagnostics.all().size();
     const auto names = [&] {
         std::vector<std::string> names;
         for (const Part* part : outline.configs.all())
@@ -208,14 +226,16 @@ const Part* ResolveContext::configOf(const Record& record, const Part& user, std
     };
     const Part* config = outline.configs.find(name);
     if (!config) {
-        if (!isReported(name)) unknownReference("Config", std::string(kind), name, value->range, literal, names());
+        if (!isReported(name)) unknownReference("Config", std::string(kind), name, place, literal, names());
+        addUseNote(diagnostics, at, place, *value);
         return nullptr;
     }
     if (config->kind->name != kind) {
-        Diagnostic& d = diagnostics.error(Code::UnknownReference, value->range,
+        Diagnostic& d = diagnostics.error(Code::UnknownReference, place,
                                           "Config names " + name + ", " + withArticle(config->kind->name) + "; " +
                                               withArticle(user.kind->name) + " takes " + withArticle(kind));
-        suggest(d, name, names(), literal ? value->range : SourceRange{});
+        suggest(d, name, names(), literal ? place : SourceRange{});
+        addUseNote(diagnostics, at, place, *value);
         return nullptr;
     }
     hintLater(*config, user, value->range);

@@ -226,10 +226,21 @@ private:
         return {name, pose, std::move(config), std::move(brains), part.range, part.nameRange(), std::move(scenery)};
     }
 
+    /// False, with a diagnostic, if the config has something with that name: their signals would have the same paths.
+    bool isFreeBeside(const Part& controller, const Part* config) const {
+        const Part* taken = config ? config->find(controller.name) : nullptr;
+        if (!taken) return true;
+        Diagnostic& e = m_context.diagnostics.error(Code::DuplicateName, controller.nameRange(),
+                                                    "the name " + controller.name + " is taken by " + taken->title() + " of " +
+                                                        config->title());
+        e.notes.push_back({"defined here", taken->nameRange()});
+        return false;
+    }
+
     std::vector<ControllerSpec> controllers(const Part& part, ParamScope& scope, const Part* config) {
         std::vector<ControllerSpec> all;
         for (const Part& inner : part.parts) {
-            if (!inner.usable || !inner.is(Role::Controller)) continue;
+            if (!inner.usable || !inner.is(Role::Controller) || !isFreeBeside(inner, config)) continue;
             ParamScope own(&scope);
             own.declare(inner.params);
             Record record = m_context.read(inner, own, nullptr, Origin::Instance);

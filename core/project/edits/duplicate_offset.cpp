@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/resolve/footprint.h"
+#include "project/edits/plan_targets.h"
 
 namespace trundle {
 namespace {
@@ -17,16 +18,22 @@ struct Span {
     void add(double from, double to) { low = std::min(low, from), high = std::max(high, to); }
 };
 
+/// Of the robots and scenery that these blocks describe: those of a Repeat, Ring, Grid or Scatter are all its members.
 Span spanOf(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     Span span;
-    const auto chosen = [&](const std::string& name) { return std::find(paths.begin(), paths.end(), name) != paths.end(); };
+    std::vector<SourceRange> blocks;
+    for (const std::string& path : paths)
+        if (const auto place = placeOf(loaded, path); place && place->part) blocks.push_back(place->part->range);
+    const auto chosen = [&](const SourceRange& block) {
+        return std::ranges::any_of(blocks, [&](const SourceRange& outer) { return isWithin(block, outer); });
+    };
     for (const RobotSpec& robot : loaded.experiment->robots) {
-        if (!chosen(robot.name) || !robot.config) continue;
+        if (!chosen(robot.range) || !robot.config) continue;
         const double y = robot.pose.position.y(), radius = discOf(*robot.config).radius;
         span.add(y - radius, y + radius);
     }
     for (const StaticSpec& scenery : loaded.experiment->statics) {
-        if (!chosen(scenery.name) || !scenery.geoms) continue;
+        if (!chosen(scenery.range) || !scenery.geoms) continue;
         for (const GeomSpec& geom : *scenery.geoms)
             for (const Footprint& foot : footprintsOf(geom, scenery.pose))
                 for (const auto& corner : foot.corners) span.add(corner.y() - foot.grown, corner.y() + foot.grown);

@@ -68,11 +68,12 @@ struct EditTarget {
 /// The shipped definitions whose contents a plan changes, see shippedDefinitionAt().
 [[nodiscard]] std::vector<std::string> definitionsChangedBy(const LoadedProject& loaded, const EditPlan& plan);
 
-/// Writes a copy of a config under a free name before the first of `instances`, which use the copy from then on; they must be in
-/// one file. Without instances the copy is added at the end of the opened file. Comments and layout are kept; files that the
-/// config imports or names by a relative path are also found from the new location. Imports in its block from one of the files
-/// `inlined` (absolute) are expanded in the copy, so that they can be edited there alone. Of a shipped config with errors the import
-/// is replaced by imports of what is still used, unless the project uses more of its file. `selects` is the path of the copy.
+/// Writes a copy of a config under a free name before the first of `instances`, or before the block of the top level that it is
+/// in; they use the copy from then on and must be in one file. Without instances the copy is added at the end of the opened
+/// file. Comments and layout are kept; files that the config imports or names by a relative path are also found from the new
+/// location. Imports in its block from one of the files `inlined` (absolute) are expanded in the copy, so that they can be
+/// edited there alone. Of a shipped config with errors the import is replaced by imports of what is still used, unless the
+/// project uses more of its file. `selects` is the path of the copy.
 [[nodiscard]] Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config,
                                               const std::vector<const Part*>& instances,
                                               const std::set<std::string>& inlined = {});

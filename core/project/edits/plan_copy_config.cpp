@@ -237,8 +237,8 @@ private:
 
     void write(const std::string& text) {
         const Part* first = m_instances.empty() ? nullptr : m_instances.front();
-        for (const auto& part : m_loaded.outline->parts) // a Part is inside a config
-            if (first && first->isPartUse() && isWithin(first->range, part->range)) first = part.get();
+        for (const auto& part : m_loaded.outline->parts) // configs are at the top level, instances also in Repeats and configs
+            if (first && isWithin(first->range, part->range)) first = part.get();
         addBefore(m_loaded, first, m_home, text, m_sheet);
     }
     void writeBeforeBlocks(const std::string& text) { addBefore(m_loaded, firstBlock(m_loaded), m_home, text, m_sheet); }

@@ -1,4 +1,10 @@
+// needs        the blocks to remove, and all references
+// assumptions  a reference in a list with other names needs no block of its own: the list loses that name, NoContact the pair
+// method       lists are shortened as long as enough names stay; a block that refers to a removed one otherwise, or whose list
+//             would have too few, has to be removed too
+
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "project/edits/edit_builder.h"
@@ -46,6 +52,84 @@ std::vector<const NameReference*> outsideUsers(const std::vector<NameReference>&
     return users;
 }
 
+/// A value with several names, and which of them are removed.
+struct NameList {
+    const SourceAssignment* assignment = nullptr;
+    const NameReference* user = nullptr; ///< the first one
+    std::size_t least = 0;               ///< so many have to stay
+    std::set<std::size_t> gone = {};
+
+    [[nodiscard]] const std::vector<Element>& elements() const { return assignment->value->elements; }
+    [[nodiscard]] bool isPairs() const { return assignment->key == "NoContact"; }
+    [[nodiscard]] bool keepsEnough() const { return elements().size() >= gone.size() + least; }
+
+    void remove(const SourceRange& name) {
+        for (std::size_t i = 0; i < elements().size(); ++i) {
+            if (!isWithin(name, {assignment->file, elements()[i].range})) continue;
+            gone.insert(i);
+            if (isPairs()) gone.insert(i ^ 1U);
+        }
+    }
+    /// Removes the names with their commas; the whole assignment if none stays.
+    void write(EditBuilder& sheet) const {
+        const std::vector<Element>& all = elements();
+        if (gone.size() == all.size())
+            return sheet.removeItem({assignment->file, {assignment->keyRange().range.begin, all.back().range.end}});
+        for (std::size_t begin = 0; begin < all.size(); ++begin) {
+            std::size_t end = begin;
+            while (gone.contains(end)) ++end;
+            if (end == begin) continue;
+            const bool isLast = end == all.size();
+            const TextRange text = isLast ? TextRange{all[begin - 1].range.end, all[end - 1].range.end}
+                                          : TextRange{all[begin].range.begin, all[end].range.begin};
+            sheet.add({{assignment->file, text}, ""});
+            begin = end;
+        }
+    }
+};
+
+/// Whether other values of the block go with the elements of a list, as the WheelAngles of an OmniDrive with its Motors.
+bool hasParallelList(const Part& user, const SourceAssignment& list) {
+    return std::ranges::any_of(user.assignments.all(), [&](const SourceAssignment& a) {
+        const Property* property = user.kind->find(a.key);
+        return property && property->type == PropertyType::Number && property->minCount != property->maxCount &&
+               a.value->elements.size() == list.value->elements.size();
+    });
+}
+
+/// The list that a reference is in; nothing for a single name, and for one that a Param or an override gives.
+std::optional<NameList> listOf(const LoadedProject& loaded, const NameReference& m) {
+    const Kind* kind = m.user ? m.user->kind : loaded.registry->find("settings");
+    const Property* property = kind ? kind->find(m.property) : nullptr;
+    const SourceAssignment* a = (m.user ? m.user->assignments : loaded.outline->settings).find(m.property);
+    if (!property || !a || !isWithin(m.name, a->valueRange())) return std::nullopt;
+    NameList list{a, &m};
+    list.least = list.isPairs() ? 0 : std::max<std::size_t>(property->minCount, 1);
+    const std::size_t size = list.elements().size();
+    if (size < 2 || (list.isPairs() ? size % 2 != 0 : m.user && hasParallelList(*m.user, *a))) return std::nullopt;
+    return list;
+}
+
+/// The references to what is removed: in lists that are shortened, and all others.
+struct GroupedReferences {
+    std::map<const Value*, NameList> lists;
+    std::vector<const NameReference*> others;
+};
+GroupedReferences groupByList(const LoadedProject& loaded, const std::vector<const NameReference*>& references) {
+    GroupedReferences users;
+    std::vector<std::pair<const NameReference*, const Value*>> inLists;
+    for (const NameReference* m : references) {
+        std::optional<NameList> list = listOf(loaded, *m);
+        const Value* value = list ? list->assignment->value : nullptr;
+        inLists.emplace_back(m, value);
+        if (list) users.lists.try_emplace(value, std::move(*list)).first->second.remove(m->name);
+    }
+    std::erase_if(users.lists, [](const auto& list) { return !list.second.keepsEnough(); });
+    for (const auto& [m, value] : inLists)
+        if (!users.lists.contains(value)) users.others.push_back(m);
+    return users;
+}
+
 /// Whether a block becomes useless without the block that it refers to.
 bool isRemovedToo(const NameReference& reference) {
     if (!reference.user) return false;
@@ -72,27 +156,33 @@ Status removeImportOf(const LoadedProject& loaded, const Part& definition, EditB
 
 } // namespace
 
-std::vector<std::string> dependentsOf(const LoadedProject& loaded, const std::vector<std::string>& paths) {
+Dependents dependentsOf(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     const std::vector<NameReference> references = referencesIn(loaded);
     std::vector<std::string> all = paths;
     for (;;) {
         const Result<std::vector<Chosen>> gone = chosen(loaded, all);
         if (!gone) return {};
-        const std::vector<const NameReference*> users = outsideUsers(references, gone.value());
-        if (users.empty()) {
-            std::vector<std::string> along;
+        const GroupedReferences users = groupByList(loaded, outsideUsers(references, gone.value()));
+        if (users.others.empty()) {
+            Dependents found;
             for (const Chosen& c : gone.value())
-                if (std::find(paths.begin(), paths.end(), c.path) == paths.end()) along.push_back(c.path);
-            return along;
+                if (std::find(paths.begin(), paths.end(), c.path) == paths.end()) found.removed.push_back(c.path);
+            for (const auto& [value, list] : users.lists)
+                found.shortened.push_back(list.user->user ? list.user->user->title() : list.user->property);
+            std::ranges::sort(found.shortened);
+            found.shortened.erase(std::unique(found.shortened.begin(), found.shortened.end()), found.shortened.end());
+            return found;
         }
         const std::size_t before = all.size();
         std::set<const Part*> going;
-        for (const NameReference* m : users) {
+        for (const NameReference* m : users.others) {
             if (!isRemovedToo(*m) || !going.insert(m->user).second) continue;
             all.push_back(objectAt(loaded, m->user->range.file, m->user->range.range.begin));
         }
         if (all.size() == before) return {};
-        if (std::any_of(users.begin(), users.end(), [&](const NameReference* m) { return !going.contains(m->user); })) return {};
+        if (std::any_of(users.others.begin(), users.others.end(),
+                        [&](const NameReference* m) { return !going.contains(m->user); }))
+            return {};
     }
 }
 
@@ -100,11 +190,11 @@ Result<EditPlan> planRemove(const LoadedProject& loaded, const std::vector<std::
     const Result<std::vector<Chosen>> all = chosen(loaded, paths);
     if (!all.ok()) return all.error();
     const std::vector<NameReference> references = referencesIn(loaded);
-    const std::vector<const NameReference*> users = outsideUsers(references, all.value());
-    if (!users.empty()) {
+    const GroupedReferences users = groupByList(loaded, outsideUsers(references, all.value()));
+    if (!users.others.empty()) {
         std::string what;
         for (const Chosen& c : all.value()) {
-            const bool named = std::any_of(users.begin(), users.end(), [&](const NameReference* m) {
+            const bool named = std::any_of(users.others.begin(), users.others.end(), [&](const NameReference* m) {
                 return removedWith(*c.place.part).contains(m->target);
             });
             if (!named) continue;
@@ -112,9 +202,10 @@ Result<EditPlan> planRemove(const LoadedProject& loaded, const std::vector<std::
             if (what.ends_with("others")) break;
         }
         return Error{Code::UnknownReference,
-                     what + (what.ends_with("others") ? " are" : " is") + " still used by " + usersText(users)};
+                     what + (what.ends_with("others") ? " are" : " is") + " still used by " + usersText(users.others)};
     }
     EditBuilder sheet(loaded);
+    for (const auto& [value, list] : users.lists) list.write(sheet);
     for (const Chosen& c : all.value()) {
         const Part& part = *c.place.part;
         if (c.place.above.empty() && isShippedFile(loaded, part.file)) {

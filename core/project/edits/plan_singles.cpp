@@ -32,6 +32,11 @@ Result<EditPlan> planReplaceBySingles(const LoadedProject& loaded, const std::st
     return sheet.plan(std::move(selects));
 }
 
+bool canReplaceBySingles(const LoadedProject& loaded, const std::string& path) {
+    const std::optional<ObjectLocation> place = placeOf(loaded, path);
+    return place && place->instance && place->instance->is(Role::Layout) && place->around.empty();
+}
+
 std::string textOf(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     std::vector<std::string> there;
     for (const std::string& path : paths)

@@ -32,8 +32,9 @@ struct EditPlan {
 /// Renames an object and updates every reference to it, in all open files. A Param is identified by its block's path and its name
 /// ("RobotConfig.Rover.trackWidth"), at the top level by its name alone.
 [[nodiscard]] Result<EditPlan> planRename(const LoadedProject& loaded, const std::string& path, const std::string& name);
-/// Removes blocks. Fails, with the names of the users, if something else still refers to one of them. A definition that came with
-/// the program, which is read-only, is removed with its import, if nothing of that file is used.
+/// Removes blocks, and their names from lists that have others too. Fails, with the names of the users, if something else still
+/// refers to one of them. A definition that came with the program, which is read-only, is removed with its import, if nothing of
+/// that file is used.
 [[nodiscard]] Result<EditPlan> planRemove(const LoadedProject& loaded, const std::vector<std::string>& paths);
 /// Copies objects next to their originals, under free names, shifted by `offset` (m).
 [[nodiscard]] Result<EditPlan> planDuplicate(const LoadedProject& loaded, const std::vector<std::string>& paths,
@@ -53,6 +54,8 @@ struct EditPlan {
                                         const std::string& parent, const std::string& before, FileId file = kNoFile);
 /// Replaces a Grid or Scatter by single robots at the poses of its members.
 [[nodiscard]] Result<EditPlan> planReplaceBySingles(const LoadedProject& loaded, const std::string& path);
+/// Whether an object is a Grid or Scatter or part of one, and that is in no Repeat.
+[[nodiscard]] bool canReplaceBySingles(const LoadedProject& loaded, const std::string& path);
 
 /// The text of blocks for the clipboard, in text order.
 [[nodiscard]] std::string textOf(const LoadedProject& loaded, const std::vector<std::string>& paths);

@@ -15,7 +15,7 @@ constexpr int kMaxEntries = 5000; ///< entries of folders searched for a file
 } // namespace
 
 double likelyNumber(const Property& p) {
-    double value = p.unit == "m" ? 0.1 : p.unit == "V" ? 12 : p.unit == "N m/A" || p.unit == "Nm/A" ? 0.05 : 1;
+    double value = p.unit == "m" ? 0.1 : p.unit == "V" ? 12 : p.unit == "Nm/A" ? 0.05 : 1;
     if (p.name.find("Separation") != std::string::npos) value = 0.3;
     const auto low = [&](double v) { return v > p.minimum || (v == p.minimum && !p.minExclusive); };
     const auto high = [&](double v) { return v < p.maximum || (v == p.maximum && !p.maxExclusive); };

@@ -85,7 +85,8 @@ void Loader::import(const ImportItem& item, FileId file, int depth) {
         m_texts.openImports = true;
         Diagnostic& d = m_diagnostics.error(found.error().code, range, found.error().message);
         if (++m_notFound > kMaxNotFound) d.message = "too many imports are not found; those from here on are not looked for";
-        else if (found.error().code == Code::ImportNotFound) suggestWords(d, m_search.nearest(item.path, m_folders[file]), range);
+        else if (found.error().code == Code::ImportNotFound)
+            suggestWords(d, m_search.nearest(item.path, m_folders[file], "sim"), range);
         return;
     }
     const std::string& path = found.value();

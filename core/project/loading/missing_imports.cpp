@@ -12,6 +12,7 @@
 
 #include "project/loading/import_lines.h"
 #include "project/loading/loaded_project.h"
+#include "schema/value_reader.h"
 
 namespace trundle {
 
@@ -66,8 +67,9 @@ public:
         : m_loaded(loaded), m_search(search), m_folders(folders) {}
 
     void add(Diagnostic& d) {
-        const AssignmentContext site = siteOf(d.range);
-        const std::string name = site.assignment ? nameIn(d, site) : std::string();
+        const SourceRange used = useOf(d);
+        const AssignmentContext site = siteOf(used);
+        const std::string name = site.assignment ? nameIn(used, site) : std::string();
         const std::set<std::string> kinds = name.empty() ? std::set<std::string>() : kindsAt(site);
         if (kinds.empty()) return;
         std::vector<Fix> fixes;
@@ -76,8 +78,8 @@ public:
             if (fixes.size() == kMaxOffered) break;
             if (file.bytes.find(name) == std::string::npos) continue;
             if (!file.parsed) file.parsed = parse(std::make_shared<const SourceText>(file.path, file.bytes), 0);
-            if (!defines(*file.parsed, kinds, name) || !canImport(*file.parsed, file, d.range.file)) continue;
-            Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, d.range.file, {"#import " + file.written});
+            if (!defines(*file.parsed, kinds, name) || !canImport(*file.parsed, file, used.file)) continue;
+            Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, used.file, {"#import " + file.written});
             if (!edits || edits.value().empty()) continue;
             if (fixes.empty()) from = file.written;
             fixes.push_back({"#import " + file.written, std::move(edits).value()});
@@ -94,6 +96,12 @@ private:
         if (!m_read) m_files = filesBelow(m_folders, m_loaded.paths);
         m_read = true;
         return m_files;
+    }
+
+    /// Where the name is used, which for one that a Param gives is not where it is reported.
+    [[nodiscard]] static SourceRange useOf(const Diagnostic& d) {
+        const auto note = std::ranges::find_if(d.notes, [](const auto& n) { return n.first == kUsedHere; });
+        return note == d.notes.end() ? d.range : note->second;
     }
 
     /// An assignment, its block, and the Params in scope.
@@ -123,8 +131,8 @@ private:
     }
 
     /// The name as written, or as given by a Param.
-    [[nodiscard]] std::string nameIn(const Diagnostic& d, const AssignmentContext& site) const {
-        std::string_view name = m_loaded.outline->texts().slice(d.range);
+    [[nodiscard]] std::string nameIn(const SourceRange& used, const AssignmentContext& site) const {
+        std::string_view name = m_loaded.outline->texts().slice(used);
         if (name.starts_with('$')) {
             const auto param = site.params.find(name.substr(1));
             if (param == site.params.end() || param->second->elements.size() != 1) return {};

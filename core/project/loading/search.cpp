@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/clean_text.h"
 #include "base/spelling.h"
 
 namespace trundle {
@@ -112,6 +113,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     std::vector<std::string> names{written};
     for (const std::string& ending : endings) names.push_back(written + "." + ending);
     bool outside = false, unplain = false, loop = false;
+    std::string directory;
     for (const std::string& root : folders) {
         for (const std::string& name : names) {
             std::error_code ec;
@@ -125,7 +127,8 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
                 real = fs::canonical(path, ec).string();
                 if (ec) continue;
             } else if (!onlyAsText(path, real)) {
-                unplain = unplain || fs::exists(status);
+                if (fs::is_directory(status) && directory.empty()) directory = shownPath(path);
+                unplain = unplain || (fs::exists(status) && !fs::is_directory(status));
                 continue;
             }
             const bool allowed = std::ranges::any_of(folders, [&real](const std::string& f) { return liesUnder(real, f); });
@@ -136,10 +139,11 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     if (outside) return Error{Code::ImportOutside, written + " lies outside the project and the folders that are searched"};
     if (unplain) return Error{Code::FileUnreadable, written + " is not a plain file"};
     if (loop) return Error{Code::FileUnreadable, written + " is a link that leads back to itself"};
-    return Error{Code::ImportNotFound, written + " is not found; looked in " + shown};
+    const std::string why = directory.empty() ? "" : ": " + cleanLine(directory) + " is a folder";
+    return Error{Code::ImportNotFound, written + " is not found" + why + "; looked in " + shown};
 }
 
-std::vector<std::string> FileSearch::nearest(std::string written, const std::string& folder) const {
+std::vector<std::string> FileSearch::nearest(std::string written, const std::string& folder, const std::string& ending) const {
     normalise(written);
     const fs::path wanted(written);
     std::vector<std::string> names;
@@ -155,6 +159,11 @@ std::vector<std::string> FileSearch::nearest(std::string written, const std::str
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     std::vector<std::string> near = nearestWords(wanted.filename().string(), names);
+    const std::string whole = wanted.filename().string() + "." + ending;
+    if (!ending.empty() && std::ranges::binary_search(names, whole)) {
+        std::erase(near, whole);
+        near.insert(near.begin(), whole);
+    }
     const std::string before = written.substr(0, written.size() - wanted.filename().string().size());
     for (std::string& name : near) name = before + name;
     return near;

@@ -38,11 +38,12 @@ public:
         : m_folders(std::move(folders)), m_texts(texts) {}
 
     /// The file (links resolved) that `written` refers to in a file in `folder`. Tries `endings` if there is no file without
-    /// them. Fails with E308 (searched folders, similar names), E311 (outside the folders) or E322 (not a regular file).
+    /// them. Fails with E308 (searched folders, or a folder of that name), E311 (outside the folders) or E322 (a pipe, a device).
     [[nodiscard]] Result<std::string> find(std::string written, const std::string& folder,
                                            std::span<const std::string> endings = {}) const;
-    /// Similar file names for a missing file, best first, as they would be written.
-    [[nodiscard]] std::vector<std::string> nearest(std::string written, const std::string& folder) const;
+    /// Similar file names for a missing file, best first, as they would be written: first of all its name with `ending`.
+    [[nodiscard]] std::vector<std::string> nearest(std::string written, const std::string& folder,
+                                                   const std::string& ending = {}) const;
 
 private:
     struct Roots {

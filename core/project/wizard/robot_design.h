@@ -17,7 +17,7 @@ constexpr BaseShape kBaseShapes[] = {BaseShape::Differential, BaseShape::SkidSte
 /// m, kg, m/s. The hull is a box; of an omni base, a cylinder as wide as `width`, whose wheels are on a circle as wide as
 /// `wheelSeparation`. `wheelBase` counts only where `hasWheelBase`.
 struct RobotDesign {
-    std::string name = "Rover"; ///< of its RobotConfig: a capital letter, then letters and digits
+    std::string name = "Rover"; ///< of its RobotConfig: a capital letter, then letters, digits and _
     BaseShape base = BaseShape::Differential;
     double length = 0.3, width = 0.2, height = 0.1;
     double wheelRadius = 0.05, wheelSeparation = 0.25, wheelBase = 0.2;

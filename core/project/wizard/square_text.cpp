@@ -93,6 +93,14 @@ std::string with(std::string text, const std::string& from, const std::string& t
     return text;
 }
 
+/// "rover" for Rover, "robot0" where that is a reserved word or the name of something else in the experiment.
+std::string robotNameFor(const std::string& config) {
+    std::string name = config;
+    name[0] = static_cast<char>(name[0] >= 'A' && name[0] <= 'Z' ? name[0] - 'A' + 'a' : name[0]);
+    constexpr const char* kUsed[] = {"floor", "overview", "path", "world", "true", "false"};
+    return std::ranges::find(kUsed, name) == std::end(kUsed) ? name : "robot0";
+}
+
 /// s: all sides and corners, with their ramps, and a moment at the end.
 double duration(const SquareDrive& square, BaseShape base) {
     const double ramp = square.speed / kRamp;
@@ -118,8 +126,7 @@ SquareDrive squareDrive(const RobotDesign& d) {
 
 std::string squareExperimentText(const RobotDesign& d, const std::string& file) {
     const SquareDrive square = squareDrive(d);
-    std::string robot = d.name;
-    robot[0] = static_cast<char>(robot[0] >= 'A' && robot[0] <= 'Z' ? robot[0] - 'A' + 'a' : robot[0]);
+    const std::string robot = robotNameFor(d.name);
     const double far = std::max(1.5, square.side * 1.6), middle = square.side / 2;
     return "// " + d.name + " drives a square of " + number(square.side) + " m" +
            (square.radius > 0 ? " with round corners" : "") + ", by its odometry. Another one: `--set " + robot +

@@ -136,7 +136,7 @@ void LiveThread::loop() {
 bool LiveThread::holdAtDuration() {
     if (m_runner->finished()) return false;
     m_runner->flushLogs();
-    auto shot = look(true, true);
+    publishLast();
     {
         const std::scoped_lock guard(m_shared->lock);
         if (!m_shared->canContinue || m_shared->stop || m_runner->failure()) return false;
@@ -145,8 +145,6 @@ bool LiveThread::holdAtDuration() {
         m_shared->steps = 0;
         m_shared->end = endNow();
         m_shared->end->canContinue = true;
-        m_shared->snapshot = std::move(shot);
-        m_shared->fetched = false;
         m_shared->phase = LivePhase::Ended;
     }
     notifyChanged();
@@ -288,6 +286,17 @@ void LiveThread::publish(bool stands) {
     if (stands) notifyChanged();
 }
 
+/// The state at an end, and the warnings up to there: who sees that the run has ended finds them complete.
+void LiveThread::publishLast() {
+    auto shot = look(true, true);
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        m_shared->snapshot = std::move(shot);
+        m_shared->fetched = false;
+    }
+    passWarnings(); // after the snapshot that they are about
+}
+
 LiveEnd LiveThread::endNow() const {
     LiveEnd end;
     end.time = m_runner->world().time();
@@ -304,17 +313,14 @@ LiveEnd LiveThread::endNow() const {
 /// Closes the logs, then reports the end.
 void LiveThread::end() {
     std::optional<LiveEnd> end;
-    std::shared_ptr<const LiveSnapshot> last;
     if (m_runner) {
         (void)m_runner->finish(); // a failure is reported by failure()
-        passWarnings();
         end = endNow();
-        last = look(true, true);
+        publishLast();
     }
     {
         const std::scoped_lock guard(m_shared->lock);
         if (end) m_shared->end = std::move(end);
-        if (last) m_shared->snapshot = std::move(last);
         m_shared->phase = LivePhase::Ended;
     }
     notifyChanged();

@@ -34,6 +34,7 @@ private:
     [[nodiscard]] bool atEnd() const { return m_runner->finished() || (m_ticks > 0 && m_runner->world().ticks() >= m_ticks); }
     void passWarnings();
     void publish(bool stands);
+    void publishLast();
     [[nodiscard]] std::shared_ptr<const LiveSnapshot> look(bool stands, bool contacts);
     [[nodiscard]] bool holdAtDuration();
     [[nodiscard]] LiveEnd endNow() const;

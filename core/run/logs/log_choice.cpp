@@ -20,17 +20,34 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Reports an unknown name. `best`: the intended name if it is certain; replaces the list of names.
-void unknownName(const ComponentSpec& spec, const char* key, std::size_t k, const std::string& what, const std::string& written,
-                 const std::vector<std::string>& names, const std::string& best, Diagnostics& diagnostics) {
+/// What is said about an unknown name, and the names that it may mean.
+struct Advice {
+    std::string words;
+    std::vector<std::string> suggestions;
+};
+
+Advice adviceFrom(const std::string& written, const std::vector<std::string>& names) {
+    const auto isInside = [&](const std::string& name) { return name.ends_with("." + written); };
+    if (const auto inside = std::ranges::find_if(names, isInside); inside != names.end()) return {listed(names), {*inside}};
+    return {listed(names), nearestWords(written, names)};
+}
+
+void unknownName(const ComponentSpec& spec, const char* key, std::size_t k, const std::string& what, const Advice& advice,
+                 Diagnostics& diagnostics) {
     const ResolvedValue* value = spec.find(key);
     Diagnostic& d = diagnostics.error(Code::UnknownReference, value && value->range.known() ? value->rangeOf(k) : spec.nameRange,
-                                      "no " + what + " is called '" + written + "'; " +
-                                          (best.empty() ? listed(names) : "its members are meant by '" + best + "'"));
-    const auto isInside = [&](const std::string& name) { return name.ends_with("." + written); };
-    if (!best.empty()) d.suggestions = {best};
-    else if (const auto inside = std::ranges::find_if(names, isInside); inside != names.end()) d.suggestions = {*inside};
-    else d.suggestions = nearestWords(written, names);
+                                      "no " + what + " is called '" + spec.texts(key)[k] + "'; " + advice.words);
+    d.suggestions = advice.suggestions;
+}
+
+Advice adviceForRobot(const std::string& written, const std::vector<RobotSpec>& robots) {
+    if (const std::optional<MissingMember> missing = missingMember(robots, written))
+        return {missing->all + " has no member " + missing->name + ", the last one is " + missing->last, {missing->inLast}};
+    std::vector<std::string> names;
+    std::set<std::string> known; // members of a Repeat have one name
+    for (const RobotSpec& robot : robots)
+        if (std::string all = nameOfAll(robot.name); known.insert(all).second) names.push_back(std::move(all));
+    return adviceFrom(written, names);
 }
 
 /// The pattern "swarm_*/pose" for "swarm/pose", if swarm is a Grid or Scatter whose members have such a signal; else empty.
@@ -57,6 +74,12 @@ std::vector<std::string> signalNamesNear(const std::string& written, const Signa
         if (!owner.empty() && entry.path.starts_with(owner)) near.push_back(entry.path);
     }
     return near.empty() ? all : near;
+}
+
+Advice adviceForSignal(const std::string& written, const SignalLayout& layout) {
+    const std::string pattern = patternForMembers(written, layout);
+    if (!pattern.empty()) return {"its members are meant by '" + pattern + "'", {pattern}};
+    return adviceFrom(written, signalNamesNear(written, layout));
 }
 
 } // namespace
@@ -93,12 +116,7 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
         if (found) chosen[static_cast<std::size_t>(own - robots.begin())] = true;
         for (std::size_t i = 0; i < robots.size() && own == robots.end(); ++i)
             if (matchesWildcard(name, robots[i].name) || isNamedBy(robots[i].name, name, isRobot)) chosen[i] = found = true;
-        if (found) continue;
-        std::vector<std::string> names;
-        std::set<std::string> known; // members of a Repeat have one name
-        for (const RobotSpec& robot : robots)
-            if (std::string all = nameOfAll(robot.name); known.insert(all).second) names.push_back(std::move(all));
-        unknownName(spec, "Robot", k, "robot", name, names, {}, diagnostics);
+        if (!found) unknownName(spec, "Robot", k, "robot", adviceForRobot(name, robots), diagnostics);
     }
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < robots.size(); ++i)
@@ -126,9 +144,7 @@ std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const S
                 found = true;
             }
         }
-        if (!found)
-            unknownName(spec, "Signals", k, "signal", name, signalNamesNear(name, layout), patternForMembers(name, layout),
-                        diagnostics);
+        if (!found) unknownName(spec, "Signals", k, "signal", adviceForSignal(name, layout), diagnostics);
     }
     return signals;
 }

@@ -1,5 +1,6 @@
 #include "run/logs/log_kinds.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -59,16 +60,33 @@ template <class Check> void eachLog(const ExperimentSpec& experiment, const Diag
     }
 }
 
+using Writers = std::map<std::string, const ComponentSpec*>; // by the names of their files
+
+/// The log whose file has the name of a folder of the file `name`, or the other way round; end() if there is none.
+Writers::const_iterator nestedWriter(const Writers& writers, const std::string& name) {
+    for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
+        if (const auto outer = writers.find(name.substr(0, end)); outer != writers.end()) return outer;
+    const std::string inFolder = name + "/";
+    const auto inner = writers.lower_bound(inFolder);
+    return inner != writers.end() && inner->first.starts_with(inFolder) ? inner : writers.end();
+}
+
 } // namespace
 
 void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
-    std::map<std::string, const ComponentSpec*> writers;
+    Writers writers;
     eachLog(experiment, diagnostics, [&](const ComponentSpec& spec) {
         if (spec.find("Robot")) (void)chooseRobots(spec, experiment.robots, diagnostics);
         const ResolvedValue* file = spec.find("File");
         const SourceRange place = file && file->range.known() ? file->range : spec.nameRange;
         const Result<std::string> name = cleanLogName(logFileName(spec));
         if (!name) return (void)diagnostics.error(name.error().code, place, name.error().message);
+        const auto nested = nestedWriter(writers, name.value());
+        if (nested != writers.end()) {
+            const auto& [outer, inner] = std::minmax(nested->first, name.value());
+            diagnostics.error(Code::DuplicateName, place, outer + " cannot be both a log file and the folder of " + inner)
+                .notes.emplace_back("the first one", nested->second->nameRange);
+        }
         const auto [writer, isNew] = writers.emplace(name.value(), &spec);
         if (isNew) return;
         diagnostics.error(Code::DuplicateName, place, "two logs write the file " + name.value())

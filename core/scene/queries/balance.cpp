@@ -119,6 +119,7 @@ InertiaEllipsoid ellipsoidOf(const MassProperties& mass) {
 }
 
 std::string balanceText(const Balance& balance) {
+    if (balance.polygon.size() == 1) return "Rests on a point: it may roll or tip";
     if (balance.polygon.size() < 3) return "Falls over: it rests on a line";
     const double mm = std::abs(balance.margin) * 1000;
     char text[80];

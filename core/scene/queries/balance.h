@@ -40,7 +40,7 @@ struct Balance {
 [[nodiscard]] double leastTipAngle(const Balance& balance); ///< rad, of all directions
 /// "forward 34°, backward 20°, left 31°, right 31°; least 18°", of a robot with this heading (rad). Only of a stable one.
 [[nodiscard]] std::string tippingText(const Balance& balance, double heading);
-/// "Stable: 32 mm to the edge", "Falls over: 5 mm beyond the edge".
+/// "Stable: 32 mm to the edge", "Falls over: 5 mm beyond the edge", "Rests on a point: it may roll or tip".
 [[nodiscard]] std::string balanceText(const Balance& balance);
 /// Nothing for a robot that is joined to the world or to another robot, or has no mass or no colliding shapes.
 [[nodiscard]] std::optional<Balance> balanceOf(const ObjectIndex& objects, std::uint32_t robot, const BodyPoses& poses);

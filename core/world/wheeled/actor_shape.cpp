@@ -292,6 +292,7 @@ bool ActorReader::addFootprints() {
             if (!made) return refuse(named("geom", geom.name, "has no footprint"), geom.nameRange);
             const PlanarShape& f = made.value();
             s.bound = std::max(s.bound, f.centre.norm() + f.bound);
+            s.tall = std::max({s.tall, std::abs(f.low), std::abs(f.high)});
             s.footprints.push_back(std::move(made).value());
             s.footprintBody.push_back(i);
             ++count;

@@ -71,6 +71,7 @@ struct ActorShape {
     std::vector<WheelShape> wheels;
     double stiffness = 0, damping = 0; ///< of the ground under each support, N/m, N s/m
     double bound = 0;                  ///< farthest point over x and y from the centre of mass, m
+    double tall = 0;                   ///< farthest point above or below it, m
     double spinRadius = 0;     ///< of something loose: moment of friction over its force when it only turns; of a ball its radius
     std::uint32_t surface = 0; ///< of the lowest geom of something loose
 };

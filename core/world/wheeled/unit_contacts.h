@@ -1,8 +1,9 @@
 #pragma once
 // Which units touch each other and the scenery, over x and y; found anew in every tick.
 //
-// Method: candidates from grids of bounding boxes, then footprints whose heights overlap. Contacts are sorted by their units and geoms, and
-// take over the impulses of the same points in the tick before. Each thread of the team finds those of a range of units.
+// Method: candidates from grids of bounding boxes, then footprints whose heights overlap. Contacts are sorted by their units and
+// geoms, and take over the impulses of the same points in the tick before. A vehicle that leans is displaced, at the heights that
+// both share; where the look-ahead covers that, only its gaps change. Each thread of the team finds those of a range of units.
 
 #include <array>
 #include <span>
@@ -54,10 +55,14 @@ private:
         const PlanarShape* footprint = nullptr;
         PlanarPose pose;
         double height = 0;          ///< of the origin of its heights
+        double level = 0;           ///< height at which it is at the pose
         Vec2 lean = Vec2::Zero();   ///< m that it is displaced per metre above that
         Vec2 centre = Vec2::Zero(); ///< of the footprint, in the world
+        double bound = 0;           ///< farthest point from there, wherever it leans
         [[nodiscard]] double low() const { return height + footprint->low; }
         [[nodiscard]] double high() const { return height + footprint->high; }
+        [[nodiscard]] Vec2 leanAt(double at) const { return (at - level) * lean; }
+        void moveTo(double height);
     };
     struct Other {
         Side side;
@@ -77,10 +82,10 @@ private:
     void meetScenery(std::uint32_t a, Search& search) const;
     static void seeSides(const WheeledUnit& unit, Search& search);
     [[nodiscard]] static Side sideOf(const WheeledUnit& unit, std::size_t footprint);
-    [[nodiscard]] static bool isNear(const Side& side, const WheeledUnit& unit);
+    [[nodiscard]] bool isNear(const Side& side, std::uint32_t unit) const;
     [[nodiscard]] static bool areNear(const Side& a, const Side& b);
-    void add(const UnitContact& pair, const Side& a, const Side& b, Search& search) const;
-    void addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch) const;
+    void add(const UnitContact& pair, Side a, Side b, Search& search) const;
+    void addPoints(UnitContact& contact, const Side& a, const Side& b, const PlanarTouch& touch, double most) const;
     void takeOver(std::span<UnitContact> contacts) const;
 
     const WheeledObjects& m_objects;
@@ -88,6 +93,7 @@ private:
     std::vector<Search> m_searches; ///< by worker
     std::vector<UnitContact> m_now, m_last;
     std::vector<std::uint8_t> m_touches; ///< by unit
+    std::vector<double> m_reaches;       ///< by unit
     std::vector<Box3> m_boxes;
     PairGrid m_grid;
     StaticGrid m_sceneryGrid;

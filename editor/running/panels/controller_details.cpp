@@ -10,6 +10,7 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kTail = 8; ///< lines
+constexpr int kLeastWidth = 200; ///< pixels; in less than that, names would be broken
 
 } // namespace
 
@@ -47,7 +48,7 @@ ControllerDetails::ControllerDetails(RunSession& session, QWidget* parent) : QPl
     setFrameStyle(QFrame::NoFrame);
     setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     setPlaceholderText(tr("Select a robot to see what its controller does."));
-    setMinimumWidth(0); // it takes no room from the lists in narrow windows
+    setMinimumWidth(kLeastWidth);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
     auto* timer = new QTimer(this);
     timer->setInterval(250);

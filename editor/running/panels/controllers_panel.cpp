@@ -12,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTimer>
 #include <QToolButton>
@@ -111,7 +112,11 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
     m_notice->setContentsMargins(8, 6, 8, 6);
     m_notice->hide();
     column->addWidget(m_notice);
-    auto* halves = new QSplitter(Qt::Horizontal, this);
+    auto* scroll = new QScrollArea(this); // for narrow windows: no part gets less than it needs
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* halves = new QSplitter(Qt::Horizontal);
     halves->setChildrenCollapsible(false);
     halves->addWidget(makeModules());
     halves->addWidget(makeRobots());
@@ -119,7 +124,8 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
     halves->addWidget(m_details);
     halves->setCollapsible(2, true);
     for (int half : {0, 1, 2}) halves->setStretchFactor(half, half == 1 ? 3 : 2);
-    column->addWidget(halves, 1);
+    scroll->setWidget(halves);
+    column->addWidget(scroll, 1);
 
     m_commands->setAsk([this](const QString& library, const QString& folder) { return askForTrust(library, folder, this); });
     connect(m_commands, &ControllerCommands::refused, this, &ControllersPanel::refused);

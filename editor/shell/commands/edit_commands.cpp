@@ -10,6 +10,7 @@
 #include "editor/text/text_panel.h"
 #include "editor/widgets/plain_text.h"
 #include "model/dotted_path.h"
+#include "project/edits/plans.h"
 
 namespace trundle {
 
@@ -23,12 +24,15 @@ EditCommands::EditCommands(QWidget& window, Actions& actions, const Targets& tar
         on(id, [this, id] { apply(id); });
     on("edit.group",
        [this, &window, configs] { askForGroup(&window, m_targets.document, m_targets.selection.paths(), configs); });
+    on("edit.singles", [this] { (void)m_targets.objects.replaceBySingles(m_targets.selection.current()); });
     on("edit.filter", [this] {
         m_targets.layouts.raise(QStringLiteral("scene"));
         m_targets.outline.focusFilter();
     });
     connect(&m_targets.document.edits(), &DocumentEdits::historyChanged, this, &EditCommands::showUndo);
     showUndo();
+    connect(&m_targets.selection, &Selection::changed, this, &EditCommands::showSingles);
+    connect(&m_targets.document, &Document::changed, this, &EditCommands::showSingles);
 }
 
 void EditCommands::apply(const char* id) {
@@ -64,6 +68,12 @@ void EditCommands::selectAll() {
     for (const RobotSpec& robot : experiment.robots) all.push_back(robot.name);
     for (const StaticSpec& still : experiment.statics) all.push_back(still.name);
     m_targets.selection.set(all);
+}
+
+void EditCommands::showSingles() {
+    const Document& document = m_targets.document;
+    m_actions.at("edit.singles")
+        .setEnabled(document.isOpen() && canReplaceBySingles(*document.loaded(), m_targets.selection.current()));
 }
 
 void EditCommands::showUndo() {

@@ -34,6 +34,7 @@ private:
     void apply(const char* id);
     void selectAll();
     void showUndo();
+    void showSingles();
 
     Actions& m_actions;
     Targets m_targets;

@@ -61,8 +61,8 @@ void ModuleCommands::showState() {
 
 // ---- new modules ----
 
-QString ModuleCommands::nameFault(const std::string& kind) const {
-    if (const std::string fault = kindNameFault(kind); !fault.empty()) return toQString(fault);
+QString ModuleCommands::nameFault(ModuleTemplate what, const std::string& kind) const {
+    if (const std::string fault = kindNameFault(what, kind); !fault.empty()) return toQString(fault);
     const std::vector<Kind> shipped = m_targets.application.moduleKinds({});
     const bool isTaken = (m_targets.document.loaded() && m_targets.document.loaded()->registry->find(kind)) ||
                          std::ranges::find(shipped, kind, &Kind::name) != shipped.end();
@@ -80,7 +80,7 @@ void ModuleCommands::askForNew(bool isController) {
     options.isController = isController;
     options.project = toQString(document.loaded()->projectFolder);
     options.user = robots.size() == 1 ? toQString(robots[0]) : robots.empty() ? QString() : tr("%1 robots").arg(robots.size());
-    options.fault = [this](const std::string& kind) { return nameFault(kind); };
+    options.fault = [this](ModuleTemplate what, const std::string& kind) { return nameFault(what, kind); };
     auto* dialog = new NewModuleDialog(std::move(options), &m_window);
     connect(&document, &Document::opened, dialog, &QDialog::reject);
     connect(dialog, &QDialog::accepted, this, [this, dialog, robots] { create(*dialog, robots); });

@@ -54,7 +54,7 @@ private:
     };
     void askForNew(bool isController);
     void create(const NewModuleDialog& dialog, const std::vector<std::string>& robots);
-    [[nodiscard]] QString nameFault(const std::string& kind) const;
+    [[nodiscard]] QString nameFault(ModuleTemplate what, const std::string& kind) const;
     void use(const NewUse& wanted);
     void addUse(const NewUse& wanted);
     void build();

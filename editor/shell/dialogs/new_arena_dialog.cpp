@@ -164,7 +164,7 @@ QString NewArenaDialog::planFault() {
 
 QString NewArenaDialog::placeFault() const {
     const std::string name = m_name->text().trimmed().toStdString();
-    if (!kindNameFault(name).empty()) return tr("The name is a capital letter, then letters and digits.");
+    if (const std::string fault = arenaNameFault(name); !fault.empty()) return toQString(fault);
     const QFileInfo folder(QDir::cleanPath(m_folder->text().trimmed()));
     if (!folder.isDir()) return tr("There is no folder %1.").arg(folder.filePath());
     if (!folder.isWritable()) return tr("The folder %1 is not writable.").arg(folder.filePath());

@@ -95,7 +95,7 @@ QString NewModuleDialog::fault() const {
     if (!folder.isDir()) return tr("There is no folder %1.").arg(folder.filePath());
     if (real != m_options.project && !real.startsWith(m_options.project + QLatin1Char('/')))
         return tr("The folder must be that of the experiment or one in it: %1.").arg(m_options.project);
-    if (const QString named = m_options.fault(kind()); !named.isEmpty()) return named;
+    if (const QString named = m_options.fault(what(), kind()); !named.isEmpty()) return named;
     const QString made = folder.filePath() + QLatin1Char('/') + QString::fromStdString(moduleNameFor(kind()));
     return QFileInfo::exists(made) ? tr("%1 exists already.").arg(made) : QString();
 }
@@ -105,7 +105,7 @@ void NewModuleDialog::check() {
     const bool isEmpty = kind().empty();
     const QString why = isEmpty ? QString() : fault();
     m_create->setEnabled(!isEmpty && why.isEmpty());
-    if (isEmpty) return m_result->show(tr("The name is a capital letter, then letters and digits."), false);
+    if (isEmpty) return m_result->show(tr("The name is a capital letter, then letters, digits and _."), false);
     if (!why.isEmpty()) return m_result->show(why, true);
     const QString name = QString::fromStdString(moduleNameFor(kind()));
     QString text = m_python->isChecked() ? tr("Writes %1/%1.py.").arg(name) : tr("Writes %1/%1.cpp and %1/CMakeLists.txt.").arg(name);

@@ -25,7 +25,7 @@ public:
         QString project;    ///< the folder that must contain the module's
         QString user;       ///< of a controller, what it can be used for: "robot0", "3 robots"; empty: nothing is selected
         /// Why a kind cannot have a name; empty if it can.
-        std::function<QString(const std::string& kind)> fault;
+        std::function<QString(ModuleTemplate what, const std::string& kind)> fault;
     };
     NewModuleDialog(Options options, QWidget* parent);
 

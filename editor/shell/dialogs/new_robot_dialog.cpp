@@ -254,7 +254,7 @@ QString NewRobotDialog::numberFault() const {
 
 QString NewRobotDialog::placeFault() const {
     const std::string name = m_name->text().trimmed().toStdString();
-    if (!kindNameFault(name).empty()) return tr("The name is a capital letter, then letters and digits.");
+    if (const std::string fault = robotNameFault(name); !fault.empty()) return toQString(fault);
     const QFileInfo folder(toQString(this->folder()));
     if (!folder.isDir()) return tr("There is no folder %1.").arg(folder.filePath());
     if (!folder.isWritable()) return tr("The folder %1 is not writable.").arg(folder.filePath());

@@ -22,9 +22,11 @@ void CodeStyling::setLanguage(CodeLanguage language) {
 }
 
 void CodeStyling::update() {
-    if (!m_stale) return;
+    const bool isOurs = !m_plain && m_language == CodeLanguage::Trundle;
+    // The widget may scroll, and need styles, before it reports what was inserted or deleted; each of these changes the length.
+    if (!m_stale && (!isOurs || m_styles.size() == static_cast<std::size_t>(m_text.size()))) return;
     m_stale = false;
-    if (m_plain || m_language != CodeLanguage::Trundle) return;
+    if (!isOurs) return;
     const std::string_view text = m_text.view();
     const std::vector<Token> tokens = Lexer(text).lex();
     m_styles = stylesOf(text, tokens);

@@ -102,6 +102,18 @@ QString placedByIndex(const std::string& path) {
         .arg(QString::fromStdString(path));
 }
 
+/// The formulas that edits of these texts replace by numbers: "$gap in robot0.Pos". Empty if they replace none.
+QString formulasReplaced(const std::vector<ValueEdit>& edits, const std::map<std::string, std::string>& texts) {
+    constexpr qsizetype kMaxNamed = 3;
+    QStringList all;
+    for (const ValueEdit& edit : edits)
+        if (const auto text = texts.find(edit.path.text()); text != texts.end())
+            for (const std::string& formula : replacedFormulas(text->second, edit.value.text()))
+                all << tr("%1 in %2").arg(QString::fromStdString(formula), QString::fromStdString(text->first));
+    if (all.size() > kMaxNamed) all = all.mid(0, kMaxNamed) << tr("%1 more").arg(all.size() - kMaxNamed);
+    return all.join(QStringLiteral(", "));
+}
+
 QString locked(const std::string& path) { return tr("%1 is locked.").arg(QString::fromStdString(path)); }
 
 } // namespace
@@ -164,6 +176,8 @@ void TransformSelection::take(const std::string& path) {
 void TransformSelection::add(Item item, const ObjectLocation& place) {
     item.posText = textOf(item.path + ".Pos");
     item.hprText = textOf(item.path + ".HPR");
+    m_texts[item.path + ".Pos"] = item.posText;
+    m_texts[item.path + ".HPR"] = item.hprText;
     item.hpr = writtenHpr(*m_context.document.loaded(), place, item.local.rotation);
     m_items.push_back(std::move(item));
 }
@@ -258,7 +272,11 @@ Status TransformSelection::apply(const std::vector<ValueEdit>& edits, const QStr
     const auto same = [](const ValueEdit& a, const ValueEdit& b) { return a.path == b.path && a.value == b.value; };
     if (edits.empty() || std::equal(edits.begin(), edits.end(), m_last.begin(), m_last.end(), same)) return {};
     Status done = m_context.document.structure().setValues(name, edits, mergeKey);
-    if (done) m_last = edits;
+    if (!done) return done;
+    m_last = edits;
+    // After each step of a drag, since a change of the document removes the notice.
+    if (const QString formulas = formulasReplaced(edits, m_texts); !formulas.isEmpty())
+        Q_EMIT m_context.document.notice(tr("Replaced by numbers: %1").arg(formulas));
     return done;
 }
 
@@ -385,7 +403,7 @@ void TransformSelection::resizeGeom(Item& item, const GeomSpec& geom, const Vec3
                                     std::vector<ValueEdit>& edits) {
     const auto set = [&](const char* key, std::span<const double> before, std::span<const double> after) {
         const std::string path = item.path + "." + key;
-        const auto [text, isNew] = m_sizeTexts.try_emplace(path);
+        const auto [text, isNew] = m_texts.try_emplace(path);
         if (isNew) text->second = textOf(path);
         edits.push_back({path, withNumbers(text->second, before, after, "m", fineness)});
     };
@@ -415,8 +433,8 @@ void TransformSelection::resizeGeom(Item& item, const GeomSpec& geom, const Vec3
     case GeomShape::Cylinder:
     case GeomShape::Capsule: {
         const double wide = grown(radius, across), far = grown(length, 2 * growth.z());
-        if (across != 0 || m_sizeTexts.contains(item.path + ".Radius")) set("Radius", {&radius, 1}, {&wide, 1});
-        if (growth.z() != 0 || m_sizeTexts.contains(item.path + ".Length")) set("Length", {&length, 1}, {&far, 1});
+        if (across != 0 || m_texts.contains(item.path + ".Radius")) set("Radius", {&radius, 1}, {&wide, 1});
+        if (growth.z() != 0 || m_texts.contains(item.path + ".Length")) set("Length", {&length, 1}, {&far, 1});
         follow(item, {0, 0, length}, {0, 0, far}, side, edits);
         break;
     }

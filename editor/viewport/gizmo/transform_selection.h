@@ -104,9 +104,9 @@ private:
     std::vector<Item> m_items;
     std::optional<LayoutExtent> m_layoutExtent;
     double m_memberReach = 0;
-    std::vector<Item> m_layoutItem;                 // its Grid or Scatter, one element
-    std::vector<ValueEdit> m_last;                  // edits of the last successful call
-    std::map<std::string, std::string> m_sizeTexts; // by path, as written before the first resize()
+    std::vector<Item> m_layoutItem;             // its Grid or Scatter, one element
+    std::vector<ValueEdit> m_last;              // edits of the last successful call
+    std::map<std::string, std::string> m_texts; // of values, by path, as written before the first change
     QString m_refusal;
     std::string m_layout;
     bool m_running = false;

@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QMimeData>
 
+#include "editor/outline/block_mime.h"
 #include "outline_fixture.h"
 
 using namespace trundle;
@@ -17,6 +18,7 @@ private Q_SLOTS:
     void pasteCopiesReferencedObjects();
     void copiesImportedPlan();
     void pasteCopiesUsedParams();
+    void copiedParamsComeAfterThoseTheyUse();
     void copiesReferencedObjects();
     void copiesPiecesOfPlan();
 };
@@ -146,6 +148,22 @@ void BetweenProjectsTest::pasteCopiesUsedParams() {
     QVERIFY(from.edits.paste({}).ok()); // the config was changed since it was copied
     QCOMPARE(from.refusals, QStringList());
     QCOMPARE(from.document.loaded()->experiment->statics.size(), std::size_t(3));
+}
+
+/// The copied block uses the last one of a chain, whose names are in no order.
+void BetweenProjectsTest::copiedParamsComeAfterThoseTheyUse() {
+    OutlineFixture from;
+    QVERIFY(from.open("Param m = 0.3\nParam z = $(m+0.1)\nParam a = $(z*2)\nParam idle = 1\n"
+                      "StaticConfig Yard { Box north { Size=$a,1,1 } }\nStatic yard { Config=Yard }\n"));
+    QCOMPARE(from.errors(), QString());
+    for (const char* path : {"StaticConfig.Yard", "yard"}) {
+        const std::unique_ptr<QMimeData> mime(mimeOf(*from.document.loaded(), {path}));
+        const Result<Blocks> blocks = blocksIn(*mime, [](const std::string&) { return false; });
+        QVERIFY(blocks.ok());
+        QStringList params;
+        for (const std::string& param : blocks.value().params) params << QString::fromStdString(param);
+        QCOMPARE(params.join(u'|'), QStringLiteral("Param m = 0.3|Param z = $(m+0.1)|Param a = $(z*2)"));
+    }
 }
 
 void BetweenProjectsTest::copiesReferencedObjects() {

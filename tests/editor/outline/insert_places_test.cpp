@@ -1,5 +1,7 @@
-// What the Insert menu offers in Repeats, Rings and PartConfigs: what they may hold where they are.
+// What the Insert menu offers in Repeats, Rings and PartConfigs: what they may hold where they are. Where copies of them are put.
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QMenu>
 
 #include "editor/outline/insert_menu.h"
@@ -164,6 +166,35 @@ private Q_SLOTS:
         QCOMPARE(o.errors(), QString());
         o.document.edits().undo();
         QCOMPARE(o.text(), kKit);
+    }
+
+    /// Beside the selected one and clear of it, as those of other objects. What is of another kind is put into it.
+    void copiesOfARepeatAreBesideIt() {
+        OutlineFixture o;
+        QVERIFY(o.open(kKit));
+        o.selection.select("row");
+        o.edits.copySelected();
+        for (const char* copy : {"row2", "row3"}) {
+            o.edits.pasteAtSelected();
+            QCOMPARE(o.selected(), QLatin1String(copy));
+        }
+        const auto& robots = o.document.loaded()->experiment->robots;
+        QCOMPARE(robots.size(), std::size_t(7)); // with the rover
+        for (std::size_t a = 0; a < robots.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                QVERIFY2((robots[a].pose.position - robots[b].pose.position).norm() > 0.2, o.text().constData());
+        QCOMPARE(o.document.edits().history().entries().size(), std::size_t(2));
+        o.document.edits().undo(), o.document.edits().undo();
+        QCOMPARE(o.text(), kKit);
+
+        o.selection.select("rover.chassis.bolt");
+        o.edits.copySelected();
+        o.edits.pasteAtSelected();
+        QCOMPARE(o.selected(), QStringLiteral("rover.chassis.bolt2"));
+        QGuiApplication::clipboard()->setText(QStringLiteral("Sphere knob { Radius=0.001 Mass=0.001 }"));
+        o.edits.pasteAtSelected();
+        QCOMPARE(o.selected(), QStringLiteral("rover.chassis.bolt2.knob"));
+        QCOMPARE(o.errors(), QString());
     }
 };
 

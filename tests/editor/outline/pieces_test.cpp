@@ -1,9 +1,12 @@
-// Parts of the Scene and Library panels without their widgets: the items of the library, and the problems of each block.
+// Parts of the Scene and Library panels without their widgets: the items of the library, the problems of each block. The question
+// before lists are shortened.
 
 #include <fstream>
 
+#include <QAbstractButton>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QMessageBox>
 
 #include "editor/outline/block_mime.h"
 #include "editor/outline/kind_icons.h"
@@ -178,6 +181,33 @@ private Q_SLOTS:
         QGuiApplication::clipboard()->setText(QStringLiteral("Body { Sphere s { Radius=1 Mass=1 } }"));
         QVERIFY(o.edits.paste("RobotConfig.Rover").ok());
         QCOMPARE(name(), QStringLiteral("Paste Body"));
+    }
+
+    /// The question names what is deleted with a robot, and whose list only loses its name.
+    void asksBeforeListsAreShortened() {
+        OutlineFixture o;
+        const QByteArray region = "Region goal { Size=1,1,1 Robots=robot0,robot1 }\n";
+        QVERIFY(o.open(kRovers + region + "NoContact=robot0,robot1\n"));
+        o.selection.select("robot0");
+        o.edits.removeSelected();
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        QVERIFY(question);
+        QCOMPARE(question->text(), QStringLiteral("robot0 is used by PoseLog path, NoContact, Region goal."));
+        QVERIFY2(question->informativeText().contains(QStringLiteral("Also deleted: PoseLog path.")) &&
+                     question->informativeText().contains(QStringLiteral(": NoContact, Region goal.")),
+                 qPrintable(question->informativeText()));
+        QTest::keyClick(question, Qt::Key_Return);
+        QVERIFY2(!o.text().contains("robot0") && !o.text().contains("PoseLog"), o.text().constData());
+        QVERIFY2(o.text().endsWith("Region goal { Size=1,1,1 Robots=robot1 }\n"), o.text().constData());
+        QCOMPARE(o.errors(), QString());
+        o.document.edits().undo();
+
+        o.selection.select("robot1"); // is only in lists
+        o.edits.removeSelected();
+        question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        QVERIFY(question && question->text() == QStringLiteral("robot1 is used by NoContact, Region goal."));
+        question->button(QMessageBox::Cancel)->click();
+        QVERIFY(o.text().contains(region));
     }
 
     /// The object that was selected last is the current row.

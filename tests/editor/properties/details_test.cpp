@@ -158,6 +158,20 @@ private Q_SLOTS:
         QVERIFY(fixture.massValues().empty());
     }
 
+    /// Wherever the robot is and however it is turned.
+    void centreOfMassIsInTheFrameOfTheConfig() {
+        DetailsFixture fixture;
+        const std::string path = fixture.folder.filePath(QStringLiteral("kit.sim")).toStdString();
+        std::ofstream(path, std::ios::binary) << "RobotConfig Kit { Body hull { Pos=0.1,0,0 Box box { Size=0.4,0.2,0.1\n"
+                                                 "  Pos=0.2,0.05,0.4 Mass=2 } } }\n"
+                                                 "Robot kit { Config=Kit Pos=1,-2,0.5 HPR=90,0,0 }\n";
+        QVERIFY(fixture.document.opening().open(path).ok());
+        fixture.selection.select("kit");
+        EVENTUALLY(fixture.massValues().size() > 1);
+        QCOMPARE(fixture.massValues()[0], QStringLiteral("2 kg"));
+        QCOMPARE(fixture.massValues()[1], QStringLiteral("0.3, 0.05, 0.4 m"));
+    }
+
     /// Also of one that a Part of a Part uses.
     void massFollowsThePartConfigs() {
         DetailsFixture fixture;

@@ -129,6 +129,46 @@ private Q_SLOTS:
         QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
     }
 
+    void aRowHasOneUnit_data() {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::addColumn<QString>("names"); // of rows that both have, in other units
+        const auto row = [](const char* name, const char* first, const char* second, const char* names) {
+            QTest::newRow(name) << QString::fromLatin1(first) << QString::fromLatin1(second) << QString::fromLatin1(names);
+        };
+        row("joints", "rail", "axle", "LowStop HighStop");
+        row("motors", "lift", "arm", "MaxSpeed");
+    }
+    /// Metres and degrees are not set in one row, although the properties have one name.
+    void aRowHasOneUnit() {
+        QFETCH(QString, first);
+        QFETCH(QString, second);
+        QFETCH(QString, names);
+        const std::string text =
+            "RobotConfig Lift { Body base { Box b { Size=1,1,1 Mass=9 } } Body car { Pos=0,0,1 Box b { Size=1,1,1 Mass=1 } }\n"
+            "  Body tip { Pos=0,0,2 Box b { Size=1,1,1 Mass=1 } } Body end { Pos=0,0,3 Box b { Size=1,1,1 Mass=1 } }\n"
+            "  Slider rail { Parent=base Child=car Axis=0,0,1 LowStop=0 HighStop=1 }\n"
+            "  Hinge axle { Parent=car Child=tip Axis=0,1,0 LowStop=0 HighStop=1 }\n"
+            "  Hinge wrist { Parent=tip Child=end Axis=0,1,0 LowStop=0 HighStop=1 }\n"
+            "  LinearMotor lift { Joint=rail MaxForce=50 MaxSpeed=1 } Servo arm { Joint=axle MaxTorque=50 MaxSpeed=1 } }\n";
+        const std::string one = "RobotConfig.Lift." + first.toStdString(), two = "RobotConfig.Lift." + second.toStdString();
+        const auto hasRows = [&](const std::vector<std::string>& paths) {
+            PropertiesFixture fixture;
+            if (!fixture.open(text) || fixture.document.loaded()->diagnostics.errorCount() > 0)
+                return QStringLiteral("not opened");
+            fixture.selection.set(paths);
+            QStringList rows;
+            for (const QString& name : names.split(u' '))
+                if (fixture.row(name.toLatin1().constData())) rows << name;
+            return rows.join(u' ');
+        };
+        QCOMPARE(hasRows({one}), names);
+        QCOMPARE(hasRows({two}), names);
+        QCOMPARE(hasRows({one, two}), QString());
+        QCOMPARE(hasRows({"RobotConfig.Lift.axle", "RobotConfig.Lift.wrist"}),
+                 first == QStringLiteral("rail") ? names : QString());
+    }
+
     /// A faulty value is still shown, so that it can be taken out.
     void aRefusedInHasARow() {
         PropertiesFixture fixture;

@@ -228,6 +228,42 @@ private Q_SLOTS:
         QCOMPARE(rows(), all);
     }
 
+    /// Hex digits match from the beginning of a byte, also where they match half a byte before that.
+    void hexDigitsMatchWholeBytes() {
+        const auto isFound = [](const char* payload, const char* text) {
+            const QByteArray bytes = QByteArray::fromHex(payload);
+            LiveRadio fresh;
+            auto radios = std::make_shared<std::vector<RadioDefinition>>(2);
+            radios->at(0).path = "one/radio";
+            radios->at(1).path = "two/radio";
+            fresh.radios = radios;
+            std::vector<std::uint8_t> sent(kFrameOverhead); // 9 bytes of it are before the payload
+            sent.insert(sent.begin() + 9, bytes.begin(), bytes.end());
+            fresh.frames.push_back({0.5, 0, sent});
+            FrameRecord record;
+            record.time = 0.5;
+            record.from = 0;
+            record.to = 1;
+            record.bytes = std::uint32_t(bytes.size());
+            fresh.records.push_back(record);
+            PacketModel model;
+            model.add(fresh);
+            PacketFilter filter;
+            filter.text = QLatin1String(text);
+            model.setFilter(filter);
+            return model.rowCount() == 1;
+        };
+        for (const auto& [payload, text] : {std::pair{"0111", "11"},
+                                            {"1100", "11"},
+                                            {"100000", "0000"},
+                                            {"10000000", "00 00"},
+                                            {"bb1bb1b1", "b1b1"},
+                                            {"aab1", "B1"}})
+            QVERIFY2(isFound(payload, text), payload);
+        for (const auto& [payload, text] : {std::pair{"0110", "11"}, {"100001", "0000"}, {"0b10", "b1"}, {"00", "0000"}})
+            QVERIFY2(!isFound(payload, text), payload);
+    }
+
     void aPacketShowsItsBytes() {
         QVERIFY(m_window->open(kMotes));
         QVERIFY(m_window->runTo(100));

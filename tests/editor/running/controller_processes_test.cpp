@@ -148,6 +148,46 @@ private Q_SLOTS:
         QVERIFY(o.session.endRuns());
     }
 
+    void aFaultInTheLastTickIsShown() {
+        SessionFixture o;
+        QVERIFY(build(o, QStringLiteral("zoo/libzoo")));
+        QVERIFY(o.open("Duration = 0.2\nTick = 0.01\n" + text("Zoo brain { Action=segv At=20 }")));
+        const ControllerCommands commands(o.document, o.session); // which knows the trusted folders
+        listen(o);
+        o.session.run();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
+        QVERIFY2(reported("crashed in update: Segmentation fault"), qPrintable(m_console.join(u'\n')));
+        QCOMPARE(o.session.messages().problems().size(), std::size_t(1));
+        QVERIFY(o.session.endRuns());
+    }
+
+    /// Their controllers have one block.
+    void eachMemberOfAGridHasItsOwnFault() {
+        SessionFixture o;
+        QVERIFY(build(o, QStringLiteral("zoo/libzoo")));
+        QVERIFY(o.open(text("Zoo brain { Action=segv At=$(20 + 10 * index) }")
+                           .replace("Isolation = module", "Isolation = robot")
+                           .replace("Robot leader { Config=SimpleRobot", "Grid row { Config=SimpleRobot Count=2 Spacing=0.5")));
+        const ControllerCommands commands(o.document, o.session);
+        std::vector<LiveLine> faults;
+        connect(&o.session.messages(), &RunMessages::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+            std::ranges::copy_if(lines, std::back_inserter(faults),
+                                 [](const LiveLine& line) { return line.text.find("crashed in update") != std::string::npos; });
+        });
+        o.session.run();
+        const auto stopped = [&] {
+            const auto& snapshot = o.session.results().snapshot;
+            return snapshot ? snapshot->stopped : std::vector<StoppedController>();
+        };
+        EVENTUALLY_EQUAL(stopped().size(), std::size_t(2));
+        EVENTUALLY_EQUAL(faults.size(), std::size_t(2));
+        QCOMPARE(faults[0].who + " " + faults[1].who, std::string("row_0 row_1"));
+        QCOMPARE(faults[0].time, stopped()[0].time);
+        QCOMPARE(faults[1].time, stopped()[1].time);
+        QVERIFY(faults[0].time < faults[1].time);
+        QVERIFY(o.session.endRuns());
+    }
+
     /// The fault of a controller is at its line of code in Problems, where that is in the project; a note leads to its block.
     void aFaultIsShownInTheSource() {
         SessionFixture o;

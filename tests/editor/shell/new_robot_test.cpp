@@ -191,6 +191,9 @@ private Q_SLOTS:
         QVERIFY2(result().endsWith(QStringLiteral("/rover exists already.")), qPrintable(result()));
         typeOver(field("robotName"), QStringLiteral("my robot"));
         QVERIFY(!create()->isEnabled());
+        typeOver(field("robotName"), QStringLiteral("OpenFloor"));
+        QVERIFY(!create()->isEnabled());
+        QVERIFY2(result().contains(QStringLiteral("its experiment imports a config of that name")), qPrintable(result()));
         typeOver(field("robotName"), QStringLiteral("Rover2"));
         QVERIFY(create()->isEnabled());
         QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("rover2"))); // by another program, meanwhile

@@ -49,6 +49,24 @@ private Q_SLOTS:
         QCOMPARE(m_window->document().edits().history().entries()[0].name, QStringLiteral("Add PoseLog"));
     }
 
+    void replacesTheSelectedGridBySingleInstances() {
+        Document& document = m_window->document();
+        const std::string text =
+            *document.texts().text(document.path()) + "Grid swarm { Config=SimpleRobot Pos=5,5,0 Count=2,2 Spacing=1 }\n";
+        QVERIFY(document.edits().replaceText(QStringLiteral("Add"), document.path(), text).ok());
+        const QAction& singles = m_window->actions().at("edit.singles");
+        m_window->selection().select("robot0");
+        QVERIFY(!singles.isEnabled());
+        m_window->selection().select("swarm");
+        QVERIFY(singles.isEnabled());
+        QLineEdit& search = open();
+        QTest::keyClicks(&search, QStringLiteral("single inst"));
+        QTest::keyClick(&search, Qt::Key_Return);
+        QCOMPARE(document.edits().history().entries().back().name, QStringLiteral("Replace swarm by single instances"));
+        QCOMPARE(document.loaded()->experiment->robots.size(), 5u);
+        QVERIFY(!singles.isEnabled());
+    }
+
 private:
     /// Opens the palette and handles events: entries removed from the menu are deleted by then.
     QLineEdit& open() {

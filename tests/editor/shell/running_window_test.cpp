@@ -204,6 +204,19 @@ private Q_SLOTS:
         EVENTUALLY(file->text().endsWith(QStringLiteral("many_words_in_it.sim")) && whole());
     }
 
+    /// What does not fit into the panel is scrolled to; the window keeps its size.
+    void theDetailsOfAControllerAreReadableInANarrowWindow() {
+        m_window->resize(1000, 700);
+        m_window->actions().at("view.layoutRun").trigger();
+        m_window->findChild<QDockWidget*>(QStringLiteral("dock.controllers"))->raise();
+        m_window->selection().select("robot0");
+        EVENTUALLY(m_window->isSettled());
+        const auto* details = m_window->findChild<QPlainTextEdit*>(QStringLiteral("controllerDetails"));
+        EVENTUALLY(details->isVisible());
+        QVERIFY2(details->width() >= 200, qPrintable(QString::number(details->width())));
+        QCOMPARE(m_window->size(), QSize(1000, 700));
+    }
+
     void runLayoutCentresView() {
         QVERIFY(m_window->text().isVisible());
         m_window->text().page()->edit().setFocus();

@@ -38,6 +38,7 @@ private Q_SLOTS:
     void undoRestoresTypedText();
     void inputMethods();
     void deleteRemovesSelection();
+    void deletedLinesLeaveTheRightColours();
     void rejectedTypingIsReverted();
 };
 
@@ -393,6 +394,28 @@ void PanelTest::deleteRemovesSelection() {
     w.panel.flush();
     QCOMPARE(w.text(), QByteArray("\n"));
     QVERIFY(!w.panel.apply("tool.move"));
+}
+
+/// At the end of the text the widget scrolls when lines vanish, before it reports that they did.
+void PanelTest::deletedLinesLeaveTheRightColours() {
+    const QByteArray line = "Material red { ColorRGB=1,0,0 }\n", comment = "// a longer line of comment\n";
+    TextFixture w;
+    w.open(w.write("long.sim", line.repeated(100) + comment.repeated(16) + line.repeated(3)));
+    const auto style = [&w](long at) { return w.edit().SendScintilla(QsciScintillaBase::SCI_GETSTYLEAT, at); };
+    const auto wholeIsStyled = [&] {
+        const long size = w.shown().size();
+        if (w.edit().SendScintilla(QsciScintillaBase::SCI_GETENDSTYLED) < size) return false;
+        for (long at = 0; at < size; ++at)
+            if (style(at) != style(at % line.size())) return false;
+        return true;
+    };
+    w.key(Qt::Key_End, Qt::ControlModifier);
+    EVENTUALLY(w.edit().SendScintilla(QsciScintillaBase::SCI_GETENDSTYLED) == w.shown().size());
+    for (int i = 0; i < 3; ++i) w.key(Qt::Key_Up);
+    for (int i = 0; i < 16; ++i) w.key(Qt::Key_Up, Qt::ShiftModifier);
+    w.key(Qt::Key_Delete);
+    QCOMPARE(w.shown(), line.repeated(103));
+    EVENTUALLY(wholeIsStyled());
 }
 
 void PanelTest::rejectedTypingIsReverted() {

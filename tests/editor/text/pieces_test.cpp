@@ -150,6 +150,9 @@ void PiecesTest::lineCommands_data() {
     row("duplicate the last line", "duplicate", "x\na|", "x\na\na|");
     row("duplicate lines", "duplicate", "[a\nb|\nc", "a\nb\n[a\nb|\nc");
     row("up", "up", "a\nb|c\nd", "b|c\na\nd");
+    row("up with CR LF", "up", "a\r\nb|c\r\nd", "b|c\r\na\r\nd");
+    row("lines up with CR LF", "up", "x\r\n[a\r\nb|\r\nc", "[a\r\nb|\r\nx\r\nc");
+    row("up over an empty line with CR LF", "up", "a\r\n\r\nb|", "a\r\nb|\r\n");
     row("up at the top", "up", "a|\nb", "a|\nb");
     row("down", "down", "a|\nb\nc", "b\na|\nc");
     row("down to a last line without an end", "down", "a|\nb", "b\na|");

@@ -112,6 +112,11 @@ private Q_SLOTS:
         row("RobotConfig Cart {", "RobotConfig parts Cart config Cart instance  params width.top");
         row("Mass=2", "Box parts Cart.chassis.hull config Cart instance  params width.top");
         row("Size=1,1,1 ", "Box parts Cart.chassis.hull config Cart instance  params width.top");
+        row("Mass=2 ", "Box parts Cart.chassis.hull config Cart instance  params width.top"); // directly before its brace
+        row("Mass=2 }", "Body parts Cart.chassis config Cart instance  params width.top");
+        row("Mass=2 } ", "Body parts Cart.chassis config Cart instance  params width.top");
+        row("hull.Mass=3 ", "Robot parts one config Cart instance one params top");
+        row("Config=Yard ", "Static parts yard config Yard instance yard params top");
         row("Parent=chassis", "Hinge parts Cart.axle config Cart instance  params width.top");
         row("Robot one {", "Robot parts one config Cart instance one params top");
         row("chassis.hull", "Robot parts one config Cart instance one params top");

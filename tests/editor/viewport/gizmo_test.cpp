@@ -177,6 +177,12 @@ private Q_SLOTS:
         take("robot0", "tool.move");
         dragBy(kMoveX, {0.2, 0, 0}, Qt::NoModifier);
         QVERIFY2(m_window->text().contains("Pos = 30 cm, $(high * 2), $high }"), m_window->text().constData());
+        // One that changes becomes a number, which the status line says.
+        const QSignalSpy notices(&m_window->document, &Document::notice);
+        dragBy({GizmoHandle::Kind::Axis, 1}, {0, 0.1, 0}, Qt::NoModifier, {0.3, 0.5, 0.25});
+        QVERIFY2(m_window->text().contains("Pos = 30 cm, 0.6, $high }"), m_window->text().constData());
+        QVERIFY(!notices.empty());
+        QCOMPARE(notices.last().at(0).toString(), QStringLiteral("Replaced by numbers: $(high * 2) in robot0.Pos"));
     }
 
     void overridesPartOfInstance() {

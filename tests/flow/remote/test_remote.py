@@ -149,6 +149,41 @@ class SimulationTest(unittest.TestCase):
                 sim.step()
             self.assertEqual(sim.hash(), first)
 
+    def test_no_turn_a_reset_and_numbers_that_are_none(self):
+        with trundle.Simulation(two()) as sim:
+            base = sim.robot("rover").differential_drive("base")
+            base.turn(1, 0)
+            sim.step(50)
+            self.assertAlmostEqual(sim["rover/chassis/pose"][6], 0, places=6)
+            base.drive(0.2, 0, 1, 0)
+            sim.step(10)
+            self.assertFalse(base.done())
+            sim.reset()
+            self.assertTrue(base.done())
+            base.move(float("nan"), 0)
+            with self.assertRaisesRegex(ValueError, "rover/base/linearVelocity was given a value that is no finite number"):
+                sim.step()
+            sim.step()
+            base.drive(0.2, 0, 1, 0)
+            self.assertFalse(base.done())
+
+    def test_numbers_like_those_of_numpy(self):
+        class Number:
+            def __init__(self, value):
+                self.value = value
+
+            def tolist(self):
+                return self.value
+
+        with trundle.Simulation(two()) as sim:
+            sim["rover/base/linearVelocity"] = Number(0.3)
+            sim.step(Number(3))
+            self.assertAlmostEqual(sim["rover/base/linearVelocity"], 0.3)
+            sim.place("rover", [Number(1), 2, Number(0)])
+            sim.step()
+            self.assertAlmostEqual(sim["rover/pose"][1], 2, places=3)
+            sim.reset(seed=Number(4))
+
     def test_player_interfaces(self):
         with trundle.Simulation(two(), console=None) as sim:
             devices = {d["device"]: d["interface"] for d in sim.robots()["rover"]["devices"]}

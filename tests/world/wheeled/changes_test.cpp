@@ -1,4 +1,5 @@
 // What changes during a run of the wheeled engine, and which of two bodies is named first: nothing of before stays, and no order matters.
+// What a robot touches that leans.
 #include <QtTest>
 
 #include "world/fixtures.h"
@@ -39,6 +40,15 @@ std::shared_ptr<RobotConfigSpec> small(std::uint32_t hullSurface = 3) {
         config->joints.push_back(joint(name + "Axle", JointType::Hinge, 0, side > 0 ? 1 : 2, hub, Vec3::UnitY()));
         config->devices.push_back(row(name + "Motor", name + "Axle"));
     }
+    return config;
+}
+
+/// With 3 kg on a mast: its centre of mass is 0.78 m high.
+std::shared_ptr<RobotConfigSpec> tall() {
+    auto config = small();
+    const Vec3 size(0.1, 0.1, 0.1);
+    config->bodies.push_back(body("mast", at(0, 0, 1.2), massOfBox(3, size), {box("top", size, {}, 3)}));
+    config->joints.push_back(joint("mount", JointType::Fixed, 0, 3, {0, 0, 1}, Vec3::UnitZ()));
     return config;
 }
 
@@ -155,6 +165,40 @@ private Q_SLOTS:
             QVERIFY(velocity(*world, body).isZero(0) && spin(*world, body).isZero(0));
         QCOMPARE(value(*world, "r/leftAxle/rate"), 0.0);
         QVERIFY(velocity(*world, "other/chassis").norm() < 1e-6);
+    }
+
+    void touchesWhereItLeans_data() {
+        QTest::addColumn<bool>("isHeld"); // by a wall that its top is at
+        QTest::newRow("wall at its top") << true;
+        QTest::newRow("nothing at its top") << false;
+    }
+    /// Its hull ends at x = 0.11 and its top at x = 0.456; what is below its centre of mass, around x = 0.26, touches nothing.
+    void touchesWhereItLeans() {
+        QFETCH(bool, isHeld);
+        if (testedEngine() == EngineChoice::Planar) return; // its robots do not lean
+        Scene scene = wheeledScene();
+        if (isHeld) scene.scenery({box("wall", {0.1, 2, 2}, at(0.5, 0, 1), 3)}, {}, "room");
+        scene.robot("r", {}, tall()).robot("other", at(-1, 1, 0), small());
+        scene.loose("thing", at(0.25, 0, 0.05), massOfBox(1, {0.1, 0.2, 0.1}), {box("b", {0.1, 0.2, 0.1}, {}, 1)});
+        auto world = scene.build();
+        QVERIFY(world);
+        QVERIFY(world->place("r", at(0, 0, 0.03, degrees(0, 19, 0))).ok());
+        QVERIFY(world->tick().ok());
+        bool touchesWall = false;
+        for (const WorldContact& c : world->contacts()) {
+            QVERIFY(!c.first.starts_with("thing/") || !c.second.starts_with("r/"));
+            QVERIFY(!c.first.starts_with("r/") || !c.second.starts_with("thing/"));
+            if (c.second != "room/wall") continue;
+            touchesWall = true;
+            QVERIFY(c.first == "r/mast/top" && c.position.z() > 1.1 && c.depth < 0.015);
+        }
+        QCOMPARE(touchesWall, isHeld);
+        if (isHeld) return;
+        QVERIFY(run(*world, 1));
+        QVERIFY(position(*world, "thing/body") == Vec3(0.25, 0, 0.05));
+        QCOMPARE(world->robotFaults().ends.size(), std::size_t(1));
+        const std::string& reason = world->robotFaults().ends[0].fault.reason;
+        QVERIFY2(reason.find("leans") != std::string::npos && reason.find("deep") == std::string::npos, reason.c_str());
     }
 
     /// A wheel has one axle, and nothing else that holds it or hangs on it.

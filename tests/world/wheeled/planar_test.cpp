@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "world/fixtures.h"
+#include "world/wheeled/planar_shape.h"
 
 using namespace fixture;
 
@@ -109,6 +110,32 @@ private Q_SLOTS:
                 total += c.force;
             }
             QVERIFY(std::abs(total - kMass * g) < 1e-9);
+        }
+    }
+
+    /// Lying or upright, its caps are part of it.
+    void aCapsuleReachesItsTips() {
+        GeomSpec pill = cylinder("pill", 0.1, 0.6);
+        pill.shape = GeomShape::Capsule;
+        const Vec3 centre(0.3, -0.2, 0.5);
+        const Quat turns[3] = {Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitY())), Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())),
+                               Quat::Identity()};
+        for (int axis = 0; axis < 3; ++axis) { // along x, y and z
+            const Result<PlanarShape> made = planarShapeOf(pill, Pose{centre, turns[axis]});
+            QVERIFY(made.ok());
+            const PlanarShape& shape = made.value();
+            Vec3 least(1e9, 1e9, shape.low), most(-1e9, -1e9, shape.high);
+            for (const Vec2& corner : shape.corners)
+                for (int k = 0; k < 2; ++k) {
+                    least[k] = std::min(least[k], corner[k]);
+                    most[k] = std::max(most[k], corner[k]);
+                }
+            for (int k = 0; k < 3; ++k) {
+                const double reach = k == axis ? 0.4 : 0.1;
+                QVERIFY2(std::abs(most[k] - centre[k] - reach) < 1e-9, qPrintable(QString::number(most[k])));
+                QVERIFY2(std::abs(centre[k] - least[k] - reach) < 1e-9, qPrintable(QString::number(least[k])));
+            }
+            QVERIFY(std::abs(shape.bound - (axis == 2 ? 0.1 : 0.4)) < 1e-9);
         }
     }
 

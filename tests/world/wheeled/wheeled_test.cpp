@@ -308,6 +308,37 @@ private Q_SLOTS:
         QVERIFY(std::abs(value(*world, "r/leftMotor/effort") - 0.1 / kWheel / kSoftness) < 1e-6);
     }
 
+    /// On the first of a contact friction acts against its motion along the second: scenery, or another thing.
+    void frictionActsAgainstTheMotion() {
+        for (const char* beside : {"wall", "later", "earlier"})
+            for (const double way : {1., -1.}) {
+                Scene scene = wheeledScene();
+                const bool isWall = beside == std::string("wall"), isEarlier = beside == std::string("earlier");
+                const Vec3 size(0.2, 0.2, 0.1), block(4, 0.2, 0.3);
+                const Pose place = at(0, 0.2, 0.15);
+                const auto addBlock = [&] { scene.loose("block", place, massOfBox(40, block), {box("b", block, {}, 3)}); };
+                if (isWall) scene.scenery({box("wall", block, place, 3)}, {}, "room");
+                if (isEarlier) addBlock();
+                scene.loose("thing", at(0, 0, 0.05), massOfBox(1, size), {box("b", size, {}, 3)});
+                if (!isWall && !isEarlier) addBlock();
+                auto world = scene.build();
+                QVERIFY(world);
+                QVERIFY(world->push("thing/body", {way * 100, 0, 0}, {0, 0, 0.05}).ok()); // 1 m/s, less friction
+                int found = 0;
+                for (int k = 0; k < 6; ++k) {
+                    QVERIFY(world->push("thing/body", {0, 20, 0}, position(*world, "thing/body")).ok() && world->tick().ok());
+                    QVERIFY(way * velocity(*world, "thing/body").x() > 0.1);
+                    for (const WorldContact& c : world->contacts()) {
+                        if (c.normal.z() > 0.5 || c.force < 0.1) continue;
+                        ++found;
+                        const double sense = c.first.starts_with("thing/") ? -way : way;
+                        QVERIFY2(sense * c.friction.x() > 0.1 * c.force, qPrintable(QString::number(c.friction.x())));
+                    }
+                }
+                QVERIFY(found >= 4);
+            }
+    }
+
     /// A wheel's body turns with its joint, and where it touches the ground it stands still.
     void wheelsTurn() {
         Scene scene = wheeledScene();

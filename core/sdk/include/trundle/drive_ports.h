@@ -52,8 +52,8 @@ public:
         command(linear, angular, linearAmount, angularAmount);
         this->begin();
     }
-    /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle.
-    void turn(double speed, double angle) { drive(0, std::copysign(speed, angle), 0, angle); }
+    /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle. An angle of 0 is no turn.
+    void turn(double speed, double angle) { drive(0, angle == 0 ? 0 : std::copysign(speed, angle), 0, angle); }
 
 private:
     void command(double linear, double angular, double linearAmount, double angularAmount) {
@@ -82,8 +82,8 @@ public:
         command(forward, left, angular, linearAmount, angularAmount);
         this->begin();
     }
-    /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle.
-    void turn(double speed, double angle) { drive(0, 0, std::copysign(speed, angle), 0, angle); }
+    /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle. An angle of 0 is no turn.
+    void turn(double speed, double angle) { drive(0, 0, angle == 0 ? 0 : std::copysign(speed, angle), 0, angle); }
 
 private:
     void command(double forward, double left, double angular, double linearAmount, double angularAmount) {

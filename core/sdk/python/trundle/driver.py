@@ -239,6 +239,7 @@ class _Session:
         for path, value in (new or {}).items():
             if path not in self.driver.outputs:
                 raise ValueError(f"{path} is not one of the driver's outputs")
+            value = value.tolist() if hasattr(value, "tolist") else value  # of numpy
             values = list(value) if isinstance(value, (tuple, list)) else [value]
             if len(values) != self.driver.outputs[path]:
                 raise ValueError(f"{path} has {self.driver.outputs[path]} numbers, not {len(values)}")

@@ -69,7 +69,7 @@ class BasePort(Port):
 
     def done(self):
         """True once the last amount that this port commanded has finished or was refused."""
-        return self.get("finished") >= self._number
+        return self.get("finished") >= min(self._number, self.get("sequence"))  # a reset counts from 0 again
 
     def odometry(self):
         """Pose of the base's centre, as in `pose` of its kind, from wheel odometry, relative to the start."""
@@ -98,8 +98,8 @@ class DifferentialDrivePort(BasePort):
         self._begin()
 
     def turn(self, speed, angle):
-        """Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle."""
-        self.drive(0.0, math.copysign(speed, angle), 0.0, angle)
+        """Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle. An angle of 0 is no turn."""
+        self.drive(0.0, math.copysign(speed, angle) if angle else 0.0, 0.0, angle)
 
     def _command(self, linear, angular, linear_amount, angular_amount):
         self.set("linearVelocity", linear)
@@ -126,8 +126,8 @@ class OmniDrivePort(BasePort):
         self._begin()
 
     def turn(self, speed, angle):
-        """Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle."""
-        self.drive(0.0, 0.0, math.copysign(speed, angle), 0.0, angle)
+        """Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle. An angle of 0 is no turn."""
+        self.drive(0.0, 0.0, math.copysign(speed, angle) if angle else 0.0, 0.0, angle)
 
     def _command(self, forward, left, angular, linear_amount, angular_amount):
         self.set("linearVelocity", forward)

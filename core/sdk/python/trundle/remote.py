@@ -2,6 +2,7 @@
 """A run in another process: stepped, read and commanded over a socket. The guide page remote.md describes the protocol."""
 
 import json
+import math
 import socket
 import struct
 import sys
@@ -52,6 +53,13 @@ class Disconnected(RemoteError, ConnectionError):
         super().__init__("disconnected", message)
 
 
+def _plain(value):
+    """Numbers and arrays of numpy as Python's own."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"{value!r} cannot be sent")
+
+
 class _Frames:
     """JSON objects and bytes over a stream socket: both sizes as 4 bytes each, little-endian, then both."""
 
@@ -59,7 +67,7 @@ class _Frames:
         self._socket, self._received = stream, bytearray()
 
     def send(self, message, data=b""):
-        text = json.dumps(message, allow_nan=False, separators=(",", ":")).encode()
+        text = json.dumps(message, allow_nan=False, separators=(",", ":"), default=_plain).encode()
         self._socket.sendall(struct.pack("<II", len(text), len(data)) + text + data)
 
     def receive(self):
@@ -278,7 +286,7 @@ class Remote:
 
     def __setitem__(self, path, value):
         """Sets a command signal from the coming tick on: a number, or a sequence where it has several."""
-        self._request("command", signals={path: value if isinstance(value, (int, float)) else list(value)})
+        self._request("command", signals={path: value if isinstance(value, (int, float)) or hasattr(value, "tolist") else list(value)})
 
     def read(self, *patterns):
         """The values of all signals that match, * and ? being wildcards, as a dict."""
@@ -314,7 +322,7 @@ class Remote:
         self._request("place", robot=robot, position=list(position), heading=heading)
 
     def push(self, body, force, point):
-        """Pushes the body "rover/chassis" with a force (N) at a point of the world (m), in the coming tick."""
+        """Pushes the body "rover/chassis" with a force (N) at a point of the world (m), in the coming tick; all pushes act."""
         self._request("push", body=body, force=list(force), point=list(point))
 
     def restart(self, robot):
@@ -435,6 +443,10 @@ class Remote:
         _, commands, sent = self._views
         changes = {path: commands[at] if count == 1 else commands[at:at + count].tolist() for path, at, count in self._slots
                    if commands[at:at + count] != sent[at:at + count]}
+        for path, at, count in self._slots:
+            if path in changes and not all(map(math.isfinite, commands[at:at + count])):
+                commands[at:at + count] = sent[at:at + count]
+                raise ValueError(f"{path} was given a value that is no finite number")
         if changes:
             members["signals"] = changes
 

@@ -90,6 +90,11 @@ void measureSecond(OdeJoint& joint, const OdeBody& child, const Quat& turned, co
     joint.position2 = unwrap(2 * std::atan2(turned.vec().dot(axis), turned.w()), joint.position2 + joint.rate2 * h);
 }
 
+void keepStart(OdeJoint& joint, const std::vector<OdeBody>& bodies) {
+    joint.startAxis = axisNow(joint, bodies);
+    joint.startArm = turn(bodies[joint.child].r, joint.childAnchor);
+}
+
 } // namespace
 
 void JointRows::forget(std::uint32_t joint) {
@@ -161,9 +166,7 @@ void JointRows::update(double h, std::span<const OdeContact> contacts, std::span
         const bool damped = joint.motor.damping > 0 || joint.motor.softness > 0 || joint.motor.viscousFriction > 0;
         if (damped && !m_touched[joint.child]) updateInertia(index);
         if (joint.motorChanged || damped) updateMotor(joint, h);
-        if (joint.feedback == kNone && !joint.losses) continue;
-        joint.startAxis = axisNow(joint, m_bodies);
-        joint.startArm = turn(m_bodies[joint.child].r, joint.childAnchor);
+        if (joint.feedback != kNone || joint.losses) keepStart(joint, m_bodies);
     }
     ++m_ticks;
 }

@@ -51,22 +51,18 @@ void JointRows::updateMotor(OdeJoint& joint, double h) {
     writeMotor(joint, (motor.rate / motor.softness - row.carry * joint.rate) / row.give, 1 / row.give, limit);
 }
 
-/// Far from its limits a servo is only a stiff row.
+/// Far from its limits, and where it has its whole limit, a servo is only a stiff row.
 void JointRows::updateServo(OdeJoint& joint, double h) {
     const double rate = joint.motor.rate, limit = joint.motor.limit, damping = joint.motor.damping;
     const double now = std::abs(joint.rate), reserve = limit - damping * now;
     const bool near = std::abs(joint.effort) > kFarFromLine * reserve || reserve < kLeastReserve * limit ||
                       damping * std::abs(rate - joint.rate) > kSmallChange * limit;
-    if (!near) {
-        if (joint.damper) setRow(joint.damper, joint.type, 0, dParamFMax, 0);
-        joint.damperGive = 0;
-        return writeMotor(joint, rate, kWorldCfm, joint.effort * joint.rate >= 0 ? reserve : limit);
-    }
     const bool brakes = joint.rate * rate >= 0 && damping * (now - std::abs(rate)) > kSmallChange * limit;
-    if (brakes || damping * now / 2 >= limit) { // its whole limit, or its line lies below -limit, which is all that is left
+    const bool whole = brakes || damping * now / 2 >= limit; // else its line lies below -limit, which is all that is left
+    if (whole || !near) {
         if (joint.damper) setRow(joint.damper, joint.type, 0, dParamFMax, 0);
         joint.damperGive = 0;
-        return writeMotor(joint, rate, kWorldCfm, limit);
+        return writeMotor(joint, rate, kWorldCfm, !whole && joint.effort * joint.rate >= 0 ? reserve : limit);
     }
     SpringRow row{damping, 0};
     if (!m_touched[joint.child]) row = damperRow(joint, damping, damping + dampingOf(joint), h);

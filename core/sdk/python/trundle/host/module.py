@@ -31,7 +31,10 @@ class Fault:
             if not place and not frame.filename.startswith((_LIBRARY, "/usr/lib/", "<")):
                 place = f", in {frame.name} at {os.path.basename(frame.filename)}:{frame.lineno}"
         what = type(error).__name__
-        words = str(error)
+        try:
+            words = str(error)
+        except BaseException:  # of a class of the user's
+            words = "its text cannot be read"
         if isinstance(error, SyntaxError) and error.filename:
             words = str(error.msg)
             place = f", at {os.path.basename(error.filename)}:{error.lineno}"

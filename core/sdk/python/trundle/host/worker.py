@@ -28,22 +28,39 @@ _ANY = BaseException
 
 
 class _Console(io.TextIOBase):
-    """print() of Python: whole lines go to the console of the run, with the name of the controller that is called."""
+    """print() of Python: whole lines go to the console of the run, with the name of the controller that is called, each of which has a
+    beginning of a line of its own."""
+
+    _LONGEST = 8192
 
     def __init__(self, worker, severity, otherwise):
         super().__init__()
-        self._worker, self._severity, self._otherwise, self._line = worker, severity, otherwise, ""
+        self._worker, self._severity, self._otherwise, self._begun = worker, severity, otherwise, {}
 
     def writable(self):
         return True
 
     def write(self, text):
-        *lines, self._line = (self._line + text).split("\n")
+        called = self._worker.called
+        *lines, begun = (self._begun.pop(called, "") + text).split("\n")
         for line in lines:
-            called = self._worker.called
-            if not (called and called.print(self._severity, line)) and self._otherwise:
-                self._otherwise.write(line + "\n")  # of a thread, or outside of a call
+            self._put(called, line)
+        if len(begun) > self._LONGEST:
+            self._put(called, begun)
+        elif begun:
+            self._begun[called] = begun
         return len(text)
+
+    def end_line(self):
+        """Of the controller that is called, which prints no more."""
+        called = self._worker.called
+        begun = self._begun.pop(called, "")
+        if begun:
+            self._put(called, begun)
+
+    def _put(self, called, line):
+        if not (called and called.print(self._severity, line)) and self._otherwise:
+            self._otherwise.write(line + "\n")  # of a thread, or outside of a call
 
     def flush(self):
         if self._otherwise:
@@ -276,8 +293,15 @@ class Worker:
             self.called = running.outside
             running.instance = None
             gc.collect()
+            self._end_lines()
             self.called = None
         self._done()
+
+    @staticmethod
+    def _end_lines():
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, _Console):
+                stream.end_line()
 
     def _unload(self, reader):
         self._enter(UNLOAD, _NO_CONTROLLER)
@@ -287,4 +311,5 @@ class Worker:
         except _ANY:
             pass  # Python has printed it
         gc.collect()
+        self._end_lines()
         self._done()
