@@ -82,7 +82,7 @@ const World kWorlds[] = {
     {"quick solver, long ticks", nullptr,
      "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot "
      "Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
-     "6", "d3aea4b78788bfc6"},
+     "6", "da5d5587f812fea3"},
     {"a pile, chains, a hull", nullptr,
      "Grid a { Config=Crate Count=3,3 Spacing=0.11 Pos=0,0,0.1 }\nGrid b { Config=Ball Count=3,3 Spacing=0.12 Pos=0.02,0,0.4 }\n"
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"

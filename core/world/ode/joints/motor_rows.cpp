@@ -57,8 +57,13 @@ void JointRows::updateServo(OdeJoint& joint, double h) {
     const double now = std::abs(joint.rate), reserve = limit - damping * now;
     const bool near = std::abs(joint.effort) > kFarFromLine * reserve || reserve < kLeastReserve * limit ||
                       damping * std::abs(rate - joint.rate) > kSmallChange * limit;
+    if (near && !joint.damper) {
+        const Vec3 axis = axisNow(joint, m_bodies);
+        joint.damper = axisMotor(joint, m_bodies, std::span(&axis, 1),
+                                 joint.type == JointType::Universal || joint.type == JointType::Slider);
+    }
     const bool brakes = joint.rate * rate >= 0 && damping * (now - std::abs(rate)) > kSmallChange * limit;
-    const bool whole = brakes || damping * now / 2 >= limit; // else its line lies below -limit, which is all that is left
+    const bool whole = brakes || damping * now / 2 >= limit; // so fast that its line lies below -limit
     if (whole || !near) {
         if (joint.damper) setRow(joint.damper, joint.type, 0, dParamFMax, 0);
         joint.damperGive = 0;
@@ -66,11 +71,6 @@ void JointRows::updateServo(OdeJoint& joint, double h) {
     }
     SpringRow row{damping, 0};
     if (!m_touched[joint.child]) row = damperRow(joint, damping, damping + dampingOf(joint), h);
-    if (!joint.damper) {
-        const Vec3 axis = axisNow(joint, m_bodies);
-        joint.damper = axisMotor(joint, m_bodies, std::span(&axis, 1),
-                                 joint.type == JointType::Universal || joint.type == JointType::Slider);
-    }
     joint.damperGive = row.give;
     joint.damperRate = joint.rate * (row.give - damping / 2) / row.give;
     setRow(joint.damper, joint.type, 0, dParamVel, joint.damperRate);
