@@ -70,7 +70,7 @@ private Q_SLOTS:
         QVERIFY(isAt(snap, {0.003, 0.03, 0.14}));
         QCOMPARE(snap.guides.size(), std::size_t(2)); // through the middle of the face
         QVERIFY(snap.guides[0][0].isApprox(Vec3(0.013, -0.08, 0.14)) && snap.guides[0][1].isApprox(Vec3(0.013, 0.12, 0.14)));
-        QVERIFY(isAt(onTop(0.023, 0.01, o), {0.023, 0.01, 0.14})); // the mirrored place is none
+        QVERIFY(isAt(onTop(0.023, 0.01, o), {0.023, 0.01, 0.14})); // not at the mirrored place
     }
     void stepsFartherAway() {
         const FaceSnap snap = onTop(0.092, 0.044, options(0.05, 0.01));

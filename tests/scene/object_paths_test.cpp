@@ -12,7 +12,7 @@ private Q_SLOTS:
     /// "chassis2" and "chassis_rear" are other bodies than "chassis", which is before them.
     void aNameThatBeginsLikeAnother_data() {
         QTest::addColumn<QString>("path");
-        QTest::addColumn<int>("body"); // -1: there is none
+        QTest::addColumn<int>("body"); // -1: no body
         QTest::newRow("short") << "robot0.chassis" << 0;
         QTest::newRow("longer") << "robot0.chassis2" << 1;
         QTest::newRow("longest") << "robot0.chassis_rear" << 2;

@@ -62,7 +62,7 @@ template <class Check> void eachLog(const ExperimentSpec& experiment, const Diag
 
 using Writers = std::map<std::string, const ComponentSpec*>; // by the names of their files
 
-/// The log whose file has the name of a folder of the file `name`, or the other way round; end() if there is none.
+/// The log whose file has the name of a folder of the file `name`, or the other way round; end(): no such log.
 Writers::const_iterator nestedWriter(const Writers& writers, const std::string& name) {
     for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
         if (const auto outer = writers.find(name.substr(0, end)); outer != writers.end()) return outer;

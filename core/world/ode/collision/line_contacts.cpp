@@ -13,7 +13,7 @@ constexpr double kLying = 0.3;      // cosine between axis and normal: what lean
 constexpr double kParallel = 0.05;  // sine of the angle between two axes
 constexpr double kShortest = 1e-6;  // m: of a line that has two ends
 
-/// Of a line from `from` to `to` the part within all faces but the one it lies on; `lo` above `hi` if there is none.
+/// Of a line from `from` to `to` the part within all faces but the one it lies on; `lo` above `hi`: no part of it.
 void clipLine(const FlatBody& body, std::size_t face, const Vec3& from, const Vec3& to, double& lo, double& hi) {
     for (std::size_t k = 0; k < body.normals.size(); ++k) {
         const double along = body.normals[k].dot(body.normals[face]);
