@@ -53,7 +53,8 @@ const SignalEntry* SignalLayout::find(std::string_view path) const {
 /// Where the path is in the index, or the gap where it would be: from its hash on, one place after the other.
 std::size_t SignalLayout::placeOf(std::string_view path) const {
     const std::size_t mask = m_index.size() - 1;
-    std::size_t at = std::hash<std::string_view>{}(path)&mask;
+    const std::hash<std::string_view> hashOf;
+    std::size_t at = hashOf(path) & mask;
     while (m_index[at] != kGap && m_entries[m_index[at]].path != path) at = (at + 1) & mask;
     return at;
 }

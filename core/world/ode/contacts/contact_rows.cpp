@@ -177,8 +177,8 @@ void ContactRows::fillFriction(const OdeContact& c, FrictionLaw law, const Vec3&
     }
 }
 
-/// What resistance to rolling acts about: the axis that the two bodies roll about, at rest the one that gravity turns them about, zero:
-/// none. ODE has a row for each of two axes; their shares of this one make the resistance equal in all directions.
+/// What resistance to rolling acts about: the axis that the two bodies roll about, at rest the one that gravity turns them about, zero
+/// where there is neither. ODE has a row for each of two axes; their shares of this one make the resistance equal in all directions.
 Vec3 ContactRows::rollingAxis(const OdeContact& c, const Vec3& normal) const {
     const std::uint32_t first = m_geoms[c.first].body, second = m_geoms[c.second].body;
     Vec3 spin = vec(m_bodies[first].w);
